@@ -1,0 +1,17 @@
+# Compile options for our own code; what we link against is included as system headers.
+add_library(shelfbeam_options INTERFACE)
+target_compile_options(shelfbeam_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  # Results must not depend on how the compiler contracts a*b+c on one machine or another.
+  -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC 12 sees overlapping copies in std::string's operator+ that are not there (GCC bug 105651).
+  target_compile_options(shelfbeam_options INTERFACE -Wno-restrict)
+endif()
+if(SHELFBEAM_WERROR)
+  target_compile_options(shelfbeam_options INTERFACE -Werror)
+endif()
+if(SHELFBEAM_SANITIZE)
+  target_compile_options(shelfbeam_options INTERFACE -fsanitize=${SHELFBEAM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(shelfbeam_options INTERFACE -fsanitize=${SHELFBEAM_SANITIZE})
+endif()

@@ -1,0 +1,124 @@
+#include "placement_options.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/checker.hpp"
+
+#include "verbs.hpp"
+
+namespace shelfbeam::app {
+
+Question QuestionFlags::question() const {
+  Question question;
+  question.model =
+      model == "cooperative" ? CommunicationModel::cooperative : CommunicationModel::non_cooperative;
+  question.objective = objective == "count"    ? Objective::count
+                       : objective == "links"  ? Objective::links
+                       : objective == "signal" ? Objective::signal
+                                               : Objective::effective_links;
+  question.combination = weighted ? Combination::weighted : Combination::lexicographic;
+  question.share = share;
+  return question;
+}
+
+PlaceOptions SolverFlags::options() const {
+  PlaceOptions options;
+  options.solver = solver == "auto"  ? SolverChoice::automatic
+                   : solver == "mip" ? SolverChoice::mip
+                                     : SolverChoice::greedy;
+  options.backend = backend;
+  options.time_limit_s = time_limit_s;
+  return options;
+}
+
+void add_question_options(CLI::App& verb, QuestionFlags& flags) {
+  verb.add_option("--model", flags.model, "cooperative: signals add up; non-cooperative: one unit must do")
+      ->check(CLI::IsMember({"cooperative", "non-cooperative"}))
+      ->capture_default_str();
+  verb.add_option("--objective", flags.objective, "What to minimise beside the number of transceivers")
+      ->check(CLI::IsMember({"count", "links", "effective-links", "signal"}))
+      ->capture_default_str();
+  auto* weighted =
+      verb.add_flag("--weighted", flags.weighted, "Minimise the cost of units plus the objective");
+  verb.add_flag("--lexicographic", flags.lexicographic,
+                "Fewest transceivers first, then the objective (default)")
+      ->excludes(weighted);
+  verb.add_option("--share", flags.share, "Share of the requirement from which an effective link counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+void add_solver_options(CLI::App& verb, SolverFlags& flags, double default_time_limit_s) {
+  flags.time_limit_s = default_time_limit_s;
+  std::vector<std::string> names;
+  for (const milp::Backend& backend : milp::backends()) names.emplace_back(backend.name);
+  verb.add_option("--solver", flags.solver, "auto, mip (exact) or greedy (the paper's heuristic)")
+      ->check(CLI::IsMember({"auto", "mip", "greedy"}))
+      ->capture_default_str();
+  verb.add_option("--backend", flags.backend, fmt::format("MIP solver: {}", fmt::join(names, " or ")))
+      ->check(CLI::IsMember(names));
+  verb.add_option("--time-limit", flags.time_limit_s, "Seconds for the solver")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+std::string describe(const Placement& placement, const SignalTable& table) {
+  const bool cooperative = placement.question.model == CommunicationModel::cooperative;
+  const std::size_t labels = table.rows();
+  if (placement.status == Status::infeasible) {
+    std::string text = fmt::format("No selection reaches all {} labels: {} cannot be reached even by {}.\n",
+                                   labels, placement.unreachable.size(),
+                                   cooperative ? "all candidates together" : "the best candidate");
+    const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
+    for (std::size_t u = 0; u < shown; ++u) {
+      const Unreachable& one = placement.unreachable[u];
+      text += fmt::format("  {}: at most {:.4g}, needs {:.4g}\n", table.labels[one.label].id, one.most,
+                          one.requirement);
+    }
+    if (shown < placement.unreachable.size())
+      text += fmt::format("  and {} more\n", placement.unreachable.size() - shown);
+    return text;
+  }
+  if (placement.selected.empty() && placement.status == Status::stopped)
+    return fmt::format("No placement was found before the limit; at least {} transceivers are needed.\n",
+                       placement.count_lower_bound);
+  std::string text = fmt::format("{} transceivers reach all {} labels ({}); ", placement.count(), labels,
+                                 cooperative ? "cooperative" : "non-cooperative");
+  if (static_cast<double>(placement.count()) <= placement.count_lower_bound)
+    text += "fewer cannot, proven.\n";
+  else
+    text += fmt::format("at least {} are needed.\n", placement.count_lower_bound);
+  std::vector<std::string_view> ids;
+  for (const std::uint32_t j : placement.selected) ids.push_back(table.transceivers[j].id);
+  text += fmt::format("  chosen: {}\n", fmt::join(ids, ", "));
+  if (placement.question.objective != Objective::count ||
+      placement.question.combination == Combination::weighted)
+    text += fmt::format("  objective {:.9g}, lower bound {:.9g}, gap {:.2f} %\n", placement.objective_value,
+                        placement.lower_bound, 100 * placement.gap());
+  text +=
+      fmt::format("  solver {}, {:.2f} s{}\n", placement.solver, placement.seconds,
+                  placement.status == Status::stopped
+                      ? fmt::format("; stopped by the limit: incumbent {:.6g}, bound {:.6g}, gap {:.1f} %",
+                                    placement.objective_value, placement.lower_bound, 100 * placement.gap())
+                      : "");
+  return text;
+}
+
+int exit_code(const Placement& placement) {
+  switch (placement.status) {
+    case Status::optimal:
+    case Status::feasible:
+      return done;
+    case Status::infeasible:
+      return answer_is_no;
+    case Status::stopped:
+      return stopped_early;
+  }
+  return internal_error;
+}
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,83 @@
+#include "shelfbeam/plan/plan.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/placement/placement_file.hpp"
+#include "shelfbeam/signal/signal_file.hpp"
+#include "shelfbeam/signal/signal_table.hpp"
+
+#include "loaded_store.hpp"
+#include "placement_options.hpp"
+#include "plan_folder.hpp"
+#include "simulation_options.hpp"
+#include "terminal.hpp"
+#include "verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  SimulationFlags simulation;
+  QuestionFlags question;
+  SolverFlags solver;
+  std::filesystem::path store, folder;
+};
+
+int run_plan(const Options& options) {
+  const LoadedStore store = load_store(options.store);
+  make_output_folder(options.folder);
+  Plan plan;
+  {
+    TerminalProgress progress(options.common.quiet);
+    const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
+    plan = make_plan(store.scene, store.hash,
+                     {options.simulation.options(options.common.seed), options.question.question(),
+                      options.solver.options()},
+                     control);
+  }
+  const SignalMatrix& matrix = plan.simulation.matrix;
+  const SignalTable table = make_signal_table(matrix);
+  const std::string answer = placement_json(plan.placement, table);
+  write_file(options.folder / store_name, store.resolved);
+  write_signal_file(matrix, options.folder / signal_name);
+  write_file(options.folder / placement_name, answer);
+  write_report(options.folder, {store.scene, matrix, plan.placement});
+
+  if (options.common.json)
+    fmt::print("{}", answer);
+  else if (!options.common.quiet)
+    fmt::print("{}\n{}report: {}\n", describe(plan.simulation), describe(plan.placement, table),
+               (options.folder / report_name).string());
+  if (!plan.simulation.complete) {
+    fmt::print(stderr, "stopped early: the plan rests on the samples so far\n");
+    return stopped_early;
+  }
+  return exit_code(plan.placement);
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb = app.add_subcommand("plan", "Simulate a store, place transceivers, and write the report");
+  auto options = std::make_shared<Options>();
+  verb->add_option("STORE", options->store, "Store file")->required();
+  verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
+  add_simulation_options(*verb, options->simulation, "exact");
+  add_question_options(*verb, options->question);
+  add_solver_options(*verb, options->solver, 60);
+  add_common_options(*verb, options->common);
+  verb->footer(
+      "Examples:\n"
+      "  shelfbeam plan store.json -o plan\n"
+      "  shelfbeam plan store.json -o plan --samples 50000 --model non-cooperative --objective links\n"
+      "Writes signal.h5, placement.json, placement.csv, labels.csv, store.json (resolved) and report.html.");
+  verb->callback([options, &chosen] { chosen = [options] { return run_plan(*options); }; });
+}
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,55 @@
+#include "shelfbeam/report/report.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/placement/placement_file.hpp"
+#include "shelfbeam/signal/signal_file.hpp"
+#include "shelfbeam/signal/signal_table.hpp"
+
+#include "loaded_store.hpp"
+#include "plan_folder.hpp"
+#include "verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  std::filesystem::path folder;
+};
+
+int run_report(const Options& options) {
+  const LoadedStore store = load_store(options.folder / store_name);
+  const SignalMatrix matrix = read_signal_file(options.folder / signal_name);
+  if (matrix.provenance.store_hash != store.hash)
+    throw InputError((options.folder / signal_name).string(), "belongs to another store file",
+                     "run 'shelfbeam plan' again");
+  const Placement placement = read_placement(options.folder / placement_name, make_signal_table(matrix));
+  write_report(options.folder, {store.scene, matrix, placement});
+  const std::string report = (options.folder / report_name).string();
+  if (options.common.json)
+    fmt::print("{}\n", nlohmann::ordered_json{{"report", report}}.dump(1));
+  else if (!options.common.quiet)
+    fmt::print("{}\n", report);
+  return done;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("report", "Rebuild report.html, labels.csv and placement.csv of a plan");
+  auto options = std::make_shared<Options>();
+  verb->add_option("DIR", options->folder, "Folder that 'shelfbeam plan' wrote")->required();
+  add_common_options(*verb, options->common);
+  verb->footer("Example:\n  shelfbeam report plan");
+  verb->callback([options, &chosen] { chosen = [options] { return run_report(*options); }; });
+}
+
+}  // namespace shelfbeam::app

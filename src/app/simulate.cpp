@@ -1,0 +1,67 @@
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/signal/signal_file.hpp"
+
+#include "loaded_store.hpp"
+#include "simulation_options.hpp"
+#include "terminal.hpp"
+#include "verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  SimulationFlags simulation;
+  std::filesystem::path store, output;
+};
+
+int run_simulate(const Options& options) {
+  const LoadedStore store = load_store(options.store);
+  AtomicFile probe(options.output);  // says now, not after an hour, that the output cannot be written
+  SimulationResult result;
+  {
+    TerminalProgress progress(options.common.quiet);
+    const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
+    result = simulate(store.scene, store.hash, options.simulation.options(options.common.seed), control);
+  }
+  write_signal_file(result.matrix, options.output);
+  if (options.common.json) {
+    const nlohmann::ordered_json json{{"signal", options.output.string()},
+                                      {"labels", result.matrix.rows()},
+                                      {"transceivers", result.matrix.columns()},
+                                      {"complete", result.complete},
+                                      {"rays", result.rays},
+                                      {"seconds", result.seconds}};
+    fmt::print("{}\n", json.dump(1));
+  } else if (!options.common.quiet) {
+    fmt::print("{}\n{}\n", describe(result), options.output.string());
+  }
+  if (!result.complete && !options.common.json)
+    fmt::print(stderr, "stopped early: the file holds the samples so far\n");
+  return result.complete ? done : stopped_early;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb = app.add_subcommand("simulate", "Compute the signal matrix of a store");
+  auto options = std::make_shared<Options>();
+  verb->add_option("STORE", options->store, "Store file")->required();
+  verb->add_option("-o,--output", options->output, "Signal file (HDF5) to write")->required();
+  add_simulation_options(*verb, options->simulation, "sampled");
+  add_common_options(*verb, options->common);
+  verb->footer(
+      "Examples:\n"
+      "  shelfbeam simulate store.json -o signal.h5 --samples 100000\n"
+      "  shelfbeam simulate store.json -o signal.h5 --direct exact --threads 2 --seed 7");
+  verb->callback([options, &chosen] { chosen = [options] { return run_simulate(*options); }; });
+}
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "shelfbeam/base/control.hpp"
+
+namespace shelfbeam::app {
+
+/// A progress line with the time remaining on standard error; silent when that is no terminal.
+class TerminalProgress : public ProgressSink {
+ public:
+  explicit TerminalProgress(bool quiet);
+  ~TerminalProgress() override;
+  void report(std::string_view task, double fraction, std::string_view detail) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void clear();
+
+  bool active_;
+  bool drawn_ = false;
+  std::string task_;
+  Clock::time_point started_, last_;
+};
+
+/// Makes Ctrl-C and SIGTERM ask the running work to end with what it has; a second Ctrl-C ends the program.
+const CancelToken& cancel_on_signal();
+
+}  // namespace shelfbeam::app

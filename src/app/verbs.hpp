@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "shelfbeam/base/control.hpp"
+
+namespace shelfbeam::app {
+
+/// What the program ends with; the contract of every verb.
+enum ExitCode : int {
+  done = 0,
+  answer_is_no = 1,  ///< infeasible, labels missed
+  wrong_input = 2,
+  stopped_early = 3,  ///< by a limit or the user; what there is has been saved
+  internal_error = 4
+};
+
+/// Options that every verb has.
+struct CommonOptions {
+  std::uint64_t seed = 1;
+  unsigned threads = 0;
+  bool quiet = false;
+  bool json = false;
+};
+
+/// The verb that the command line chose, ready to run; returns the exit code.
+using ChosenVerb = std::function<int()>;
+
+// Each adds one verb with its options and examples to the command line. To add one: write `add_x` in a file
+// of its own and call it in main.cpp.
+void add_new(CLI::App& app, ChosenVerb& chosen);
+void add_inspect(CLI::App& app, ChosenVerb& chosen);
+void add_simulate(CLI::App& app, ChosenVerb& chosen);
+void add_place(CLI::App& app, ChosenVerb& chosen);
+void add_plan(CLI::App& app, ChosenVerb& chosen);
+void add_report(CLI::App& app, ChosenVerb& chosen);
+void add_export(CLI::App& app, ChosenVerb& chosen);
+
+void add_common_options(CLI::App& verb, CommonOptions& options);
+
+}  // namespace shelfbeam::app

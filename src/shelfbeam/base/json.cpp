@@ -1,0 +1,203 @@
+#include "shelfbeam/base/json.hpp"
+
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
+
+namespace shelfbeam {
+
+using Node = nlohmann::ordered_json;
+
+struct JsonCursor::Document {
+  std::string name;
+  Node root;
+};
+
+namespace {
+
+const Node& as_node(const void* pointer) {
+  return *static_cast<const Node*>(pointer);
+}
+
+std::string kind(const Node& node) {
+  if (node.is_object()) return "an object";
+  if (node.is_array()) return "an array";
+  if (node.is_string()) return "a text";
+  if (node.is_number()) return "a number";
+  if (node.is_boolean()) return "true or false";
+  return "null";
+}
+
+// The parser reports "... at line 3, column 7: ..." behind an id of its own, which says nothing to a user.
+std::string parser_message(const std::exception& error) {
+  std::string text = error.what();
+  if (const auto id = text.find("] "); id != std::string::npos) text.erase(0, id + 2);
+  return text;
+}
+
+Node parse_strictly(std::string_view text, const std::string& name) {
+  std::vector<std::set<std::string>> open;
+  std::string repeated;
+  const auto watch_keys = [&](int, Node::parse_event_t event, Node& value) {
+    if (event == Node::parse_event_t::object_start) open.emplace_back();
+    if (event == Node::parse_event_t::object_end) open.pop_back();
+    if (event == Node::parse_event_t::key && !open.back().insert(value.get<std::string>()).second &&
+        repeated.empty())
+      repeated = value.get<std::string>();
+    return true;
+  };
+  try {
+    Node root = Node::parse(text, watch_keys, true, true);
+    if (!repeated.empty())
+      throw InputError(name, fmt::format("key '{}' stands twice in one object", repeated),
+                       "remove one of them");
+    return root;
+  } catch (const Node::exception& error) {
+    throw InputError(name, "is not valid JSON (" + parser_message(error) + ")", "correct it there");
+  }
+}
+
+}  // namespace
+
+JsonCursor::JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path)
+    : document_(std::move(document)), node_(node), path_(std::move(path)) {}
+
+JsonCursor JsonCursor::parse(std::string_view text, const std::string& name) {
+  auto document = std::make_shared<const Document>(Document{name, parse_strictly(text, name)});
+  const void* root = &document->root;
+  return {std::move(document), root, ""};
+}
+
+JsonCursor JsonCursor::parse_file(const std::filesystem::path& path) {
+  return parse(read_file(path), path.string());
+}
+
+std::string JsonCursor::where() const {
+  return path_.empty() ? document_->name : document_->name + ": " + path_;
+}
+
+void JsonCursor::fail(const std::string& problem, const std::string& suggestion) const {
+  throw InputError(where(), problem, suggestion);
+}
+
+bool JsonCursor::is_object() const {
+  return as_node(node_).is_object();
+}
+bool JsonCursor::is_array() const {
+  return as_node(node_).is_array();
+}
+bool JsonCursor::is_null() const {
+  return as_node(node_).is_null();
+}
+
+bool JsonCursor::is_string() const {
+  return as_node(node_).is_string();
+}
+bool JsonCursor::is_number() const {
+  return as_node(node_).is_number();
+}
+
+void JsonCursor::expect_keys(std::initializer_list<std::string_view> known) const {
+  if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
+  for (const auto& [key, value] : as_node(node_).items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      fail(fmt::format("has the unknown key '{}'", key), suggest(key, {known.begin(), known.size()}));
+  }
+}
+
+std::optional<JsonCursor> JsonCursor::find(std::string_view key) const {
+  if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
+  const auto found = as_node(node_).find(std::string(key));
+  if (found == as_node(node_).end()) return std::nullopt;
+  return JsonCursor(document_, &*found, path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key));
+}
+
+JsonCursor JsonCursor::operator[](std::string_view key) const {
+  if (auto found = find(key)) return *found;
+  fail(fmt::format("has no '{}'", key), "add it");
+}
+
+std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
+  if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
+  std::vector<std::pair<std::string, JsonCursor>> result;
+  for (const auto& [key, value] : as_node(node_).items()) result.emplace_back(key, (*this)[key]);
+  return result;
+}
+
+std::vector<JsonCursor> JsonCursor::elements() const {
+  if (!is_array()) fail("is " + kind(as_node(node_)), "an array [ ... ] is expected");
+  std::vector<JsonCursor> result;
+  for (std::size_t i = 0; i < as_node(node_).size(); ++i)
+    result.push_back(JsonCursor(document_, &as_node(node_)[i], fmt::format("{}[{}]", path_, i)));
+  return result;
+}
+
+double JsonCursor::number() const {
+  if (!is_number()) fail("is " + kind(as_node(node_)), "a number is expected");
+  const auto value = as_node(node_).get<double>();
+  if (!std::isfinite(value)) fail("is not finite", "a finite number is expected");
+  return value;
+}
+
+double JsonCursor::number(double low, double high) const {
+  const double value = number();
+  if (value < low || value > high)
+    fail(fmt::format("is {}, which is outside {} to {}", value, low, high), "use a value in that range");
+  return value;
+}
+
+double JsonCursor::positive() const {
+  const double value = number();
+  if (value <= 0) fail(fmt::format("is {}", value), "it must be greater than 0");
+  return value;
+}
+
+double JsonCursor::non_negative() const {
+  const double value = number();
+  if (value < 0) fail(fmt::format("is {}", value), "it must not be negative");
+  return value;
+}
+
+std::int64_t JsonCursor::integer(std::int64_t low, std::int64_t high) const {
+  const double value = number(static_cast<double>(low), static_cast<double>(high));
+  if (value != std::floor(value)) fail(fmt::format("is {}", value), "a whole number is expected");
+  return static_cast<std::int64_t>(value);
+}
+
+bool JsonCursor::boolean() const {
+  if (!as_node(node_).is_boolean()) fail("is " + kind(as_node(node_)), "true or false is expected");
+  return as_node(node_).get<bool>();
+}
+
+std::string JsonCursor::text() const {
+  if (!is_string()) fail("is " + kind(as_node(node_)), "a text is expected");
+  return as_node(node_).get<std::string>();
+}
+
+std::vector<double> JsonCursor::numbers() const {
+  std::vector<double> values;
+  for (const JsonCursor& element : elements()) values.push_back(element.number());
+  return values;
+}
+
+std::vector<double> JsonCursor::numbers(std::size_t count) const {
+  auto values = numbers();
+  if (values.size() != count)
+    fail(fmt::format("has {} numbers", values.size()), fmt::format("{} are expected", count));
+  return values;
+}
+
+std::string JsonCursor::choice(std::initializer_list<std::string_view> known) const {
+  std::string word = text();
+  if (std::find(known.begin(), known.end(), word) == known.end())
+    fail(fmt::format("is '{}', which is not known here", word), suggest(word, {known.begin(), known.size()}));
+  return word;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace shelfbeam {
+
+/// A place in a JSON document that is being read strictly: every access states what it expects, and what does
+/// not fit throws InputError with the file and the JSON path ("store.json: fixtures[3].labels.spacing").
+class JsonCursor {
+ public:
+  /// Reads and parses; comments are allowed, duplicate keys are not. `name` stands for the file in errors.
+  static JsonCursor parse(std::string_view text, const std::string& name);
+  static JsonCursor parse_file(const std::filesystem::path& path);
+
+  /// "file: path" for errors.
+  std::string where() const;
+  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion = {}) const;
+
+  bool is_object() const;
+  bool is_array() const;
+  bool is_string() const;
+  bool is_number() const;
+  bool is_null() const;
+
+  /// Objects: throws for a value that is no object or has a key that is not in `known` (names the nearest).
+  void expect_keys(std::initializer_list<std::string_view> known) const;
+  JsonCursor operator[](std::string_view key) const;                ///< throws when the key is missing
+  std::optional<JsonCursor> find(std::string_view key) const;       ///< nothing when the key is missing
+  std::vector<std::pair<std::string, JsonCursor>> members() const;  ///< in the order of the file
+
+  /// Arrays.
+  std::vector<JsonCursor> elements() const;
+
+  double number() const;                         ///< finite
+  double number(double low, double high) const;  ///< within [low, high]
+  double positive() const;                       ///< > 0
+  double non_negative() const;
+  std::int64_t integer(std::int64_t low, std::int64_t high) const;
+  bool boolean() const;
+  std::string text() const;
+  std::vector<double> numbers(std::size_t count) const;  ///< array of exactly `count` finite numbers
+  std::vector<double> numbers() const;
+  /// One of `known`; throws with the nearest.
+  std::string choice(std::initializer_list<std::string_view> known) const;
+
+ private:
+  struct Document;
+  JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path);
+
+  std::shared_ptr<const Document> document_;
+  const void* node_;
+  std::string path_;
+};
+
+}  // namespace shelfbeam

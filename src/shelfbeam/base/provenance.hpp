@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace shelfbeam {
+
+/// The program's version, "major.minor.patch".
+std::string_view program_version();
+
+/// 128-bit content hash (XXH3) as 32 hexadecimal digits.
+std::string content_hash(std::string_view content);
+
+/// Well-mixed 64-bit hash of a text: the key of random streams that belong to a named thing.
+std::uint64_t hash64(std::string_view text);
+
+/// Where a result comes from; written into every file that carries results.
+struct Provenance {
+  std::string program_version;
+  std::string store_hash;  ///< content_hash of the resolved store; empty for a matrix from elsewhere
+  std::uint64_t seed = 0;
+  std::string estimator;  ///< e.g. "uniform, direct sampled"; empty for a matrix from elsewhere
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shelfbeam {
+
+/// The known word nearest to `word` by edit distance; empty when none is near enough to be a slip.
+std::string nearest(std::string_view word, std::span<const std::string_view> known);
+
+/// "did you mean 'x'?" when a known word is near, else "known: a, b, c".
+std::string suggest(std::string_view word, std::span<const std::string_view> known);
+
+std::string join(std::span<const std::string_view> words, std::string_view separator);
+
+/// Shell-style match: '*' any run of characters, '?' one character.
+bool matches_glob(std::string_view text, std::string_view pattern);
+
+/// Splits at `separator` (empty fields kept) and trims blanks around each field.
+std::vector<std::string_view> split(std::string_view line, char separator);
+
+std::string_view trim(std::string_view text);
+
+}  // namespace shelfbeam

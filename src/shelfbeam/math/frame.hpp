@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+
+#include "shelfbeam/math/vec3.hpp"
+
+namespace shelfbeam {
+
+/// A right-handed orthonormal basis; `z` is the normal or axis.
+struct Frame {
+  Vec3 x, y, z;
+
+  /// Any frame about a unit normal (Duff et al. 2017, "Building an orthonormal basis, revisited").
+  static Frame about(const Vec3& n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1 / (sign + n.z);
+    const double b = n.x * n.y * a;
+    return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+  }
+
+  /// The frame of a device: `axis` is unit; at roll 0, x is the horizontal part of world +x seen across the
+  /// axis (world +y where the axis runs along x); roll turns it right-handed about the axis.
+  static Frame of_device(const Vec3& axis, double roll_rad) {
+    const Vec3 reference = std::abs(axis.x) < 0.999999 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 u = normalized(reference - axis * dot(reference, axis));
+    const Vec3 v = cross(axis, u);
+    const double c = std::cos(roll_rad), s = std::sin(roll_rad);
+    return {u * c + v * s, v * c - u * s, axis};
+  }
+
+  Vec3 to_world(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
+  Vec3 to_local(const Vec3& v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
+};
+
+}  // namespace shelfbeam

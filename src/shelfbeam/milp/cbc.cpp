@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <vector>
+
+#include <CbcConfig.h>
+#include <CbcEventHandler.hpp>
+#include <CbcModel.hpp>
+#include <CbcStrategy.hpp>
+#include <CoinMessageHandler.hpp>
+#include <CoinPackedMatrix.hpp>
+#include <OsiClpSolverInterface.hpp>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/milp/detail/bound_report.hpp"
+#include "shelfbeam/milp/detail/objective_scale.hpp"
+#include "shelfbeam/milp/solver.hpp"
+
+namespace shelfbeam::milp {
+
+std::string_view cbc_version();
+Result solve_cbc(const Model& model, const SolveOptions& options, const RunControl& control);
+Model read_cbc(const std::filesystem::path& path);
+
+namespace {
+
+// COIN prints errors at log level 0 as well.
+class Silent final : public CoinMessageHandler {
+ public:
+  int print() override { return 0; }
+  CoinMessageHandler* clone() const override { return new Silent(*this); }
+};
+
+void load(const Model& model, double cost_scale, OsiClpSolverInterface& solver) {
+  const double solver_infinity = solver.getInfinity();
+  const auto bound = [&](double value) { return std::clamp(value, -solver_infinity, solver_infinity); };
+  std::vector<double> lower, upper, cost, row_lower, row_upper, values;
+  std::vector<int> indices, lengths;
+  std::vector<CoinBigIndex> starts{0};
+  for (const Column& column : model.columns) {
+    lower.push_back(bound(column.lower));
+    upper.push_back(bound(column.upper));
+    cost.push_back(column.cost * cost_scale);
+  }
+  for (const Row& row : model.rows) {
+    row_lower.push_back(bound(row.lower));
+    row_upper.push_back(bound(row.upper));
+    for (const Entry& entry : row.entries) {
+      indices.push_back(static_cast<int>(entry.column));
+      values.push_back(entry.value);
+    }
+    lengths.push_back(static_cast<int>(row.entries.size()));
+    starts.push_back(static_cast<CoinBigIndex>(indices.size()));
+  }
+  const CoinPackedMatrix matrix(false, static_cast<int>(model.columns.size()),
+                                static_cast<int>(model.rows.size()), starts.back(), values.data(),
+                                indices.data(), starts.data(), lengths.data());
+  solver.loadProblem(matrix, lower.data(), upper.data(), cost.data(), row_lower.data(), row_upper.data());
+  for (std::size_t j = 0; j < model.columns.size(); ++j)
+    if (model.columns[j].integer) solver.setInteger(static_cast<int>(j));
+}
+
+class Watch final : public CbcEventHandler {
+ public:
+  Watch(const RunControl& control, detail::BoundReport& report, double cost_scale)
+      : control_(control), report_(report), cost_scale_(cost_scale) {}
+
+  CbcEventHandler* clone() const override { return new Watch(*this); }
+
+  CbcAction event(CbcEvent) override {
+    // Heuristics run on models of their own, whose bounds are not ours.
+    if (model_ != nullptr && model_->parentModel() == nullptr)
+      report_(model_->getObjValue() / cost_scale_, model_->getBestPossibleObjValue() / cost_scale_);
+    return control_.cancelled() ? stop : noAction;
+  }
+  CbcAction event(CbcEvent which, void*) override { return event(which); }
+
+ private:
+  const RunControl& control_;
+  detail::BoundReport& report_;
+  double cost_scale_;
+};
+
+Termination to_termination(const CbcModel& cbc, const RunControl& control) {
+  if (cbc.status() == 0) return cbc.bestSolution() ? Termination::optimal : Termination::infeasible;
+  if (cbc.status() == 1 || cbc.status() == 5)
+    return control.cancelled() ? Termination::interrupted : Termination::limit;
+  return Termination::error;
+}
+
+}  // namespace
+
+std::string_view cbc_version() {
+  return CBC_VERSION;
+}
+
+Result solve_cbc(const Model& model, const SolveOptions& options, const RunControl& control) {
+  const double scale = detail::objective_scale(model);
+  Silent silent;
+  silent.setLogLevel(0);
+  OsiClpSolverInterface solver;
+  solver.passInMessageHandler(&silent);
+  load(model, scale, solver);
+
+  CbcModel cbc(solver);
+  cbc.passInMessageHandler(&silent);
+  cbc.setLogLevel(0);
+  cbc.setUseElapsedTime(true);
+  cbc.setMaximumSeconds(std::clamp(options.time_limit_s, 0.0, 1e10));
+  cbc.setAllowableFractionGap(options.relative_gap);
+  cbc.setAllowableGap(0);
+  detail::BoundReport report(control);
+  const Watch watch(control, report, scale);
+  cbc.passInEventHandler(&watch);
+  // Cuts at every node. No preprocessing: CBC 2.10.8 then returns fractional values as optimal now and then.
+  CbcStrategyDefault strategy(0);
+  cbc.setStrategy(strategy);
+  cbc.branchAndBound();
+
+  Result result;
+  result.termination = to_termination(cbc, control);
+  if (const double* x = cbc.bestSolution()) result.solution.assign(x, x + model.columns.size());
+  if (const double dual = cbc.getBestPossibleObjValue(); dual > -1e50) result.dual_bound = dual / scale;
+  return result;
+}
+
+Model read_cbc(const std::filesystem::path& path) {
+  Silent silent;
+  OsiClpSolverInterface solver;
+  solver.passInMessageHandler(&silent);
+  const int errors =
+      path.extension() == ".lp" ? solver.readLp(path.c_str()) : solver.readMps(path.c_str(), "");
+  if (errors != 0) throw InputError(path.string(), "CBC cannot read it as a model", "give an MPS or LP file");
+  const auto bound = [&](double value) {
+    return value >= solver.getInfinity() ? infinity : value <= -solver.getInfinity() ? -infinity : value;
+  };
+  Model model;
+  for (int j = 0; j < solver.getNumCols(); ++j)
+    model.columns.push_back({solver.getObjCoefficients()[j], bound(solver.getColLower()[j]),
+                             bound(solver.getColUpper()[j]), solver.isInteger(j), solver.getColName(j)});
+  const CoinPackedMatrix& matrix = *solver.getMatrixByRow();
+  for (int i = 0; i < solver.getNumRows(); ++i) {
+    Row row{bound(solver.getRowLower()[i]), bound(solver.getRowUpper()[i]), {}, solver.getRowName(i)};
+    const CoinShallowPackedVector entries = matrix.getVector(i);
+    for (int k = 0; k < entries.getNumElements(); ++k)
+      row.entries.push_back({static_cast<std::uint32_t>(entries.getIndices()[k]), entries.getElements()[k]});
+    model.rows.push_back(std::move(row));
+  }
+  return model;
+}
+
+}  // namespace shelfbeam::milp

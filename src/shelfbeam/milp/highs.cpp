@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include <Highs.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/milp/detail/bound_report.hpp"
+#include "shelfbeam/milp/detail/objective_scale.hpp"
+#include "shelfbeam/milp/solver.hpp"
+
+namespace shelfbeam::milp {
+
+std::string_view highs_version();
+Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control);
+Model read_highs(const std::filesystem::path& path);
+
+namespace {
+
+HighsLp to_highs(const Model& model, double cost_scale) {
+  HighsLp lp;
+  lp.num_col_ = static_cast<HighsInt>(model.columns.size());
+  lp.num_row_ = static_cast<HighsInt>(model.rows.size());
+  lp.sense_ = ObjSense::kMinimize;
+  for (const Column& column : model.columns) {
+    lp.col_cost_.push_back(column.cost * cost_scale);
+    lp.col_lower_.push_back(column.lower);
+    lp.col_upper_.push_back(column.upper);
+    lp.integrality_.push_back(column.integer ? HighsVarType::kInteger : HighsVarType::kContinuous);
+  }
+  HighsSparseMatrix& matrix = lp.a_matrix_;
+  matrix.format_ = MatrixFormat::kRowwise;
+  matrix.num_col_ = lp.num_col_;
+  matrix.num_row_ = lp.num_row_;
+  matrix.start_ = {0};
+  for (const Row& row : model.rows) {
+    lp.row_lower_.push_back(row.lower);
+    lp.row_upper_.push_back(row.upper);
+    for (const Entry& entry : row.entries) {
+      if (entry.value == 0) continue;
+      matrix.index_.push_back(static_cast<HighsInt>(entry.column));
+      matrix.value_.push_back(entry.value);
+    }
+    matrix.start_.push_back(static_cast<HighsInt>(matrix.index_.size()));
+  }
+  return lp;
+}
+
+bool is_bounded(const Model& model) {
+  return std::all_of(model.columns.begin(), model.columns.end(), [](const Column& column) {
+    return column.cost == 0 || (column.cost > 0 ? column.lower > -infinity : column.upper < infinity);
+  });
+}
+
+Termination to_termination(HighsModelStatus status, const Model& model) {
+  switch (status) {
+    case HighsModelStatus::kOptimal:
+    case HighsModelStatus::kModelEmpty:
+      return Termination::optimal;
+    case HighsModelStatus::kInfeasible:
+      return Termination::infeasible;
+    case HighsModelStatus::kUnboundedOrInfeasible:
+      return is_bounded(model) ? Termination::infeasible : Termination::error;
+    case HighsModelStatus::kTimeLimit:
+      return Termination::limit;
+    case HighsModelStatus::kInterrupt:
+      return Termination::interrupted;
+    default:
+      return Termination::error;
+  }
+}
+
+// HiGHS keeps its worker threads for the next model unless told otherwise, and then refuses another number.
+struct SchedulerGuard {
+  ~SchedulerGuard() { Highs::resetGlobalScheduler(true); }
+};
+
+}  // namespace
+
+std::string_view highs_version() {
+  return ::highsVersion();
+}
+
+Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control) {
+  const SchedulerGuard guard;
+  const double scale = detail::objective_scale(model);
+  const unsigned asked = options.threads != 0 ? options.threads : control.threads;
+  const unsigned threads = asked != 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
+
+  Highs highs;
+  highs.setOptionValue("output_flag", false);
+  highs.setOptionValue("threads", static_cast<HighsInt>(threads));
+  highs.setOptionValue("mip_rel_gap", options.relative_gap);
+  highs.setOptionValue("mip_abs_gap", 0.0);
+  highs.setOptionValue("time_limit", std::max(options.time_limit_s, 0.0));
+  if (highs.passModel(to_highs(model, scale)) == HighsStatus::kError) return {};
+
+  detail::BoundReport report(control);
+  highs.setCallback(
+      [&](int type, const std::string&, const HighsCallbackDataOut* out, HighsCallbackDataIn* in, void*) {
+        if (type == kCallbackMipInterrupt) report(out->mip_primal_bound / scale, out->mip_dual_bound / scale);
+        in->user_interrupt = control.cancelled() ? 1 : 0;
+      },
+      nullptr);
+  highs.startCallback(kCallbackMipInterrupt);
+  highs.startCallback(kCallbackSimplexInterrupt);
+  if (highs.run() == HighsStatus::kError) return {};
+
+  const bool is_mip = std::any_of(model.columns.begin(), model.columns.end(),
+                                  [](const Column& column) { return column.integer; });
+  Result result;
+  result.termination = to_termination(highs.getModelStatus(), model);
+  // A MIP solution that fails HiGHS's own last check comes back beside "infeasible"; `verified` sees both.
+  if (highs.getSolution().value_valid && (is_mip || result.termination == Termination::optimal))
+    result.solution = highs.getSolution().col_value;
+  if (is_mip)
+    result.dual_bound = highs.getInfo().mip_dual_bound / scale;
+  else if (result.termination == Termination::optimal)
+    result.dual_bound = highs.getInfo().objective_function_value / scale;
+  return result;
+}
+
+Model read_highs(const std::filesystem::path& path) {
+  Highs highs;
+  highs.setOptionValue("output_flag", false);
+  if (highs.readModel(path.string()) == HighsStatus::kError)
+    throw InputError(path.string(), "HiGHS cannot read it as a model", "give an MPS or LP file");
+  const HighsLp& lp = highs.getLp();
+  Model model;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(lp.num_col_); ++j)
+    model.columns.push_back({lp.col_cost_[j], lp.col_lower_[j], lp.col_upper_[j],
+                             !lp.integrality_.empty() && lp.integrality_[j] == HighsVarType::kInteger,
+                             lp.col_names_[j]});
+  for (std::size_t i = 0; i < static_cast<std::size_t>(lp.num_row_); ++i)
+    model.rows.push_back({lp.row_lower_[i], lp.row_upper_[i], {}, lp.row_names_[i]});
+  HighsSparseMatrix matrix = lp.a_matrix_;
+  matrix.ensureRowwise();
+  for (std::size_t i = 0; i < model.rows.size(); ++i)
+    for (auto k = static_cast<std::size_t>(matrix.start_[i]);
+         k < static_cast<std::size_t>(matrix.start_[i + 1]); ++k)
+      model.rows[i].entries.push_back({static_cast<std::uint32_t>(matrix.index_[k]), matrix.value_[k]});
+  return model;
+}
+
+}  // namespace shelfbeam::milp

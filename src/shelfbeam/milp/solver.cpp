@@ -1,0 +1,50 @@
+#include "shelfbeam/milp/solver.hpp"
+
+#include <array>
+#include <utility>
+
+#include "shelfbeam/milp/verify.hpp"
+
+namespace shelfbeam::milp {
+
+#ifdef SHELFBEAM_HAS_HIGHS
+std::string_view highs_version();
+Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control);
+Model read_highs(const std::filesystem::path& path);
+#endif
+#ifdef SHELFBEAM_HAS_CBC
+std::string_view cbc_version();
+Result solve_cbc(const Model& model, const SolveOptions& options, const RunControl& control);
+Model read_cbc(const std::filesystem::path& path);
+#endif
+
+namespace {
+
+// Not every solver accepts a model without columns: its rows are met by nothing, or not at all.
+Result solve_empty(const Model& model) {
+  if (violation(model, {}) > feasibility_tolerance) return {Termination::infeasible, infinity, infinity, {}};
+  return {Termination::optimal, 0, 0, {}};
+}
+
+template <Result (*solve)(const Model&, const SolveOptions&, const RunControl&)>
+Result guarded(const Model& model, const SolveOptions& options, const RunControl& control) {
+  if (control.cancelled()) return {Termination::interrupted, infinity, -infinity, {}};
+  if (model.columns.empty()) return solve_empty(model);
+  return verified(model, options, solve(model, options, control));
+}
+
+}  // namespace
+
+std::span<const Backend> backends() {
+  static const std::array table = {
+#ifdef SHELFBEAM_HAS_HIGHS
+      Backend{"highs", highs_version(), guarded<solve_highs>, read_highs},
+#endif
+#ifdef SHELFBEAM_HAS_CBC
+      Backend{"cbc", cbc_version(), guarded<solve_cbc>, read_cbc},
+#endif
+  };
+  return table;
+}
+
+}  // namespace shelfbeam::milp

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/milp/model.hpp"
+
+namespace shelfbeam::milp {
+
+enum class Termination {
+  optimal,      ///< proven within the gap tolerance
+  infeasible,   ///< proven
+  limit,        ///< the time limit ended it; there may be a solution and a bound
+  interrupted,  ///< cancelled; there may be a solution and a bound
+  error         ///< the solver gave up or contradicted itself; nothing can be relied on
+};
+
+struct SolveOptions {
+  double time_limit_s = infinity;
+  double relative_gap = 1e-6;
+  unsigned threads = 0;  ///< 0: as RunControl says; a back end may use fewer
+};
+
+struct Result {
+  Termination termination = Termination::error;
+  double primal_bound = infinity;  ///< objective of `solution`
+  double dual_bound = -infinity;   ///< no solution is better than this
+  std::vector<double> solution;    ///< empty when none was found
+};
+
+/// A MIP solver. To add one: write `solve_x` and `read_x` in a .cpp of their own (the only file that includes
+/// the solver's headers), and name them in the table in solver.cpp behind the build option.
+///
+/// `solve` is silent and reports incumbent and bound to `control.progress`. Costs of any magnitude are fine
+/// (they are scaled inside); rows should have coefficients of order 1, because solvers test them with an
+/// absolute tolerance of 1e-6. Whatever the solver says has been through `verified` (verify.hpp).
+/// `read` reads an MPS or LP file (by its ending) with the solver's own reader; throws InputError.
+struct Backend {
+  std::string_view name;
+  std::string_view version;
+  Result (*solve)(const Model&, const SolveOptions&, const RunControl&);
+  Model (*read)(const std::filesystem::path&);
+};
+
+/// The back ends built in, the preferred one first; never empty.
+std::span<const Backend> backends();
+
+}  // namespace shelfbeam::milp

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/placement/instance.hpp"
+
+namespace shelfbeam {
+
+/// What a selection does, computed in double precision from the original table alone: no solver, no
+/// reduction, no scaling.
+struct Check {
+  std::vector<double> signal;          ///< per label: sum (cooperative) or largest (non-cooperative)
+  std::vector<std::uint32_t> serving;  ///< per label: chosen units that reach it alone (l_ij = 1)
+  std::vector<std::uint32_t> unmet;    ///< labels that are not met, ascending
+  double transceiver_cost = 0;         ///< sum c_j^T T_j
+  double objective = 0;                ///< value of the question's second objective; 0 for count
+
+  bool met() const { return unmet.empty(); }
+};
+
+/// `selected` are columns of the table in any order; one that is named twice counts once.
+Check check_selection(const SignalTable& table, const Question& question,
+                      std::span<const std::uint32_t> selected);
+
+}  // namespace shelfbeam

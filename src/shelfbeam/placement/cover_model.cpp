@@ -1,0 +1,109 @@
+#include "shelfbeam/placement/detail/cover_model.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "shelfbeam/milp/verify.hpp"
+#include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/export_model.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+// Solvers drop coefficients of about this size without a word. Taking them out here and their sum off the
+// right-hand side is a relaxation: bounds stay valid, and the checker judges selections.
+constexpr double negligible = 1e-8;
+
+milp::Row clipped(milp::Row row) {
+  for (milp::Entry& entry : row.entries) {
+    entry.value = std::min(entry.value, 1.0);
+    if (entry.value < negligible) row.lower -= entry.value;
+  }
+  std::erase_if(row.entries, [](const milp::Entry& entry) { return entry.value < negligible; });
+  return row;
+}
+
+}  // namespace
+
+CoverModel::CoverModel(const SignalTable& table, const Question& question, const SolveFunction& solve,
+                       double time_limit_s, const RunControl& control)
+    : table_(table), question_(question), solve_(solve), control_(control), time_limit_s_(time_limit_s) {}
+
+void CoverModel::build() {
+  model_ = placement_model(table_, question_);
+  for (milp::Row& row : model_.rows) row = clipped(std::move(row));
+  built_ = true;
+}
+
+double CoverModel::seconds_left() const {
+  return time_limit_s_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, std::optional<std::size_t> count) {
+  Outcome outcome;
+  if (seconds_left() <= 0 || control_.cancelled()) return outcome;
+  if (!built_) build();
+  for (std::size_t j = 0; j < cost.size(); ++j) model_.columns[j].cost = cost[j];
+  milp::Row count_row;
+  if (count) {
+    count_row.lower = count_row.upper = static_cast<double>(*count);
+    for (std::uint32_t j = 0; j < table_.columns(); ++j) count_row.entries.push_back({j, 1.0});
+  }
+
+  while (seconds_left() > 0 && !control_.cancelled()) {
+    if (count) model_.rows.push_back(count_row);
+    const milp::Result result = solve_(model_, {.time_limit_s = seconds_left()}, control_);
+    const bool empty_handed = result.solution.empty() && !model_.columns.empty();
+    const bool wrong =
+        !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;
+    if (count) model_.rows.pop_back();
+
+    if (wrong || result.termination == milp::Termination::error ||
+        result.termination == milp::Termination::infeasible) {
+      outcome.failed = true;
+      break;
+    }
+    outcome.bound = std::max(outcome.bound, result.dual_bound);
+    if (empty_handed) break;
+    std::vector<std::uint32_t> selected;
+    for (std::uint32_t j = 0; j < table_.columns(); ++j)
+      if (result.solution[j] > 0.5) selected.push_back(j);
+    const Check check = check_selection(table_, question_, selected);
+    if (check.met()) {
+      outcome.selected = std::move(selected);
+      outcome.proven = result.termination == milp::Termination::optimal;
+      break;
+    }
+    if (result.termination != milp::Termination::optimal) break;
+    cut_off(selected, check.unmet.front());
+  }
+  return outcome;
+}
+
+// The selection leaves the label unmet, and so does every part of it (signals are not negative). It is first
+// extended by the units that are weakest there for as long as the label stays unmet; one of the units outside
+// must then be chosen.
+void CoverModel::cut_off(const std::vector<std::uint32_t>& selected, std::size_t unmet_label) {
+  std::vector<double> signal(table_.columns(), 0.0);
+  for (const SignalEntry& entry : table_.row(unmet_label)) signal[entry.transceiver] = entry.signal;
+  std::vector<bool> chosen(table_.columns(), false);
+  for (const std::uint32_t j : selected) chosen[j] = true;
+  std::vector<std::uint32_t> outside;
+  for (std::uint32_t j = 0; j < table_.columns(); ++j)
+    if (!chosen[j]) outside.push_back(j);
+  std::stable_sort(outside.begin(), outside.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return signal[a] < signal[b]; });
+
+  const double requirement = requirement_of(table_.labels[unmet_label], question_.model);
+  auto first = outside.begin();
+  for (; first != outside.end(); ++first) {
+    chosen[*first] = true;
+    if (is_met(received_signal(table_, unmet_label, chosen, question_.model), requirement)) break;
+  }
+  milp::Row cut{1.0, milp::infinity, {}, "cut"};
+  for (; first != outside.end(); ++first) cut.entries.push_back({*first, 1.0});
+  model_.rows.push_back(std::move(cut));
+}
+
+}  // namespace shelfbeam::detail

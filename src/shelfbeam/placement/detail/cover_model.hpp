@@ -1,0 +1,45 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/placement/mip.hpp"
+
+namespace shelfbeam::detail {
+
+/// The label rows of a question as a solver gets them, with the cuts found so far and the clock.
+class CoverModel {
+ public:
+  CoverModel(const SignalTable& table, const Question& question, const SolveFunction& solve,
+             double time_limit_s, const RunControl& control);
+
+  struct Outcome {
+    std::optional<std::vector<std::uint32_t>> selected;  ///< ascending, accepted by the checker
+    double bound = -milp::infinity;                      ///< no selection costs less
+    bool proven = false;                                 ///< `selected` is optimal within the solver's gap
+    bool failed = false;                                 ///< the solver failed or contradicted what is known
+  };
+
+  /// The selection of least cost that meets every label; of exactly `count` units where that is given.
+  /// Precondition: there is one.
+  Outcome minimise(std::span<const double> cost, std::optional<std::size_t> count = std::nullopt);
+
+ private:
+  void build();
+  double seconds_left() const;
+  void cut_off(const std::vector<std::uint32_t>& selected, std::size_t unmet_label);
+
+  const SignalTable& table_;
+  const Question& question_;
+  const SolveFunction& solve_;
+  const RunControl& control_;
+  double time_limit_s_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  milp::Model model_;  ///< built when it is first needed
+  bool built_ = false;
+};
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shelfbeam/placement/instance.hpp"
+
+namespace shelfbeam {
+
+/// A selection that meets every label, found greedily after the installed units; ascending. Precondition: all
+/// candidates together meet every label.
+///
+/// The cost c(S_j) of a unit is 1 (lexicographic) or c_j^T (weighted) plus its coefficient in the second
+/// objective, links included. Each step takes the least cost per gain, ties to the lowest index:
+/// - non-cooperative: gain = labels newly reached (algorithm 1). Costs at most H(m) times the least cost.
+/// - cooperative: gain = sum_i min(r_i, M_ij / gamma_i tau_i) over the unmet labels, where r_i = 1 - S_i /
+///   gamma_i tau_i is what label i still lacks (Wolsey, Combinatorica 2, 1982). Costs at most 1 + ln(G / g)
+///   times the least cost, G the gain of all candidates together, g what was lacking before the last step.
+std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const Question& question);
+
+/// c(S_j) as above.
+std::vector<double> greedy_costs(const SignalTable& table, const Question& question);
+
+}  // namespace shelfbeam

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/placement.hpp"
+
+namespace shelfbeam {
+
+/// milp::Backend::solve, or what a test puts in its place.
+using SolveFunction =
+    std::function<milp::Result(const milp::Model&, const milp::SolveOptions&, const RunControl&)>;
+
+struct MipAnswer {
+  Placement placement;  ///< all but `solver` and `seconds`
+  bool solver_failed =
+      false;  ///< the solver's answers could not be relied on; bounds and selection still can
+};
+
+/// Answers a feasible question with a MIP solver, starting from `start`, a selection that meets every label.
+///
+/// Rows are those of placement_model, clipped to a_ij = min(1, M_ij / (gamma_i tau_i)). A selection that the
+/// checker rejects (solvers accept rows that miss by 1e-6) is cut off and the model solved again. The time
+/// limit covers everything; without any time, `solve` may be empty, and the answer is `start` with the bounds
+/// that need no search.
+MipAnswer place_by_mip(const SignalTable& table, const Question& question, std::vector<std::uint32_t> start,
+                       const SolveFunction& solve, double time_limit_s, const RunControl& control);
+
+}  // namespace shelfbeam

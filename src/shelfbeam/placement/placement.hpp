@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/instance.hpp"
+
+namespace shelfbeam {
+
+enum class Status {
+  optimal,     ///< proven
+  feasible,    ///< every label is met; nothing is claimed about the rest (greedy)
+  infeasible,  ///< proven: see `unreachable`
+  stopped  ///< a limit or an interruption came first, or the solver failed: best selection and bound so far
+};
+
+struct Unreachable {
+  std::uint32_t label = 0;
+  double requirement = 0;
+  double most = 0;  ///< with every candidate on (cooperative), or of the best single one
+};
+
+/// An answer. Indices refer to the table it was computed from; `selected` is in ascending order and holds
+/// every installed unit. An infeasible question has no selection and infinite values.
+struct Placement {
+  Question question;
+  Status status = Status::stopped;
+  std::vector<std::uint32_t> selected;
+  double count_lower_bound = 0;  ///< proven: no selection that meets every label has fewer units
+  double objective_value = 0;    ///< count; the second objective (lexicographic); or the whole sum (weighted)
+  /// Proven, of objective_value. Lexicographic: of the second objective among the selections with the fewest
+  /// units; while their number is not proven, the cheapest count_lower_bound units.
+  double lower_bound = 0;
+  bool unit_costs = false;  ///< no cost was given for the objective, so each link or signal counted 1
+  std::vector<Unreachable> unreachable;
+  std::string solver;  ///< "greedy", or name and version of the MIP back end
+  double seconds = 0;  ///< wall time
+
+  std::size_t count() const { return selected.size(); }
+  /// (incumbent - bound) / incumbent of the objective value; 0 when proven, infinite without a selection.
+  double gap() const;
+};
+
+enum class SolverChoice {
+  automatic,  ///< the preferred MIP back end
+  mip,
+  greedy
+};
+
+struct PlaceOptions {
+  SolverChoice solver = SolverChoice::automatic;
+  std::string backend;  ///< MIP back end by name; empty: the preferred one, the next where it fails
+  double time_limit_s = 60;
+};
+
+/// Answers the question for a table. Every returned selection has passed the checker (checker.hpp); a
+/// question is feasible exactly when the selection of all candidates passes it. Costs must be finite and not
+/// negative. Throws InputError when a label has no requirement or the back end is unknown.
+Placement place(const SignalTable& table, const Question& question, const PlaceOptions& options,
+                const RunControl& control = {});
+
+}  // namespace shelfbeam

@@ -1,0 +1,145 @@
+#include "shelfbeam/placement/placement_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <unordered_map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/placement/names.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+// Whole numbers without ".0", as a reader expects of a count.
+Json count(double value) {
+  return std::isfinite(value) ? Json(std::llround(value)) : Json(nullptr);
+}
+
+/// null stands for a number without a value.
+double number_or_infinity(const JsonCursor& cursor) {
+  return cursor.is_null() ? std::numeric_limits<double>::infinity() : cursor.non_negative();
+}
+
+template <class Table>
+auto named(const JsonCursor& cursor, const Table& names) {
+  const std::string word = cursor.text();
+  std::vector<std::string_view> known;
+  for (const auto& entry : names) {
+    if (entry.name == word) return entry.value;
+    known.push_back(entry.name);
+  }
+  cursor.fail(fmt::format("is '{}', which is not known here", word), suggest(word, known));
+}
+
+using Positions = std::unordered_map<std::string_view, std::uint32_t>;
+
+template <class Items>
+Positions positions(const Items& items) {
+  Positions result;
+  for (const auto& item : items) result.emplace(item.id, static_cast<std::uint32_t>(result.size()));
+  return result;
+}
+
+std::uint32_t position(const JsonCursor& cursor, const Positions& known, std::string_view what) {
+  const std::string id = cursor.text();
+  const auto found = known.find(id);
+  if (found == known.end())
+    cursor.fail(fmt::format("names '{}', and the matrix has no such {}", id, what),
+                "use the matrix that this placement was computed from");
+  return found->second;
+}
+
+std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const SignalTable& table) {
+  const Positions known = positions(table.transceivers);
+  std::vector<std::uint32_t> selected;
+  std::vector<bool> seen(table.columns(), false);
+  for (const JsonCursor& element : cursor.elements()) {
+    selected.push_back(position(element, known, "transceiver"));
+    if (seen[selected.back()]) element.fail(fmt::format("names '{}' again", element.text()), "name it once");
+    seen[selected.back()] = true;
+  }
+  std::sort(selected.begin(), selected.end());
+  return selected;
+}
+
+std::vector<Unreachable> read_unreachable(const JsonCursor& cursor, const SignalTable& table) {
+  const Positions known = positions(table.labels);
+  std::vector<Unreachable> result;
+  for (const JsonCursor& element : cursor.elements()) {
+    element.expect_keys({"label", "requirement", "most"});
+    result.push_back({position(element["label"], known, "label"), element["requirement"].positive(),
+                      element["most"].non_negative()});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string placement_json(const Placement& placement, const SignalTable& table) {
+  Json selected = Json::array();
+  for (const std::uint32_t j : placement.selected) selected.push_back(table.transceivers[j].id);
+  Json unreachable = Json::array();
+  for (const Unreachable& label : placement.unreachable)
+    unreachable.push_back(
+        {{"label", table.labels[label.label].id}, {"requirement", label.requirement}, {"most", label.most}});
+  const Question& question = placement.question;
+  const Json file = {{"format", 1},
+                     {"model", name_of(model_names, question.model)},
+                     {"objective", name_of(objective_names, question.objective)},
+                     {"combination", name_of(combination_names, question.combination)},
+                     {"share", question.share},
+                     {"selected", selected},
+                     {"count", placement.count()},
+                     {"count_lower_bound", count(placement.count_lower_bound)},
+                     {"objective_value", number(placement.objective_value)},
+                     {"lower_bound", number(placement.lower_bound)},
+                     {"gap", number(placement.gap())},
+                     {"unit_costs", placement.unit_costs},
+                     {"status", name_of(status_names, placement.status)},
+                     {"solver", placement.solver},
+                     {"seconds", number(placement.seconds)},
+                     {"unreachable", unreachable}};
+  return file.dump(2) + "\n";
+}
+
+Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
+  const JsonCursor file = JsonCursor::parse_file(path);
+  file.expect_keys({"format", "model", "objective", "combination", "share", "selected", "count",
+                    "count_lower_bound", "objective_value", "lower_bound", "gap", "unit_costs", "status",
+                    "solver", "seconds", "unreachable", "certificate"});
+  file["format"].integer(1, 1);
+  Placement placement;
+  placement.question.model = named(file["model"], model_names);
+  placement.question.objective = named(file["objective"], objective_names);
+  if (const auto found = file.find("combination"))
+    placement.question.combination = named(*found, combination_names);
+  if (const auto found = file.find("share")) placement.question.share = found->positive();
+  placement.selected = read_selected(file["selected"], table);
+  placement.count_lower_bound = number_or_infinity(file["count_lower_bound"]);
+  placement.objective_value = number_or_infinity(file["objective_value"]);
+  placement.lower_bound = number_or_infinity(file["lower_bound"]);
+  if (const auto found = file.find("unit_costs")) placement.unit_costs = found->boolean();
+  placement.status = named(file["status"], status_names);
+  placement.solver = file["solver"].text();
+  placement.seconds = file["seconds"].non_negative();
+  placement.unreachable = read_unreachable(file["unreachable"], table);
+  if (const JsonCursor stated = file["count"]; stated.number() != static_cast<double>(placement.count()))
+    stated.fail(fmt::format("is {}, but {} transceivers are selected", stated.number(), placement.count()),
+                "correct one of them");
+  return placement;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/headline.hpp"
+#include "shelfbeam/report/html_table.hpp"
+#include "shelfbeam/report/sections.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+std::string card(const std::string& name, const std::string& value, const std::string& note,
+                 const std::string& css_class = "card") {
+  return fmt::format("<div class=\"{}\"><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n", css_class,
+                     escape(name), escape(value), escape(note));
+}
+
+std::string bound_note(const Placement& placement, bool has_selection) {
+  if (!has_selection) return "proven";
+  return count_gap(placement) == 0 ? "proven" : fmt::format("proven; gap {}", percent(count_gap(placement)));
+}
+
+}  // namespace
+
+std::string answer_section(const ReportData& data) {
+  constexpr const char* tones[] = {"yes", "open", "no"};
+  constexpr const char* verdicts[] = {"Solved", "Open", "Not possible"};
+  const Headline line = headline(data);
+  const auto tone = static_cast<std::size_t>(line.tone);
+  const std::string& name = data.input.scene.name;
+  std::string html = fmt::format(
+      "<header class=\"{}\">\n<p class=\"kicker\">Transceiver placement <span "
+      "class=\"verdict\">{}</span></p>\n"
+      "<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
+      tones[tone], verdicts[tone], escape(name.empty() ? "Store" : name), escape(line.answer));
+  for (const std::string& remark : line.remarks) html += paragraph(remark, "remark");
+  return html + "</header>\n";
+}
+
+std::string key_figures(const ReportData& data) {
+  const Placement& placement = data.input.placement;
+  const std::size_t candidates = data.input.matrix.columns(), labels = data.outcome.labels.size();
+  const auto installed = std::count_if(placement.selected.begin(), placement.selected.end(),
+                                       [&](auto column) { return data.transceiver(column).installed; });
+  std::string html = "<dl class=\"cards\">\n";
+  html += card(
+      "Transceivers", data.has_selection() ? grouped(placement.count()) : "–",
+      fmt::format("of {}{}", counted(candidates, "candidate"),
+                  data.has_selection() && installed > 0 ? fmt::format("; {} installed", installed) : ""));
+  html += placement.status == Status::infeasible ? card("At least needed", "–", "no number suffices")
+                                                 : card("At least needed", grouped(least_count(placement)),
+                                                        bound_note(placement, data.has_selection()));
+  if (data.has_selection()) {
+    html += card("Labels reached", grouped(data.outcome.met), "of " + grouped(labels));
+    const std::uint32_t weakest = data.outcome.by_margin.front();
+    html += card("Least margin", decibels(data.outcome.labels[weakest].margin()),
+                 "label " + data.label(weakest).id);
+  } else if (placement.status == Status::infeasible) {
+    html += card("Labels out of reach", grouped(placement.unreachable.size()), "of " + grouped(labels));
+  } else {
+    html += card("Labels", grouped(labels), "");
+  }
+  const bool adds_up = placement.question.model == CommunicationModel::cooperative;
+  html += card("Model", model_name(placement.question.model),
+               adds_up ? "signals of all units add up" : "one unit alone must reach a label", "card word");
+  const std::string objective = objective_name(placement.question);
+  const std::size_t comma = objective.find(", ");
+  html += card("Objective", objective.substr(0, comma),
+               comma == std::string::npos ? "" : objective.substr(comma + 2), "card word");
+  return html + "</dl>\n";
+}
+
+std::string unreachable_section(const ReportData& data) {
+  const auto& unreachable = data.input.placement.unreachable;
+  if (unreachable.empty()) return {};
+  constexpr std::size_t most_rows = 100;
+  std::vector<Unreachable> worst = unreachable;
+  std::stable_sort(worst.begin(), worst.end(), [](const Unreachable& a, const Unreachable& b) {
+    return margin_db(a.most, a.requirement) < margin_db(b.most, b.requirement);
+  });
+  HtmlTable table({{"Label", false},
+                   {"x (m)"},
+                   {"y (m)"},
+                   {"Height (m)"},
+                   {fmt::format("Needs ({})", data.unit.name)},
+                   {fmt::format("Could get at most ({})", data.unit.name)},
+                   {"Short by"}});
+  for (std::size_t k = 0; k < std::min(worst.size(), most_rows); ++k) {
+    const LabelRow& label = data.label(worst[k].label);
+    table.add_row({label.id, fixed(label.position.x, 2), fixed(label.position.y, 2),
+                   fixed(label.position.z, 2), data.unit.number(worst[k].requirement),
+                   data.unit.number(worst[k].most),
+                   decibels(margin_db(worst[k].most, worst[k].requirement))});
+  }
+  std::string html =
+      paragraph(data.input.placement.question.model == CommunicationModel::cooperative
+                    ? "The most a label could get is its signal with every candidate on."
+                    : "The most a label could get is its signal from the best single candidate.");
+  html += table.html();
+  if (worst.size() > most_rows)
+    html += paragraph(fmt::format("The {} that are furthest off; placement.json lists all {}.", most_rows,
+                                  grouped(worst.size())),
+                      "note");
+  return html_section("unreachable", "Labels out of reach", html);
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include "shelfbeam/report/headline.hpp"
+#include "shelfbeam/report/html_table.hpp"
+#include "shelfbeam/report/sections.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+class Facts {
+ public:
+  explicit Facts(const std::string& heading)
+      : html_(fmt::format("<div><h3>{}</h3>\n<dl>\n", escape(heading))) {}
+  void add(const std::string& name, const std::string& value) {
+    html_ += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape(name), escape(value.empty() ? "–" : value));
+  }
+  std::string html() const { return html_ + "</dl></div>\n"; }
+
+ private:
+  std::string html_;
+};
+
+std::string range(std::uint64_t least, std::uint64_t most) {
+  return least == most ? grouped(least) : grouped(least) + " to " + grouped(most);
+}
+
+std::string placement_facts(const ReportData& data) {
+  const Placement& placement = data.input.placement;
+  const Question& question = placement.question;
+  Facts facts("Placement");
+  facts.add("Model", model_name(question.model));
+  facts.add("Objective", objective_name(question));
+  if (question.objective == Objective::effective_links)
+    facts.add("A link counts from", percent(question.share, 0) + " of the requirement");
+  facts.add("Status", status_name(placement.status));
+  facts.add("Solver", placement.solver);
+  facts.add("Time", significant(placement.seconds, 3) + "\u00A0s");
+  if (data.has_selection()) {
+    facts.add("Transceivers", grouped(placement.count()));
+    facts.add("At least needed", grouped(least_count(placement)));
+    facts.add("Gap of the number", percent(count_gap(placement)));
+    facts.add("Objective value", significant(placement.objective_value, 6));
+    facts.add("Bound of the objective", significant(placement.lower_bound, 6));
+    facts.add("Gap of the objective", percent(placement.gap()));
+  } else if (placement.status != Status::infeasible) {
+    facts.add("At least needed", grouped(least_count(placement)));
+  }
+  return facts.html();
+}
+
+std::string simulation_facts(const ReportData& data) {
+  const SamplingSummary& s = data.sampling;
+  const SignalMatrix& matrix = data.input.matrix;
+  Facts facts("Simulation");
+  facts.add("Labels × candidates", grouped(matrix.rows()) + " × " + grouped(matrix.columns()));
+  facts.add("Samples a label", range(s.least_samples, s.most_samples));
+  facts.add("Batches a label", range(s.least_batches, s.most_batches));
+  facts.add("Estimator", matrix.provenance.estimator);
+  facts.add("Wavelength", plain(matrix.wavelength_nm) + "\u00A0nm");
+  facts.add("Entries without signal",
+            fmt::format(
+                "{} of {} ({})", grouped(s.zeros), grouped(s.entries),
+                percent(s.entries == 0 ? 0 : static_cast<double>(s.zeros) / static_cast<double>(s.entries))));
+  facts.add(fmt::format("Entries from {} of the requirement", percent(relevant_share, 0)),
+            grouped(s.relevant));
+  if (s.has_errors && s.relevant > 0) {
+    facts.add("Their relative standard error",
+              fmt::format("mean {}, median {}", percent(s.mean), percent(s.median)));
+    facts.add("9 in 10 of them below", percent(s.p90));
+    facts.add("99 in 100 below", percent(s.p99));
+    facts.add("Worst", percent(s.worst));
+  } else if (!s.has_errors) {
+    facts.add("Standard errors", "not in the matrix");
+  }
+  return facts.html();
+}
+
+std::string origin_facts(const ReportData& data) {
+  const Scene& scene = data.input.scene;
+  const Provenance& provenance = data.input.matrix.provenance;
+  Facts facts("Store and origin");
+  if (scene.room)
+    facts.add("Room", fmt::format("{:.4g} × {:.4g} × {:.4g} m", scene.room->x, scene.room->y, scene.room->z));
+  facts.add("Fixtures", grouped(scene.fixtures.size()));
+  for (const LabelType& type : scene.label_types)
+    facts.add("Label type " + type.name, "needs " + data.unit.text(type.requirement()));
+  facts.add("Seed", fmt::format("{}", provenance.seed));
+  facts.add("Program", provenance.program_version.empty() ? "" : "shelfbeam " + provenance.program_version);
+  facts.add("Store hash", provenance.store_hash);
+  return facts.html();
+}
+
+}  // namespace
+
+std::string facts_section(const ReportData& data) {
+  std::string html = "<div class=\"facts\">\n" + placement_facts(data) + simulation_facts(data) +
+                     origin_facts(data) + "</div>\n";
+  const auto& warnings = data.input.scene.warnings;
+  if (!warnings.empty()) {
+    html += "<h3>Warnings about the store</h3>\n<ul>\n";
+    for (const std::string& warning : warnings) html += fmt::format("<li>{}</li>\n", escape(warning));
+    html += "</ul>\n";
+  }
+  return html_section("facts", "Facts", html);
+}
+
+}  // namespace shelfbeam

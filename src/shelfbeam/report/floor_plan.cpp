@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/elevation.hpp"
+#include "shelfbeam/report/part_drawing.hpp"
+#include "shelfbeam/report/plan_view.hpp"
+#include "shelfbeam/report/report.hpp"
+#include "shelfbeam/report/store_layer.hpp"
+#include "shelfbeam/report/text_format.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// A dot where the label is and a tick the way it faces; labels above one another give one mark.
+void draw_labels(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  constexpr double tick = 6, dot = 1.8;
+  std::set<std::pair<std::string, std::string>> drawn;
+  std::string ticks, dots;
+  for (const Label& label : scene.labels) {
+    const Point at = view.at(label.position.x, label.position.y);
+    const std::string from = coordinate(at.x) + " " + coordinate(at.y);
+    const std::string step = coordinate(tick * label.normal.x) + " " + coordinate(-tick * label.normal.y);
+    if (!drawn.emplace(from, step).second) continue;
+    ticks += "M" + from + "l" + step;
+    dots += fmt::format("M{0} {1}a{2} {2} 0 1 0 {3} 0a{2} {2} 0 1 0 -{3} 0", coordinate(at.x - dot),
+                        coordinate(at.y), coordinate(dot), coordinate(2 * dot));
+  }
+  if (ticks.empty()) return;
+  canvas.path(ticks, "label");
+  canvas.path(dots, "dot");
+}
+
+void draw_transceivers(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  std::vector<Vec3> candidates;
+  for (const Transceiver& t : scene.transceivers)
+    if (!t.installed) candidates.push_back(t.position);
+  draw_crosses(canvas, view, candidates, 4, "cand");
+  for (const Transceiver& t : scene.transceivers)
+    if (t.installed) {
+      const Point at = view.at(t.position.x, t.position.y);
+      canvas.rect({at.x - 6, at.y - 6}, 12, 12, "old", t.id);
+    }
+}
+
+std::string counts(const Scene& scene) {
+  const auto installed = std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
+                                       [](const Transceiver& t) { return t.installed; });
+  const Vec3 size = scene.room ? *scene.room : scene.upper - scene.lower;
+  std::string text = fmt::format(
+      "{} × {} × {} m · {} · {} · {}", significant(size.x, 4), significant(size.y, 4), significant(size.z, 3),
+      counted(scene.fixtures.size(), "fixture"), counted(scene.labels.size(), "label"),
+      counted(scene.transceivers.size(), "candidate transceiver"));
+  if (installed > 0) text += fmt::format(" ({} installed)", installed);
+  return text;
+}
+
+void draw_key(SvgCanvas& canvas, const Scene& scene, double y) {
+  const bool installed = std::any_of(scene.transceivers.begin(), scene.transceivers.end(),
+                                     [](const Transceiver& t) { return t.installed; });
+  double x = 360;
+  canvas.path(fmt::format("M{} {}v-8", x, y), "label");
+  canvas.circle({x, y}, 2.2, "dot");
+  canvas.text({x + 9, y + 1}, "label, facing this way", "t");
+  x += 180;
+  canvas.path(fmt::format("M{} {}h8m-4 -4v8", x - 4, y - 4), "cand");
+  canvas.text({x + 10, y + 1}, "candidate transceiver", "t");
+  if (!installed) return;
+  x += 180;
+  canvas.rect({x - 6, y - 10}, 12, 12, "old");
+  canvas.text({x + 12, y + 1}, "installed", "t");
+}
+
+}  // namespace
+
+std::string floor_plan_svg(const Scene& scene) {
+  constexpr double heading = 84, margin = 24;
+  const PlanView view(scene, heading);
+  SvgCanvas canvas;
+  view.draw_floor(canvas);
+  for (const std::uint32_t k : parts_seen_from_above(scene))
+    canvas.polygon(view.outline(scene.parts[k].footprint), part_class(scene.parts[k]));
+  for (const FixtureOutline& fixture : scene.fixtures)
+    if (fixture.footprint.size() > 2) canvas.polygon(view.outline(fixture.footprint), "outline");
+  draw_labels(canvas, view, scene);
+  draw_transceivers(canvas, view, scene);
+  draw_fixture_ids(canvas, view, scene);
+  view.draw_axes(canvas);
+  canvas.text({margin, 34}, scene.name.empty() ? "Store" : scene.name, "title");
+  canvas.text({margin, 60}, counts(scene), "sub");
+  draw_key(canvas, scene, view.height() - 17);
+
+  double height = view.height();
+  if (const auto fixture = fixture_with_most_labels(scene))
+    height += margin + draw_elevation(canvas, scene, *fixture, height + margin, view.width());
+  height += margin;
+  const std::string w = coordinate(view.width()), h = coordinate(height);
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
+      "<title>{2}</title>\n<style>{3}</style>\n<rect class=\"paper\" width=\"{0}\" "
+      "height=\"{1}\"/>\n{4}</svg>\n",
+      w, h, escape(scene.name.empty() ? "Store" : scene.name), drawing_style(), canvas.body());
+}
+
+}  // namespace shelfbeam

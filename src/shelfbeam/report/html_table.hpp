@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace shelfbeam {
+
+/// A table that scrolls inside its box on narrow screens. Cells are given as plain text.
+class HtmlTable {
+ public:
+  struct Column {
+    std::string head;
+    bool number = true;  ///< right-aligned
+  };
+
+  explicit HtmlTable(std::vector<Column> columns);
+  void add_row(const std::vector<std::string>& cells);
+  std::string html() const;
+
+ private:
+  std::vector<Column> columns_;
+  std::string rows_;
+};
+
+/// <section> with a heading; `body` is HTML.
+std::string html_section(const std::string& id, const std::string& heading, const std::string& body);
+
+/// <p> from plain text.
+std::string paragraph(const std::string& text, const std::string& css_class = {});
+
+}  // namespace shelfbeam

@@ -1,0 +1,107 @@
+#include "shelfbeam/report/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace shelfbeam {
+
+namespace {
+
+bool reaches(double signal, double requirement) {
+  return signal >= requirement * (1 - met_tolerance);
+}
+
+// What is left of a label's signal without the chosen unit at `left_out`.
+double signal_without(const SignalMatrix& matrix, const Placement& placement, std::size_t label,
+                      std::uint32_t left_out) {
+  const auto row = matrix.mean_row(label);
+  double sum = 0, largest = 0;
+  for (const std::uint32_t column : placement.selected) {
+    if (column == left_out) continue;
+    sum += static_cast<double>(row[column]);
+    largest = std::max(largest, static_cast<double>(row[column]));
+  }
+  return placement.question.model == CommunicationModel::cooperative ? sum : largest;
+}
+
+LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placement, std::size_t label) {
+  const bool adds_up = placement.question.model == CommunicationModel::cooperative;
+  const auto row = matrix.mean_row(label);
+  const auto direct = [&](std::uint32_t column) {
+    return matrix.direct.empty() ? 0.0 : static_cast<double>(matrix.direct[matrix.at(label, column)]);
+  };
+  LabelOutcome result;
+  result.requirement = matrix.labels[label].requirement;
+  for (const std::uint32_t column : placement.selected) {
+    const auto signal = static_cast<double>(row[column]);
+    if (signal > result.strongest_signal) {
+      result.strongest = column;
+      result.strongest_signal = signal;
+    }
+    if (reaches(signal, result.requirement)) result.reached_by.push_back(column);
+    if (adds_up) {
+      result.signal += signal;
+      result.direct += direct(column);
+    }
+  }
+  if (!adds_up) {
+    result.signal = result.strongest_signal;
+    if (result.strongest) result.direct = direct(*result.strongest);
+  }
+  for (const float signal : row) {
+    const auto value = static_cast<double>(signal);
+    result.best = adds_up ? result.best + value : std::max(result.best, value);
+  }
+  result.met = !placement.selected.empty() && reaches(result.signal, result.requirement);
+  return result;
+}
+
+}  // namespace
+
+double margin_db(double signal, double requirement) {
+  if (requirement <= 0) return std::numeric_limits<double>::infinity();
+  return 10 * std::log10(signal / requirement);
+}
+
+std::vector<double> Outcome::direct_shares() const {
+  std::vector<double> shares;
+  for (const LabelOutcome& label : labels)
+    if (label.signal > 0) shares.push_back(label.direct / label.signal);
+  return shares;
+}
+
+Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
+  Outcome outcome;
+  for (const std::uint32_t column : placement.selected) outcome.units.push_back({column, 0, 0, 0});
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    LabelOutcome label = label_outcome(matrix, placement, i);
+    if (label.met) ++outcome.met;
+    if (label.met && reaches(label.direct, label.requirement)) ++outcome.met_by_direct;
+    for (UnitOutcome& unit : outcome.units) {
+      if (reaches(static_cast<double>(matrix.mean[matrix.at(i, unit.column)]), label.requirement))
+        ++unit.reaches_alone;
+      if (label.strongest == unit.column) ++unit.strongest_for;
+      if (label.met && !reaches(signal_without(matrix, placement, i, unit.column), label.requirement))
+        ++unit.needed_by;
+    }
+    outcome.labels.push_back(std::move(label));
+  }
+  outcome.by_margin.resize(matrix.rows());
+  std::iota(outcome.by_margin.begin(), outcome.by_margin.end(), 0U);
+  std::stable_sort(outcome.by_margin.begin(), outcome.by_margin.end(),
+                   [&](auto a, auto b) { return outcome.labels[a].margin() < outcome.labels[b].margin(); });
+  return outcome;
+}
+
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const double place = q * static_cast<double>(values.size() - 1);
+  const auto low = static_cast<std::size_t>(place);
+  const std::size_t high = std::min(low + 1, values.size() - 1);
+  return values[low] + (place - static_cast<double>(low)) * (values[high] - values[low]);
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "shelfbeam/placement/placement.hpp"
+#include "shelfbeam/signal/signal_matrix.hpp"
+
+namespace shelfbeam {
+
+/// 10 log10(signal / requirement); minus infinity without signal, plus infinity without requirement.
+double margin_db(double signal, double requirement);
+
+/// What a placement does for one label.
+struct LabelOutcome {
+  double signal = 0;       ///< S_i: sum over the chosen units (cooperative), or the largest (non-cooperative)
+  double direct = 0;       ///< the part of `signal` that arrives without any reflection
+  double requirement = 0;  ///< gamma tau
+  double best = 0;         ///< S_i if every candidate were chosen
+  bool met = false;        ///< signal >= requirement (1 - met_tolerance)
+  std::optional<std::uint32_t> strongest;  ///< column of the chosen unit with the largest entry above 0
+  double strongest_signal = 0;
+  std::vector<std::uint32_t> reached_by;  ///< columns of the chosen units that reach it alone (l_ij = 1)
+
+  double margin() const { return margin_db(signal, requirement); }
+};
+
+/// What one chosen unit does.
+struct UnitOutcome {
+  std::uint32_t column = 0;
+  std::uint32_t reaches_alone = 0;  ///< labels with l_ij = 1
+  std::uint32_t strongest_for = 0;  ///< labels that get their largest entry from it
+  std::uint32_t needed_by = 0;      ///< labels that are met, and would not be without it
+};
+
+/// A placement seen from every label and every chosen unit, recomputed from the matrix in double precision.
+struct Outcome {
+  std::vector<LabelOutcome> labels;
+  std::vector<UnitOutcome> units;             ///< in the order of Placement::selected
+  std::vector<std::uint32_t> by_margin;       ///< labels, least margin first
+  std::size_t met = 0;                        ///< labels that are met
+  std::size_t met_by_direct = 0;              ///< labels that would be, were nothing reflected
+  std::vector<double> direct_shares() const;  ///< direct / signal of every label with signal, label order
+};
+
+Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement);
+
+/// Quantile q in [0, 1] with linear interpolation between order statistics; 0 for no values.
+double quantile(std::vector<double> values, double q);
+
+}  // namespace shelfbeam

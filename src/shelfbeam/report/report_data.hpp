@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "shelfbeam/report/levels.hpp"
+#include "shelfbeam/report/outcome.hpp"
+#include "shelfbeam/report/report.hpp"
+#include "shelfbeam/report/sampling.hpp"
+#include "shelfbeam/report/text_format.hpp"
+
+namespace shelfbeam {
+
+/// Everything that the sections of a report draw on, computed once.
+struct ReportData {
+  explicit ReportData(const ReportInput& report_input);
+
+  const ReportInput& input;
+  Outcome outcome;
+  SamplingSummary sampling;
+  std::vector<ShelfLevel> levels;
+  SignalUnit unit;
+
+  /// Otherwise the report shows what each label would get if every candidate were on.
+  bool has_selection() const {
+    return !input.placement.selected.empty() && input.placement.status != Status::infeasible;
+  }
+  bool has_direct() const { return input.matrix.direct.size() == input.matrix.mean.size(); }
+  const LabelRow& label(std::uint32_t row) const { return input.matrix.labels[row]; }
+  const TransceiverColumn& transceiver(std::uint32_t column) const {
+    return input.matrix.transceivers[column];
+  }
+  /// Position of a chosen unit in the table and on the plans, from 1.
+  std::size_t unit_number(std::uint32_t column) const;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,25 @@
+#include <fmt/format.h>
+
+#include "shelfbeam/report/report.hpp"
+#include "shelfbeam/report/sections.hpp"
+
+namespace shelfbeam {
+
+std::string report_html(const ReportInput& input) {
+  const ReportData data(input);
+  const Maps maps(data);
+  const std::string name = input.scene.name.empty() ? "Store" : input.scene.name;
+  std::string body = answer_section(data) + key_figures(data) + unreachable_section(data) +
+                     margin_section(data, maps) + reflection_section(data, maps) +
+                     distribution_section(data) + unit_section(data) + weakest_section(data) +
+                     facts_section(data);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{} – transceiver placement</title>\n<style>\n{}</style>\n</head>\n<body>\n{}<main>\n{}"
+      "<footer>Signals are simulated for the store as it is described, not measured.</footer>\n"
+      "</main>\n</body>\n</html>\n",
+      escape(name), page_style(maps), maps.definitions(), body);
+}
+
+}  // namespace shelfbeam

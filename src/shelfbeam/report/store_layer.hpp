@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+#include "shelfbeam/report/plan_view.hpp"
+#include "shelfbeam/report/svg.hpp"
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+/// Footprints of all fixtures in plain colours, a background for what stands in front of them.
+void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
+
+/// The fixtures' ids, along their long sides; beside what is too small to hold a text.
+void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
+
+/// Small crosses as one path.
+void draw_crosses(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> positions, double arm,
+                  std::string_view css_class);
+
+/// How far a label's mark reaches on the plan, from the usual distance between neighbours in a row; units.
+double label_mark_radius(const PlanView& view, std::span<const Vec3> positions);
+
+/// Where the marks of labels go: pushed out of the fixture that carries them by their radius; labels above
+/// one another stand in line in front of it.
+std::vector<Point> label_mark_places(const PlanView& view, std::span<const Vec3> positions,
+                                     std::span<const Vec3> normals, double radius);
+
+}  // namespace shelfbeam

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace shelfbeam {
+
+/// A point of a drawing in user units, y downwards.
+struct Point {
+  double x = 0, y = 0;
+};
+
+/// A coordinate rounded to a tenth of a unit, as short as it gets.
+std::string coordinate(double value);
+
+/// Collects SVG elements. Looks come from CSS classes; text handed in is escaped here, class names are not.
+class SvgCanvas {
+ public:
+  void open_group(std::string_view css_class);
+  void close_group() { body_ += "</g>"; }
+  void rect(const Point& corner, double width, double height, std::string_view css_class,
+            std::string_view title = {});
+  void circle(const Point& centre, double radius, std::string_view css_class);
+  void line(const Point& from, const Point& to, std::string_view css_class);
+  void polygon(std::span<const Point> points, std::string_view css_class, std::string_view title = {});
+  void path(std::string_view data, std::string_view css_class);
+  void text(const Point& at, std::string_view text, std::string_view css_class, double turn_deg = 0);
+  /// A copy of the symbol of that id with its origin at `at`; `title` is the tooltip.
+  void use(std::string_view symbol, const Point& at, std::string_view title = {});
+  void raw(std::string_view markup) { body_ += markup; }
+
+  const std::string& body() const { return body_; }
+
+ private:
+  void close_element(std::string_view name, std::string_view title);
+
+  std::string body_;
+};
+
+/// An inline <svg> that scales with its box; `description` is read to those who cannot see it.
+std::string inline_svg(double width, double height, std::string_view css_class, std::string_view description,
+                       std::string_view body);
+
+}  // namespace shelfbeam

@@ -1,0 +1,74 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/html_table.hpp"
+#include "shelfbeam/report/sections.hpp"
+
+namespace shelfbeam {
+
+std::string unit_section(const ReportData& data) {
+  if (!data.has_selection()) return {};
+  HtmlTable table({{"No."},
+                   {"Unit", false},
+                   {"Type", false},
+                   {"x (m)"},
+                   {"y (m)"},
+                   {"Mounting height (m)"},
+                   {"Reaches alone"},
+                   {"Strongest for"},
+                   {"Needed by"}});
+  for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
+    const UnitOutcome& unit = data.outcome.units[k];
+    const TransceiverColumn& transceiver = data.transceiver(unit.column);
+    table.add_row({grouped(k + 1), transceiver.id + (transceiver.installed ? " (installed)" : ""),
+                   transceiver.type, fixed(transceiver.position.x, 2), fixed(transceiver.position.y, 2),
+                   fixed(transceiver.position.z, 2), grouped(unit.reaches_alone), grouped(unit.strongest_for),
+                   grouped(unit.needed_by)});
+  }
+  return html_section(
+      "units", "The chosen units",
+      table.html() +
+          paragraph(
+              "Numbers of labels: that the unit reaches without help; that get the largest part of their "
+              "signal from it; that would fall below their requirement without it.",
+              "note"));
+}
+
+std::string weakest_section(const ReportData& data) {
+  if (!data.has_selection()) return {};
+  constexpr std::size_t most_rows = 20;
+  const std::size_t rows = std::min(most_rows, data.outcome.by_margin.size());
+  const std::string in_unit = fmt::format(" ({})", data.unit.name);
+  HtmlTable table({{"Label", false},
+                   {"Type", false},
+                   {"x (m)"},
+                   {"y (m)"},
+                   {"Height (m)"},
+                   {"Signal" + in_unit},
+                   {"Needs" + in_unit},
+                   {"Margin"},
+                   {"Strongest unit", false},
+                   {"Its standard error" + in_unit}});
+  for (std::size_t k = 0; k < rows; ++k) {
+    const std::uint32_t row = data.outcome.by_margin[k];
+    const LabelOutcome& outcome = data.outcome.labels[row];
+    const LabelRow& label = data.label(row);
+    std::string strongest = "–", error = "–";
+    if (outcome.strongest) {
+      strongest = fmt::format("{}: {}", data.unit_number(*outcome.strongest),
+                              data.transceiver(*outcome.strongest).id);
+      if (data.sampling.has_errors)
+        error = data.unit.number(static_cast<double>(
+            data.input.matrix.standard_error[data.input.matrix.at(row, *outcome.strongest)]));
+    }
+    table.add_row({label.id, label.type, fixed(label.position.x, 2), fixed(label.position.y, 2),
+                   fixed(label.position.z, 2), data.unit.number(outcome.signal),
+                   data.unit.number(outcome.requirement), decibels(outcome.margin()), strongest, error});
+  }
+  return html_section("weakest",
+                      rows == 1 ? "The label" : fmt::format("The {} labels with the least margin", rows),
+                      table.html() + paragraph("All labels are in labels.csv.", "note"));
+}
+
+}  // namespace shelfbeam

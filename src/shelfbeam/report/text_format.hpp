@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace shelfbeam {
+
+/// Text made safe for HTML and SVG content and quoted attributes; control characters become U+FFFD.
+std::string escape(std::string_view text);
+
+/// 12345 -> "12,345".
+std::string grouped(std::uint64_t count);
+
+/// "1 label", "2 labels", "12,345 labels".
+std::string counted(std::uint64_t count, std::string_view singular, std::string_view plural = {});
+
+/// Fixed decimals with a true minus sign, never "-0".
+std::string fixed(double value, int decimals);
+
+/// At least `digits` significant digits as a plain decimal; powers of ten only below 1e-4 and from 1e7 on.
+std::string significant(double value, int digits = 3);
+
+/// "+3.2 dB", two decimals near zero; "no signal" for minus infinity, "no requirement" for plus infinity.
+std::string decibels(double value);
+
+/// Up to six significant digits without trailing zeros: for round numbers such as ticks and edges.
+std::string plain(double value);
+
+/// A share in percent: 0.166 -> "16.6 %".
+std::string percent(double share, int decimals = 1);
+
+/// Signals in the SI prefix that makes a reference value (the requirement) read well.
+struct SignalUnit {
+  double factor = 1;  ///< W/m^2 per unit
+  std::string name = "W/m²";
+
+  std::string round_number(double signal) const { return plain(signal / factor); }
+  std::string number(double signal) const { return significant(signal / factor); }
+  std::string text(double signal) const { return number(signal) + "\u00A0" + name; }
+};
+
+SignalUnit signal_unit(double reference);
+
+}  // namespace shelfbeam

@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/scene/fixture_geometry.hpp"
+#include "shelfbeam/scene/store.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+class SceneMaker {
+ public:
+  explicit SceneMaker(const Store& store) : store_(store) {}
+
+  Scene make() {
+    scene_.name = store_.name;
+    scene_.wavelength_nm = store_.wavelength_nm;
+    scene_.materials = store_.materials;
+    scene_.label_types = store_.label_types;
+    scene_.transceiver_types = store_.transceiver_types;
+    add_room();
+    add_fixtures();
+    if (scene_.mesh.triangles.empty()) fail("has neither a room nor fixtures", "add a room");
+    find_bounds();
+    add_labels();
+    add_transceivers();
+    mark_installed();
+    return std::move(scene_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
+    throw InputError(store_.file, problem, suggestion);
+  }
+
+  void add_room() {
+    if (!store_.room) return;
+    const Vec3 s = store_.room->size;
+    scene_.room = s;
+    TriangleMesh& mesh = scene_.mesh;
+    for (int corner = 0; corner < 8; ++corner)
+      mesh.vertices.push_back(
+          {(corner & 1) != 0 ? s.x : 0, (corner & 2) != 0 ? s.y : 0, (corner & 4) != 0 ? s.z : 0});
+    constexpr std::array<std::array<std::uint32_t, 4>, 6> sides{
+        {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+      const auto& [a, b, c, d] = sides[side];
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({a, c, d});
+      mesh.materials.insert(mesh.materials.end(), 2, store_.room->materials[side]);
+    }
+  }
+
+  void add_fixtures() {
+    std::set<std::string> ids;
+    for (const auto& [fixture, where] : store_.fixtures) {
+      const std::string& id = std::visit([](const auto& f) -> const std::string& { return f.id; }, fixture);
+      if (!ids.insert(id).second)
+        throw InputError(where, fmt::format("the fixture id '{}' is used twice", id), "make ids unique");
+      const std::size_t first_vertex = scene_.mesh.vertices.size(), first_label = scene_.labels.size();
+      std::visit([&](const auto& f) { add_fixture(scene_, f); }, fixture);
+      if (scene_.room) {
+        const auto outside =
+            std::any_of(scene_.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex),
+                        scene_.mesh.vertices.end(), [&](const Vec3& p) { return !in_room(p); });
+        if (outside)
+          scene_.warnings.push_back(fmt::format("{}: fixture '{}' reaches outside the room", where, id));
+      }
+      label_places_.resize(first_label);
+      label_places_.resize(scene_.labels.size(), where);
+    }
+  }
+
+  bool in_room(const Vec3& p) const {
+    constexpr double slack = 1e-6;
+    if (!scene_.room) return true;
+    for (int axis = 0; axis < 3; ++axis)
+      if (p[axis] < -slack || p[axis] > (*scene_.room)[axis] + slack) return false;
+    return true;
+  }
+
+  void find_bounds() {
+    scene_.lower = scene_.upper = scene_.mesh.vertices.front();
+    for (const Vec3& p : scene_.mesh.vertices) {
+      scene_.lower = {std::min(scene_.lower.x, p.x), std::min(scene_.lower.y, p.y),
+                      std::min(scene_.lower.z, p.z)};
+      scene_.upper = {std::max(scene_.upper.x, p.x), std::max(scene_.upper.y, p.y),
+                      std::max(scene_.upper.z, p.z)};
+    }
+  }
+
+  void expect_in_room(const std::string& id, const Vec3& p, const std::string& where,
+                      const char* what) const {
+    if (!in_room(p))
+      throw InputError(
+          where,
+          fmt::format("{} '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside the room of {:.6g} x {:.6g} x {:.6g} m",
+                      what, id, p.x, p.y, p.z, scene_.room->x, scene_.room->y, scene_.room->z),
+          "move it inside, or correct the room's size");
+  }
+
+  void add_labels() {
+    for (const auto& [label, where] : store_.labels) {
+      scene_.labels.push_back(label);
+      label_places_.push_back(where);
+    }
+    if (scene_.labels.empty()) fail("has no labels", "add 'labels', or 'labels' to a fixture");
+    std::unordered_map<std::string, std::string> seen;
+    for (std::size_t i = 0; i < scene_.labels.size(); ++i) {
+      const Label& label = scene_.labels[i];
+      if (label.id.empty()) throw InputError(label_places_[i], "the label has no id", "give it one");
+      const auto [first, is_new] = seen.emplace(label.id, label_places_[i]);
+      if (!is_new)
+        throw InputError(label_places_[i],
+                         fmt::format("the label id '{}' is used twice, first in {}", label.id, first->second),
+                         "make ids unique");
+      expect_in_room(label.id, label.position, label_places_[i], "label");
+    }
+  }
+
+  bool kept_out(const Vec3& p) const {
+    constexpr double slack = 1e-9;
+    return std::any_of(store_.keep_out.begin(), store_.keep_out.end(), [&](const KeepOut& area) {
+      return p.x >= area.min[0] - slack && p.x <= area.max[0] + slack && p.y >= area.min[1] - slack &&
+             p.y <= area.max[1] + slack;
+    });
+  }
+
+  void add_transceiver(const Transceiver& unit, const std::string& where) {
+    if (unit.id.empty()) throw InputError(where, "the transceiver has no id", "give it one");
+    if (kept_out(unit.position)) {
+      kept_out_ids_.insert(unit.id);
+      return;
+    }
+    expect_in_room(unit.id, unit.position, where, "transceiver");
+    if (!unit_index_.emplace(unit.id, scene_.transceivers.size()).second)
+      throw InputError(where, fmt::format("the transceiver id '{}' is used twice", unit.id),
+                       "make ids unique");
+    scene_.transceivers.push_back(unit);
+  }
+
+  void add_transceivers() {
+    for (std::size_t g = 0; g < store_.grids.size(); ++g) {
+      const TransceiverGrid& grid = store_.grids[g];
+      const auto steps = [&](int axis) {
+        const double extent =
+            grid.max[static_cast<std::size_t>(axis)] - grid.min[static_cast<std::size_t>(axis)];
+        return extent > 0 ? std::max(1L, std::lround(extent / grid.spacing)) : 0L;
+      };
+      const auto coordinate = [&](std::size_t axis, long k, long n) {
+        return n == 0 ? grid.min[axis]
+                      : grid.min[axis] + (grid.max[axis] - grid.min[axis]) * static_cast<double>(k) /
+                                             static_cast<double>(n);
+      };
+      const long nx = steps(0), ny = steps(1);
+      for (long iy = 0; iy <= ny; ++iy)
+        for (long ix = 0; ix <= nx; ++ix) {
+          Transceiver unit;
+          unit.id = fmt::format("G{}-{}-{}", g + 1, ix + 1, iy + 1);
+          unit.position = {coordinate(0, ix, nx), coordinate(1, iy, ny), grid.z};
+          unit.axis = grid.axis;
+          unit.roll_deg = grid.roll_deg;
+          unit.type = grid.type;
+          add_transceiver(unit, fmt::format("{}: transceivers.grids[{}]", store_.file, g));
+        }
+    }
+    for (const auto& [unit, where] : store_.transceivers) add_transceiver(unit, where);
+    if (scene_.transceivers.empty())
+      fail("has no candidate transceivers", "add 'grids' or a 'list', or shrink 'keep_out'");
+  }
+
+  void mark_installed() {
+    for (const auto& [id, where] : store_.installed) {
+      const auto found = unit_index_.find(id);
+      if (found == unit_index_.end())
+        throw InputError(
+            where, fmt::format("there is no transceiver '{}'", id),
+            kept_out_ids_.count(id) != 0 ? "it lies in a 'keep_out' area" : "list it, or correct the id");
+      scene_.transceivers[found->second].installed = true;
+    }
+  }
+
+  const Store& store_;
+  Scene scene_;
+  std::vector<std::string> label_places_;
+  std::unordered_map<std::string, std::size_t> unit_index_;
+  std::set<std::string> kept_out_ids_;
+};
+
+}  // namespace
+
+Scene make_scene(const Store& store) {
+  return SceneMaker(store).make();
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,134 @@
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/store_parts.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+Material read_material(const JsonCursor& cursor) {
+  cursor.expect_keys({"type", "reflectance"});
+  cursor["type"].choice({"lambertian"});
+  const JsonCursor reflectance = cursor["reflectance"];
+  const double value = reflectance.non_negative();
+  if (value > 1)
+    reflectance.fail(fmt::format("is {}: a surface cannot reflect more than it receives", value),
+                     "use a value from 0 to 1");
+  return Lambertian{value};
+}
+
+std::vector<double> read_angles(const JsonCursor& cursor, double last_deg) {
+  std::vector<double> angles = cursor.numbers();
+  if (angles.empty() || angles.front() != 0) cursor.fail("does not begin at 0", "angles ascend from 0");
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    if (i > 0 && angles[i] <= angles[i - 1]) cursor.fail("does not ascend", "sort the angles");
+    if (angles[i] > last_deg)
+      cursor.fail(fmt::format("goes beyond {} degrees", last_deg),
+                  fmt::format("end at {} at most", last_deg));
+  }
+  for (double& angle : angles) angle = radians(angle);
+  return angles;
+}
+
+EmissionTable read_table(const JsonCursor& cursor) {
+  cursor.expect_keys({"type", "theta_deg", "phi_deg", "intensity"});
+  EmissionTable table;
+  table.theta = read_angles(cursor["theta_deg"], 180);
+  if (table.theta.size() < 2) cursor["theta_deg"].fail("has one angle", "at least two are needed");
+  const JsonCursor intensity = cursor["intensity"];
+  const auto add_row = [&](const JsonCursor& row) {
+    for (const JsonCursor& value : row.elements()) table.intensity.push_back(value.non_negative());
+    if (row.elements().size() != table.theta.size())
+      row.fail(fmt::format("has {} values for {} angles", row.elements().size(), table.theta.size()),
+               "give one value for each theta");
+  };
+  if (const auto phi = cursor.find("phi_deg")) {
+    table.phi = read_angles(*phi, 360);
+    const auto rows = intensity.elements();
+    if (rows.size() != table.phi.size())
+      intensity.fail(fmt::format("has {} rows for {} values of phi", rows.size(), table.phi.size()),
+                     "give one row of values for each phi");
+    for (const JsonCursor& row : rows) add_row(row);
+    if (table.phi.size() > 1 && table.phi.back() < 2 * pi) {
+      // The profile is periodic: the plane at 360 degrees is the one at 0.
+      table.phi.push_back(2 * pi);
+      table.intensity.insert(table.intensity.end(), table.intensity.begin(),
+                             table.intensity.begin() + static_cast<std::ptrdiff_t>(table.theta.size()));
+    }
+  } else {
+    table.phi = {0};
+    add_row(intensity);
+  }
+  return table;
+}
+
+Emission read_emission(const JsonCursor& cursor) {
+  const std::string type = cursor["type"].choice({"sin2theta", "isotropic", "lambertian", "table"});
+  if (type == "table") return read_table(cursor);
+  if (type == "isotropic") {
+    cursor.expect_keys({"type", "intensity"});
+    return IsotropicHemisphere{cursor["intensity"].positive()};
+  }
+  if (type == "lambertian") {
+    cursor.expect_keys({"type", "order", "flux"});
+    const auto order = cursor.find("order");
+    return GeneralizedLambertian{order ? order->non_negative() : 1, cursor["flux"].positive()};
+  }
+  cursor.expect_keys({"type", "peak"});
+  return SinTwoTheta{cursor["peak"].positive()};
+}
+
+double number_or(const JsonCursor& cursor, const char* key, double fallback) {
+  const auto found = cursor.find(key);
+  return found ? found->non_negative() : fallback;
+}
+
+void expect_point(const JsonCursor& cursor, const char* key, const char* what) {
+  const auto found = cursor.find(key);
+  if (!found) return;
+  const auto extents = found->is_array() ? found->numbers(2) : std::vector<double>{found->number()};
+  for (const double extent : extents)
+    if (extent != 0)
+      found->fail(fmt::format("is not 0, but this version knows only {}", what), "set it to 0");
+}
+
+}  // namespace
+
+void read_materials(const JsonCursor& section, Store& store) {
+  for (const auto& [name, cursor] : section.members())
+    store.materials.push_back({name, read_material(cursor)});
+}
+
+void read_label_types(const JsonCursor& section, Store& store) {
+  for (const auto& [name, cursor] : section.members()) {
+    cursor.expect_keys({"responsivity", "size", "threshold", "safety_factor", "link_cost", "signal_cost"});
+    LabelType type;
+    type.name = name;
+    if (const auto responsivity = cursor.find("responsivity")) {
+      responsivity->expect_keys({"type"});
+      (*responsivity)["type"].choice({"cosine"});
+    }
+    expect_point(cursor, "size", "labels without extent");
+    type.threshold = cursor["threshold"].positive();
+    if (const auto factor = cursor.find("safety_factor")) type.safety_factor = factor->positive();
+    type.link_cost = number_or(cursor, "link_cost", 0);
+    type.signal_cost = number_or(cursor, "signal_cost", 0);
+    store.label_types.push_back(std::move(type));
+  }
+}
+
+void read_transceiver_types(const JsonCursor& section, Store& store) {
+  for (const auto& [name, cursor] : section.members()) {
+    cursor.expect_keys({"emission", "radius", "cost"});
+    expect_point(cursor, "radius", "point transceivers");
+    TransceiverType type{name, read_emission(cursor["emission"]), number_or(cursor, "cost", 1)};
+    if (!(power(type.emission) > 0)) cursor["emission"].fail("emits nothing", "give it some intensity");
+    store.transceiver_types.push_back(std::move(type));
+  }
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,177 @@
+#include <cmath>
+#include <cstddef>
+
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/fixture_geometry.hpp"
+#include "shelfbeam/scene/store.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json array(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+class Resolver {
+ public:
+  Resolver(const Store& store, const Scene& scene) : store_(store), scene_(scene) {}
+
+  Json store() const {
+    Json json;
+    json["name"] = store_.name;
+    json["wavelength_nm"] = store_.wavelength_nm;
+    if (store_.room) json["room"] = room(*store_.room);
+    for (const auto& [name, material] : store_.materials)
+      json["materials"][name] = {{"type", type_name(material)},
+                                 {"reflectance", std::get<Lambertian>(material).reflectance}};
+    for (const LabelType& type : store_.label_types) json["label_types"][type.name] = label_type(type);
+    for (const TransceiverType& type : store_.transceiver_types)
+      json["transceiver_types"][type.name] = {
+          {"emission", emission(type.emission)}, {"radius", 0}, {"cost", type.cost}};
+    json["fixtures"] = Json::array();
+    for (const auto& [value, where] : store_.fixtures)
+      json["fixtures"].push_back(std::visit([this](const auto& f) { return fixture(f); }, value));
+    json["labels"] = Json::array();
+    for (const Label& label : scene_.labels)
+      json["labels"].push_back({{"id", label.id},
+                                {"position", array(label.position)},
+                                {"normal", array(label.normal)},
+                                {"type", scene_.type_of(label).name}});
+    json["transceivers"] = {{"list", Json::array()}, {"installed", Json::array()}};
+    for (const Transceiver& unit : scene_.transceivers) {
+      json["transceivers"]["list"].push_back({{"id", unit.id},
+                                              {"position", array(unit.position)},
+                                              {"axis", array(unit.axis)},
+                                              {"roll_deg", unit.roll_deg},
+                                              {"type", scene_.type_of(unit).name}});
+      if (unit.installed) json["transceivers"]["installed"].push_back(unit.id);
+    }
+    return json;
+  }
+
+ private:
+  const std::string& name(MaterialId id) const { return store_.materials[id.value].name; }
+
+  Json room(const Room& r) const {
+    return {{"size", array(r.size)},
+            {"floor", name(r.materials[4])},
+            {"ceiling", name(r.materials[5])},
+            {"walls",
+             {{"x0", name(r.materials[0])},
+              {"x1", name(r.materials[1])},
+              {"y0", name(r.materials[2])},
+              {"y1", name(r.materials[3])}}}};
+  }
+
+  static Json label_type(const LabelType& type) {
+    return {{"responsivity", {{"type", "cosine"}}}, {"size", {0, 0}},
+            {"threshold", type.threshold},          {"safety_factor", type.safety_factor},
+            {"link_cost", type.link_cost},          {"signal_cost", type.signal_cost}};
+  }
+
+  static Json emission(const SinTwoTheta& e) { return {{"type", "sin2theta"}, {"peak", e.peak}}; }
+  static Json emission(const IsotropicHemisphere& e) {
+    return {{"type", "isotropic"}, {"intensity", e.intensity}};
+  }
+  static Json emission(const GeneralizedLambertian& e) {
+    return {{"type", "lambertian"}, {"order", e.order}, {"flux", e.flux}};
+  }
+  static Json emission(const EmissionTable& e) {
+    Json json{{"type", "table"}, {"theta_deg", degrees(e.theta)}};
+    if (e.phi.size() == 1) {
+      json["intensity"] = e.intensity;
+      return json;
+    }
+    json["phi_deg"] = degrees(e.phi);
+    json["intensity"] = Json::array();
+    const auto width = static_cast<std::ptrdiff_t>(e.theta.size());
+    for (auto row = e.intensity.begin(); row != e.intensity.end(); row += width)
+      json["intensity"].push_back(std::vector<double>(row, row + width));
+    return json;
+  }
+  static Json emission(const Emission& e) {
+    return std::visit([](const auto& profile) { return emission(profile); }, e);
+  }
+
+  // Angles came from degrees; undo the conversion so that reading them back gives the same bits.
+  static std::vector<double> degrees(const std::vector<double>& angles) {
+    std::vector<double> result;
+    for (const double angle : angles) {
+      double value = angle * 180 / pi;
+      for (const double near :
+           {std::round(value * 1e6) / 1e6, value, std::nextafter(value, 0.0), std::nextafter(value, 400.0)})
+        if (radians(near) == angle) {
+          value = near;
+          break;
+        }
+      result.push_back(value);
+    }
+    return result;
+  }
+
+  Json fixture(const Gondola& g) const {
+    Json json{{"type", "gondola"},
+              {"id", g.id},
+              {"at", g.at},
+              {"rotation_deg", g.rotation_deg},
+              {"length", g.length},
+              {"depth", g.depth},
+              {"height", g.height},
+              {"material", name(g.material)},
+              {"goods", name(g.goods)},
+              {"shelves", g.shelves},
+              {"stocking", g.stocking},
+              {"faces", Json::array()}};
+    for (const Face face : g.faces) json["faces"].push_back(face_name(face));
+    return json;
+  }
+  Json fixture(const Freezer& f) const {
+    return {{"type", "freezer"},
+            {"id", f.id},
+            {"at", f.at},
+            {"rotation_deg", f.rotation_deg},
+            {"length", f.length},
+            {"depth", f.depth},
+            {"height", f.height},
+            {"material", name(f.material)},
+            {"goods", name(f.goods)},
+            {"stocking", f.stocking}};
+  }
+  Json fixture(const Box& b) const {
+    return {{"type", "box"},
+            {"id", b.id},
+            {"min", array(b.min)},
+            {"max", array(b.max)},
+            {"material", name(b.material)}};
+  }
+  Json fixture(const MeshFixture& m) const {
+    Json json{{"type", "mesh"},    {"id", m.id},
+              {"at", array(m.at)}, {"rotation_deg", m.rotation_deg},
+              {"scale", m.scale},  {"parts", Json::array()}};
+    for (const MeshPiece& piece : m.pieces) {
+      Json part{{"name", piece.name},
+                {"material", name(piece.material)},
+                {"vertices", Json::array()},
+                {"faces", piece.triangles}};
+      for (const Vec3& vertex : piece.vertices) part["vertices"].push_back(array(vertex));
+      json["parts"].push_back(std::move(part));
+    }
+    return json;
+  }
+
+  const Store& store_;
+  const Scene& scene_;
+};
+
+}  // namespace
+
+std::string resolved_store_json(const Store& store, const Scene& scene) {
+  return Resolver(store, scene).store().dump(1) + "\n";
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/base/ids.hpp"
+#include "shelfbeam/device/device_types.hpp"
+#include "shelfbeam/material/material.hpp"
+#include "shelfbeam/math/vec3.hpp"
+
+namespace shelfbeam {
+
+struct Label {
+  std::string id;
+  Vec3 position;  ///< m
+  Vec3 normal;    ///< unit
+  LabelTypeId type;
+};
+
+struct Transceiver {
+  std::string id;
+  Vec3 position;        ///< m
+  Vec3 axis{0, 0, -1};  ///< unit; straight down unless told otherwise
+  double roll_deg = 0;
+  TransceiverTypeId type;
+  bool installed = false;
+};
+
+struct NamedMaterial {
+  std::string name;
+  Material material;
+};
+
+/// The triangles of a scene: indexed, two-sided, one material each.
+struct TriangleMesh {
+  std::vector<Vec3> vertices;  ///< m
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<MaterialId> materials;  ///< one a triangle
+};
+
+enum class PartKind { shell, panel, board, kick_plate, goods, tub, solid, mesh };
+
+/// A piece of a fixture as drawings need it: an upright prism (for a mesh: around the convex hull of its
+/// plan).
+struct Part {
+  PartKind kind = PartKind::solid;
+  std::uint32_t fixture = 0;  ///< index into Scene::fixtures
+  MaterialId material;
+  std::vector<std::array<double, 2>> footprint;  ///< counter-clockwise polygon in plan, m
+  double bottom = 0, top = 0;                    ///< m
+};
+
+struct FixtureOutline {
+  std::string id;
+  std::string type;                              ///< "gondola", "freezer", "box", "mesh"
+  std::vector<std::array<double, 2>> footprint;  ///< counter-clockwise polygon in plan, m
+  double height = 0;                             ///< m
+  double rotation_deg = 0;
+};
+
+/// Everything a simulation needs, checked and frozen: made by `make_scene`, passed on as const.
+struct Scene {
+  std::string name;
+  double wavelength_nm = 940;
+  std::optional<Vec3> room;  ///< size of the axis-aligned shell from the origin
+  Vec3 lower, upper;         ///< bounds of all triangles
+  std::vector<NamedMaterial> materials;
+  std::vector<LabelType> label_types;
+  std::vector<TransceiverType> transceiver_types;
+  TriangleMesh mesh;
+  std::vector<FixtureOutline> fixtures;
+  std::vector<Part> parts;
+  std::vector<Label> labels;
+  std::vector<Transceiver> transceivers;
+  std::vector<std::string> warnings;
+
+  const LabelType& type_of(const Label& label) const { return label_types[label.type.value]; }
+  const TransceiverType& type_of(const Transceiver& t) const { return transceiver_types[t.type.value]; }
+};
+
+}  // namespace shelfbeam

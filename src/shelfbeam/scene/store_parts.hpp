@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store_names.hpp"
+
+namespace shelfbeam {
+
+// The sections of a store file; each reads one and throws InputError with its JSON path.
+
+void read_materials(const JsonCursor& section, Store& store);
+void read_label_types(const JsonCursor& section, Store& store);
+void read_transceiver_types(const JsonCursor& section, Store& store);
+void read_fixtures(const JsonCursor& section, const StoreNames& names, const std::filesystem::path& folder,
+                   Store& store);
+void read_labels(const JsonCursor& section, const StoreNames& names, const std::filesystem::path& folder,
+                 Store& store);
+void read_transceivers(const JsonCursor& section, const StoreNames& names,
+                       const std::filesystem::path& folder, Store& store);
+
+Vec3 read_point(const JsonCursor& cursor);
+/// Made unit unless it is already, to rounding. Throws for the zero vector.
+Vec3 read_direction(const JsonCursor& cursor);
+Vec3 unit_direction(const Vec3& v, const std::string& where);
+
+/// Pieces of a mesh file (glTF, GLB, OBJ), nodes placed, materials mapped: the first pattern of `materials`
+/// (pattern -> material) that matches the name in the file counts.
+std::vector<MeshPiece> import_mesh(const std::filesystem::path& file, bool y_is_up,
+                                   const std::vector<std::pair<std::string, MaterialId>>& materials,
+                                   const std::string& where);
+
+}  // namespace shelfbeam

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store_parts.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+Room read_room(const JsonCursor& cursor, const StoreNames& names) {
+  cursor.expect_keys({"size", "floor", "ceiling", "walls"});
+  Room room;
+  room.size = read_point(cursor["size"]);
+  for (int axis = 0; axis < 3; ++axis)
+    if (room.size[axis] <= 0)
+      cursor["size"].fail("has an extent that is not positive", "give three lengths in m");
+  const JsonCursor walls = cursor["walls"];
+  if (walls.is_object()) {
+    walls.expect_keys({"x0", "x1", "y0", "y1"});
+    room.materials = {names.material(walls["x0"]), names.material(walls["x1"]), names.material(walls["y0"]),
+                      names.material(walls["y1"])};
+  } else {
+    room.materials.fill(names.material(walls));
+  }
+  room.materials[4] = names.material(cursor["floor"]);
+  room.materials[5] = names.material(cursor["ceiling"]);
+  return room;
+}
+
+}  // namespace
+
+Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder) {
+  const JsonCursor root = JsonCursor::parse(text, name);
+  root.expect_keys({"$schema", "name", "wavelength_nm", "room", "materials", "label_types",
+                    "transceiver_types", "fixtures", "labels", "transceivers"});
+  Store store;
+  store.file = name;
+  if (const auto title = root.find("name")) store.name = title->text();
+  if (const auto wavelength = root.find("wavelength_nm")) store.wavelength_nm = wavelength->number(100, 1e5);
+  read_materials(root["materials"], store);
+  read_label_types(root["label_types"], store);
+  read_transceiver_types(root["transceiver_types"], store);
+
+  const StoreNames names(store);
+  if (const auto room = root.find("room")) store.room = read_room(*room, names);
+  if (const auto fixtures = root.find("fixtures")) read_fixtures(*fixtures, names, folder, store);
+  if (const auto labels = root.find("labels")) read_labels(*labels, names, folder, store);
+  read_transceivers(root["transceivers"], names, folder, store);
+  return store;
+}
+
+Store read_store(const std::filesystem::path& path) {
+  return parse_store(read_file(path), path.string(), path.parent_path());
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shelfbeam::detail {
+
+/// Reads comma-separated records (RFC 4180: fields may be quoted, a quote in them is doubled). Blanks around
+/// unquoted fields and blank lines do not count; there are no comments.
+class CsvReader {
+ public:
+  /// `name` stands for the file in errors. The text must outlive the reader.
+  CsvReader(std::string_view text, std::string name);
+
+  /// Moves to the next record; false at the end.
+  bool next();
+  /// The current record; valid until `next`.
+  const std::vector<std::string_view>& fields() const { return fields_; }
+
+  /// The field as a number; throws InputError unless it is finite and not negative.
+  double amount(std::size_t field) const;
+  /// The field as an id; throws InputError when it is empty.
+  std::string id(std::size_t field) const;
+
+  /// Throws InputError with file, line and, where given, field (from 0).
+  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const;
+  [[noreturn]] void fail(std::size_t field, const std::string& problem, const std::string& suggestion) const;
+
+ private:
+  std::string_view quoted_field();
+
+  std::string_view text_;
+  std::string name_;
+  std::size_t position_ = 0;
+  std::size_t line_ = 0;       ///< of the current record's beginning, from 1
+  std::size_t next_line_ = 1;  ///< of `position_`
+  std::vector<std::string_view> fields_;
+  std::deque<std::string> unescaped_;  ///< fields that had doubled quotes
+};
+
+/// `field` as it must stand in a CSV file: quoted where it would not be read back as it is.
+std::string csv_field(std::string_view field);
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,204 @@
+#include "shelfbeam/signal/signal_file.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/signal/detail/hdf5_io.hpp"
+#include "shelfbeam/signal/detail/number.hpp"
+#include "shelfbeam/signal/detail/text_file.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr std::uint32_t format_version = 1;
+
+// One member of every row as a data set.
+template <class Row, class T>
+auto gather(const std::vector<Row>& rows, T Row::*member) {
+  std::vector<std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>> values;
+  values.reserve(rows.size());
+  for (const Row& row : rows) values.push_back(row.*member);
+  return values;
+}
+
+template <class Row>
+std::vector<double> gather(const std::vector<Row>& rows, Vec3 Row::*member) {
+  std::vector<double> values;
+  values.reserve(3 * rows.size());
+  for (const Row& row : rows)
+    values.insert(values.end(), {(row.*member).x, (row.*member).y, (row.*member).z});
+  return values;
+}
+
+class MatrixWriter {
+ public:
+  MatrixWriter(const SignalMatrix& matrix, detail::Hdf5Writer& file) : matrix_(matrix), file_(file) {}
+
+  void write() {
+    const Provenance& provenance = matrix_.provenance;
+    file_.attribute("format_version", format_version);
+    file_.attribute("program_version", provenance.program_version);
+    file_.attribute("store_hash", provenance.store_hash);
+    file_.attribute("seed", provenance.seed);
+    file_.attribute("estimator", provenance.estimator);
+    file_.attribute("wavelength_nm", matrix_.wavelength_nm);
+
+    entries("/mean", matrix_.mean);
+    entries("/standard_error", matrix_.standard_error);
+    entries("/direct", matrix_.direct);
+
+    const auto& labels = matrix_.labels;
+    file_.group("/labels");
+    file_.texts("/labels/id", gather(labels, &LabelRow::id));
+    file_.texts("/labels/type", gather(labels, &LabelRow::type));
+    vectors("/labels/position", gather(labels, &LabelRow::position));
+    vectors("/labels/normal", gather(labels, &LabelRow::normal));
+    numbers("/labels/requirement", gather(labels, &LabelRow::requirement));
+    numbers("/labels/link_cost", gather(labels, &LabelRow::link_cost));
+    numbers("/labels/signal_cost", gather(labels, &LabelRow::signal_cost));
+    numbers("/labels/batches", gather(labels, &LabelRow::batches));
+    numbers("/labels/samples", gather(labels, &LabelRow::samples));
+
+    const auto& units = matrix_.transceivers;
+    file_.group("/transceivers");
+    file_.texts("/transceivers/id", gather(units, &TransceiverColumn::id));
+    file_.texts("/transceivers/type", gather(units, &TransceiverColumn::type));
+    vectors("/transceivers/position", gather(units, &TransceiverColumn::position));
+    vectors("/transceivers/axis", gather(units, &TransceiverColumn::axis));
+    numbers("/transceivers/cost", gather(units, &TransceiverColumn::cost));
+    numbers("/transceivers/installed", gather(units, &TransceiverColumn::installed));
+  }
+
+ private:
+  template <class T>
+  void numbers(const std::string& path, const std::vector<T>& values) {
+    file_.numbers(path, std::span(values), {values.size()});
+  }
+  void vectors(const std::string& path, const std::vector<double>& values) {
+    file_.numbers(path, std::span(values), {values.size() / 3, 3});
+  }
+  void entries(const std::string& path, const std::vector<float>& values) {
+    file_.numbers(path, std::span(values), {matrix_.rows(), matrix_.columns()});
+  }
+
+  const SignalMatrix& matrix_;
+  detail::Hdf5Writer& file_;
+};
+
+class MatrixReader {
+ public:
+  explicit MatrixReader(const std::filesystem::path& path) : name_(path.string()), file_(path) {}
+
+  SignalMatrix read() {
+    if (!file_.has_attribute("format_version"))
+      throw InputError(name_, "is HDF5, but no signal file of this program", "name the output of 'simulate'");
+    if (const auto version = file_.attribute<std::uint32_t>("format_version"); version != format_version)
+      throw InputError(name_,
+                       fmt::format("is of format version {}, this program reads {}", version, format_version),
+                       "use the program version that wrote it");
+    SignalMatrix matrix;
+    matrix.provenance = {file_.text_attribute("program_version"), file_.text_attribute("store_hash"),
+                         file_.attribute<std::uint64_t>("seed"), file_.text_attribute("estimator")};
+    matrix.wavelength_nm = file_.attribute<double>("wavelength_nm");
+
+    const std::size_t m = file_.length("/labels/id"), n = file_.length("/transceivers/id");
+    if (m == 0 || n == 0) throw InputError(name_, "has no labels or no transceivers", "simulate it again");
+    // Before anything of size m or n is made, their ids prove that the file is as large as they say.
+    const auto label_ids = file_.texts("/labels/id", m), unit_ids = file_.texts("/transceivers/id", n);
+    matrix.labels.resize(m);
+    matrix.transceivers.resize(n);
+    set(matrix.labels, &LabelRow::id, label_ids);
+    set(matrix.labels, &LabelRow::type, file_.texts("/labels/type", m));
+    set(matrix.labels, &LabelRow::position, vectors("/labels/position", m));
+    set(matrix.labels, &LabelRow::normal, vectors("/labels/normal", m));
+    set(matrix.labels, &LabelRow::requirement, amounts("/labels/requirement", m));
+    set(matrix.labels, &LabelRow::link_cost, amounts("/labels/link_cost", m));
+    set(matrix.labels, &LabelRow::signal_cost, amounts("/labels/signal_cost", m));
+    set(matrix.labels, &LabelRow::batches, file_.numbers<std::uint32_t>("/labels/batches", {m}));
+    set(matrix.labels, &LabelRow::samples, file_.numbers<std::uint64_t>("/labels/samples", {m}));
+    set(matrix.transceivers, &TransceiverColumn::id, unit_ids);
+    set(matrix.transceivers, &TransceiverColumn::type, file_.texts("/transceivers/type", n));
+    set(matrix.transceivers, &TransceiverColumn::position, vectors("/transceivers/position", n));
+    set(matrix.transceivers, &TransceiverColumn::axis, vectors("/transceivers/axis", n));
+    set(matrix.transceivers, &TransceiverColumn::cost, amounts("/transceivers/cost", n));
+    set(matrix.transceivers, &TransceiverColumn::installed,
+        file_.numbers<std::uint8_t>("/transceivers/installed", {n}));
+
+    matrix.mean = entries("/mean", matrix);
+    matrix.standard_error = entries("/standard_error", matrix);
+    matrix.direct = entries("/direct", matrix);
+    return matrix;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& place, std::string_view problem) const {
+    throw InputError(name_ + ": " + place, std::string(problem), "simulate or export it again");
+  }
+
+  template <class Row, class T, class Values>
+  void set(std::vector<Row>& rows, T Row::*member, Values values) const {
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = static_cast<T>(std::move(values[i]));
+  }
+
+  std::vector<Vec3> vectors(const std::string& path, std::size_t count) const {
+    const auto values = file_.numbers<double>(path, {count, 3});
+    std::vector<Vec3> vectors;
+    for (std::size_t i = 0; i < count; ++i) {
+      vectors.push_back({values[3 * i], values[3 * i + 1], values[3 * i + 2]});
+      if (!is_finite(vectors.back())) fail(fmt::format("{}, row {}", path, i + 1), "is not finite");
+    }
+    return vectors;
+  }
+
+  std::vector<double> amounts(const std::string& path, std::size_t count) const {
+    auto values = file_.numbers<double>(path, {count});
+    for (std::size_t i = 0; i < count; ++i)
+      if (const auto problem = detail::amount_problem(values[i]); !problem.empty())
+        fail(fmt::format("{}, row {}", path, i + 1), problem);
+    return values;
+  }
+
+  std::vector<float> entries(const std::string& path, const SignalMatrix& matrix) const {
+    auto values = file_.numbers<float>(path, {matrix.rows(), matrix.columns()});
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (const auto problem = detail::amount_problem(values[k]); !problem.empty())
+        fail(fmt::format("{}, label '{}', transceiver '{}'", path, matrix.labels[k / matrix.columns()].id,
+                         matrix.transceivers[k % matrix.columns()].id),
+             problem);
+    return values;
+  }
+
+  std::string name_;
+  detail::Hdf5Reader file_;
+};
+
+}  // namespace
+
+void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path) {
+  const std::size_t size = matrix.rows() * matrix.columns();
+  if (size == 0 || matrix.mean.size() != size || matrix.standard_error.size() != size ||
+      matrix.direct.size() != size)
+    throw std::invalid_argument(
+        "write_signal_file: a matrix without entries or with arrays of different sizes");
+  AtomicFile target(path);
+  detail::Hdf5Writer file(target.temporary(), path.string());
+  MatrixWriter(matrix, file).write();
+  file.close();
+  target.commit();
+}
+
+SignalMatrix read_signal_file(const std::filesystem::path& path) {
+  if (!is_hdf5(path)) throw InputError(path.string(), "is no HDF5 file", "name the output of 'simulate'");
+  return MatrixReader(path).read();
+}
+
+bool is_hdf5(const std::filesystem::path& path) {
+  return detail::read_first_bytes(path, 8) == "\x89HDF\r\n\x1a\n";
+}
+
+}  // namespace shelfbeam

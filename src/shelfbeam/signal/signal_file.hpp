@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+#include "shelfbeam/signal/signal_matrix.hpp"
+
+namespace shelfbeam {
+
+/// Writes the signal file (HDF5, docs/formats/signal.md) through a temporary file and a rename. The content
+/// depends on the matrix alone: no time stamps. Throws InputError when it cannot be written.
+void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path);
+
+/// Throws InputError for a file that is not HDF5, is truncated, is of an unknown format version, lacks a
+/// data set or has one of another shape, or holds NaN, infinite or negative means.
+SignalMatrix read_signal_file(const std::filesystem::path& path);
+
+/// True when the file begins with the HDF5 signature.
+bool is_hdf5(const std::filesystem::path& path);
+
+}  // namespace shelfbeam

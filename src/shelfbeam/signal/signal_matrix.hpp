@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/math/vec3.hpp"
+
+namespace shelfbeam {
+
+/// What is known of a label beside its row.
+struct LabelRow {
+  std::string id;
+  std::string type;
+  Vec3 position;           ///< m
+  Vec3 normal;             ///< unit
+  double requirement = 0;  ///< gamma tau, in the unit of the signal (3.6); 0 where it is not known
+  double link_cost = 0;    ///< c_i^E of (3.3)
+  double signal_cost = 0;  ///< delta_i of (3.14)
+  std::uint32_t batches = 0;
+  std::uint64_t samples = 0;  ///< first rays drawn for this label, all batches
+};
+
+/// What is known of a candidate transceiver beside its column.
+struct TransceiverColumn {
+  std::string id;
+  std::string type;
+  Vec3 position;    ///< m
+  Vec3 axis;        ///< unit
+  double cost = 1;  ///< c_j^T of (3.3)
+  bool installed = false;
+};
+
+/// The simulated signal matrix M (m labels x n transceivers, row-major) and what belongs to it.
+struct SignalMatrix {
+  std::vector<LabelRow> labels;
+  std::vector<TransceiverColumn> transceivers;
+  std::vector<float> mean;            ///< m n entries: the signal of label i from transceiver j alone
+  std::vector<float> standard_error;  ///< m n entries: of `mean`, from independent batches
+  std::vector<float> direct;          ///< m n entries: the part of `mean` without any reflection
+  double wavelength_nm = 940;
+  Provenance provenance;
+
+  std::size_t rows() const { return labels.size(); }
+  std::size_t columns() const { return transceivers.size(); }
+  std::size_t at(std::size_t label, std::size_t transceiver) const { return label * columns() + transceiver; }
+  std::span<const float> mean_row(std::size_t label) const {
+    return std::span(mean).subspan(label * columns(), columns());
+  }
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace shelfbeam {
+
+struct SignalMatrix;
+
+/// One non-zero entry of a row.
+struct SignalEntry {
+  std::uint32_t transceiver = 0;
+  double signal = 0;
+};
+
+/// A signal matrix from anywhere, reduced to what placement needs; rows hold their non-zero entries in
+/// ascending column order. Where a source has no requirement or costs the defaults below stand.
+struct SignalTable {
+  struct Label {
+    std::string id;
+    double requirement = 0;  ///< gamma tau; 0: not known, `--threshold` must set it
+    /// Reach of one unit alone counts from here on; as `requirement` except where a file says otherwise
+    /// (sparse text: g).
+    double single_requirement = 0;
+    double link_cost = 0;
+    double signal_cost = 0;
+  };
+  struct Transceiver {
+    std::string id;
+    double cost = 1;
+    bool installed = false;
+  };
+
+  std::vector<Label> labels;
+  std::vector<Transceiver> transceivers;
+  std::vector<std::size_t> row_begin;  ///< m + 1 offsets into `entries`
+  std::vector<SignalEntry> entries;
+
+  std::size_t rows() const { return labels.size(); }
+  std::size_t columns() const { return transceivers.size(); }
+  std::span<const SignalEntry> row(std::size_t label) const {
+    return std::span(entries).subspan(row_begin[label], row_begin[label + 1] - row_begin[label]);
+  }
+};
+
+/// The table of a simulated matrix (its means, requirements, costs and installed units).
+SignalTable make_signal_table(const SignalMatrix& matrix);
+
+/// Reads a matrix from HDF5 (this program's signal file), CSV, NPY, sparse text, or an OR-Library `scp` or
+/// `rail` file; text may be gzip-compressed. The kind is found from the content, not from the name.
+/// Throws InputError with file and place for anything else: truncated, NaN, infinite or negative entries,
+/// ragged rows, duplicate ids.
+SignalTable read_signal_table(const std::filesystem::path& path);
+
+/// Sets requirement and single requirement of every label.
+void set_requirement(SignalTable& table, double requirement);
+
+/// Costs from a CSV with header `id,cost` (transceivers) or `id,link_cost,signal_cost` (labels; either cost
+/// column may be left out). Throws InputError for unknown or repeated ids and negative or non-finite costs.
+void apply_costs(SignalTable& table, const std::filesystem::path& csv);
+
+}  // namespace shelfbeam

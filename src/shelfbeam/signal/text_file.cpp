@@ -1,0 +1,84 @@
+#include "shelfbeam/signal/detail/text_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <fstream>
+#include <memory>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include "shelfbeam/base/error.hpp"
+
+namespace shelfbeam::detail {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t piece = 1 << 20;
+
+[[noreturn]] void cannot_read(const fs::path& path) {
+  const std::string why = std::generic_category().message(errno);
+  throw InputError(path.string(), fmt::format("cannot be read ({})", why), "check the path");
+}
+
+void check_is_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    throw InputError(path.string(), "is a folder, not a file", "name the file in it");
+}
+
+void check_is_text(const fs::path& path, std::string_view text) {
+  const auto is_binary = [](char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return code < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
+  };
+  const std::string_view head = text.substr(0, 4096);
+  if (std::any_of(head.begin(), head.end(), is_binary))
+    throw InputError(path.string(), "is neither a signal file (HDF5), nor NPY, nor text",
+                     "check that it is complete and was meant (gzip is understood for text only)");
+}
+
+}  // namespace
+
+std::string read_first_bytes(const fs::path& path, std::size_t count) {
+  check_is_file(path);
+  std::ifstream in(path, std::ios::binary);
+  if (!in) cannot_read(path);
+  std::string bytes(count, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(count));
+  if (in.bad()) cannot_read(path);
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
+std::string read_text_file(const fs::path& path) {
+  check_is_file(path);
+  errno = 0;
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose_r);
+  if (!file) cannot_read(path);
+  gzbuffer(file.get(), piece);
+
+  std::string text;
+  std::size_t size = 0;
+  while (true) {
+    text.resize(size + piece);
+    const int got = gzread(file.get(), text.data() + size, piece);
+    int state = Z_OK;
+    const std::string message = gzerror(file.get(), &state);
+    if (state == Z_ERRNO) cannot_read(path);
+    if (got < 0 || state == Z_BUF_ERROR)
+      throw InputError(path.string(), fmt::format("is a truncated or damaged gzip file ({})", message),
+                       "fetch or compress it again");
+    if (got == 0) break;
+    size += static_cast<std::size_t>(got);
+  }
+  text.resize(size);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  check_is_text(path, text);
+  return text;
+}
+
+}  // namespace shelfbeam::detail

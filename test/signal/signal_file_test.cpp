@@ -1,0 +1,173 @@
+#include "shelfbeam/signal/signal_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/signal/signal_table.hpp"
+
+#include "signal/small_matrix.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+
+#ifdef __SANITIZE_ADDRESS__
+// HDF5 itself loses some memory over damaged files; nothing that its callers could release.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+#endif
+
+namespace shelfbeam {
+namespace {
+
+using test::expect_input_error;
+using test::small_matrix;
+using test::TempFolder;
+
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+TEST(SignalFile, KeepsEverythingBitForBit) {
+  const TempFolder folder;
+  const SignalMatrix written = small_matrix();
+  write_signal_file(written, folder / "signal.h5");
+  EXPECT_EQ(folder.count(), 1) << "the temporary file must be gone";
+  EXPECT_TRUE(is_hdf5(folder / "signal.h5"));
+
+  const SignalMatrix read = read_signal_file(folder / "signal.h5");
+  ASSERT_EQ(read.rows(), written.rows());
+  ASSERT_EQ(read.columns(), written.columns());
+  EXPECT_TRUE(same_bits(read.mean, written.mean));
+  EXPECT_TRUE(same_bits(read.standard_error, written.standard_error));
+  EXPECT_TRUE(same_bits(read.direct, written.direct));
+  for (std::size_t i = 0; i < read.rows(); ++i) {
+    const LabelRow &a = read.labels[i], &b = written.labels[i];
+    EXPECT_EQ(a.id, b.id);
+    EXPECT_EQ(a.type, b.type);
+    EXPECT_EQ(a.position, b.position);
+    EXPECT_EQ(a.normal, b.normal);
+    EXPECT_EQ(a.requirement, b.requirement);
+    EXPECT_EQ(a.link_cost, b.link_cost);
+    EXPECT_EQ(a.signal_cost, b.signal_cost);
+    EXPECT_EQ(a.batches, b.batches);
+    EXPECT_EQ(a.samples, b.samples);
+  }
+  for (std::size_t j = 0; j < read.columns(); ++j) {
+    const TransceiverColumn &a = read.transceivers[j], &b = written.transceivers[j];
+    EXPECT_EQ(a.id, b.id);
+    EXPECT_EQ(a.type, b.type);
+    EXPECT_EQ(a.position, b.position);
+    EXPECT_EQ(a.axis, b.axis);
+    EXPECT_EQ(a.cost, b.cost);
+    EXPECT_EQ(a.installed, b.installed);
+  }
+  EXPECT_EQ(read.wavelength_nm, written.wavelength_nm);
+  EXPECT_EQ(read.provenance.program_version, written.provenance.program_version);
+  EXPECT_EQ(read.provenance.store_hash, written.provenance.store_hash);
+  EXPECT_EQ(read.provenance.seed, written.provenance.seed);
+  EXPECT_EQ(read.provenance.estimator, written.provenance.estimator);
+}
+
+TEST(SignalFile, BytesDependOnTheMatrixAlone) {
+  const TempFolder folder;
+  // 700 rows of 500 columns are more than one chunk, and the last one reaches beyond the matrix.
+  SignalMatrix matrix = small_matrix(700, 500);
+  write_signal_file(matrix, folder / "first.h5");
+  {
+    // Blocks full of another value, freed: nothing of them may show up in the file.
+    std::vector<std::vector<char>> dirt(64, std::vector<char>(1 << 20, '\x5a'));
+    for (std::size_t k = 1; k <= 1000; ++k) dirt.emplace_back(k * 64, '\x5a');
+  }
+  write_signal_file(read_signal_file(folder / "first.h5"), folder / "second.h5");
+  const std::string first = read_file(folder / "first.h5");
+  EXPECT_EQ(first, read_file(folder / "second.h5"));
+
+  matrix.mean[12345] = std::nextafter(matrix.mean[12345], 1.0f);  // negative control: one bit is seen
+  write_signal_file(matrix, folder / "second.h5");
+  EXPECT_NE(first, read_file(folder / "second.h5"));
+}
+
+TEST(SignalFile, EveryTruncationIsRefused) {
+  const TempFolder folder;
+  write_signal_file(small_matrix(40, 30), folder / "signal.h5");
+  const std::string whole = read_file(folder / "signal.h5");
+  constexpr std::size_t cuts = 64;
+  for (std::size_t k = 0; k < cuts; ++k) {
+    const auto path = folder.write("cut.h5", whole.substr(0, whole.size() * k / cuts));
+    expect_input_error([&] { read_signal_file(path); }, path.string());
+    expect_input_error([&] { read_signal_table(path); }, path.string());
+  }
+  const auto path = folder.write("cut.h5", whole.substr(0, whole.size() - 1));
+  expect_input_error([&] { read_signal_file(path); }, path.string(), "truncated");
+  EXPECT_NO_THROW(read_signal_file(folder.write("whole.h5", whole)));
+}
+
+TEST(SignalFile, DamageNeverGoesBeyondAnInputError) {
+  // The metadata carry checksums, the data do not: a flipped bit there may pass as another number.
+  const TempFolder folder;
+  write_signal_file(small_matrix(12, 9), folder / "signal.h5");
+  const std::string whole = read_file(folder / "signal.h5");
+  std::size_t refused = 0;
+  for (std::size_t k = 0; k < whole.size(); k += 29) {
+    std::string damaged = whole;
+    damaged[k] = static_cast<char>(damaged[k] ^ (1 << k % 8));
+    try {
+      read_signal_file(folder.write("damaged.h5", damaged));
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0u);
+}
+
+TEST(SignalFile, BadNumbersAreNamed) {
+  const TempFolder folder;
+  const auto refused = [&](auto&& spoil, std::string_view place, std::string_view problem) {
+    SignalMatrix matrix = small_matrix();
+    spoil(matrix);
+    write_signal_file(matrix, folder / "bad.h5");
+    expect_input_error([&] { read_signal_table(folder / "bad.h5"); }, "bad.h5", place, problem);
+  };
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const char* place = "/mean, label 'A1-front-2', transceiver 'G1-3-0'";
+  refused([](SignalMatrix& m) { m.mean[13] = std::nanf(""); }, place, "NaN");
+  refused([](SignalMatrix& m) { m.mean[13] = std::numeric_limits<float>::infinity(); }, place, "infinite");
+  refused([](SignalMatrix& m) { m.mean[13] = -1e-9f; }, place, "negative");
+  refused([](SignalMatrix& m) { m.standard_error[3] = std::nanf(""); }, "/standard_error, label", "NaN");
+  refused([](SignalMatrix& m) { m.direct[3] = -1; }, "/direct, label", "negative");
+  refused([](SignalMatrix& m) { m.labels[1].requirement = -1; }, "/labels/requirement, row 2", "negative");
+  refused([](SignalMatrix& m) { m.transceivers[4].cost = infinite; }, "/transceivers/cost, row 5",
+          "infinite");
+  refused([](SignalMatrix& m) { m.labels[0].position.x = infinite; }, "/labels/position, row 1",
+          "not finite");
+  refused([](SignalMatrix& m) { m.labels[0].id = m.labels[2].id; }, "",
+          "two labels with the id 'A1-front-2'");
+  refused([](SignalMatrix& m) { m.transceivers[0].id = "G1-1-0"; }, "", "two transceivers with the id");
+}
+
+TEST(SignalFile, ForeignFilesAreRefused) {
+  const TempFolder folder;
+  expect_input_error([&] { read_signal_file(folder.write("a.h5", "id,T1\nL1,1\n")); }, "a.h5",
+                     "is no HDF5 file");
+  expect_input_error([&] { read_signal_file(folder / "missing.h5"); }, "missing.h5", "cannot be read");
+  EXPECT_FALSE(is_hdf5(folder.write("short", "\x89HD")));
+}
+
+TEST(SignalFile, FailedWritesLeaveNothing) {
+  const TempFolder folder;
+  const SignalMatrix matrix = small_matrix();
+  expect_input_error([&] { write_signal_file(matrix, folder / "none/signal.h5"); }, "none/signal.h5",
+                     "cannot be written");
+  SignalMatrix uneven = matrix;
+  uneven.direct.pop_back();
+  EXPECT_THROW(write_signal_file(uneven, folder / "signal.h5"), std::invalid_argument);
+  EXPECT_THROW(write_signal_file({}, folder / "signal.h5"), std::invalid_argument);
+  EXPECT_EQ(folder.count(), 0);
+}
+
+}  // namespace
+}  // namespace shelfbeam

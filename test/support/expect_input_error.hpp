@@ -1,0 +1,36 @@
+#pragma once
+
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/error.hpp"
+
+namespace shelfbeam::test {
+
+/// The message of the InputError that `action` throws; a test failure and an empty text when it throws none.
+template <class Action>
+std::string input_error(const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << "another exception instead of InputError: " << error.what();
+    return {};
+  }
+  ADD_FAILURE() << "no InputError";
+  return {};
+}
+
+/// Expects an InputError whose message holds every one of `parts`.
+template <class Action, class... Parts>
+void expect_input_error(const Action& action, const Parts&... parts) {
+  const std::string message = input_error(action);
+  for (const std::string_view part : {std::string_view(parts)...})
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+}
+
+}  // namespace shelfbeam::test
