@@ -15,8 +15,11 @@
 namespace shelfbeam::milp {
 namespace {
 
-using Writer = void (*)(const Model&, const std::filesystem::path&);
-constexpr std::pair<const char*, Writer> writers[] = {{"model.mps", write_mps}, {"model.lp", write_lp}};
+struct Format {
+  const char* file;
+  void (*write)(const Model&, const std::filesystem::path&);
+};
+constexpr Format formats[] = {{"model.mps", write_mps}, {"model.lp", write_lp}};
 
 // Ids and numbers that a careless writer or reader would spoil.
 Model awkward() {
@@ -65,11 +68,11 @@ TEST(ModelFile, IsReadBackAsItWasByEverySolver) {
   const test::TempFolder folder;
   const Model model = awkward();
   const auto rows = in_file(model);
-  for (const auto& [file, write] : writers) {
-    write(model, folder / file);
+  for (const Format& format : formats) {
+    format.write(model, folder / format.file);
     for (const Backend& backend : backends()) {
-      SCOPED_TRACE(std::string(backend.name) + " " + file);
-      const Model read = backend.read(folder / file);
+      SCOPED_TRACE(std::string(backend.name) + " " + format.file);
+      const Model read = backend.read(folder / format.file);
       ASSERT_EQ(read.columns.size(), model.columns.size());
       ASSERT_EQ(read.rows.size(), rows.size());
       std::set<std::string> names;
@@ -111,15 +114,15 @@ TEST(ModelFile, KeepsTheOptimum) {
   for (int k = 0; k < 60; ++k) {
     const Model model = test::random_model(random);
     const double expected = test::try_everything(model);
-    for (const auto& [file, write] : writers) {
-      write(model, folder / file);
+    for (const Format& format : formats) {
+      format.write(model, folder / format.file);
       for (const Backend& backend : backends()) {
-        const Result result = backend.solve(backend.read(folder / file), {}, {});
+        const Result result = backend.solve(backend.read(folder / format.file), {}, {});
         if (expected == infinity)
-          EXPECT_EQ(result.termination, Termination::infeasible) << k << file << backend.name;
+          EXPECT_EQ(result.termination, Termination::infeasible) << k << format.file << backend.name;
         else
           EXPECT_NEAR(result.primal_bound, expected, 1e-6 * std::max(1.0, std::abs(expected)))
-              << k << file << backend.name;
+              << k << format.file << backend.name;
       }
     }
     // Negative control: the optima are not all the same number.
@@ -133,18 +136,20 @@ TEST(ModelFile, WritesModelsWithoutColumns) {
   const test::TempFolder folder;
   Model model;
   model.rows.push_back({1.0, infinity, {}, "label"});
-  for (const auto& [file, write] : writers) {
-    write(model, folder / file);
+  for (const Format& format : formats) {
+    format.write(model, folder / format.file);
     for (const Backend& backend : backends())
-      EXPECT_EQ(backend.solve(backend.read(folder / file), {}, {}).termination, Termination::infeasible)
-          << file << backend.name;
+      EXPECT_EQ(backend.solve(backend.read(folder / format.file), {}, {}).termination,
+                Termination::infeasible)
+          << format.file << backend.name;
   }
 }
 
 TEST(ModelFile, LeavesNothingBehindWhenItCannotWrite) {
   const test::TempFolder folder;
-  for (const auto& [file, write] : writers)
-    test::expect_input_error([&] { write(awkward(), folder / "no such folder" / file); }, "no such folder");
+  for (const Format& format : formats)
+    test::expect_input_error([&] { format.write(awkward(), folder / "no such folder" / format.file); },
+                             "no such folder");
   EXPECT_EQ(folder.count(), 0);
 }
 

@@ -75,10 +75,13 @@ inline Store kiosk() {
   Store store = empty_store("Joe's <Kiosk> & \"Bar\"", {6, 5, 3});
   store.fixtures.push_back(
       {gondola("A<1>", {1.5, 2}, 3, 0.8, {0.5, 1.2}, 0, {Face::front, Face::back}), "fixtures"});
-  store.transceivers = {{{"T&1", {1.5, 1, 2.9}, {0, 0, -1}, 30, {}, false}, "list"},
-                        {{"T,2", {4.5, 4, 2.9}, {0, 0, -1}, 0, {}, true}, "list"},
-                        {{"T\"3\"", {3, 1, 2.9}, {0, 0, -1}, 0, {}, false}, "list"}};
-  store.installed = {{"T,2", "installed"}};
+  const auto add = [&](const std::string& id, const Vec3& position, double roll_deg) {
+    store.transceivers.push_back({Transceiver{id, position, {0, 0, -1}, roll_deg, {}, false}, "list"});
+  };
+  add("T&1", {1.5, 1, 2.9}, 30);
+  add("T,2", {4.5, 4, 2.9}, 0);
+  add("T\"3\"", {3, 1, 2.9}, 0);
+  store.installed.push_back({"T,2", "installed"});
   return store;
 }
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/signal/detail/hdf5_io.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
 #include "signal/small_matrix.hpp"
@@ -17,7 +19,9 @@
 
 #ifdef __SANITIZE_ADDRESS__
 // HDF5 itself loses some memory over damaged files; nothing that its callers could release.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libhdf5";
+}
 #endif
 
 namespace shelfbeam {
@@ -149,12 +153,81 @@ TEST(SignalFile, BadNumbersAreNamed) {
   refused([](SignalMatrix& m) { m.transceivers[0].id = "G1-1-0"; }, "", "two transceivers with the id");
 }
 
-TEST(SignalFile, ForeignFilesAreRefused) {
+// Made by data/make_hdf5_files.py.
+const std::filesystem::path made = SHELFBEAM_SOURCE_DIR "/test/signal/data";
+
+TEST(SignalFile, ReadsWhatH5pyWrites) {
+  const SignalMatrix matrix = read_signal_file(made / "foreign.h5");
+  ASSERT_EQ(matrix.rows(), 2u);
+  ASSERT_EQ(matrix.columns(), 3u);
+  EXPECT_EQ(matrix.mean, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(matrix.standard_error, std::vector<float>(6, 0.5f));
+  EXPECT_EQ(matrix.labels[0].id, "L1");
+  EXPECT_EQ(matrix.labels[1].id, "L2 longer");
+  EXPECT_EQ(matrix.labels[1].requirement, 0.25);
+  EXPECT_EQ(matrix.labels[1].samples, 5u);
+  EXPECT_TRUE(matrix.transceivers[1].installed);
+  EXPECT_EQ(matrix.provenance.store_hash, "");
+}
+
+TEST(SignalFile, ClaimsBeyondTheFileAreRefused) {
+  const auto refused = [](const char* name, std::string_view place, std::string_view problem) {
+    expect_input_error([&] { read_signal_file(made / name); }, name, place, problem);
+  };
+  refused("claims_labels.h5", "/labels/id", "claims 8000000000000 bytes and holds 0");
+  refused("claims_text_length.h5", "/labels/id", "claims 4000000000 bytes and holds 0");
+  refused("claims_entries.h5", "/mean", "claims 24 bytes and holds 0");
+  refused("claims_chunk.h5", "/mean", "chunks that are larger than itself");
+  refused("variable_texts.h5", "/labels/id", "no texts of fixed length");
+}
+
+TEST(SignalFile, OtherFilesAreRefused) {
   const TempFolder folder;
   expect_input_error([&] { read_signal_file(folder.write("a.h5", "id,T1\nL1,1\n")); }, "a.h5",
                      "is no HDF5 file");
   expect_input_error([&] { read_signal_file(folder / "missing.h5"); }, "missing.h5", "cannot be read");
   EXPECT_FALSE(is_hdf5(folder.write("short", "\x89HD")));
+
+  const auto refused = [&](auto&& fill, std::string_view place, std::string_view problem) {
+    detail::Hdf5Writer file(folder / "other.h5", "other.h5");
+    fill(file);
+    file.close();
+    expect_input_error([&] { read_signal_table(folder / "other.h5"); }, "other.h5", place, problem);
+  };
+  using Writer = detail::Hdf5Writer;
+  const std::vector<std::string> ids = {"a", "b"};
+  const auto attributes = [](Writer& file) {
+    file.attribute("format_version", std::uint32_t{1});
+    for (const char* text : {"program_version", "store_hash", "estimator"})
+      file.attribute(text, std::string("x"));
+    file.attribute("seed", std::uint64_t{1});
+    file.attribute("wavelength_nm", 940.0);
+  };
+  const auto sizes = [&](Writer& file) {
+    attributes(file);
+    file.group("/labels");
+    file.group("/transceivers");
+    file.texts("/labels/id", ids);
+    file.texts("/transceivers/id", ids);
+  };
+  refused([](Writer&) {}, "", "no signal file of this program");
+  refused([](Writer& f) { f.attribute("format_version", std::uint32_t{2}); }, "", "format version 2");
+  refused([](Writer& f) { f.attribute("format_version", std::string("1")); }, "format_version", "wrong type");
+  refused([](Writer& f) { f.attribute("format_version", std::uint32_t{1}); }, "program_version", "missing");
+  refused(attributes, "/labels/id", "missing");
+  refused(sizes, "/labels/type", "missing");
+  refused(
+      [&](Writer& file) {
+        sizes(file);
+        file.texts("/labels/type", std::vector<std::string>{"a"});
+      },
+      "/labels/type", "shape (1) where (2)");
+  refused(
+      [&](Writer& file) {
+        sizes(file);
+        file.numbers("/labels/type", std::span<const double>(std::vector<double>{1, 2}), {2});
+      },
+      "/labels/type", "no texts");
 }
 
 TEST(SignalFile, FailedWritesLeaveNothing) {

@@ -1,5 +1,6 @@
 #include "shelfbeam/base/json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 

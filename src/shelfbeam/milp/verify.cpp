@@ -47,7 +47,7 @@ double objective(const Model& model, std::span<const double> x) {
 }
 
 Result verified(const Model& model, const SolveOptions& options, Result result) {
-  const Result wrong;
+  Result wrong;
   if (result.termination == Termination::error) return wrong;
   if (result.termination == Termination::infeasible) {
     if (!result.solution.empty()) return wrong;

@@ -15,7 +15,13 @@ namespace {
 // right-hand side is a relaxation: bounds stay valid, and the checker judges selections.
 constexpr double negligible = 1e-8;
 
-milp::Row clipped(milp::Row row) {
+// Solvers compare sums with tolerances of 1e-9 to 1e-6, in presolve to either side. Rows of sums are relaxed
+// by this much, so that nothing the contract allows is lost (HiGHS 1.10 did lose selections that meet a row
+// by less than 1e-9); what the contract does not allow is cut off again.
+constexpr double row_slack = 1e-7;
+
+milp::Row relaxed(milp::Row row) {
+  row.lower -= row_slack;
   for (milp::Entry& entry : row.entries) {
     entry.value = std::min(entry.value, 1.0);
     if (entry.value < negligible) row.lower -= entry.value;
@@ -32,7 +38,8 @@ CoverModel::CoverModel(const SignalTable& table, const Question& question, const
 
 void CoverModel::build() {
   model_ = placement_model(table_, question_);
-  for (milp::Row& row : model_.rows) row = clipped(std::move(row));
+  if (question_.model == CommunicationModel::cooperative)
+    for (milp::Row& row : model_.rows) row = relaxed(std::move(row));
   built_ = true;
 }
 

@@ -52,7 +52,7 @@ enum class SolverChoice {
 
 struct PlaceOptions {
   SolverChoice solver = SolverChoice::automatic;
-  std::string backend;  ///< MIP back end by name; empty: the preferred one, the next where it fails
+  std::string backend = {};  ///< MIP back end by name; empty: the preferred one, the next where it fails
   double time_limit_s = 60;
 };
 

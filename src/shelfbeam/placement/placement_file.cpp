@@ -112,7 +112,7 @@ std::string placement_json(const Placement& placement, const SignalTable& table)
                      {"solver", placement.solver},
                      {"seconds", number(placement.seconds)},
                      {"unreachable", unreachable}};
-  return file.dump(2) + "\n";
+  return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {

@@ -16,6 +16,12 @@ std::string card(const std::string& name, const std::string& value, const std::s
                      escape(name), escape(value), escape(note));
 }
 
+std::string shortfall(const Unreachable& label) {
+  if (label.most <= 0) return "no signal";
+  const double db = -margin_db(label.most, label.requirement);
+  return fixed(db, db < 0.095 ? 2 : 1) + "\u00A0dB";
+}
+
 std::string bound_note(const Placement& placement, bool has_selection) {
   if (!has_selection) return "proven";
   return count_gap(placement) == 0 ? "proven" : fmt::format("proven; gap {}", percent(count_gap(placement)));
@@ -90,8 +96,7 @@ std::string unreachable_section(const ReportData& data) {
     const LabelRow& label = data.label(worst[k].label);
     table.add_row({label.id, fixed(label.position.x, 2), fixed(label.position.y, 2),
                    fixed(label.position.z, 2), data.unit.number(worst[k].requirement),
-                   data.unit.number(worst[k].most),
-                   decibels(margin_db(worst[k].most, worst[k].requirement))});
+                   data.unit.number(worst[k].most), shortfall(worst[k])});
   }
   std::string html =
       paragraph(data.input.placement.question.model == CommunicationModel::cooperative

@@ -13,9 +13,9 @@ namespace shelfbeam {
 
 namespace {
 
-// Quoted where a reader could take part of it for a separator; leading and trailing blanks are kept.
+// Quoted as RFC 4180 asks, and where a reader would trim blanks.
 std::string field(std::string_view text) {
-  const bool plain = text.find_first_of(",;\"\r\n") == std::string_view::npos &&
+  const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos &&
                      (text.empty() || (text.front() != ' ' && text.back() != ' '));
   if (plain) return std::string(text);
   std::string quoted = "\"";

@@ -40,8 +40,8 @@ std::string placement_facts(const ReportData& data) {
     facts.add("Transceivers", grouped(placement.count()));
     facts.add("At least needed", grouped(least_count(placement)));
     facts.add("Gap of the number", percent(count_gap(placement)));
-    facts.add("Objective value", significant(placement.objective_value, 6));
-    facts.add("Bound of the objective", significant(placement.lower_bound, 6));
+    facts.add("Objective value", plain(placement.objective_value));
+    facts.add("Bound of the objective", plain(placement.lower_bound));
     facts.add("Gap of the objective", percent(placement.gap()));
   } else if (placement.status != Status::infeasible) {
     facts.add("At least needed", grouped(least_count(placement)));
@@ -81,7 +81,8 @@ std::string origin_facts(const ReportData& data) {
   const Provenance& provenance = data.input.matrix.provenance;
   Facts facts("Store and origin");
   if (scene.room)
-    facts.add("Room", fmt::format("{:.4g} × {:.4g} × {:.4g} m", scene.room->x, scene.room->y, scene.room->z));
+    facts.add("Room", fmt::format("{} × {} × {} m", plain(scene.room->x), plain(scene.room->y),
+                                  plain(scene.room->z)));
   facts.add("Fixtures", grouped(scene.fixtures.size()));
   for (const LabelType& type : scene.label_types)
     facts.add("Label type " + type.name, "needs " + data.unit.text(type.requirement()));

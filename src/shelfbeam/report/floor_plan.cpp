@@ -52,10 +52,10 @@ std::string counts(const Scene& scene) {
   const auto installed = std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
                                        [](const Transceiver& t) { return t.installed; });
   const Vec3 size = scene.room ? *scene.room : scene.upper - scene.lower;
-  std::string text = fmt::format(
-      "{} × {} × {} m · {} · {} · {}", significant(size.x, 4), significant(size.y, 4), significant(size.z, 3),
-      counted(scene.fixtures.size(), "fixture"), counted(scene.labels.size(), "label"),
-      counted(scene.transceivers.size(), "candidate transceiver"));
+  std::string text =
+      fmt::format("{} × {} × {} m · {} · {} · {}", plain(size.x), plain(size.y), plain(size.z),
+                  counted(scene.fixtures.size(), "fixture"), counted(scene.labels.size(), "label"),
+                  counted(scene.transceivers.size(), "candidate transceiver"));
   if (installed > 0) text += fmt::format(" ({} installed)", installed);
   return text;
 }

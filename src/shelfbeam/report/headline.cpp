@@ -115,8 +115,8 @@ Headline nothing_found(const ReportData& data) {
 std::string objective_remark(const Placement& placement) {
   const Question& question = placement.question;
   if (question.objective == Objective::count && question.combination == Combination::lexicographic) return {};
-  const std::string value = significant(placement.objective_value, 4);
-  const std::string bound = significant(placement.lower_bound, 4);
+  const std::string value = plain(placement.objective_value);
+  const std::string bound = plain(placement.lower_bound);
   const bool proven = placement.status == Status::optimal;
   std::string text;
   if (question.combination == Combination::weighted)
@@ -148,6 +148,7 @@ std::string sampling_remark(const ReportData& data) {
 }  // namespace
 
 std::size_t least_count(const Placement& placement) {
+  if (!std::isfinite(placement.count_lower_bound)) return 0;
   return static_cast<std::size_t>(std::max(0.0, std::ceil(placement.count_lower_bound - 1e-6)));
 }
 

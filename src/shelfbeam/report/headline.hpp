@@ -19,7 +19,7 @@ struct Headline {
 
 Headline headline(const ReportData& data);
 
-/// The least number of units that is proven to be needed: the bound rounded up.
+/// The least number of units that is proven to be needed: the bound rounded up; 0 where no number suffices.
 std::size_t least_count(const Placement& placement);
 
 /// (count - least_count) / count.

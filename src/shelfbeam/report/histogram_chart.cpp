@@ -10,7 +10,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double width = 560, height = 340, left = 78, right = 14, top = 34, bottom = 62;
+constexpr double width = 560, height = 340, left = 86, right = 24, top = 34, bottom = 62;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ std::string histogram_svg(const HistogramChart& chart) {
     canvas.text({x(mark.at) + (to_left ? -6 : 6), top - 2}, mark.text, to_left ? "t strong end" : "t strong");
   }
   canvas.text({(left + width - right) / 2, height - 12}, chart.x_title, "t mid");
-  canvas.text({16, (top + height - bottom) / 2}, chart.y_title, "t mid", -90);
+  canvas.text({14, (top + height - bottom) / 2}, chart.y_title, "t mid", -90);
   return inline_svg(width, height, "chart", chart.description, canvas.body());
 }
 

@@ -84,7 +84,7 @@ std::string Maps::definitions() const {
   canvas.raw("<g id=\"cross\"><path class=\"cand\" d=\"M-7 0h14m-7 -7v14\"/></g>\n");
   canvas.raw("<g id=\"worst\"><circle class=\"k worst\" r=\"12\"/></g>\n");
 
-  canvas.raw("<g id=\"store\">\n");
+  canvas.raw("<g id=\"store-layer\">\n");
   view_.draw_floor(canvas);
   draw_fixtures(canvas, view_, data_.input.scene);
   std::vector<Vec3> rest;
@@ -95,7 +95,7 @@ std::string Maps::definitions() const {
   draw_crosses(canvas, view_, rest, 4, "cand");
   draw_fixture_ids(canvas, view_, data_.input.scene);
   view_.draw_axes(canvas);
-  canvas.raw("</g>\n<g id=\"units\">\n");
+  canvas.raw("</g>\n<g id=\"unit-layer\">\n");
   if (data_.has_selection())
     for (std::size_t k = 0; k < data_.outcome.units.size(); ++k) {
       const TransceiverColumn& unit = data_.transceiver(data_.outcome.units[k].column);
@@ -111,7 +111,7 @@ std::string Maps::picture(const std::string& marks, const std::string& css_class
                           const std::string& description) const {
   return "<div class=\"map\">" +
          inline_svg(view_.width(), view_.height(), css_class, description,
-                    "<use href=\"#store\"/>\n" + marks + "<use href=\"#units\"/>\n") +
+                    "<use href=\"#store-layer\"/>\n" + marks + "<use href=\"#unit-layer\"/>\n") +
          "</div>\n";
 }
 
@@ -130,7 +130,7 @@ std::string Maps::margin_map(std::size_t level_index) const {
     const std::uint32_t label = level.labels[k];
     const double signal = shown_signal(label), requirement = data_.label(label).requirement;
     const double margin = margin_db(signal, requirement);
-    const bool met = signal >= requirement * (1 - met_tolerance);
+    const bool met = is_met(signal, requirement);
     canvas.use(fmt::format("m{}", margin_class(margin, met)), at[k],
                fmt::format("{}: {}, {}", data_.label(label).id, data_.unit.text(signal), decibels(margin)));
     if (data_.has_selection() && label == data_.outcome.by_margin.front()) canvas.use("worst", at[k]);
@@ -169,7 +169,7 @@ std::string Maps::margin_legend(const ShelfLevel& level) const {
   std::array<std::size_t, margin_classes.size()> counts{};
   for (const std::uint32_t label : level.labels) {
     const double signal = shown_signal(label), requirement = data_.label(label).requirement;
-    ++counts[margin_class(margin_db(signal, requirement), signal >= requirement * (1 - met_tolerance))];
+    ++counts[margin_class(margin_db(signal, requirement), is_met(signal, requirement))];
   }
   std::string html = "<ul class=\"legend\">";
   for (std::size_t k = 0; k < margin_classes.size(); ++k)

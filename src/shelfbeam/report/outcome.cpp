@@ -9,10 +9,6 @@ namespace shelfbeam {
 
 namespace {
 
-bool reaches(double signal, double requirement) {
-  return signal >= requirement * (1 - met_tolerance);
-}
-
 // What is left of a label's signal without the chosen unit at `left_out`.
 double signal_without(const SignalMatrix& matrix, const Placement& placement, std::size_t label,
                       std::uint32_t left_out) {
@@ -40,7 +36,7 @@ LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placemen
       result.strongest = column;
       result.strongest_signal = signal;
     }
-    if (reaches(signal, result.requirement)) result.reached_by.push_back(column);
+    if (is_met(signal, result.requirement)) result.reached_by.push_back(column);
     if (adds_up) {
       result.signal += signal;
       result.direct += direct(column);
@@ -54,7 +50,7 @@ LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placemen
     const auto value = static_cast<double>(signal);
     result.best = adds_up ? result.best + value : std::max(result.best, value);
   }
-  result.met = !placement.selected.empty() && reaches(result.signal, result.requirement);
+  result.met = !placement.selected.empty() && is_met(result.signal, result.requirement);
   return result;
 }
 
@@ -78,12 +74,12 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     LabelOutcome label = label_outcome(matrix, placement, i);
     if (label.met) ++outcome.met;
-    if (label.met && reaches(label.direct, label.requirement)) ++outcome.met_by_direct;
+    if (label.met && is_met(label.direct, label.requirement)) ++outcome.met_by_direct;
     for (UnitOutcome& unit : outcome.units) {
-      if (reaches(static_cast<double>(matrix.mean[matrix.at(i, unit.column)]), label.requirement))
+      if (is_met(static_cast<double>(matrix.mean[matrix.at(i, unit.column)]), label.requirement))
         ++unit.reaches_alone;
       if (label.strongest == unit.column) ++unit.strongest_for;
-      if (label.met && !reaches(signal_without(matrix, placement, i, unit.column), label.requirement))
+      if (label.met && !is_met(signal_without(matrix, placement, i, unit.column), label.requirement))
         ++unit.needed_by;
     }
     outcome.labels.push_back(std::move(label));

@@ -56,6 +56,7 @@ table{border-collapse:collapse;width:100%;font-size:.9rem;font-variant-numeric:t
 th,td{padding:7px 12px;text-align:left;white-space:nowrap;border-top:1px solid var(--line)}
 thead th{border-top:0;font-weight:600;color:var(--muted);font-size:.82rem;vertical-align:bottom;white-space:normal;min-width:4.6em}
 .n{text-align:right}
+tr>:first-child{position:sticky;left:0;background:var(--card)}
 .facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:16px}
 .facts>div{background:var(--card);border:1px solid var(--line);border-radius:8px;padding:14px 16px;min-width:0}
 .facts dl{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1.2fr);gap:5px 12px;margin:0;font-size:.88rem}
@@ -103,19 +104,26 @@ th,td{padding:6px 9px}
 constexpr const char* paper = R"(
 @media print{
 @page{size:A4;margin:14mm}
-body{background:#fff;font-size:10pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}
+html{font-size:9.5pt}
+body{background:#fff;font-size:1rem;-webkit-print-color-adjust:exact;print-color-adjust:exact}
 main{max-width:none;padding:0}
 section{margin-top:9mm}
 h2,h3,figcaption{break-after:avoid}
-figure,.card,.facts>div,tr{break-inside:avoid}
+p,figure,.card,.facts>div,tr{break-inside:avoid}
 figure,.card,.facts>div,.scroll{border-color:#c4cbd1}
-.scroll{overflow:visible}
+.scroll{overflow:visible;break-inside:avoid}
 thead{display:table-header-group}
 table{font-size:8pt}
 th,td{padding:1.2mm 1.6mm}
 .cards{grid-template-columns:repeat(3,1fr)}
 .facts{grid-template-columns:1fr 1fr}
 .map{--fs:15px;--fid:15px}
+.m{max-height:92mm;width:auto;max-width:100%;margin:0 auto}
+.m.half{max-height:none;width:100%}
+.chart{--fs:15px}
+figure{margin-bottom:5mm;padding:3mm 4mm}
+.legend{gap:1mm 4mm;font-size:8pt;margin-top:2mm}
+.key{width:4.5mm;height:4.5mm}
 }
 )";
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/report/outcome.hpp"
 #include "shelfbeam/report/scale.hpp"
 
 namespace shelfbeam {
@@ -40,13 +41,11 @@ std::size_t margin_class(double margin_db, bool met) {
 }
 
 SignalScale::SignalScale(const std::vector<double>& values, std::size_t most_classes) {
-  double low = 0, high = 0;
-  for (const double value : values) {
-    if (value <= 0) continue;
-    low = low == 0 ? value : std::min(low, value);
-    high = std::max(high, value);
-  }
-  edges = high > 0 ? one_two_five(low, high) : std::vector<double>{1, 2};
+  std::vector<double> positive;
+  for (const double value : values)
+    if (value > 0) positive.push_back(value);
+  edges = positive.empty() ? std::vector<double>{1, 2}
+                           : one_two_five(quantile(positive, 0.05), quantile(positive, 1));
   if (edges.size() > most_classes + 1)
     edges.erase(edges.begin(), edges.end() - static_cast<std::ptrdiff_t>(most_classes + 1));
 }

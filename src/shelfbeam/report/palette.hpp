@@ -31,8 +31,9 @@ std::size_t margin_class(double margin_db, bool met);
 struct SignalScale {
   std::vector<double> edges;  ///< ascending; class k from edges[k] on, class 0 also what is below
 
-  /// Covers the positive values, at most `most_classes` classes down from the largest.
-  SignalScale(const std::vector<double>& values, std::size_t most_classes = 12);
+  /// Covers the positive values from their 5 % quantile up, so that a few faint ones do not take the colours
+  /// from all others; at most `most_classes` classes down from the largest.
+  explicit SignalScale(const std::vector<double>& values, std::size_t most_classes = 12);
   std::size_t classes() const { return edges.size() - 1; }
   std::size_t class_of(double signal) const;
 };

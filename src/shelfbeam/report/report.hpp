@@ -25,7 +25,8 @@ std::string floor_plan_svg(const Scene& scene);
 /// labels.csv: one row a label with its signal under the placement, requirement, margin and serving units.
 std::string labels_csv(const ReportInput& input);
 
-/// placement.csv: one row a chosen unit, in the columns of the transceiver CSV and the labels it serves.
+/// placement.csv: one row a chosen unit, in the columns of the transceiver CSV, and how many
+/// labels it serves.
 std::string placement_csv(const ReportInput& input);
 
 }  // namespace shelfbeam

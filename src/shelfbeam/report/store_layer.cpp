@@ -1,6 +1,7 @@
 #include "shelfbeam/report/store_layer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -51,6 +52,47 @@ const char* fixture_class(const FixtureOutline& fixture) {
   return "fx fx-m";
 }
 
+double text_width(const std::string& text, double size) {
+  constexpr double glyph = 0.62;  // of a bold sans-serif, as a share of its size
+  return glyph * size * static_cast<double>(text.size());
+}
+
+struct Rectangle {
+  double left = 0, top = 0, right = 0, bottom = 0;
+  bool meets(const Rectangle& o) const {
+    return left < o.right && o.left < right && top < o.bottom && o.top < bottom;
+  }
+};
+
+Rectangle bounds(const std::vector<Point>& points) {
+  if (points.empty()) return {};
+  Rectangle r{points[0].x, points[0].y, points[0].x, points[0].y};
+  for (const Point& p : points)
+    r = {std::min(r.left, p.x), std::min(r.top, p.y), std::max(r.right, p.x), std::max(r.bottom, p.y)};
+  return r;
+}
+
+// Middle of the base line of a text beside fixture k, on the first side where it meets no other one; far
+// enough off to leave room for the marks of labels.
+Point free_place(const std::vector<Rectangle>& fixtures, std::size_t k, const PlanView& view, double width,
+                 double size) {
+  constexpr double off = 17;
+  const Rectangle& own = fixtures[k];
+  const double x = (own.left + own.right) / 2, y = (own.top + own.bottom) / 2 + 0.35 * size;
+  const std::array<Point, 4> places{{{own.right + off + width / 2, y},
+                                     {own.left - off - width / 2, y},
+                                     {x, own.top - off},
+                                     {x, own.bottom + off + 0.7 * size}}};
+  for (const Point& p : places) {
+    const Rectangle text{p.x - width / 2, p.y - size, p.x + width / 2, p.y};
+    const bool on_paper = text.left > 0 && text.right < view.width() && text.top > 0;
+    if (on_paper &&
+        std::none_of(fixtures.begin(), fixtures.end(), [&](const auto& f) { return f.meets(text); }))
+      return p;
+  }
+  return places[0];
+}
+
 }  // namespace
 
 void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
@@ -61,25 +103,25 @@ void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) 
 }
 
 void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
-  constexpr double largest = 24, smallest = 9,
-                   glyph = 0.62;  // units; width of a glyph as a share of its size
-  for (const FixtureOutline& fixture : scene.fixtures) {
+  constexpr double largest = 24, smallest = 9, outside = 11;  // units
+  std::vector<Rectangle> fixtures;
+  for (const FixtureOutline& fixture : scene.fixtures)
+    fixtures.push_back(bounds(view.outline(fixture.footprint)));
+  for (std::size_t k = 0; k < scene.fixtures.size(); ++k) {
+    const FixtureOutline& fixture = scene.fixtures[k];
     if (fixture.footprint.size() < 3) continue;
     const Extent e = extent_of(view, fixture);
-    const double fits =
-        std::min(0.66 * e.across, 0.92 * e.along / (glyph * static_cast<double>(fixture.id.size())));
+    const double fits = std::min(0.66 * e.across, 0.92 * e.along / text_width(fixture.id, 1));
     const bool inside = fits >= smallest;
-    const double size = inside ? std::min(fits, largest) : 11;
-    const double turn = inside ? e.angle_deg : 0;
-    Point at = e.centre;
-    if (inside) {
-      const double down = 0.35 * size, radians = turn * std::numbers::pi / 180;
-      at = {at.x - down * std::sin(radians), at.y + down * std::cos(radians)};
-    } else {
-      at = {at.x + std::max(e.along, e.across) / 2 + 3, at.y + 4};
-    }
+    const double size = inside ? std::min(fits, largest) : outside;
     canvas.raw(fmt::format("<g style=\"font-size:min(var(--fid,14px),{}px)\">", coordinate(size)));
-    canvas.text(at, fixture.id, inside ? "fid mid" : "fid", turn);
+    if (inside) {
+      const double down = 0.35 * size, radians = e.angle_deg * std::numbers::pi / 180;
+      canvas.text({e.centre.x - down * std::sin(radians), e.centre.y + down * std::cos(radians)}, fixture.id,
+                  "fid mid", e.angle_deg);
+    } else {
+      canvas.text(free_place(fixtures, k, view, text_width(fixture.id, size), size), fixture.id, "fid mid");
+    }
     canvas.close_group();
   }
 }

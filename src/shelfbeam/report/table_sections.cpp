@@ -11,20 +11,20 @@ std::string unit_section(const ReportData& data) {
   if (!data.has_selection()) return {};
   HtmlTable table({{"No."},
                    {"Unit", false},
-                   {"Type", false},
                    {"x (m)"},
                    {"y (m)"},
-                   {"Mounting height (m)"},
+                   {"Height (m)"},
                    {"Reaches alone"},
                    {"Strongest for"},
-                   {"Needed by"}});
+                   {"Needed by"},
+                   {"Type", false}});
   for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
     const UnitOutcome& unit = data.outcome.units[k];
     const TransceiverColumn& transceiver = data.transceiver(unit.column);
     table.add_row({grouped(k + 1), transceiver.id + (transceiver.installed ? " (installed)" : ""),
-                   transceiver.type, fixed(transceiver.position.x, 2), fixed(transceiver.position.y, 2),
+                   fixed(transceiver.position.x, 2), fixed(transceiver.position.y, 2),
                    fixed(transceiver.position.z, 2), grouped(unit.reaches_alone), grouped(unit.strongest_for),
-                   grouped(unit.needed_by)});
+                   grouped(unit.needed_by), transceiver.type});
   }
   return html_section(
       "units", "The chosen units",
@@ -41,15 +41,15 @@ std::string weakest_section(const ReportData& data) {
   const std::size_t rows = std::min(most_rows, data.outcome.by_margin.size());
   const std::string in_unit = fmt::format(" ({})", data.unit.name);
   HtmlTable table({{"Label", false},
-                   {"Type", false},
+                   {"Margin"},
+                   {"Signal" + in_unit},
+                   {"Needs" + in_unit},
+                   {"Strongest unit", false},
+                   {"Standard error of its part" + in_unit},
                    {"x (m)"},
                    {"y (m)"},
                    {"Height (m)"},
-                   {"Signal" + in_unit},
-                   {"Needs" + in_unit},
-                   {"Margin"},
-                   {"Strongest unit", false},
-                   {"Its standard error" + in_unit}});
+                   {"Type", false}});
   for (std::size_t k = 0; k < rows; ++k) {
     const std::uint32_t row = data.outcome.by_margin[k];
     const LabelOutcome& outcome = data.outcome.labels[row];
@@ -62,9 +62,9 @@ std::string weakest_section(const ReportData& data) {
         error = data.unit.number(static_cast<double>(
             data.input.matrix.standard_error[data.input.matrix.at(row, *outcome.strongest)]));
     }
-    table.add_row({label.id, label.type, fixed(label.position.x, 2), fixed(label.position.y, 2),
-                   fixed(label.position.z, 2), data.unit.number(outcome.signal),
-                   data.unit.number(outcome.requirement), decibels(outcome.margin()), strongest, error});
+    table.add_row({label.id, decibels(outcome.margin()), data.unit.number(outcome.signal),
+                   data.unit.number(outcome.requirement), strongest, error, fixed(label.position.x, 2),
+                   fixed(label.position.y, 2), fixed(label.position.z, 2), label.type});
   }
   return html_section("weakest",
                       rows == 1 ? "The label" : fmt::format("The {} labels with the least margin", rows),

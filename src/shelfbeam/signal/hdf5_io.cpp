@@ -247,6 +247,13 @@ struct Hdf5Reader::File {
   static bool is_fixed_text(hid_t type) {
     return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
   }
+
+  // The text type with zeros behind the text, however the file marks its end.
+  static Handle padded(hid_t type) {
+    Handle in_memory(H5Tcopy(type), H5Tclose);
+    H5Tset_strpad(in_memory, H5T_STR_NULLPAD);
+    return in_memory;
+  }
 };
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : file_(std::make_unique<File>()) {
@@ -286,9 +293,8 @@ std::vector<std::string> Hdf5Reader::texts(const std::string& path, std::size_t 
   if (!File::is_fixed_text(type)) file_->fail(path, "holds no texts of fixed length");
   file_->check(path, set, type, {count});
   const std::size_t length = H5Tget_size(type);
-  const Handle padded = text_type(length);
   std::vector<char> bytes(length * count);
-  if (H5Dread(set, padded, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0)
+  if (H5Dread(set, File::padded(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0)
     file_->fail(path, "cannot be read: the file is damaged");
   std::vector<std::string> values;
   for (std::size_t i = 0; i < count; ++i) {
@@ -318,7 +324,7 @@ std::string Hdf5Reader::text_attribute(const std::string& name) const {
   if (!File::is_fixed_text(type) || H5Tget_size(type) > file_->size)
     file_->fail("attribute " + name, "is no text of fixed length");
   std::string value(H5Tget_size(type), '\0');
-  if (H5Aread(item, text_type(value.size()), value.data()) < 0)
+  if (H5Aread(item, File::padded(type), value.data()) < 0)
     file_->fail("attribute " + name, "cannot be read: the file is damaged");
   value.resize(strnlen(value.data(), value.size()));
   return value;

@@ -48,6 +48,6 @@ with signal_file("claims_text_length.h5", libver="latest") as file:
 with signal_file("claims_entries.h5", libver="latest") as file:
     replace(file, "mean", shape=(2, 3), dtype="f4", chunks=(1, 3))
 with signal_file("claims_chunk.h5", libver="latest") as file:
-    replace(file, "mean", data=np.ones((2, 3), "f4"), chunks=(1 << 14, 1 << 14), maxshape=(None, None), compression="gzip")
+    replace(file, "mean", data=np.ones((2, 3)), chunks=(3000, 3000), maxshape=(None, None), compression=9)
 with signal_file("variable_texts.h5", libver="latest") as file:
     replace(file, "labels/id", data=["L1", "L2"], dtype=h5py.string_dtype())

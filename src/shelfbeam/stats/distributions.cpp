@@ -1,0 +1,28 @@
+#include "shelfbeam/stats/distributions.hpp"
+
+#include <cmath>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+namespace shelfbeam {
+
+double normal_quantile(double p) {
+  return boost::math::quantile(boost::math::normal(), p);
+}
+
+double student_quantile(double p, double degrees_of_freedom) {
+  if (std::isinf(degrees_of_freedom)) return normal_quantile(p);
+  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), p);
+}
+
+double chi_square_upper_tail(double x, double degrees_of_freedom) {
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), x));
+}
+
+double sidak_level(double level, double statements) {
+  return -std::expm1(std::log1p(-level) / statements);
+}
+
+}  // namespace shelfbeam

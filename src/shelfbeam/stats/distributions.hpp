@@ -1,0 +1,20 @@
+#pragma once
+
+namespace shelfbeam {
+
+/// The value that a standard normal variate stays below with probability p, 0 < p < 1. By symmetry the value
+/// that it exceeds with a small probability q is -normal_quantile(q), exact where 1 - q would round.
+double normal_quantile(double p);
+
+/// The same for Student's t; infinite degrees of freedom are the normal distribution.
+double student_quantile(double p, double degrees_of_freedom);
+
+/// The probability that chi-square with these degrees of freedom is at least x.
+double chi_square_upper_tail(double x, double degrees_of_freedom);
+
+/// The level for each of `statements` independent statements whose joint level is `level`:
+/// 1 - (1 - level)^(1 / statements) (Sidak 1967). Where dependence is unknown it is Bonferroni's to first
+/// order.
+double sidak_level(double level, double statements);
+
+}  // namespace shelfbeam

@@ -1,0 +1,97 @@
+#include "shelfbeam/base/json.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::expect_input_error;
+
+JsonCursor parse(std::string_view text) {
+  return JsonCursor::parse(text, "store.json");
+}
+
+TEST(Json, ReadsValues) {
+  const JsonCursor root = parse(R"({ "b": 2.5, "a": [1, 2, 3], /* why */ "text": "é", // and where
+                                     "yes": true, "whole": -7 })");
+  EXPECT_TRUE(root.is_object());
+  EXPECT_EQ(root["b"].number(), 2.5);
+  EXPECT_EQ(root["a"].numbers(3), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(root["a"].elements()[1].number(), 2);
+  EXPECT_EQ(root["text"].text(), "é");
+  EXPECT_TRUE(root["yes"].boolean());
+  EXPECT_EQ(root["whole"].integer(-10, 10), -7);
+  EXPECT_EQ(root["text"].choice({"e", "é"}), "é");
+  EXPECT_FALSE(root.find("c").has_value());
+  std::string order;
+  for (const auto& [key, value] : root.members()) order += key + " ";
+  EXPECT_EQ(order, "b a text yes whole ") << "members come in the order of the file";
+  EXPECT_NO_THROW(root.expect_keys({"a", "b", "text", "yes", "whole", "more"}));
+}
+
+TEST(Json, ErrorsNameFileAndPath) {
+  const JsonCursor root =
+      parse(R"({ "fixtures": [ {}, { "labels": { "spacing": -1, "face": "fromt", "at": [1, "x"] } } ],
+                                     "name": null })");
+  const JsonCursor labels = root["fixtures"].elements()[1]["labels"];
+  const std::string place = "store.json: fixtures[1].labels";
+  EXPECT_EQ(labels.where(), place);
+  EXPECT_EQ(root.where(), "store.json");
+  const JsonCursor spacing = labels["spacing"];
+  expect_input_error([&] { labels["depth"]; }, place + ": has no 'depth'");
+  expect_input_error([&] { spacing.positive(); }, place + ".spacing: is -1", "greater than 0");
+  expect_input_error([&] { spacing.non_negative(); }, place + ".spacing", "negative");
+  expect_input_error([&] { spacing.number(0, 1); }, place + ".spacing", "outside 0 to 1");
+  expect_input_error([&] { spacing.integer(0, 5); }, place + ".spacing", "outside");
+  expect_input_error([&] { parse("[0.5]").elements()[0].integer(0, 5); }, "store.json: [0]", "whole number");
+  expect_input_error([&] { spacing.text(); }, place + ".spacing: is a number", "a text is expected");
+  expect_input_error([&] { spacing.boolean(); }, "is a number");
+  expect_input_error([&] { spacing.elements(); }, "is a number");
+  expect_input_error([&] { spacing["x"]; }, "is a number");
+  expect_input_error([&] { spacing.members(); }, "is a number");
+  expect_input_error([&] { labels["at"].numbers(); }, place + ".at[1]: is a text");
+  expect_input_error([&] { labels["at"].numbers(3); }, place + ".at");
+  expect_input_error([&] { parse("[1, 2]").numbers(3); }, "has 2 numbers", "3 are expected");
+  expect_input_error([&] { root["name"].text(); }, "store.json: name: is null");
+  expect_input_error([&] { labels["face"].choice({"front", "back"}); }, ".face", "did you mean 'front'?");
+  expect_input_error([&] { labels.fail("is odd", "make it even"); }, place + ": is odd; make it even");
+}
+
+TEST(Json, UnknownKeysNameTheNearest) {
+  const JsonCursor root = parse(R"({ "reflectanse": 1 })");
+  expect_input_error(
+      [&] {
+        root.expect_keys({"roughness", "reflectance"});
+      },
+      "'reflectanse'", "did you mean 'reflectance'?");
+  expect_input_error([&] { root.expect_keys({"x", "y"}); }, "'reflectanse'", "known: x, y");
+}
+
+TEST(Json, KeysStandOnce) {
+  expect_input_error([] { parse(R"({ "a": { "b": 1, "c": 2, "b": 3 } })"); }, "store.json",
+                     "'b' stands twice");
+  EXPECT_NO_THROW(parse(R"({ "a": { "b": 1 }, "b": [ { "b": 1 }, { "b": 2 } ] })"));
+}
+
+TEST(Json, WhatIsNoJsonIsToldWithItsPlace) {
+  expect_input_error([] { parse("{\n  \"a\": ,\n}"); }, "store.json: is not valid JSON", "line 2");
+  for (const char* text : {"", "{", "[1, 2", "{} {}", "nul", "{'a': 1}", "[1e999]"})
+    expect_input_error([&] { parse(text); }, "store.json");
+}
+
+TEST(Json, ReadsFiles) {
+  const test::TempFolder folder;
+  EXPECT_EQ(JsonCursor::parse_file(folder.write("a.json", "[4]")).elements()[0].number(), 4);
+  expect_input_error([&] { JsonCursor::parse_file(folder / "b.json"); }, (folder / "b.json").string(),
+                     "cannot be read");
+  expect_input_error([&] { JsonCursor::parse_file(folder.path()); }, "is a folder");
+}
+
+}  // namespace
+}  // namespace shelfbeam

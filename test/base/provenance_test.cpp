@@ -1,0 +1,69 @@
+#include "shelfbeam/base/provenance.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/error.hpp"
+
+namespace shelfbeam {
+namespace {
+
+// Values of the reference implementation (xxhsum -H2 and -H3, version 0.8).
+TEST(Provenance, HashesAreXxh3) {
+  EXPECT_EQ(content_hash(""), "99aa06d3014798d86001c324468d497f");
+  EXPECT_EQ(content_hash("a"), "a96faf705af16834e6c632b61e964e1f");
+  EXPECT_EQ(content_hash("abc"), "06b05ab6733a618578af5f94892f3950");
+  EXPECT_EQ(hash64(""), 0x2d06800538d394c2u);
+  EXPECT_EQ(hash64("abc"), 0x78af5f94892f3950u);
+}
+
+TEST(Provenance, HashesSeeEveryByte) {
+  std::string text(300, 'x');
+  const std::string before = content_hash(text);
+  for (char& c : text) {
+    c = 'y';
+    EXPECT_NE(content_hash(text), before);
+    c = 'x';
+  }
+  EXPECT_EQ(content_hash(text), before);
+  EXPECT_NE(content_hash(std::string("a\0", 2)), content_hash("a"));
+}
+
+TEST(Provenance, VersionHasThreeNumbers) {
+  const std::string version(program_version());
+  EXPECT_EQ(version.find_first_not_of("0123456789."), std::string::npos);
+  EXPECT_EQ(std::count(version.begin(), version.end(), '.'), 2);
+}
+
+TEST(Error, MessageHoldsPlaceProblemAndSuggestion) {
+  EXPECT_STREQ(InputError("a.json: x", "is odd", "make it even").what(), "a.json: x: is odd; make it even");
+  EXPECT_STREQ(InputError("a.json", "is odd").what(), "a.json: is odd");
+  EXPECT_STREQ(InputError("", "is odd").what(), "is odd");
+  EXPECT_EQ(InputError("a.json: x", "is odd").where(), "a.json: x");
+}
+
+TEST(RunControl, IsOptionalThroughout) {
+  const RunControl none;
+  EXPECT_FALSE(none.cancelled());
+  EXPECT_NO_THROW(none.report("task", 0.5));
+
+  struct : ProgressSink {
+    void report(std::string_view task, double fraction, std::string_view detail) override {
+      last = std::string(task) + " " + std::to_string(fraction) + " " + std::string(detail);
+    }
+    std::string last;
+  } sink;
+  CancelToken token;
+  const RunControl control{.cancel = &token, .progress = &sink};
+  control.report("walk", 0.25, "more");
+  EXPECT_EQ(sink.last, "walk 0.250000 more");
+  EXPECT_FALSE(control.cancelled());
+  token.request();
+  EXPECT_TRUE(control.cancelled());
+}
+
+}  // namespace
+}  // namespace shelfbeam

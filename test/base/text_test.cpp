@@ -1,0 +1,82 @@
+#include "shelfbeam/base/text.hpp"
+
+#include <array>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace shelfbeam {
+namespace {
+
+using namespace std::string_view_literals;
+
+TEST(Text, NearestWord) {
+  constexpr std::array words = {"reflectance"sv, "roughness"sv, "ior"sv};
+  EXPECT_EQ(nearest("reflectanse", words), "reflectance");
+  EXPECT_EQ(nearest("roughnes", words), "roughness");
+  EXPECT_EQ(nearest("oir", words), "ior");
+  EXPECT_EQ(nearest("ior", words), "ior");
+  EXPECT_EQ(nearest("thickness_of_pane", words), "");
+  EXPECT_EQ(nearest("ior", {}), "");
+  EXPECT_EQ(suggest("roughnes", words), "did you mean 'roughness'?");
+  EXPECT_EQ(suggest("thickness_of_pane", words), "known: reflectance, roughness, ior");
+}
+
+TEST(Text, Join) {
+  EXPECT_EQ(join(std::array{"a"sv, "b"sv, "c"sv}, ", "), "a, b, c");
+  EXPECT_EQ(join({}, ", "), "");
+}
+
+TEST(Text, Trim) {
+  EXPECT_EQ(trim(" \t a b\r\n"), "a b");
+  EXPECT_EQ(trim(" \n"), "");
+  EXPECT_EQ(trim(""), "");
+}
+
+TEST(Text, SplitKeepsEmptyFields) {
+  EXPECT_EQ(split("a, b ,,c", ','), (std::vector{"a"sv, "b"sv, ""sv, "c"sv}));
+  EXPECT_EQ(split("", ','), (std::vector{""sv}));
+  EXPECT_EQ(split(",", ','), (std::vector{""sv, ""sv}));
+}
+
+// The definition of a match, without regard to time.
+bool matches_by_definition(std::string_view text, std::string_view pattern) {
+  if (pattern.empty()) return text.empty();
+  if (pattern[0] == '*')
+    return matches_by_definition(text, pattern.substr(1)) ||
+           (!text.empty() && matches_by_definition(text.substr(1), pattern));
+  return !text.empty() && (pattern[0] == '?' || pattern[0] == text[0]) &&
+         matches_by_definition(text.substr(1), pattern.substr(1));
+}
+
+TEST(Text, GlobIsAsDefined) {
+  EXPECT_TRUE(matches_glob("Painted metal", "Painted*"));
+  EXPECT_FALSE(matches_glob("painted metal", "Painted*"));
+  EXPECT_FALSE(matches_glob("unPainted", "Painted*"));
+  std::mt19937 random(1);
+  int matched = 0;
+  constexpr int runs = 100000;
+  for (int run = 0; run < runs; ++run) {
+    std::string text, pattern;
+    for (auto k = random() % 7; k > 0; --k) text += "ab"[random() % 2];
+    for (auto k = random() % 6; k > 0; --k) pattern += "aab??**"[random() % 7];
+    const bool expected = matches_by_definition(text, pattern);
+    ASSERT_EQ(matches_glob(text, pattern), expected) << text << " against " << pattern;
+    matched += expected ? 1 : 0;
+  }
+  EXPECT_GT(matched, runs / 20) << "the samples must hold both kinds";
+  EXPECT_LT(matched, runs * 19 / 20);
+}
+
+TEST(Text, GlobIsFastOnManyStars) {
+  const std::string text(5000, 'a');
+  std::string pattern;
+  for (int k = 0; k < 50; ++k) pattern += "*a";
+  EXPECT_FALSE(matches_glob(text, pattern + "b"));  // exponential time would never end
+  EXPECT_TRUE(matches_glob(text, pattern));
+}
+
+}  // namespace
+}  // namespace shelfbeam

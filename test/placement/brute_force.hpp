@@ -1,0 +1,102 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "shelfbeam/placement/instance.hpp"
+#include "shelfbeam/signal/signal_table.hpp"
+
+namespace shelfbeam::test {
+
+/// What is left out of the enumeration, to see that a comparison with it can fail.
+enum class Omission { nothing, last_label, installed, second_objective, tolerance };
+
+/// Answers of the paper's models by trying every selection, written from the formulas of chapter 3 with dense
+/// matrices M, l and t, sharing no code with the library.
+struct BruteForce {
+  bool feasible = false;
+  std::size_t fewest = 0;        ///< least number of transceivers
+  double best_at_fewest = 0;     ///< least second objective among the selections of that many
+  double best_sum = 0;           ///< least sum of transceiver costs and second objective
+  double best_second_objective;  ///< least second objective of all
+
+  BruteForce(const SignalTable& table, const Question& question, Omission omission = Omission::nothing) {
+    const std::size_t m = table.labels.size();
+    const std::size_t n = table.transceivers.size();
+    std::vector<std::vector<double>> signal(m, std::vector<double>(n, 0.0));
+    for (std::size_t i = 0; i < m; ++i)
+      for (std::size_t k = table.row_begin[i]; k < table.row_begin[i + 1]; ++k)
+        signal[i][table.entries[k].transceiver] = table.entries[k].signal;
+
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    best_at_fewest = best_sum = best_second_objective = infinite;
+    fewest = n + 1;
+    const double tolerance = omission == Omission::tolerance ? -2e-9 : 1e-9;
+    const std::size_t tested = m - (omission == Omission::last_label && m > 0 ? 1 : 0);
+    for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
+      const auto in = [&](std::size_t j) { return (set >> j & 1U) != 0; };
+      bool allowed = true;
+      double price = 0;
+      std::size_t count = 0;
+      for (std::size_t j = 0; j < n; ++j) {
+        if (!in(j) && table.transceivers[j].installed && omission != Omission::installed) allowed = false;
+        if (in(j)) price += table.transceivers[j].cost, ++count;
+      }
+      for (std::size_t i = 0; i < tested && allowed; ++i) {
+        double sum = 0;
+        bool reached = false;
+        for (std::size_t j = 0; j < n; ++j) {
+          if (!in(j)) continue;
+          sum += signal[i][j];
+          reached = reached || signal[i][j] >= table.labels[i].single_requirement * (1 - tolerance);
+        }
+        allowed = question.model == CommunicationModel::cooperative
+                      ? sum >= table.labels[i].requirement * (1 - tolerance)
+                      : reached;
+      }
+      if (!allowed) continue;
+      feasible = true;
+      const double second =
+          omission == Omission::second_objective ? 0 : second_objective(table, question, signal, set);
+      best_second_objective = std::min(best_second_objective, second);
+      best_sum = std::min(best_sum, price + second);
+      if (count < fewest) best_at_fewest = infinite;
+      if (count <= fewest) {
+        fewest = count;
+        best_at_fewest = std::min(best_at_fewest, second);
+      }
+    }
+  }
+
+ private:
+  static double second_objective(const SignalTable& table, const Question& question,
+                                 const std::vector<std::vector<double>>& signal, std::uint32_t set) {
+    if (question.objective == Objective::count) return 0;
+    const bool cooperative = question.model == CommunicationModel::cooperative;
+    bool priced = false;
+    for (const auto& label : table.labels)
+      priced = priced || (question.objective == Objective::signal ? label.signal_cost : label.link_cost) > 0;
+    double value = 0;
+    for (std::size_t i = 0; i < table.labels.size(); ++i) {
+      const SignalTable::Label& label = table.labels[i];
+      const double given = question.objective == Objective::signal ? label.signal_cost : label.link_cost;
+      const double cost = priced ? given : 1;
+      const double requirement = cooperative ? label.requirement : label.single_requirement;
+      for (std::size_t j = 0; j < table.transceivers.size(); ++j) {
+        if ((set >> j & 1U) == 0) continue;
+        if (question.objective == Objective::signal) value += cost * signal[i][j];
+        if (question.objective == Objective::links &&
+            (cooperative || signal[i][j] >= requirement * (1 - 1e-9)))
+          value += cost;
+        if (question.objective == Objective::effective_links &&
+            signal[i][j] >= question.share * requirement * (1 - 1e-9))
+          value += cost;
+      }
+    }
+    return value;
+  }
+};
+
+}  // namespace shelfbeam::test

@@ -1,0 +1,152 @@
+#include "shelfbeam/placement/greedy.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/checker.hpp"
+
+#include "brute_force.hpp"
+#include "random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using Columns = std::vector<std::uint32_t>;
+constexpr auto coop = CommunicationModel::cooperative;
+constexpr auto alone = CommunicationModel::non_cooperative;
+
+double harmonic(std::size_t m) {
+  double sum = 0;
+  for (std::size_t i = 1; i <= m; ++i) sum += 1.0 / static_cast<double>(i);
+  return sum;
+}
+
+double total(const std::vector<double>& cost, const Columns& selected) {
+  double sum = 0;
+  for (const std::uint32_t j : selected) sum += cost[j];
+  return sum;
+}
+
+/// The least sum of c(S_j), which is what greedy approximates: units of cost 1 where lexicographic.
+double least_cost(SignalTable table, Question question) {
+  if (question.combination == Combination::lexicographic)
+    for (auto& unit : table.transceivers) unit.cost = 1;
+  question.combination = Combination::weighted;
+  return test::BruteForce(table, question).best_sum;
+}
+
+TEST(PlacementGreedy, FollowsAlgorithm1ByHand) {
+  // S_0 = {0,1,2}, S_1 = {3,4}, S_2 = {0,1,3,4}, S_3 = {2}: S_2 first (4 labels), then S_0 and S_3 tie with
+  // one.
+  SignalTable table =
+      test::make_table({{1, 0, 1, 0}, {1, 0, 1, 0}, {1, 0, 0, 1}, {0, 1, 1, 0}, {0, 1, 1, 0}}, 4);
+  EXPECT_EQ(greedy_selection(table, {alone}), (Columns{0, 2}));
+  // A price on links makes S_3 (one link) beat S_0 (three) in the second step: 1 + 1 against 1 + 3.
+  EXPECT_EQ(greedy_selection(table, {alone, Objective::links}), (Columns{2, 3}));
+  // Weighted: S_2 at 10 loses to S_0 (1/3 each) and S_1 (1/2 each).
+  table.transceivers[2].cost = 10;
+  EXPECT_EQ(greedy_selection(table, {alone, Objective::count, Combination::weighted}), (Columns{0, 1}));
+  EXPECT_EQ(greedy_selection(table, {alone}), (Columns{0, 2}));  // the count knows no prices
+}
+
+TEST(PlacementGreedy, StartsFromInstalledUnits) {
+  SignalTable table = test::make_table({{1, 0, 1, 0}, {1, 0, 1, 0}, {1, 0, 0, 1}, {0, 1, 1, 0}}, 4);
+  table.transceivers[1].installed = true;
+  EXPECT_EQ(greedy_selection(table, {alone}), (Columns{0, 1}));
+}
+
+TEST(PlacementGreedy, FillsWhatLabelsLackWhereUnitsCooperate) {
+  // Unit 0 gives 0.6 + 0.6, unit 1 more in sum, 5 + 0.1, but only 1 + 0.1 of it is lacking.
+  const SignalTable table = test::make_table({{0.6, 5.0, 0.4}, {0.6, 0.1, 0.4}}, 3);
+  EXPECT_EQ(greedy_selection(table, {coop}), (Columns{0, 2}));
+}
+
+// Chvatal's bound with every label, and H(m) exactly as stated: the classic family where greedy takes m sets
+// of cost 1/k and the optimum is one set of cost 1 + e.
+TEST(PlacementGreedy, ReachesItsBoundOnTheClassicFamily) {
+  const std::size_t m = 12;
+  std::vector<std::vector<double>> matrix(m, std::vector<double>(m + 1, 0.0));
+  for (std::size_t i = 0; i < m; ++i) matrix[i][i] = matrix[i][m] = 1;
+  SignalTable table = test::make_table(matrix, m + 1);
+  for (std::size_t j = 0; j < m; ++j) table.transceivers[j].cost = 1.0 / static_cast<double>(j + 1);
+  table.transceivers[m].cost = 1 + 1e-6;
+  const Question question{alone, Objective::count, Combination::weighted};
+  const Columns selected = greedy_selection(table, question);
+  EXPECT_EQ(selected.size(), m);
+  const double cost = total(greedy_costs(table, question), selected);
+  EXPECT_NEAR(cost, harmonic(m), 1e-12);
+  EXPECT_LE(cost, harmonic(m) * least_cost(table, question));
+  EXPECT_GT(cost, harmonic(m - 1) * least_cost(table, question));  // no smaller guarantee holds
+}
+
+TEST(PlacementGreedy, CoversAndStaysWithinHarmonicNumberOfTheOptimum) {
+  test::RandomTables tables(21);
+  int solved = 0, above = 0;
+  for (int k = 0; k < 2500; ++k) {
+    const SignalTable table = tables.next();
+    Question question = tables.next_question();
+    question.model = alone;
+    const double least = least_cost(table, question);
+    if (!std::isfinite(least)) continue;
+    ++solved;
+    const Columns selected = greedy_selection(table, question);
+    ASSERT_TRUE(check_selection(table, question, selected).met()) << k;
+    const double cost = total(greedy_costs(table, question), selected);
+    EXPECT_LE(cost, std::max(1.0, harmonic(table.rows())) * least * (1 + 1e-12)) << k;
+    EXPECT_GE(cost, least * (1 - 1e-12)) << k;
+    above += cost > least * (1 + 1e-9);  // negative control: a factor of 1 does not hold
+  }
+  EXPECT_GT(solved, 1000);
+  EXPECT_GT(above, 100);
+}
+
+// Wolsey's theorem for f(S) = sum_i min(1, sum_{j in S} a_ij): cost <= (1 + ln(G / g)) optimum, with G what
+// the installed units leave lacking and g what was lacking before the last step.
+TEST(PlacementGreedy, CooperativeStaysWithinWolseysBound) {
+  test::RandomTables tables(22);
+  int solved = 0, above = 0;
+  for (int k = 0; k < 2500; ++k) {
+    const SignalTable table = tables.next();
+    Question question = tables.next_question();
+    question.model = coop;
+    const double least = least_cost(table, question);
+    if (!std::isfinite(least)) continue;
+    ++solved;
+    const Columns selected = greedy_selection(table, question);
+    ASSERT_TRUE(check_selection(table, question, selected).met()) << k;
+    const std::vector<double> costs = greedy_costs(table, question);
+    const double cost = total(costs, selected);
+
+    const auto lacking = [&](const Columns& chosen) {
+      const Check check = check_selection(table, question, chosen);
+      double sum = 0;
+      for (const std::uint32_t i : check.unmet) sum += 1 - check.signal[i] / table.labels[i].requirement;
+      return sum;
+    };
+    Columns installed;
+    for (const std::uint32_t j : selected)
+      if (table.transceivers[j].installed) installed.push_back(j);
+    double last = lacking(installed);  // the smallest g of any unit that could have come last
+    for (const std::uint32_t j : selected) {
+      if (table.transceivers[j].installed) continue;
+      Columns without = selected;
+      std::erase(without, j);
+      if (const double rest = lacking(without); rest > 0) last = std::min(last, rest);
+    }
+    const double factor = last > 0 ? 1 + std::log(lacking(installed) / last) : 1;
+    EXPECT_LE(cost, factor * least * (1 + 1e-9)) << k;
+    above += cost > least * (1 + 1e-9);  // negative control: a factor of 1 does not hold
+  }
+  EXPECT_GT(solved, 1000);
+  EXPECT_GT(above, 100);
+}
+
+TEST(PlacementGreedy, HandlesTablesWithoutLabelsOrUnits) {
+  EXPECT_TRUE(greedy_selection(test::make_table({}, 3), {}).empty());
+  EXPECT_TRUE(greedy_selection(test::make_table({}, 0), {}).empty());
+}
+
+}  // namespace
+}  // namespace shelfbeam

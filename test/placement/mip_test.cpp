@@ -1,0 +1,231 @@
+#include "shelfbeam/placement/mip.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/greedy.hpp"
+
+#include "brute_force.hpp"
+#include "random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using Columns = std::vector<std::uint32_t>;
+using milp::Result;
+using milp::Termination;
+
+constexpr Question count_question{};
+const SolveFunction real_solver = milp::backends().front().solve;
+
+/// A solver that answers from a list, then with the real one; remembers what it was asked.
+struct Script {
+  std::vector<Result> answers;
+  std::vector<milp::Model> asked;
+
+  SolveFunction function() {
+    return [this](const milp::Model& model, const milp::SolveOptions& options, const RunControl& control) {
+      asked.push_back(model);
+      return asked.size() <= answers.size() ? answers[asked.size() - 1]
+                                            : real_solver(model, options, control);
+    };
+  }
+};
+
+MipAnswer answer(const SignalTable& table, const Question& question, const SolveFunction& solve) {
+  return place_by_mip(table, question, greedy_selection(table, question), solve, 60, {});
+}
+
+// Unit 0 alone lacks 5e-8 of label 0: less than the 1e-6 that solvers allow, more than the 1e-9 of the rule.
+SignalTable nearly_met() {
+  return test::make_table({{1 - 5e-8, 0.3, 0.2}, {1.0, 0.8, 0.4}}, 3);
+}
+
+TEST(PlacementMip, CutsOffWhatTheCheckerRejects) {
+  Script script;
+  script.answers = {{Termination::optimal, 1, 1, {1, 0, 0}}};
+  const MipAnswer found = answer(nearly_met(), count_question, script.function());
+  EXPECT_EQ(script.asked.size(), 2U);
+  EXPECT_FALSE(found.solver_failed);
+  EXPECT_EQ(found.placement.status, Status::optimal);
+  EXPECT_EQ(found.placement.count(), 2U);
+  EXPECT_EQ(found.placement.count_lower_bound, 2);
+  // The cut: one of the units that are not chosen.
+  const milp::Row& cut = script.asked[1].rows.back();
+  EXPECT_EQ(cut.lower, 1);
+  ASSERT_EQ(cut.entries.size(), 2U);
+  EXPECT_EQ(cut.entries[0].column + cut.entries[1].column, 3U);
+}
+
+TEST(PlacementMip, CutsOffWithEveryRealSolver) {
+  for (const milp::Backend& backend : milp::backends()) {
+    int calls = 0;
+    const SolveFunction counting = [&](const auto& model, const auto& options, const auto& control) {
+      ++calls;
+      return backend.solve(model, options, control);
+    };
+    const MipAnswer found = answer(nearly_met(), count_question, counting);
+    EXPECT_EQ(found.placement.status, Status::optimal);
+    EXPECT_EQ(found.placement.count(), 2U);
+    EXPECT_GE(calls, 1);
+  }
+}
+
+// The rejected selection is extended by what is too weak to help, which makes the cut as short as it can be.
+TEST(PlacementMip, CutsAreExtendedByWeakUnits) {
+  const SignalTable table = test::make_table({{1 - 5e-8, 1e-9, 3e-8, 2e-8, 0.5, 0.5}}, 6);
+  Script script;
+  script.answers = {{Termination::optimal, 1, 1, {1, 0, 0, 0, 0, 0}}};
+  const MipAnswer found = answer(table, count_question, script.function());
+  ASSERT_EQ(script.asked.size(), 2U);
+  // 1e-9 and 2e-8 leave 2.8e-8 lacking; 3e-8 more would do.
+  Columns cut;
+  for (const milp::Entry& entry : script.asked[1].rows.back().entries) cut.push_back(entry.column);
+  EXPECT_EQ(cut, (Columns{2, 4, 5}));
+  EXPECT_EQ(found.placement.count(), 2U);
+}
+
+TEST(PlacementMip, GivesUpOnASolverThatIgnoresCuts) {
+  int calls = 0;
+  const SolveFunction stubborn = [&](const auto&, const auto&, const auto&) {
+    ++calls;
+    return Result{Termination::optimal, 1, 1, {1, 0, 0}};
+  };
+  const MipAnswer found = answer(nearly_met(), count_question, stubborn);
+  EXPECT_EQ(calls, 2);
+  EXPECT_TRUE(found.solver_failed);
+  EXPECT_EQ(found.placement.status, Status::stopped);
+  EXPECT_TRUE(check_selection(nearly_met(), count_question, found.placement.selected).met());
+  EXPECT_EQ(found.placement.count_lower_bound, 1);
+}
+
+// Two units are needed (greedy takes three): what remains when the solver is of no use.
+SignalTable greedy_trap() {
+  return test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
+}
+
+TEST(PlacementMip, FallsBackWhenTheSolverFails) {
+  const Question question{CommunicationModel::non_cooperative};
+  const Result useless[] = {{},
+                            {Termination::infeasible, milp::infinity, milp::infinity, {}},
+                            {Termination::optimal, 0, 0, {0, 0, 0}},
+                            {Termination::optimal, 2, 2, {1, 1}}};
+  for (const Result& result : useless) {
+    Script script;
+    script.answers = {result};
+    const MipAnswer found = answer(greedy_trap(), question, script.function());
+    EXPECT_EQ(script.asked.size(), 1U);
+    EXPECT_TRUE(found.solver_failed);
+    EXPECT_EQ(found.placement.status, Status::stopped);
+    EXPECT_EQ(found.placement.selected, (Columns{0, 1, 2}));
+    EXPECT_EQ(found.placement.count_lower_bound, 1);
+    EXPECT_EQ(found.placement.lower_bound, 1);
+    EXPECT_NEAR(found.placement.gap(), 2.0 / 3, 1e-12);
+  }
+}
+
+TEST(PlacementMip, KeepsBoundAndSelectionOfAStoppedSolver) {
+  const Question question{CommunicationModel::non_cooperative};
+  Script script;
+  script.answers = {{Termination::limit, milp::infinity, 1.3, {}}};
+  Placement found = answer(greedy_trap(), question, script.function()).placement;
+  EXPECT_EQ(found.status, Status::stopped);
+  EXPECT_EQ(found.selected, (Columns{0, 1, 2}));
+  EXPECT_EQ(found.count_lower_bound, 2);  // 1.3 rounded up
+  EXPECT_EQ(found.lower_bound, 2);
+
+  script = {{{Termination::interrupted, 2, 1, {1, 1, 0}}}, {}};
+  found = answer(greedy_trap(), question, script.function()).placement;
+  EXPECT_EQ(found.status, Status::stopped);
+  EXPECT_EQ(found.selected, (Columns{0, 1}));
+  EXPECT_EQ(found.count_lower_bound, 1);
+
+  // A bound that rounds up to the incumbent is a proof, whatever stopped the solver.
+  script = {{{Termination::limit, 2, 1.001, {1, 1, 0}}}, {}};
+  found = answer(greedy_trap(), question, script.function()).placement;
+  EXPECT_EQ(found.status, Status::optimal);
+  EXPECT_EQ(found.gap(), 0);
+}
+
+TEST(PlacementMip, StopsBetweenTheTwoObjectives) {
+  const Question question{CommunicationModel::non_cooperative, Objective::links};
+  SignalTable table =
+      test::make_table({{1, 1, 0, 1}, {1, 0, 1, 1}, {1, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 1, 1}}, 4);
+  // Two units suffice. Links: {0, 2} 7, {0, 3} 7, {1, 2} 5.
+  Script count_unproven;
+  count_unproven.answers = {{Termination::limit, 2, 1, {1, 0, 0, 1}}};
+  Placement found = answer(table, question, count_unproven.function()).placement;
+  EXPECT_EQ(count_unproven.asked.size(), 1U);
+  EXPECT_EQ(found.status, Status::stopped);
+  EXPECT_EQ(found.count_lower_bound, 1);
+  EXPECT_EQ(found.objective_value, 7);
+  EXPECT_EQ(found.lower_bound, 2);  // the cheapest single unit
+
+  Script second_unproven;
+  second_unproven.answers = {{Termination::optimal, 2, 2, {1, 0, 0, 1}}, {Termination::limit, 7, 4.2, {}}};
+  found = answer(table, question, second_unproven.function()).placement;
+  EXPECT_EQ(second_unproven.asked.size(), 2U);
+  EXPECT_EQ(found.status, Status::stopped);
+  EXPECT_EQ(found.count_lower_bound, 2);
+  EXPECT_EQ(found.objective_value, 7);
+  EXPECT_EQ(found.lower_bound, 5);  // 4.2 rounded up; the two cheapest units, 2 + 3, say so too
+  EXPECT_NEAR(found.gap(), 2.0 / 7, 1e-12);
+
+  found = answer(table, question, real_solver).placement;
+  EXPECT_EQ(found.selected, (Columns{1, 2}));
+  EXPECT_EQ(found.status, Status::optimal);
+}
+
+TEST(PlacementMip, DropsOnlyWhatIsNegligibleAndStaysExact) {
+  // Four entries of 9e-9 are taken out of the row, and three of them are needed: 1 - 2e-8 lacks 1.9e-8.
+  const SignalTable table = test::make_table({{1 - 2e-8, 9e-9, 9e-9, 9e-9, 9e-9}}, 5);
+  for (const milp::Backend& backend : milp::backends()) {
+    const MipAnswer found = answer(table, count_question, backend.solve);
+    EXPECT_EQ(found.placement.status, Status::optimal) << backend.name;
+    EXPECT_EQ(found.placement.count(), 4U) << backend.name;
+  }
+}
+
+// However a solver is stopped, bounds hold and selections meet everything; where it is not, answers are
+// exact.
+TEST(PlacementMip, BoundsHoldWhateverStopsTheSolver) {
+  test::RandomTables tables(41);
+  int stopped = 0, optimal = 0, control = 0;
+  for (int k = 0; k < 1500; ++k) {
+    SCOPED_TRACE(k);
+    const SignalTable table = tables.next();
+    const Question question = tables.next_question();
+    const test::BruteForce brute(table, question);
+    if (!brute.feasible) continue;
+    const SolveFunction moody = [&](const auto& model, const auto& options, const auto& run) {
+      Result result = real_solver(model, options, run);
+      if (tables.chance(0.5)) return result;
+      result.termination = tables.chance(0.5) ? Termination::limit : Termination::interrupted;
+      if (tables.chance(0.5)) result.dual_bound *= tables.real(0, 1);
+      if (tables.chance(0.2)) result.dual_bound = -milp::infinity;
+      if (tables.chance(0.5)) result.solution.clear();
+      return result;
+    };
+    const Placement found = answer(table, question, moody).placement;
+    const bool weighted = question.combination == Combination::weighted;
+    const double best = weighted                                 ? brute.best_sum
+                        : question.objective == Objective::count ? static_cast<double>(brute.fewest)
+                                                                 : brute.best_at_fewest;
+    const double slack = 2e-6 * best;
+    ASSERT_TRUE(check_selection(table, question, found.selected).met());
+    EXPECT_LE(found.count_lower_bound, static_cast<double>(brute.fewest));
+    EXPECT_LE(found.lower_bound, best + slack);
+    EXPECT_LE(found.lower_bound, found.objective_value);
+    EXPECT_TRUE(found.status != Status::optimal || found.objective_value <= best + slack);
+    (found.status == Status::optimal ? optimal : stopped) += 1;
+    control += found.objective_value > best + slack;  // incumbents of stopped runs are not always the best
+  }
+  EXPECT_GT(stopped, 200);
+  EXPECT_GT(optimal, 200);
+  EXPECT_GT(control, 50);
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,136 @@
+#include <chrono>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/placement.hpp"
+
+#include "random_table.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using Columns = std::vector<std::uint32_t>;
+constexpr auto coop = CommunicationModel::cooperative;
+constexpr auto alone = CommunicationModel::non_cooperative;
+
+TEST(Placement, ExplainsWhatCannotBeMet) {
+  const SignalTable table = test::make_table({{0.5, 0.4}, {1.0, 1.0}, {0.3, 0.8}}, 2);
+  Placement found = place(table, {coop}, {});
+  EXPECT_EQ(found.status, Status::infeasible);
+  EXPECT_TRUE(found.selected.empty());
+  EXPECT_TRUE(std::isinf(found.gap()));
+  ASSERT_EQ(found.unreachable.size(), 1U);
+  EXPECT_EQ(found.unreachable[0].label, 0U);
+  EXPECT_EQ(found.unreachable[0].requirement, 1);
+  EXPECT_DOUBLE_EQ(found.unreachable[0].most, 0.9);
+
+  found = place(table, {alone}, {.solver = SolverChoice::greedy});
+  EXPECT_EQ(found.status, Status::infeasible);
+  ASSERT_EQ(found.unreachable.size(), 2U);
+  EXPECT_EQ(found.unreachable[0].most, 0.5);
+  EXPECT_EQ(found.unreachable[1].label, 2U);
+  EXPECT_EQ(found.unreachable[1].most, 0.8);
+}
+
+TEST(Placement, AnswersTablesWithoutLabelsOrUnits) {
+  SignalTable no_labels = test::make_table({}, 3);
+  for (const auto model : {coop, alone}) {
+    Placement found = place(no_labels, {model}, {});
+    EXPECT_EQ(found.status, Status::optimal);
+    EXPECT_TRUE(found.selected.empty());
+    EXPECT_EQ(found.objective_value, 0);
+    EXPECT_EQ(place(test::make_table({}, 0), {model}, {}).status, Status::optimal);
+    found = place(test::make_table({{}, {}}, 0), {model}, {});
+    EXPECT_EQ(found.status, Status::infeasible);
+    EXPECT_EQ(found.unreachable.size(), 2U);
+    EXPECT_EQ(found.unreachable[0].most, 0);
+  }
+  no_labels.transceivers[1].installed = true;
+  const Placement found = place(no_labels, {coop, Objective::signal, Combination::weighted}, {});
+  EXPECT_EQ(found.selected, Columns{1});
+  EXPECT_EQ(found.objective_value, 1);
+}
+
+TEST(Placement, KeepsInstalledUnits) {
+  SignalTable table = test::make_table({{1, 0, 1}, {0, 1, 1}}, 3);
+  EXPECT_EQ(place(table, {coop}, {}).selected, Columns{2});
+  table.transceivers[0].installed = true;
+  for (const auto solver : {SolverChoice::mip, SolverChoice::greedy}) {
+    const Placement found = place(table, {coop}, {.solver = solver});
+    EXPECT_EQ(found.selected, (Columns{0, 1}));
+    EXPECT_EQ(found.count_lower_bound, 2);
+  }
+}
+
+TEST(Placement, SaysWhoAnsweredAndForHowLong) {
+  const SignalTable table = test::make_table({{1, 1}}, 2);
+  for (const milp::Backend& backend : milp::backends()) {
+    const Placement found = place(table, {}, {.backend = std::string(backend.name)});
+    EXPECT_EQ(found.solver, std::string(backend.name) + " " + std::string(backend.version));
+    EXPECT_GT(found.seconds, 0);
+  }
+  EXPECT_EQ(place(table, {}, {}).solver.find(milp::backends().front().name), 0U);
+  const Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
+  EXPECT_EQ(greedy.solver, "greedy");
+  EXPECT_EQ(greedy.status, Status::feasible);
+}
+
+TEST(Placement, RejectsWhatItCannotAnswer) {
+  SignalTable table = test::make_table({{1, 1}}, 2);
+  test::expect_input_error([&] { place(table, {}, {.backend = "cplex"}); }, "cplex");
+  table.labels[0].requirement = 0;
+  test::expect_input_error([&] { place(table, {}, {}); }, "L0", "--threshold");
+}
+
+TEST(Placement, TellsWhenLinksCountedOne) {
+  SignalTable table = test::make_table({{1, 1}}, 2);
+  EXPECT_TRUE(place(table, {alone, Objective::links}, {}).unit_costs);
+  EXPECT_FALSE(place(table, {alone, Objective::count}, {}).unit_costs);
+  table.labels[0].link_cost = 2;
+  EXPECT_FALSE(place(table, {alone, Objective::links}, {}).unit_costs);
+}
+
+/// Big enough that no solver proves it at once.
+SignalTable hard_table() {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform(0, 0.25);
+  std::vector<std::vector<double>> matrix(200, std::vector<double>(100));
+  for (auto& row : matrix)
+    for (double& entry : row) entry = uniform(random);
+  return test::make_table(matrix, 100);
+}
+
+TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
+  const SignalTable table = hard_table();
+  for (const milp::Backend& backend : milp::backends()) {
+    for (const double limit : {0.0, 0.5}) {
+      const auto start = std::chrono::steady_clock::now();
+      const Placement found = place(table, {coop, Objective::signal},
+                                    {.backend = std::string(backend.name), .time_limit_s = limit});
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      EXPECT_LT(seconds, 5.0);
+      EXPECT_EQ(found.status, Status::stopped);
+      EXPECT_TRUE(check_selection(table, {coop}, found.selected).met());
+      EXPECT_GT(found.lower_bound, 0);
+      EXPECT_LT(found.lower_bound, found.objective_value);
+      EXPECT_GE(found.count_lower_bound, limit > 0 ? 8 : 1);  // each label needs 4 at 0.25; the LP says 8
+      EXPECT_GT(found.gap(), 0);
+    }
+  }
+}
+
+TEST(Placement, ReturnsTheGreedyAnswerWhenCancelled) {
+  CancelToken token;
+  token.request();
+  const SignalTable table = hard_table();
+  const Placement found = place(table, {coop}, {}, {.cancel = &token});
+  EXPECT_EQ(found.status, Status::stopped);
+  EXPECT_EQ(found.selected, place(table, {coop}, {.solver = SolverChoice::greedy}).selected);
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,119 @@
+#include "shelfbeam/placement/placement_file.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+
+#include "random_table.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+
+namespace shelfbeam {
+namespace {
+
+SignalTable example() {
+  return test::make_table({{0.5, 0.75}, {0.25, 0.5}}, 2);
+}
+
+Placement solved() {
+  Placement placement;
+  placement.question = {CommunicationModel::non_cooperative, Objective::effective_links,
+                        Combination::weighted, 0.5};
+  placement.status = Status::stopped;
+  placement.selected = {0, 1};
+  placement.count_lower_bound = 1;
+  placement.objective_value = 4;
+  placement.lower_bound = 3.5;
+  placement.unit_costs = true;
+  placement.solver = "highs 1.10.0";
+  placement.seconds = 0.25;
+  return placement;
+}
+
+TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
+  EXPECT_EQ(placement_json(solved(), example()), R"({
+  "format": 1,
+  "model": "non-cooperative",
+  "objective": "effective-links",
+  "combination": "weighted",
+  "share": 0.5,
+  "selected": [
+    "T0",
+    "T1"
+  ],
+  "count": 2,
+  "count_lower_bound": 1,
+  "objective_value": 4.0,
+  "lower_bound": 3.5,
+  "gap": 0.125,
+  "unit_costs": true,
+  "status": "stopped",
+  "solver": "highs 1.10.0",
+  "seconds": 0.25,
+  "unreachable": []
+}
+)");
+}
+
+TEST(PlacementFile, IsReadBack) {
+  const test::TempFolder folder;
+  const auto path = folder.write("placement.json", placement_json(solved(), example()));
+  const Placement read = read_placement(path, example());
+  EXPECT_EQ(placement_json(read, example()), placement_json(solved(), example()));
+  EXPECT_EQ(read.selected, solved().selected);
+}
+
+TEST(PlacementFile, WritesAnswersThatHaveNoNumbers) {
+  const SignalTable table = example();
+  const Placement none = place(table, {}, {});
+  ASSERT_EQ(none.status, Status::infeasible);
+  const std::string text = placement_json(none, table);
+  for (const char* key : {"count_lower_bound", "objective_value", "lower_bound", "gap"})
+    EXPECT_NE(text.find(std::string("\"") + key + "\": null"), std::string::npos) << key << text;
+  EXPECT_NE(text.find("\"label\": \"L1\""), std::string::npos);
+  EXPECT_NE(text.find("\"most\": 0.75"), std::string::npos);
+
+  const test::TempFolder folder;
+  const Placement read = read_placement(folder.write("p.json", text), table);
+  EXPECT_EQ(read.status, Status::infeasible);
+  EXPECT_TRUE(std::isinf(read.lower_bound));
+  EXPECT_EQ(placement_json(read, table), text);
+}
+
+TEST(PlacementFile, AllowsTheCertificateOfAPlan) {
+  const test::TempFolder folder;
+  std::string text = placement_json(solved(), example());
+  text.replace(text.rfind('}'), 1, ",\"certificate\": {\"confidence\": 0.99}}");
+  EXPECT_EQ(read_placement(folder.write("p.json", text), example()).count(), 2U);
+}
+
+TEST(PlacementFile, RejectsWhatDoesNotFit) {
+  const test::TempFolder folder;
+  const auto expect = [&](const std::string& from, const std::string& to, std::string_view place,
+                          std::string_view problem) {
+    std::string text = placement_json(solved(), example());
+    ASSERT_NE(text.find(from), std::string::npos);
+    text.replace(text.find(from), from.size(), to);
+    const auto path = folder.write("p.json", text);
+    test::expect_input_error([&] { read_placement(path, example()); }, "p.json", place, problem);
+  };
+  expect("\"T1\"", "\"T7\"", "selected[1]", "T7");
+  expect("\"T1\"", "\"T0\"", "selected[1]", "T0");
+  expect("\"T1\"", "1", "selected[1]", "number");
+  expect("\"count\": 2", "\"count\": 3", "count", "3");
+  expect("\"format\": 1", "\"format\": 2", "format", "2");
+  expect("weighted", "wieghted", "combination", "weighted");
+  expect("\"status\": \"stopped\"", "\"status\": \"stoped\"", "status", "stopped");
+  expect("\"solver\"", "\"slover\"", "slover", "solver");
+  expect("\"share\": 0.5", "\"share\": 0", "share", "0");
+  expect("\"lower_bound\": 3.5", "\"lower_bound\": true", "lower_bound", "number");
+  expect("\"unreachable\": []", "\"unreachable\": [{\"label\": \"X\", \"requirement\": 1, \"most\": 0}]",
+         "unreachable[0].label", "X");
+  test::expect_input_error([&] { read_placement(folder / "missing.json", example()); }, "missing.json");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+
+#include "shelfbeam/placement/instance.hpp"
+#include "shelfbeam/signal/signal_table.hpp"
+
+namespace shelfbeam::test {
+
+/// A table from a dense m x n matrix, all requirements 1.
+inline SignalTable make_table(const std::vector<std::vector<double>>& matrix, std::size_t columns) {
+  SignalTable table;
+  for (std::size_t j = 0; j < columns; ++j)
+    table.transceivers.push_back({"T" + std::to_string(j), 1.0, false});
+  table.row_begin = {0};
+  for (const auto& row : matrix) {
+    table.labels.push_back({"L" + std::to_string(table.labels.size()), 1.0, 1.0, 0.0, 0.0});
+    for (std::uint32_t j = 0; j < row.size(); ++j)
+      if (row[j] != 0) table.entries.push_back({j, row[j]});
+    table.row_begin.push_back(table.entries.size());
+  }
+  return table;
+}
+
+struct RandomTableLimits {
+  int labels = 10;
+  int transceivers = 14;
+  bool borderline = true;  ///< with signals so near the requirement that only the exact rule decides
+};
+
+/// Small tables of very different kinds: dense and sparse, real and quantised (many exact ties and sums that
+/// are exactly the requirement), entries far above the requirement, entries within a few 1e-10 of it (where
+/// the tolerance of the rule decides), signals in any unit; with and without costs, installed units, rows
+/// that nobody reaches, no labels or no transceivers at all.
+class RandomTables {
+ public:
+  explicit RandomTables(std::uint64_t seed, RandomTableLimits limits = {}) : random_(seed), limits_(limits) {}
+
+  SignalTable next() {
+    const auto n = static_cast<std::size_t>(chance(0.02) ? 0 : whole(1, limits_.transceivers));
+    const auto m = static_cast<std::size_t>(chance(0.02) ? 0 : whole(1, limits_.labels));
+    const int kind = whole(0, limits_.borderline ? 3 : 2);
+    const double density = chance(0.5) ? 1.0 : real(0.2, 0.8);
+    std::vector<std::vector<double>> matrix(m, std::vector<double>(n, 0.0));
+    for (auto& row : matrix)
+      for (double& entry : row)
+        if (chance(density)) entry = entry_of(kind);
+    SignalTable table = make_table(matrix, n);
+    add_costs(table);
+    const double unit = chance(0.5) ? 1.0 : std::pow(10.0, real(-9, 4));
+    scale(table, unit);
+    return table;
+  }
+
+  Question next_question() {
+    Question question;
+    question.model = chance(0.5) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative;
+    question.objective = static_cast<Objective>(whole(0, 3));
+    question.combination = chance(0.5) ? Combination::lexicographic : Combination::weighted;
+    question.share = chance(0.5) ? 1.0 : real(0.1, 1.5);
+    return question;
+  }
+
+  bool chance(double probability) { return real(0, 1) < probability; }
+  double real(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
+  int whole(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }
+
+ private:
+  double entry_of(int kind) {
+    switch (kind) {
+      case 0:
+        return real(0, 0.8);
+      case 1:
+        return 0.25 * whole(0, 5);
+      case 2:
+        return std::exp(real(-5, 4));
+      default:
+        return (chance(0.4) ? 1.0 : 0.5) * (1 + 1e-10 * whole(-30, 10));
+    }
+  }
+
+  void add_costs(SignalTable& table) {
+    const int transceiver_costs = whole(0, 2);
+    for (auto& unit : table.transceivers) {
+      if (transceiver_costs == 1) unit.cost = whole(0, 5);
+      if (transceiver_costs == 2) unit.cost = real(0, 3);
+      unit.installed = chance(0.08);
+    }
+    const int label_costs = whole(0, 2);
+    const bool other_reach = chance(0.3);
+    for (auto& label : table.labels) {
+      if (label_costs == 1) label.link_cost = label.signal_cost = whole(0, 2);
+      if (label_costs == 2) label.link_cost = real(0, 1), label.signal_cost = real(0, 5);
+      if (other_reach) label.single_requirement = 0.5;
+    }
+  }
+
+  static void scale(SignalTable& table, double unit) {
+    for (auto& label : table.labels) label.requirement *= unit, label.single_requirement *= unit;
+    for (auto& entry : table.entries) entry.signal *= unit;
+  }
+
+  std::mt19937_64 random_;
+  RandomTableLimits limits_;
+};
+
+}  // namespace shelfbeam::test

@@ -1,0 +1,106 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/report/elevation.hpp"
+#include "shelfbeam/report/part_drawing.hpp"
+#include "shelfbeam/report/report.hpp"
+
+#include "markup.hpp"
+#include "sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+TEST(FloorPlan, IsWellFormedAndNamesWhatItShows) {
+  const Scene scene = make_scene(sample_store::supermarket());
+  const std::string svg = floor_plan_svg(scene);
+  const test::Markup markup = test::read_markup(svg);
+  EXPECT_EQ(markup.problem, "");
+  for (const FixtureOutline& fixture : scene.fixtures)
+    EXPECT_NE(markup.text.find(fixture.id), std::string::npos) << fixture.id;
+  EXPECT_NE(markup.text.find("25 × 18 × 4 m · 14 fixtures · 926 labels"), std::string::npos);
+  for (const char* part : {"panel", "board", "kick", "tub", "solid"})
+    EXPECT_TRUE(std::any_of(markup.elements.begin(), markup.elements.end(), [&](const auto& element) {
+      const auto css = element.attributes.find("class");
+      return css != element.attributes.end() && css->second == part;
+    })) << part;
+  EXPECT_EQ(svg, floor_plan_svg(scene));
+}
+
+TEST(FloorPlan, EscapesNames) {
+  const std::string svg = floor_plan_svg(make_scene(sample_store::kiosk()));
+  const test::Markup markup = test::read_markup(svg);
+  EXPECT_EQ(markup.problem, "");
+  EXPECT_NE(markup.text.find("Joe's <Kiosk> & \"Bar\""), std::string::npos);
+  EXPECT_EQ(svg.find("<Kiosk>"), std::string::npos);
+}
+
+TEST(FloorPlan, DrawsFromTheLowestToTheHighestAndLeavesOutOnlyWhatABoardHides) {
+  const Scene scene = make_scene(sample_store::supermarket());
+  const auto seen = parts_seen_from_above(scene);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end(),
+                             [&](auto a, auto b) { return scene.parts[a].top < scene.parts[b].top; }));
+  std::size_t goods = 0, hidden = 0;
+  for (std::uint32_t k = 0; k < scene.parts.size(); ++k) {
+    if (std::find(seen.begin(), seen.end(), k) != seen.end()) {
+      goods += scene.parts[k].kind == PartKind::goods ? 1 : 0;
+      continue;
+    }
+    ++hidden;
+    // Each corner of a hidden part lies below a board of its fixture: inside the board's outline, with 1 nm
+    // to spare for the rounding of a turned corner.
+    const bool covered = std::any_of(scene.parts.begin(), scene.parts.end(), [&](const Part& board) {
+      if (board.kind != PartKind::board || board.fixture != scene.parts[k].fixture) return false;
+      if (board.bottom < scene.parts[k].top - 1e-6) return false;
+      const auto& o = board.footprint;
+      return std::all_of(scene.parts[k].footprint.begin(), scene.parts[k].footprint.end(),
+                         [&](const auto& p) {
+                           for (std::size_t e = 0; e < o.size(); ++e) {
+                             const auto& a = o[e];
+                             const auto& b = o[(e + 1) % o.size()];
+                             if ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) < -1e-6)
+                               return false;
+                           }
+                           return true;
+                         });
+    });
+    EXPECT_TRUE(covered) << k;
+  }
+  EXPECT_GT(goods, 200U);
+  EXPECT_GT(hidden, 500U);
+}
+
+TEST(Elevation, ShowsTheFixtureWithMostLabels) {
+  const Scene scene = make_scene(sample_store::supermarket());
+  const auto fixture = fixture_with_most_labels(scene);
+  ASSERT_TRUE(fixture);
+  std::vector<std::size_t> counts;
+  for (const FixtureOutline& outline : scene.fixtures)
+    counts.push_back(static_cast<std::size_t>(
+        std::count_if(scene.labels.begin(), scene.labels.end(),
+                      [&](const Label& label) { return label.id.starts_with(outline.id + "-"); })));
+  EXPECT_EQ(counts[*fixture], *std::max_element(counts.begin(), counts.end()));
+  EXPECT_GT(counts[*fixture], *std::min_element(counts.begin(), counts.end()));
+
+  SvgCanvas canvas;
+  EXPECT_GT(draw_elevation(canvas, scene, *fixture, 0, 1000), 100);
+  std::size_t tags = 0;
+  for (const auto& element : test::read_markup(canvas.body()).elements) {
+    const auto css = element.attributes.find("class");
+    tags += css != element.attributes.end() && css->second == "tag" ? 1 : 0;
+  }
+  EXPECT_EQ(tags, counts[*fixture]);  // wall shelving: all its labels face the viewer
+}
+
+TEST(Elevation, AStoreWithoutLabelsOnFixturesHasNone) {
+  Store store = sample_store::kiosk();
+  std::get<Gondola>(store.fixtures[0].value).labels.reset();
+  store.labels.push_back({Label{"L", {0.5, 0.5, 1}, {1, 0, 0}, {}}, "list"});
+  const Scene scene = make_scene(store);
+  EXPECT_FALSE(fixture_with_most_labels(scene));
+  EXPECT_EQ(test::read_markup(floor_plan_svg(scene)).problem, "");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,247 @@
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/report/distributions.hpp"
+#include "shelfbeam/report/headline.hpp"
+#include "shelfbeam/report/report.hpp"
+
+#include "markup.hpp"
+#include "sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::Markup;
+using test::read_markup;
+
+struct Supermarket {
+  Scene scene = make_scene(sample_store::supermarket());
+  SignalMatrix matrix = sample_store::matrix_of(scene);
+  Placement placement = sample_store::cover(matrix);
+  ReportInput input{scene, matrix, placement};
+};
+
+// Well-formed, no script, nothing fetched, every reference within the page resolves, ids are unique.
+std::string fault(const std::string& html) {
+  const Markup markup = read_markup(html);
+  if (!markup.problem.empty()) return markup.problem;
+  for (const char* word : {"http:", "https:", "url(", "@import", "<script", "<link", " src="})
+    if (html.find(word) != std::string::npos) return std::string("holds ") + word;
+  std::set<std::string> ids;
+  for (const auto& element : markup.elements)
+    if (const auto id = element.attributes.find("id"); id != element.attributes.end())
+      if (!ids.insert(id->second).second) return "id twice: " + id->second;
+  for (const auto& element : markup.elements)
+    if (const auto href = element.attributes.find("href"); href != element.attributes.end())
+      if (href->second.empty() || href->second[0] != '#' || !ids.contains(href->second.substr(1)))
+        return "dangling: " + href->second;
+  return {};
+}
+
+TEST(Markup, ReaderRejectsBrokenMarkup) {
+  EXPECT_EQ(read_markup("<p class=\"a\">x &amp; y<br></p>").problem, "");
+  for (const char* broken : {"<p>", "<p></b>", "a & b", "<p class=a></p>", "<p class=\"<\"></p>", "a < b",
+                             "a > b", "<p a=\"1\" a=\"2\"></p>", "<use href=\"#x\"></g>"})
+    EXPECT_NE(read_markup(broken).problem, "") << broken;
+  EXPECT_NE(fault("<svg><use href=\"#missing\"/></svg>"), "");
+  EXPECT_NE(fault("<img src=\"http://example.com/x.png\">"), "");
+}
+
+TEST(ReportHtml, IsOneSelfContainedPage) {
+  const Supermarket s;
+  const std::string html = report_html(s.input);
+  EXPECT_EQ(fault(html), "");
+  EXPECT_EQ(html, report_html(s.input));
+}
+
+TEST(ReportHtml, EscapesIdsAndNames) {
+  const Scene scene = make_scene(sample_store::kiosk());
+  const SignalMatrix matrix = sample_store::matrix_of(scene);
+  Placement placement = sample_store::cover(matrix);
+  placement.solver = "<solver>";
+  const std::string html = report_html({scene, matrix, placement});
+  EXPECT_EQ(fault(html), "");
+  const std::string text = read_markup(html).text;
+  for (const char* name : {"Joe's <Kiosk> & \"Bar\"", "A<1>-front-1-1", "T,2", "<solver>"})
+    EXPECT_NE(text.find(name), std::string::npos) << name;
+  for (const char* raw : {"<Kiosk>", "A<1>", "<solver>"}) EXPECT_EQ(html.find(raw), std::string::npos) << raw;
+}
+
+// Tables and facts as text, so that "8" is only found where it stands alone.
+std::multiset<std::string> pieces(const std::string& html) {
+  std::multiset<std::string> result;
+  const std::string text = read_markup(html).text;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end > begin) result.insert(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return result;
+}
+
+TEST(ReportHtml, EveryComputedNumberIsInIt) {
+  const Supermarket s;
+  const ReportData data(s.input);
+  const std::string html = report_html(s.input);
+  const auto cells = pieces(html);
+  const std::string text = read_markup(html).text;
+  const auto expect_text = [&](const std::string& piece) {
+    EXPECT_NE(text.find(piece), std::string::npos) << piece;
+  };
+  const auto expect_cell = [&](const std::string& piece) { EXPECT_TRUE(cells.contains(piece)) << piece; };
+
+  for (const UnitOutcome& unit : data.outcome.units) {
+    expect_cell(data.transceiver(unit.column).id);
+    expect_cell(grouped(unit.reaches_alone));
+    expect_cell(grouped(unit.strongest_for));
+    expect_cell(grouped(unit.needed_by));
+  }
+  for (std::size_t k = 0; k < 20; ++k) {
+    const std::uint32_t row = data.outcome.by_margin[k];
+    expect_cell(data.label(row).id);
+    expect_cell(decibels(data.outcome.labels[row].margin()));
+    expect_cell(data.unit.number(data.outcome.labels[row].signal));
+    expect_cell(data.unit.number(
+        static_cast<double>(s.matrix.standard_error[s.matrix.at(row, *data.outcome.labels[row].strongest)])));
+  }
+  for (std::size_t k = 0; k < data.levels.size(); ++k)
+    expect_cell("Level " + std::to_string(k + 1) + ": " + data.levels[k].heights() + " (" +
+                grouped(data.levels[k].labels.size()) + ")");
+  expect_cell(grouped(data.outcome.met));
+  const SamplingSummary& sampling = data.sampling;
+  for (const double share : {sampling.mean, sampling.median, sampling.p90, sampling.p99, sampling.worst})
+    expect_text(percent(share));
+  expect_cell(grouped(sampling.least_samples));
+  expect_cell(grouped(sampling.relevant));
+  expect_text(grouped(sampling.zeros) + " of " + grouped(sampling.entries));
+  const auto shares = data.outcome.direct_shares();
+  for (const double q : {0.1, 0.5, 0.9}) expect_text(percent(quantile(shares, q)));
+  expect_text(grouped(data.outcome.met_by_direct) + " of " + grouped(data.outcome.labels.size()));
+  const ExcessDistribution excess = excess_distribution(data.outcome);
+  expect_text("Median " + significant(excess.median) + "\u00A0%, mean " + significant(excess.mean));
+  for (const std::string& fact :
+       {s.placement.solver, s.matrix.provenance.estimator, s.matrix.provenance.store_hash,
+        std::string("940\u00A0nm"), std::string("1.25\u00A0s")})
+    expect_cell(fact);
+  // Negative control: a number that was not computed is not found.
+  EXPECT_FALSE(cells.contains(grouped(data.outcome.met + 1)));
+}
+
+TEST(ReportHtml, EveryLabelIsMarkedOnceOnThePlans) {
+  const Supermarket s;
+  const ReportData data(s.input);
+  const std::string text = report_html(s.input);
+  for (std::uint32_t i = 0; i < data.outcome.labels.size(); i += 37) {
+    const std::string title = "<title>" + data.label(i).id + ": " +
+                              data.unit.text(data.outcome.labels[i].signal) + ", " +
+                              decibels(data.outcome.labels[i].margin()) + "</title>";
+    const std::size_t first = text.find(title);
+    ASSERT_NE(first, std::string::npos) << title;
+    EXPECT_EQ(text.find(title, first + 1), std::string::npos) << title;
+  }
+}
+
+TEST(ReportHtml, SaysWhatIsProven) {
+  Supermarket s;
+  const std::size_t k = s.placement.count();
+  const auto answer = [&] { return headline(ReportData(s.input)).answer; };
+  const std::string reach = std::to_string(k) + " transceivers reach all 926 labels; ";
+  EXPECT_EQ(answer(), reach + "at least " + std::to_string(k) + " are needed (proven).");
+
+  s.placement.status = Status::stopped;
+  s.placement.count_lower_bound = s.placement.lower_bound =
+      static_cast<double>(k) - 1.6;  // rounded up: k - 1
+  EXPECT_EQ(answer(), reach + "it is proven that at least " + std::to_string(k - 1) + " are needed (gap " +
+                          percent(1.0 / static_cast<double>(k)) + ").");
+  EXPECT_EQ(headline(ReportData(s.input)).tone, Headline::Tone::open);
+  EXPECT_EQ(fault(report_html(s.input)), "");
+
+  s.placement.question.objective = Objective::links;
+  s.placement.count_lower_bound = static_cast<double>(k);
+  s.placement.objective_value = 1000;
+  s.placement.lower_bound = 900;
+  EXPECT_EQ(answer(), reach + "at least " + std::to_string(k) + " are needed (proven).");
+  const std::string html = report_html(s.input);
+  EXPECT_NE(html.find("links: 1000; at least 900 is proven (gap 10.0\u00A0%)."), std::string::npos);
+  EXPECT_EQ(fault(html), "");
+
+  s.placement.question.combination = Combination::weighted;
+  s.placement.status = Status::optimal;
+  s.placement.count_lower_bound = 1;
+  EXPECT_EQ(answer(), reach + "no selection has a lower total cost (proven).");
+}
+
+TEST(ReportHtml, ExplainsThatNothingCanBeDone) {
+  Supermarket s;
+  for (LabelRow& label : s.matrix.labels) label.requirement *= 60;
+  s.placement = {};
+  s.placement.status = Status::infeasible;
+  s.placement.count_lower_bound = s.placement.lower_bound = s.placement.objective_value = INFINITY;
+  for (std::uint32_t i = 0; i < s.matrix.rows(); ++i) {
+    double most = 0;
+    for (const float signal : s.matrix.mean_row(i)) most += static_cast<double>(signal);
+    if (most < s.matrix.labels[i].requirement)
+      s.placement.unreachable.push_back({i, s.matrix.labels[i].requirement, most});
+  }
+  ASSERT_GT(s.placement.unreachable.size(), 3U);
+  const std::string html = report_html(s.input);
+  EXPECT_EQ(fault(html), "");
+  const auto cells = pieces(html);
+  EXPECT_TRUE(cells.contains("No selection can do it: " + std::to_string(s.placement.unreachable.size()) +
+                             " of 926 labels cannot be reached, even with all 280 candidates on."));
+  const SignalUnit unit = ReportData(s.input).unit;
+  for (const Unreachable& label : s.placement.unreachable) {
+    EXPECT_TRUE(cells.contains(s.matrix.labels[label.label].id));
+    EXPECT_TRUE(cells.contains(unit.number(label.most)));
+  }
+  // Triangles on the plans: one for each of them, and only these.
+  std::size_t triangles = 0;
+  for (const auto& element : read_markup(html).elements)
+    if (const auto href = element.attributes.find("href");
+        href != element.attributes.end() && element.attributes.contains("x"))
+      triangles += href->second == "#m0" || href->second == "#m1" ? 1 : 0;
+  EXPECT_EQ(triangles, s.placement.unreachable.size());
+  for (const char* odd : {"∞", ">inf<", ">nan"}) EXPECT_EQ(html.find(odd), std::string::npos) << odd;
+}
+
+TEST(ReportHtml, ReadsWellWithoutSelectionErrorsOrDirectPart) {
+  Supermarket s;
+  s.matrix.standard_error.clear();
+  s.matrix.direct.clear();
+  EXPECT_EQ(fault(report_html(s.input)), "");
+  EXPECT_NE(report_html(s.input).find("carries no standard errors"), std::string::npos);
+  s.placement = {};
+  s.placement.count_lower_bound = 3;
+  s.placement.seconds = 60;
+  const std::string html = report_html(s.input);
+  EXPECT_EQ(fault(html), "");
+  EXPECT_NE(
+      html.find(
+          "No selection was found within 60\u00A0s; it is proven that at least 3 transceivers are needed."),
+      std::string::npos);
+  for (const char* odd : {">nan", " nan", "∞"}) EXPECT_EQ(html.find(odd), std::string::npos) << odd;
+}
+
+TEST(ReportHtml, StaysSmallForFiveThousandLabels) {
+  Store store = sample_store::empty_store("Large", {60, 40, 4});
+  for (int k = 0; k < 25; ++k)
+    store.fixtures.push_back({sample_store::gondola("A" + std::to_string(k), {5, 1.0 + 1.5 * k}, 50, 0.9,
+                                                    {0.3, 0.7, 1.1, 1.5, 1.9}, 0, {Face::front}),
+                              "fixtures"});
+  for (auto& fixture : store.fixtures) std::get<Gondola>(fixture.value).labels->spacing = 1.25;
+  store.grids = {{{5, 5}, {55, 35}, 10, 3.9, {0, 0, -1}, 0, {}}};
+  const Scene scene = make_scene(store);
+  ASSERT_EQ(scene.labels.size(), 5000U);
+  const SignalMatrix matrix = sample_store::matrix_of(scene);
+  Placement placement;
+  placement.status = Status::feasible;
+  placement.selected = {0, 5, 9, 14, 20};
+  const std::string html = report_html({scene, matrix, placement});
+  EXPECT_LT(html.size(), 1'000'000U);
+  EXPECT_EQ(fault(html), "");
+}
+
+}  // namespace
+}  // namespace shelfbeam

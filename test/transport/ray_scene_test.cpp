@@ -1,0 +1,97 @@
+#include "shelfbeam/transport/ray_scene.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/store.hpp"
+
+#include "support/small_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+Scene empty_room(double x, double y, double z) {
+  return make_scene(parse_store(
+      fmt::format(R"({{"room": {{"size": [{}, {}, {}], "floor": "w", "ceiling": "w", "walls": "w"}},
+        "materials": {{"w": {{"type": "lambertian", "reflectance": 0.5}}}},
+        "label_types": {{"s": {{"threshold": 1}}}},
+        "transceiver_types": {{"u": {{"emission": {{"type": "sin2theta", "peak": 1}}}}}},
+        "labels": [{{"id": "L", "position": [{}, {}, {}], "normal": [0, 0, 1], "type": "s"}}],
+        "transceivers": {{"list": [{{"id": "T", "position": [{}, {}, {}], "type": "u"}}]}}}})",
+                  x, y, z, x / 2, y / 2, z / 2, x / 2, y / 2, z),
+      "room", "."));
+}
+
+TEST(RayScene, FindsTheWallItLooksAt) {
+  const RayScene rays(empty_room(6, 5, 3).mesh);
+  const auto hit = rays.intersect({3, 2, 1}, {1, 0, 0}, normalized({1, 0.25, -0.1}));
+  ASSERT_TRUE(hit);
+  // The start is moved by 64 units in the last place of 3 m, 1.5e-5 m.
+  EXPECT_NEAR(hit->position.x, 6, 1e-12);
+  EXPECT_NEAR(hit->position.y, 2.75, 1e-5);
+  EXPECT_NEAR(hit->position.z, 0.7, 1e-5);
+  EXPECT_NEAR(length(hit->normal - Vec3{-1, 0, 0}), 0, 1e-12);
+}
+
+TEST(RayScene, NormalsLookToTheSideOfTheRay) {
+  const Scene scene = test::SmallStore{}.scene();
+  const RayScene rays(scene.mesh);
+  for (std::uint32_t k = 0; k < 10000; ++k) {
+    const auto u = philox({k, 0, 0, 0}, 1);
+    const Vec3 from{6 * to_unit(u[0]), 5 * to_unit(u[1]), 2.5 + 0.4 * to_unit(u[2])};
+    const double z = 2 * to_unit(u[3]) - 1, phi = k, r = std::sqrt(1 - z * z);
+    const Vec3 direction{r * std::cos(phi), r * std::sin(phi), z};
+    const auto hit = rays.intersect(from, direction, direction);
+    ASSERT_TRUE(hit) << "light leaks out of a closed room";
+    EXPECT_LT(dot(hit->normal, direction), 0);
+  }
+}
+
+// A point of a convex room sees every other one, however large the room, and wherever rays start and end,
+// walls and edges included. The control is an offset-free start below the surface, which must be blocked.
+TEST(RayScene, ConvexRoomsShadowNothingAtAnyScale) {
+  for (const double scale : {0.05, 1.0, 20.0, 200.0}) {
+    const Scene scene = empty_room(scale, 0.7 * scale, 0.3 * scale);
+    const RayScene rays(scene.mesh);
+    int blocked = 0;
+    for (std::uint32_t k = 0; k < 20000; ++k) {
+      const auto u = philox({k, 0, 0, 0}, 2);
+      const Vec3 floor{scale * to_unit(u[0]), 0.7 * scale * to_unit(u[1]), 0};
+      const Vec3 ceiling{scale * to_unit(u[2]), 0.7 * scale * to_unit(u[3]), 0.3 * scale};
+      EXPECT_FALSE(rays.occluded(floor, {0, 0, 1}, ceiling)) << "scale " << scale;
+      blocked += rays.occluded(floor - Vec3{0, 0, 0.01 * scale}, {0, 0, 1}, ceiling) ? 1 : 0;
+    }
+    EXPECT_EQ(blocked, 20000);
+  }
+}
+
+// Walks between the walls of a convex room never leave it and always find the far side.
+TEST(RayScene, WalksStayInsideAtAnyScale) {
+  for (const double scale : {0.05, 1.0, 200.0}) {
+    const Scene scene = empty_room(scale, 0.7 * scale, 0.3 * scale);
+    const RayScene rays(scene.mesh);
+    Vec3 position{0.3 * scale, 0.2 * scale, 0}, normal{0, 0, 1};
+    for (std::uint32_t k = 0; k < 20000; ++k) {
+      const auto u = philox({k, 1, 0, 0}, 3);
+      const Vec3 local = sample_cosine_hemisphere(to_unit(u[0]), to_unit(u[1]));
+      const auto hit = rays.intersect(position, normal, Frame::about(normal).to_world(local));
+      ASSERT_TRUE(hit) << "scale " << scale << ", step " << k;
+      ASSERT_GT(length(hit->normal - normal), 0.5) << "hit the surface it left, at scale " << scale;
+      position = hit->position;
+      normal = hit->normal;
+    }
+  }
+}
+
+TEST(RayScene, FixturesBlock) {
+  const Scene scene = test::SmallStore{}.scene();
+  const RayScene rays(scene.mesh);
+  EXPECT_TRUE(rays.occluded({2, 1.0, 0.3}, {0, -1, 0}, {2, 4.5, 0.4}));
+  EXPECT_FALSE(rays.occluded({2, 1.0, 0.3}, {0, -1, 0}, {2, 0.2, 2.9}));
+}
+
+}  // namespace
+}  // namespace shelfbeam
