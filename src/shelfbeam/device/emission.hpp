@@ -1,16 +1,17 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <variant>
-#include <vector>
 
-#include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/device/direction_sample.hpp"
+#include "shelfbeam/device/direction_table.hpp"
 
 namespace shelfbeam {
 
 // Emission profiles eta(theta, phi) of 2.9: radiant intensity in W/sr. theta is measured from the device's
-// axis
-// (+z of its frame), phi from its +x towards +y; nothing is emitted beyond 90 degrees unless a table says so.
+// axis (+z of its frame), phi from its +x towards +y; nothing is emitted beyond 90 degrees unless a table
+// says so.
 
 /// eta = peak sin 2 theta: most of the light leaves at 45 degrees (the paper's transceiver).
 struct SinTwoTheta {
@@ -28,11 +29,9 @@ struct GeneralizedLambertian {
   double flux = 1;  ///< W
 };
 
-/// Bilinear interpolation of a measured profile; zero beyond the last theta.
+/// A measured profile, of the store file or of an IES or EULUMDAT file (photometry.hpp).
 struct EmissionTable {
-  std::vector<double> theta;  ///< radians, ascending from 0, at most pi
-  std::vector<double> phi;  ///< radians, ascending from 0 to 2 pi (last plane = first); one value: symmetric
-  std::vector<double> intensity;  ///< W/sr, one row of all thetas a phi
+  DirectionTable intensity;  ///< W/sr
 };
 
 /// The closed set of profiles. To add one: a struct above and a case in each function of emission.cpp.
@@ -43,6 +42,14 @@ double intensity(const Emission& emission, const Vec3& direction);
 
 /// Total flux in W: closed forms; for a table the exact integral of the interpolation.
 double power(const Emission& emission);
+
+/// A direction in the device's frame with density intensity / power, from u1 and u2 in [0, 1): closed forms
+/// (for sin 2 theta the paper's theta = arcsin cbrt(u1), phi = 2 pi u2); tables by exact inversion. Nothing
+/// where the draw has no density (on the axis of sin 2 theta, which u1 = 0 gives).
+std::optional<DirectionSample> sample(const Emission& emission, double u1, double u2);
+
+/// The density of `sample` per solid angle.
+double pdf(const Emission& emission, const Vec3& direction);
 
 /// The name used in the store file.
 std::string_view type_name(const Emission& emission);

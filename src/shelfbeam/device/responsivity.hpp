@@ -1,19 +1,46 @@
 #pragma once
 
-#include <algorithm>
+#include <optional>
 #include <variant>
+
+#include "shelfbeam/device/direction_sample.hpp"
+#include "shelfbeam/device/direction_table.hpp"
+#include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
 
-/// R(theta) = cos(theta): the signal is the irradiance at the label.
+// The complete angular response R(theta) of a label, the paper's W (2.13) times cos(theta); theta is measured
+// from the label's normal. Labels are one-sided: R is zero behind them.
+
+/// R = cos theta: the signal is the irradiance at the label.
 struct CosineResponse {};
 
-/// The closed set of label responses. To add one: a struct above and an overload of `response`.
-using Responsivity = std::variant<CosineResponse>;
+/// R = cos^exponent theta up to the cut-off, zero beyond it; exponent 1 is the cosine.
+struct CosinePowerResponse {
+  double exponent = 1;     ///< 0 or more
+  double cutoff = pi / 2;  ///< radians, above 0, at most pi / 2
+};
 
-/// R(theta), the complete angular response: the paper's W (2.13) times cos(theta). Zero behind the label.
-inline double response(const Responsivity& responsivity, double cos_theta) {
-  return std::visit([&](const CosineResponse&) { return std::max(0.0, cos_theta); }, responsivity);
-}
+/// R measured at some angles, linear in theta between them, zero beyond the last.
+struct ResponseTable {
+  DirectionTable response;  ///< a single phi, no theta beyond pi / 2
+};
+
+/// The closed set of label responses. To add one: a struct above and a case in each function of
+/// responsivity.cpp.
+using Responsivity = std::variant<CosineResponse, CosinePowerResponse, ResponseTable>;
+
+/// R at the angle with this cosine.
+double response(const Responsivity& responsivity, double cos_theta);
+
+/// The integral of R over the hemisphere, per solid angle: the signal in a field of radiance 1.
+double integral(const Responsivity& responsivity);
+
+/// A direction about +z with density R / integral, for the first ray from a label: its weight is then the
+/// same for every direction. From u1 and u2 in [0, 1); nothing where the draw has no density.
+std::optional<DirectionSample> sample(const Responsivity& responsivity, double u1, double u2);
+
+/// The density of `sample` per solid angle.
+double pdf(const Responsivity& responsivity, const Vec3& direction);
 
 }  // namespace shelfbeam

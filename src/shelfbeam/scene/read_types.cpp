@@ -23,7 +23,7 @@ Material read_material(const JsonCursor& cursor) {
 
 std::vector<double> read_angles(const JsonCursor& cursor, double last_deg) {
   std::vector<double> angles = cursor.numbers();
-  if (angles.empty() || angles.front() != 0) cursor.fail("does not begin at 0", "angles ascend from 0");
+  if (angles.empty() || angles.front() < 0) cursor.fail("does not begin at 0 or above", "sort the angles");
   for (std::size_t i = 0; i < angles.size(); ++i) {
     if (i > 0 && angles[i] <= angles[i - 1]) cursor.fail("does not ascend", "sort the angles");
     if (angles[i] > last_deg)
@@ -36,34 +36,33 @@ std::vector<double> read_angles(const JsonCursor& cursor, double last_deg) {
 
 EmissionTable read_table(const JsonCursor& cursor) {
   cursor.expect_keys({"type", "theta_deg", "phi_deg", "intensity"});
-  EmissionTable table;
-  table.theta = read_angles(cursor["theta_deg"], 180);
-  if (table.theta.size() < 2) cursor["theta_deg"].fail("has one angle", "at least two are needed");
+  const std::vector<double> theta = read_angles(cursor["theta_deg"], 180);
+  if (theta.size() < 2) cursor["theta_deg"].fail("has one angle", "at least two are needed");
+  std::vector<double> phi{0}, values;
   const JsonCursor intensity = cursor["intensity"];
   const auto add_row = [&](const JsonCursor& row) {
-    for (const JsonCursor& value : row.elements()) table.intensity.push_back(value.non_negative());
-    if (row.elements().size() != table.theta.size())
-      row.fail(fmt::format("has {} values for {} angles", row.elements().size(), table.theta.size()),
+    for (const JsonCursor& value : row.elements()) values.push_back(value.non_negative());
+    if (row.elements().size() != theta.size())
+      row.fail(fmt::format("has {} values for {} angles", row.elements().size(), theta.size()),
                "give one value for each theta");
   };
-  if (const auto phi = cursor.find("phi_deg")) {
-    table.phi = read_angles(*phi, 360);
+  if (const auto given = cursor.find("phi_deg")) {
+    phi = read_angles(*given, 360);
+    if (phi.front() != 0) given->fail("does not begin at 0", "the first plane is the one at 0");
     const auto rows = intensity.elements();
-    if (rows.size() != table.phi.size())
-      intensity.fail(fmt::format("has {} rows for {} values of phi", rows.size(), table.phi.size()),
+    if (rows.size() != phi.size())
+      intensity.fail(fmt::format("has {} rows for {} values of phi", rows.size(), phi.size()),
                      "give one row of values for each phi");
     for (const JsonCursor& row : rows) add_row(row);
-    if (table.phi.size() > 1 && table.phi.back() < 2 * pi) {
+    if (phi.size() > 1 && phi.back() < 2 * pi) {
       // The profile is periodic: the plane at 360 degrees is the one at 0.
-      table.phi.push_back(2 * pi);
-      table.intensity.insert(table.intensity.end(), table.intensity.begin(),
-                             table.intensity.begin() + static_cast<std::ptrdiff_t>(table.theta.size()));
+      phi.push_back(2 * pi);
+      values.insert(values.end(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(theta.size()));
     }
   } else {
-    table.phi = {0};
     add_row(intensity);
   }
-  return table;
+  return EmissionTable{{theta, phi, values}};
 }
 
 Emission read_emission(const JsonCursor& cursor) {

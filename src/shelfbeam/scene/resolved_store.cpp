@@ -82,15 +82,16 @@ class Resolver {
     return {{"type", "lambertian"}, {"order", e.order}, {"flux", e.flux}};
   }
   static Json emission(const EmissionTable& e) {
-    Json json{{"type", "table"}, {"theta_deg", degrees(e.theta)}};
-    if (e.phi.size() == 1) {
-      json["intensity"] = e.intensity;
+    const DirectionTable& table = e.intensity;
+    Json json{{"type", "table"}, {"theta_deg", degrees(table.theta())}};
+    if (table.phi().size() == 1) {
+      json["intensity"] = table.values();
       return json;
     }
-    json["phi_deg"] = degrees(e.phi);
+    json["phi_deg"] = degrees(table.phi());
     json["intensity"] = Json::array();
-    const auto width = static_cast<std::ptrdiff_t>(e.theta.size());
-    for (auto row = e.intensity.begin(); row != e.intensity.end(); row += width)
+    const auto width = static_cast<std::ptrdiff_t>(table.theta().size());
+    for (auto row = table.values().begin(); row != table.values().end(); row += width)
       json["intensity"].push_back(std::vector<double>(row, row + width));
     return json;
   }

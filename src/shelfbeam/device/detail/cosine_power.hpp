@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cmath>
+
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam::detail {
+
+/// Directions about +z with density proportional to cos^order theta, zero where cos theta is below
+/// `lowest`.
+struct CosinePower {
+  double order = 1;
+  double lowest = 0;  ///< cosine of the cut-off
+
+  /// Of cos^order over the cone.
+  double integral() const { return 2 * pi / (order + 1) * (1 - tail()); }
+
+  double value(double cos_theta) const {
+    return cos_theta > 0 && cos_theta >= lowest ? std::pow(cos_theta, order) : 0;
+  }
+  double pdf(const Vec3& d) const { return value(d.z) / integral(); }
+
+  /// cos^(order + 1) is uniform between 1, at u1 = 0, and its value at the cut-off.
+  Vec3 draw(double u1, double u2) const {
+    const double exponent = std::log1p(-u1 * (1 - tail())) / (order + 1);
+    // The sine from the same logarithm keeps its digits near the axis, where all directions of a high order
+    // lie.
+    const double along = std::exp(exponent), across = std::sqrt(-std::expm1(2 * exponent)), phi = 2 * pi * u2;
+    return {across * std::cos(phi), across * std::sin(phi), along};
+  }
+
+ private:
+  double tail() const { return lowest > 0 ? std::pow(lowest, order + 1) : 0; }
+};
+
+}  // namespace shelfbeam::detail
