@@ -1,53 +1,75 @@
 #include "shelfbeam/material/material.hpp"
 
-#include "shelfbeam/math/warp.hpp"
-
 namespace shelfbeam {
 
 namespace {
 
-double eval(const Lambertian& m, const Vec3& outgoing, const Vec3& incoming) {
-  return outgoing.z > 0 && incoming.z > 0 ? m.reflectance / pi : 0;  // (2.21)
+template <class Model>
+const Model& from_below(const Model& model) {
+  return model;
+}
+Dielectric from_below(const Dielectric& model) {
+  return {1 / model.ior, model.facets};
 }
 
-double pdf(const Lambertian&, const Vec3& outgoing, const Vec3& incoming) {
-  return outgoing.z > 0 ? pdf_cosine_hemisphere(incoming) : 0;
-}
+// Turns the surface over where the known direction lies below it, so that the models need not.
+class Side {
+ public:
+  explicit Side(const Vec3& known) : below_(known.z < 0) {}
 
-std::optional<ScatterSample> sample(const Lambertian& m, const Vec3&, double u1, double u2) {
-  if (m.reflectance <= 0) return std::nullopt;
-  const Vec3 direction = sample_cosine_hemisphere(u1, u2);
-  return ScatterSample{direction, m.reflectance, pdf_cosine_hemisphere(direction)};
-}
+  Vec3 turn(const Vec3& w) const { return {w.x, w.y, below_ ? -w.z : w.z}; }
 
-double albedo(const Lambertian& m, const Vec3&) {
-  return m.reflectance;
-}
+  template <class Action>
+  auto visit(const Material& material, const Action& action) const {
+    return std::visit([&](const auto& m) { return below_ ? action(from_below(m)) : action(m); }, material);
+  }
 
-std::string_view type_name(const Lambertian&) {
-  return "lambertian";
-}
+ private:
+  bool below_;
+};
 
 }  // namespace
 
-double eval(const Material& material, const Vec3& outgoing, const Vec3& incoming) {
-  return std::visit([&](const auto& m) { return eval(m, outgoing, incoming); }, material);
+double eval(const Material& material, const Vec3& known, const Vec3& sampled) {
+  if (known.z == 0 || sampled.z == 0) return 0;
+  const Side side(known);
+  return side.visit(material, [&](const auto& m) { return m.eval(side.turn(known), side.turn(sampled)); });
 }
 
-double pdf(const Material& material, const Vec3& outgoing, const Vec3& incoming) {
-  return std::visit([&](const auto& m) { return pdf(m, outgoing, incoming); }, material);
+double pdf(const Material& material, const Vec3& known, const Vec3& sampled) {
+  if (known.z == 0 || sampled.z == 0) return 0;
+  const Side side(known);
+  return side.visit(material, [&](const auto& m) { return m.pdf(side.turn(known), side.turn(sampled)); });
 }
 
-std::optional<ScatterSample> sample(const Material& material, const Vec3& outgoing, double u1, double u2) {
-  return std::visit([&](const auto& m) { return sample(m, outgoing, u1, u2); }, material);
+std::optional<ScatterSample> sample(const Material& material, const Vec3& known, double u_lobe, double u1,
+                                    double u2) {
+  if (known.z == 0) return std::nullopt;
+  const Side side(known);
+  auto drawn =
+      side.visit(material, [&](const auto& m) { return m.sample(side.turn(known), u_lobe, u1, u2); });
+  if (drawn) drawn->direction = side.turn(drawn->direction);
+  return drawn;
 }
 
-double albedo(const Material& material, const Vec3& outgoing) {
-  return std::visit([&](const auto& m) { return albedo(m, outgoing); }, material);
+double albedo(const Material& material, const Vec3& known) {
+  if (known.z == 0) return 0;
+  const Side side(known);
+  return side.visit(material, [&](const auto& m) { return m.albedo(side.turn(known)); });
+}
+
+double specular_reflectance(const Material& material, const Vec3& known) {
+  if (known.z == 0) return 0;
+  const Side side(known);
+  return side.visit(material, [&](const auto& m) { return m.specular_reflectance(side.turn(known)); });
+}
+
+bool has_only_specular(const Material& material) {
+  return std::visit([](const auto& m) { return m.has_only_specular(); }, material);
 }
 
 std::string_view type_name(const Material& material) {
-  return std::visit([](const auto& m) { return type_name(m); }, material);
+  return std::visit([](const auto& m) { return m.type_name; }, material);
 }
 
 }  // namespace shelfbeam

@@ -4,37 +4,46 @@
 #include <string_view>
 #include <variant>
 
-#include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/material/conductor.hpp"
+#include "shelfbeam/material/dielectric.hpp"
+#include "shelfbeam/material/lambertian.hpp"
+#include "shelfbeam/material/plastic.hpp"
+#include "shelfbeam/material/thin_dielectric.hpp"
 
 namespace shelfbeam {
 
-/// Ideal diffuse reflection, f_r = rho / pi (2.21).
-struct Lambertian {
-  double reflectance = 0;  ///< rho, the hemispherical reflectance at the store's wavelength, in [0, 1]
-};
+/// The closed set of surface models. To add one, write a struct with the members of `Lambertian` and name it
+/// here; its directions have known.z > 0, the functions below take care of the other side.
+using Material = std::variant<Lambertian, Conductor, Plastic, Dielectric, ThinDielectric>;
 
-/// The closed set of surface models. To add one: give it a struct above and a case in each function of
-/// material.cpp; the compiler names what is missing.
-using Material = std::variant<Lambertian>;
+// Directions are unit, point away from the surface and are in its local frame: +z is the triangle's geometric
+// normal, the outside of a closed solid. Opaque materials and panes are the same from both sides; a solid
+// dielectric has its index below and air above.
+//
+// `known` is where a walk comes from, `sampled` where it goes on: from the label, `known` is the direction in
+// which the light leaves; from a transceiver, the one from which it arrives. Both use the same functions, for
+// what is carried is basic radiance, which is radiance over the square of the index where it travels. Its
+// kernel is symmetric; with f_hat = f / n_leaving^2,
+//
+//     eval(known, sampled) = f_hat n_sampled^2,    eval(a, b) / n_b^2 = eval(b, a) / n_a^2.
+//
+// In air nothing changes. Specular lobes (mirrors, smooth refraction) are only met by `sample`.
 
-/// A sampled direction: `weight` = f_r cos(theta) / pdf.
-struct ScatterSample {
-  Vec3 direction;
-  double weight = 0;
-  double pdf = 0;
-};
-
-// Directions are unit, point away from the surface, and are in its local frame, whose +z lies on the side of
-// `outgoing`; every surface is two-sided.
-
-/// f_r(incoming, outgoing) in 1/sr (2.5); 0 where a direction is below the surface.
-double eval(const Material& material, const Vec3& outgoing, const Vec3& incoming);
-/// Density per solid angle with which `sample` draws `incoming`.
-double pdf(const Material& material, const Vec3& outgoing, const Vec3& incoming);
-/// Draws an incoming direction from two uniform numbers; nothing when all light is absorbed.
-std::optional<ScatterSample> sample(const Material& material, const Vec3& outgoing, double u1, double u2);
-/// Share of the power from direction `outgoing` that is reflected.
-double albedo(const Material& material, const Vec3& outgoing);
+/// f_r(known, sampled) in 1/sr (2.5), refraction included; 0 where there is none.
+double eval(const Material& material, const Vec3& known, const Vec3& sampled);
+/// Density per solid angle with which `sample` draws `sampled`. Its integral is 1 less the probabilities of
+/// drawing nothing and of the specular lobes.
+double pdf(const Material& material, const Vec3& known, const Vec3& sampled);
+/// Draws a direction from three numbers uniform in [0, 1); nothing when the light is absorbed.
+std::optional<ScatterSample> sample(const Material& material, const Vec3& known, double u_lobe, double u1,
+                                    double u2);
+/// Share of the power from direction `known` that is reflected or transmitted. Rough conductors and
+/// dielectrics integrate: some milliseconds.
+double albedo(const Material& material, const Vec3& known);
+/// Share of the power from direction `known` that is reflected as by a mirror.
+double specular_reflectance(const Material& material, const Vec3& known);
+/// Whether `eval` is always 0: no connection to such a surface carries anything.
+bool has_only_specular(const Material& material);
 
 /// The name used in the store file.
 std::string_view type_name(const Material& material);

@@ -59,7 +59,8 @@ std::uint64_t uniform_walk(const WalkScene& world, const Label& label, const Wal
       }
     }
 
-    const auto next = sample(material, outgoing, to_unit(random[1]), to_unit(random[2]));
+    const auto lobe = philox({vertex, key.sample, key.batch, 1}, key.stream);
+    const auto next = sample(material, outgoing, to_unit(lobe[0]), to_unit(random[1]), to_unit(random[2]));
     if (!next || next->direction.z <= 0) break;
     beta *= next->weight;
     const double survival = std::min(most_survival, beta / weight);

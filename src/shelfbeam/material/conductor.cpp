@@ -1,0 +1,54 @@
+#include "shelfbeam/material/conductor.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "shelfbeam/material/detail/directions.hpp"
+#include "shelfbeam/material/detail/require.hpp"
+#include "shelfbeam/material/fresnel.hpp"
+
+namespace shelfbeam {
+
+double Conductor::eval(const Vec3& known, const Vec3& sampled) const {
+  if (!facets || sampled.z <= 0) return 0;
+  const Vec3 h = normalized(known + sampled);
+  return fresnel_conductor(dot(known, h), eta, k) * facets->reflection(known, sampled, h);
+}
+
+double Conductor::pdf(const Vec3& known, const Vec3& sampled) const {
+  if (!facets || sampled.z <= 0) return 0;
+  return facets->reflection_pdf(known, normalized(known + sampled));
+}
+
+std::optional<ScatterSample> Conductor::sample(const Vec3& known, double, double u1, double u2) const {
+  if (!facets)
+    return ScatterSample{detail::reflected(known, {0, 0, 1}), specular_reflectance(known), 1, true};
+  const Vec3 h = facets->sample(known, u1, u2);
+  const Vec3 direction = detail::reflected(known, h);
+  if (dot(known, h) <= 0 || direction.z <= 0) return std::nullopt;
+  const double reflectance = fresnel_conductor(dot(known, h), eta, k);
+  return ScatterSample{direction, reflectance * facets->weight(known, direction, h),
+                       facets->reflection_pdf(known, h)};
+}
+
+double Conductor::albedo(const Vec3& known) const {
+  if (!facets) return specular_reflectance(known);
+  const double share = facets->integrate(known, [&](const Vec3& h) {
+    const Vec3 s = detail::reflected(known, h);
+    return s.z > 0 ? fresnel_conductor(dot(known, h), eta, k) * facets->shadowing(known, s, h) : 0;
+  });
+  return std::min(1.0, share);  // the quadrature errs
+}
+
+double Conductor::specular_reflectance(const Vec3& known) const {
+  return facets ? 0 : fresnel_conductor(known.z, eta, k);
+}
+
+Conductor make_conductor(double eta, double k, const std::optional<Microfacets>& facets) {
+  detail::require_range("eta", eta, 0, 100);
+  detail::require_range("k", k, 0, 100);
+  if (eta + k == 0) throw std::invalid_argument("eta and k are both 0, an ideal mirror is eta 0 and k 1");
+  return {eta, k, facets};
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,88 @@
+#include "shelfbeam/material/dielectric.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "shelfbeam/material/detail/directions.hpp"
+#include "shelfbeam/material/detail/require.hpp"
+#include "shelfbeam/material/fresnel.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// The facet that passes light from `s` on to `w`, and what its share of the directions about `s` is.
+struct Facet {
+  Vec3 h;
+  double share;     // F or 1 - F
+  double jacobian;  // solid angle of h over solid angle of s
+};
+
+std::optional<Facet> facet_between(const Vec3& w, const Vec3& s, double eta) {
+  const bool reflects = s.z > 0;
+  const Vec3 sum = reflects ? w + s : w + s * eta;
+  if (sum == Vec3{}) return std::nullopt;
+  const Vec3 h = normalized(sum.z > 0 ? sum : -sum);
+  const double wh = dot(w, h), sh = dot(s, h);
+  if (wh <= 0 || (sh > 0) != reflects) return std::nullopt;
+  const double reflectance = fresnel_dielectric(wh, eta);
+  if (reflects) return Facet{h, reflectance, 1 / (4 * wh)};
+  const double both = wh + eta * sh;
+  return Facet{h, 1 - reflectance, eta * eta * std::abs(sh) / (both * both)};
+}
+
+}  // namespace
+
+double Dielectric::eval(const Vec3& known, const Vec3& sampled) const {
+  if (!facets) return 0;
+  const auto facet = facet_between(known, sampled, ior);
+  if (!facet) return 0;
+  return facet->share * facets->density(facet->h) * facets->shadowing(known, sampled, facet->h) *
+         dot(known, facet->h) * facet->jacobian / std::abs(known.z * sampled.z);
+}
+
+double Dielectric::pdf(const Vec3& known, const Vec3& sampled) const {
+  if (!facets) return 0;
+  const auto facet = facet_between(known, sampled, ior);
+  return facet ? facet->share * facets->pdf(known, facet->h) * facet->jacobian : 0;
+}
+
+std::optional<ScatterSample> Dielectric::sample(const Vec3& known, double u_lobe, double u1,
+                                                double u2) const {
+  const Vec3 h = facets ? facets->sample(known, u1, u2) : Vec3{0, 0, 1};
+  const double wh = dot(known, h);
+  if (wh <= 0) return std::nullopt;
+  const double reflectance = fresnel_dielectric(wh, ior);
+  const bool reflects = u_lobe < reflectance;
+  const auto direction =
+      reflects ? std::optional(detail::reflected(known, h)) : detail::refracted(known, h, ior);
+  if (!direction || direction->z == 0 || (direction->z > 0) != reflects) return std::nullopt;
+  if (!facets) return ScatterSample{*direction, 1, reflects ? reflectance : 1 - reflectance, true};
+  return ScatterSample{*direction, facets->weight(known, *direction, h), pdf(known, *direction)};
+}
+
+double Dielectric::albedo(const Vec3& known) const {
+  if (!facets) return 1;
+  const double share = facets->integrate(known, [&](const Vec3& h) {
+    const double reflectance = fresnel_dielectric(dot(known, h), ior);
+    const Vec3 mirrored = detail::reflected(known, h);
+    const auto through = detail::refracted(known, h, ior);
+    return (mirrored.z > 0 ? reflectance * facets->shadowing(known, mirrored, h) : 0) +
+           (through && through->z < 0 ? (1 - reflectance) * facets->shadowing(known, *through, h) : 0);
+  });
+  return std::min(1.0, share);  // the quadrature errs
+}
+
+double Dielectric::specular_reflectance(const Vec3& known) const {
+  return facets ? 0 : fresnel_dielectric(known.z, ior);
+}
+
+Dielectric make_dielectric(double ior, const std::optional<Microfacets>& facets) {
+  detail::require_range("ior", ior, facets ? 1.01 : 1, detail::largest_ior);
+  if (facets && facets->masking == Masking::cook_torrance)
+    throw std::invalid_argument("cook-torrance masking is only defined for reflection");
+  return {ior, facets};
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,27 @@
+#include "shelfbeam/material/lambertian.hpp"
+
+#include "shelfbeam/material/detail/require.hpp"
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam {
+
+double Lambertian::eval(const Vec3&, const Vec3& sampled) const {
+  return sampled.z > 0 ? reflectance / pi : 0;
+}
+
+double Lambertian::pdf(const Vec3&, const Vec3& sampled) const {
+  return pdf_cosine_hemisphere(sampled);
+}
+
+std::optional<ScatterSample> Lambertian::sample(const Vec3&, double, double u1, double u2) const {
+  if (reflectance <= 0) return std::nullopt;
+  const Vec3 direction = sample_cosine_hemisphere(u1, u2);
+  return ScatterSample{direction, reflectance, pdf_cosine_hemisphere(direction)};
+}
+
+Lambertian make_lambertian(double reflectance) {
+  detail::require_range("reflectance", reflectance, 0, 1);
+  return {reflectance};
+}
+
+}  // namespace shelfbeam

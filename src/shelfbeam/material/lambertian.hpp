@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "shelfbeam/material/scatter_sample.hpp"
+
+namespace shelfbeam {
+
+/// Ideal diffuse reflection, f_r = rho / pi (2.21).
+struct Lambertian {
+  static constexpr std::string_view type_name = "lambertian";
+
+  double reflectance = 0;  ///< rho, the hemispherical reflectance at the store's wavelength, in [0, 1]
+
+  double eval(const Vec3& known, const Vec3& sampled) const;
+  double pdf(const Vec3& known, const Vec3& sampled) const;
+  std::optional<ScatterSample> sample(const Vec3& known, double u_lobe, double u1, double u2) const;
+  double albedo(const Vec3&) const { return reflectance; }
+  double specular_reflectance(const Vec3&) const { return 0; }
+  bool has_only_specular() const { return false; }
+};
+
+/// Throws std::invalid_argument unless the reflectance is in [0, 1].
+Lambertian make_lambertian(double reflectance);
+
+}  // namespace shelfbeam

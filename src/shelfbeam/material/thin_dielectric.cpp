@@ -1,0 +1,51 @@
+#include "shelfbeam/material/thin_dielectric.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shelfbeam/material/detail/directions.hpp"
+#include "shelfbeam/material/detail/require.hpp"
+#include "shelfbeam/material/fresnel.hpp"
+
+namespace shelfbeam {
+
+PaneShares pane_shares(const ThinDielectric& pane, double cos_theta) {
+  const double cos_i = std::min(1.0, std::abs(cos_theta));
+  const double f = fresnel_dielectric(cos_i, pane.ior);
+  const double cos_t = std::sqrt(1 - (1 - cos_i * cos_i) / (pane.ior * pane.ior));
+  if (f >= 1 || cos_t <= 0) return {1, 0};
+  // One crossing keeps `once`; the faces reflect `f` each time, inside and outside (geometric series).
+  const double once = std::exp(-pane.absorption_per_m * pane.thickness / cos_t);
+  const double transmitted = (1 - f) * (1 - f) * once / (1 - f * f * once * once);
+  return {f + f * once * transmitted, transmitted};
+}
+
+double pane_transmittance(const ThinDielectric& pane, double cos_theta) {
+  return pane_shares(pane, cos_theta).transmitted;
+}
+
+std::optional<ScatterSample> ThinDielectric::sample(const Vec3& known, double u_lobe, double, double) const {
+  const auto [r, t] = pane_shares(*this, known.z);
+  const double share = r + t;
+  if (share <= 0) return std::nullopt;
+  if (u_lobe * share < r) return ScatterSample{detail::reflected(known, {0, 0, 1}), share, r / share, true};
+  return ScatterSample{-known, share, t / share, true};
+}
+
+double ThinDielectric::albedo(const Vec3& known) const {
+  const auto [r, t] = pane_shares(*this, known.z);
+  return r + t;
+}
+
+double ThinDielectric::specular_reflectance(const Vec3& known) const {
+  return pane_shares(*this, known.z).reflected;
+}
+
+ThinDielectric make_thin_dielectric(double ior, double thickness, double absorption_per_m) {
+  detail::require_range("ior", ior, 1, detail::largest_ior);
+  detail::require_range("thickness", thickness, 0, 1);
+  detail::require_range("absorption_per_m", absorption_per_m, 0, 1e6);
+  return {ior, thickness, absorption_per_m};
+}
+
+}  // namespace shelfbeam

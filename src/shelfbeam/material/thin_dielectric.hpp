@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "shelfbeam/material/scatter_sample.hpp"
+
+namespace shelfbeam {
+
+/// A pane of glass as one surface: mirrors, lets through without displacement, absorbs; all reflections
+/// between its two faces are summed.
+struct ThinDielectric {
+  static constexpr std::string_view type_name = "thin_dielectric";
+
+  double ior = 1.5;
+  double thickness = 0;         ///< m
+  double absorption_per_m = 0;  ///< along the ray in the glass: exp(-absorption_per_m x length)
+
+  double eval(const Vec3&, const Vec3&) const { return 0; }
+  double pdf(const Vec3&, const Vec3&) const { return 0; }
+  std::optional<ScatterSample> sample(const Vec3& known, double u_lobe, double u1, double u2) const;
+  double albedo(const Vec3& known) const;  ///< reflected and transmitted share
+  double specular_reflectance(const Vec3& known) const;
+  bool has_only_specular() const { return true; }
+};
+
+/// Throws std::invalid_argument unless the index is from 1 to 4, the thickness from 0 to 1 m and the
+/// absorption from 0 to 1e6 per metre.
+ThinDielectric make_thin_dielectric(double ior, double thickness, double absorption_per_m);
+
+/// What the pane does with light at this cosine to its normal, from either side.
+struct PaneShares {
+  double reflected = 0, transmitted = 0;
+};
+PaneShares pane_shares(const ThinDielectric& pane, double cos_theta);
+
+/// Share of the light that a straight connection through the pane keeps.
+double pane_transmittance(const ThinDielectric& pane, double cos_theta);
+
+}  // namespace shelfbeam
