@@ -2,7 +2,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/model_file.hpp"
@@ -11,7 +10,9 @@
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
+#include "arguments.hpp"
 #include "placement_options.hpp"
+#include "print_json.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {
@@ -48,6 +49,7 @@ void export_model(const Options& options) {
 }
 
 int run_export(const Options& options) {
+  keep_inputs(options.output, {options.signal});
   const std::string kind = options.output.extension().string();
   if (kind == ".mps" || kind == ".lp")
     export_model(options);
@@ -57,7 +59,7 @@ int run_export(const Options& options) {
     throw InputError(options.output.string(), fmt::format("'{}' says nothing about the format", kind),
                      "end the name in .mps, .lp, .csv or .npy");
   if (options.common.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"output", options.output.string()}}.dump(1));
+    print_json({{"output", options.output.string()}});
   else if (!options.common.quiet)
     fmt::print("{}\n", options.output.string());
   return done;
@@ -69,16 +71,19 @@ void add_export(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("export", "Write the placement model (MPS, LP) or the matrix (CSV, NPY)");
   auto options = std::make_shared<Options>();
-  verb->add_option("SIGNAL", options->signal, "Signal file, or any matrix that 'place' reads")->required();
+  verb->add_option("SIGNAL", options->signal, "Signal file, or any matrix that 'place' reads")
+      ->required()
+      ->check(a_path());
   verb->add_option("-o,--output", options->output,
                    "File to write: .mps or .lp for the model, .csv or .npy for the matrix")
-      ->required();
+      ->required()
+      ->check(a_path());
   verb->add_option("--what", options->what, "Which matrix")
       ->check(CLI::IsMember({"mean", "standard-error", "direct"}))
       ->capture_default_str();
   add_question_options(*verb, options->question);
   verb->add_option("--threshold", options->threshold, "Requirement of every label, for matrices without one")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

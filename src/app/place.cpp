@@ -8,6 +8,7 @@
 #include "shelfbeam/placement/placement_file.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
+#include "arguments.hpp"
 #include "placement_options.hpp"
 #include "terminal.hpp"
 #include "verbs.hpp"
@@ -26,10 +27,12 @@ struct Options {
 };
 
 int run_place(const Options& options) {
+  keep_inputs(options.output, {options.signal});
+  for (const auto& file : options.costs) keep_inputs(options.output, {file});
   SignalTable table = read_signal_table(options.signal);
   if (options.threshold > 0) set_requirement(table, options.threshold);
   for (const auto& file : options.costs) apply_costs(table, file);
-  if (!options.output.empty()) AtomicFile probe(options.output);
+  if (!options.output.empty()) expect_writable(options.output);
   Placement placement;
   {
     TerminalProgress progress(options.common.quiet);
@@ -52,12 +55,13 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
   auto options = std::make_shared<Options>();
   verb->add_option("SIGNAL", options->signal,
                    "Signal file (HDF5), CSV, NPY, sparse text, or OR-Library scp or rail file")
-      ->required();
-  verb->add_option("-o,--output", options->output, "Write the answer as JSON to this file");
+      ->required()
+      ->check(a_path());
+  verb->add_option("-o,--output", options->output, "Write the answer as JSON to this file")->check(a_path());
   add_question_options(*verb, options->question);
   add_solver_options(*verb, options->solver, 60);
   verb->add_option("--threshold", options->threshold, "Requirement of every label, for matrices without one")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   verb->add_option("--costs", options->costs,
                    "CSV 'id,cost' of transceivers or 'id,link_cost,signal_cost' of labels; may be repeated");
   add_common_options(*verb, options->common);

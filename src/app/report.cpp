@@ -4,15 +4,16 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/placement/placement_file.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
+#include "arguments.hpp"
 #include "loaded_store.hpp"
 #include "plan_folder.hpp"
+#include "print_json.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {
@@ -34,7 +35,7 @@ int run_report(const Options& options) {
   write_report(options.folder, {store.scene, matrix, placement});
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"report", report}}.dump(1));
+    print_json({{"report", report}});
   else if (!options.common.quiet)
     fmt::print("{}\n", report);
   return done;
@@ -46,9 +47,9 @@ void add_report(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("report", "Rebuild report.html, labels.csv and placement.csv of a plan");
   auto options = std::make_shared<Options>();
-  verb->add_option("DIR", options->folder, "Folder that 'shelfbeam plan' wrote")->required();
+  verb->add_option("DIR", options->folder, "Folder that 'shelfbeam plan' wrote")->required()->check(a_path());
   add_common_options(*verb, options->common);
-  verb->footer("Example:\n  shelfbeam report plan");
+  verb->footer("Examples:\n  shelfbeam report plan");
   verb->callback([options, &chosen] { chosen = [options] { return run_report(*options); }; });
 }
 

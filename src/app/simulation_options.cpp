@@ -4,6 +4,9 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include "shelfbeam/base/error.hpp"
 
 namespace shelfbeam::app {
 
@@ -24,6 +27,22 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
   verb.add_option("--samples", flags.samples, "First rays a label, dealt out over 32 batches")
       ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
       ->capture_default_str();
+}
+
+void expect_memory_for(const Scene& scene, const std::filesystem::path& store) {
+  // An entry is summed up in three doubles and written as three floats.
+  constexpr double bytes_per_entry = 3 * sizeof(double) + 3 * sizeof(float);
+  const double needed = bytes_per_entry * static_cast<double>(scene.labels.size()) *
+                        static_cast<double>(scene.transceivers.size());
+  const double present =
+      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  if (needed > present)
+    throw InputError(
+        store.string(),
+        fmt::format(
+            "has {} labels and {} candidates, whose matrix takes {:.1f} GB; this machine has {:.1f} GB",
+            scene.labels.size(), scene.transceivers.size(), needed / 1e9, present / 1e9),
+        "use a wider grid of candidates");
 }
 
 std::string describe(const SimulationResult& result) {

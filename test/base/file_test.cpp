@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "support/expect_input_error.hpp"
@@ -66,6 +67,13 @@ TEST(AtomicFile, RefusesWhereItCannotWrite) {
   expect_input_error([&] { AtomicFile(folder / "file/out.txt"); }, "file/out.txt", "cannot be written");
   expect_input_error([&] { AtomicFile(folder.path()); }, "it is a folder");
   expect_input_error([&] { write_file("/proc/shelfbeam", "x"); }, "/proc/shelfbeam: cannot be written");
+  const std::string too_long(5000, 'x');
+  expect_input_error([&] { AtomicFile(folder / too_long / "out.txt"); }, "cannot be written");
+  expect_input_error([&] { read_file(folder / too_long); }, "cannot be read");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  expect_input_error([&] { AtomicFile(folder / "pipe"); }, "pipe: cannot be written (it is no regular file)");
+  EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
+  std::filesystem::remove(folder / "pipe");
   EXPECT_EQ(folder.count(), 1);
 }
 

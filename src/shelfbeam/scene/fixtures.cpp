@@ -61,8 +61,9 @@ void add_fixture(Scene& scene, const Gondola& g) {
 
   const auto add_side = [&](Face face, double low_y, double high_y) {
     const bool faces_low = face == Face::front;
-    const double kick_low = faces_low ? low_y + kick_recess : low_y;
-    const double kick_high = faces_low ? high_y : high_y - kick_recess;
+    const double recess = std::min(kick_recess, (high_y - low_y) / 2);
+    const double kick_low = faces_low ? low_y + recess : low_y;
+    const double kick_high = faces_low ? high_y : high_y - recess;
     const double goods_low = faces_low ? low_y + goods_setback : low_y + facing_gap;
     const double goods_high = faces_low ? high_y - facing_gap : high_y - goods_setback;
     const double lowest = g.shelves.empty() ? g.height : g.shelves.front() - board_thickness / 2;

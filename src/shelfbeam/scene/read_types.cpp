@@ -1,9 +1,7 @@
-#include <cmath>
-#include <numbers>
-
 #include <fmt/format.h>
 
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store_parts.hpp"
 
 namespace shelfbeam {
@@ -41,7 +39,7 @@ EmissionTable read_table(const JsonCursor& cursor) {
   if (table.theta.size() < 2) cursor["theta_deg"].fail("has one angle", "at least two are needed");
   const JsonCursor intensity = cursor["intensity"];
   const auto add_row = [&](const JsonCursor& row) {
-    for (const JsonCursor& value : row.elements()) table.intensity.push_back(value.non_negative());
+    for (const JsonCursor& value : row.elements()) table.intensity.push_back(read_amount(value));
     if (row.elements().size() != table.theta.size())
       row.fail(fmt::format("has {} values for {} angles", row.elements().size(), table.theta.size()),
                "give one value for each theta");
@@ -71,52 +69,51 @@ Emission read_emission(const JsonCursor& cursor) {
   if (type == "table") return read_table(cursor);
   if (type == "isotropic") {
     cursor.expect_keys({"type", "intensity"});
-    return IsotropicHemisphere{cursor["intensity"].positive()};
+    return IsotropicHemisphere{read_quantity(cursor["intensity"])};
   }
   if (type == "lambertian") {
     cursor.expect_keys({"type", "order", "flux"});
     const auto order = cursor.find("order");
-    return GeneralizedLambertian{order ? order->non_negative() : 1, cursor["flux"].positive()};
+    return GeneralizedLambertian{order ? order->number(0, 1e6) : 1, read_quantity(cursor["flux"])};
   }
   cursor.expect_keys({"type", "peak"});
-  return SinTwoTheta{cursor["peak"].positive()};
+  return SinTwoTheta{read_quantity(cursor["peak"])};
 }
 
-double number_or(const JsonCursor& cursor, const char* key, double fallback) {
+double amount_or(const JsonCursor& cursor, const char* key, double fallback) {
   const auto found = cursor.find(key);
-  return found ? found->non_negative() : fallback;
+  return found ? read_amount(*found) : fallback;
 }
 
-void expect_point(const JsonCursor& cursor, const char* key, const char* what) {
-  const auto found = cursor.find(key);
-  if (!found) return;
-  const auto extents = found->is_array() ? found->numbers(2) : std::vector<double>{found->number()};
-  for (const double extent : extents)
-    if (extent != 0)
-      found->fail(fmt::format("is not 0, but this version knows only {}", what), "set it to 0");
+void expect_zero(const JsonCursor& extent, const char* what) {
+  if (extent.number() != 0)
+    extent.fail(fmt::format("is not 0, but this version knows only {}", what), "set it to 0");
 }
 
 }  // namespace
 
 void read_materials(const JsonCursor& section, Store& store) {
   for (const auto& [name, cursor] : section.members())
-    store.materials.push_back({name, read_material(cursor)});
+    store.materials.push_back({check_name(name, cursor.where()), read_material(cursor)});
 }
 
 void read_label_types(const JsonCursor& section, Store& store) {
   for (const auto& [name, cursor] : section.members()) {
     cursor.expect_keys({"responsivity", "size", "threshold", "safety_factor", "link_cost", "signal_cost"});
     LabelType type;
-    type.name = name;
+    type.name = check_name(name, cursor.where());
     if (const auto responsivity = cursor.find("responsivity")) {
       responsivity->expect_keys({"type"});
       (*responsivity)["type"].choice({"cosine"});
     }
-    expect_point(cursor, "size", "labels without extent");
-    type.threshold = cursor["threshold"].positive();
-    if (const auto factor = cursor.find("safety_factor")) type.safety_factor = factor->positive();
-    type.link_cost = number_or(cursor, "link_cost", 0);
-    type.signal_cost = number_or(cursor, "signal_cost", 0);
+    if (const auto size = cursor.find("size")) {
+      size->numbers(2);
+      for (const JsonCursor& extent : size->elements()) expect_zero(extent, "labels without extent");
+    }
+    type.threshold = read_quantity(cursor["threshold"]);
+    if (const auto factor = cursor.find("safety_factor")) type.safety_factor = read_quantity(*factor);
+    type.link_cost = amount_or(cursor, "link_cost", 0);
+    type.signal_cost = amount_or(cursor, "signal_cost", 0);
     store.label_types.push_back(std::move(type));
   }
 }
@@ -124,8 +121,9 @@ void read_label_types(const JsonCursor& section, Store& store) {
 void read_transceiver_types(const JsonCursor& section, Store& store) {
   for (const auto& [name, cursor] : section.members()) {
     cursor.expect_keys({"emission", "radius", "cost"});
-    expect_point(cursor, "radius", "point transceivers");
-    TransceiverType type{name, read_emission(cursor["emission"]), number_or(cursor, "cost", 1)};
+    if (const auto radius = cursor.find("radius")) expect_zero(*radius, "point transceivers");
+    TransceiverType type{check_name(name, cursor.where()), read_emission(cursor["emission"]),
+                         amount_or(cursor, "cost", 1)};
     if (!(power(type.emission) > 0)) cursor["emission"].fail("emits nothing", "give it some intensity");
     store.transceiver_types.push_back(std::move(type));
   }

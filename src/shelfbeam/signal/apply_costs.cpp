@@ -30,6 +30,7 @@ void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Appl
     const auto found = row_of.find(csv.id(0));
     if (found == row_of.end()) {
       std::vector<std::string_view> known;
+      known.reserve(rows.size());
       for (const auto& row : rows) known.push_back(row.id);
       const std::string near = nearest(csv.id(0), known);
       csv.fail(0, fmt::format("the matrix has no {} '{}'", kind, csv.id(0)),
