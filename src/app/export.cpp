@@ -41,6 +41,7 @@ void export_matrix(const Options& options) {
 void export_model(const Options& options) {
   SignalTable table = read_signal_table(options.signal);
   if (options.threshold > 0) set_requirement(table, options.threshold);
+  check_question(table, options.question.question());
   const milp::Model model = placement_model(table, options.question.question());
   if (options.output.extension() == ".lp")
     milp::write_lp(model, options.output);

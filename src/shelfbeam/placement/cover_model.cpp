@@ -16,10 +16,10 @@ namespace {
 // right-hand side is a relaxation: bounds stay valid, and the checker judges selections.
 constexpr double negligible = 1e-8;
 
-// Solvers compare sums with tolerances of 1e-9 to 1e-6, in presolve to either side, and lose or prune wrongly
-// what lies that near to a row's bound. So coefficients are rounded up to this grid, another relaxation: a
-// selection that the contract allows then reaches 1 exactly, and no sum comes nearer to the bound, half a step
-// lower, than half a step, which is more than any tolerance.
+// Solvers compare sums with tolerances of 1e-9 to 1e-7, in presolve to either side, and prune wrongly what
+// lies that near to a row's bound. So coefficients are rounded up to this grid, another relaxation: a
+// selection that the contract allows then reaches 1 exactly, and no sum comes nearer to the bound, half a
+// step lower, than half a step.
 constexpr double steps = 1 << 20;
 
 milp::Row relaxed(milp::Row row) {
@@ -49,11 +49,17 @@ double CoverModel::seconds_left() const {
   return time_limit_s_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, std::optional<std::size_t> count) {
+CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double known,
+                                         std::optional<std::size_t> count) {
   Outcome outcome;
   if (seconds_left() <= 0 || control_.cancelled()) return outcome;
   if (!built_) build();
-  for (std::size_t j = 0; j < cost.size(); ++j) model_.columns[j].cost = cost[j];
+  for (std::size_t j = 0; j < cost.size(); ++j) {
+    milp::Column& column = model_.columns[j];
+    const bool too_dear = column.lower == 0 && cost[j] > known * (1 + 1e-9);
+    column.cost = too_dear ? 0 : cost[j];
+    column.upper = too_dear ? 0 : 1;
+  }
   milp::Row count_row;
   if (count) {
     count_row.lower = count_row.upper = static_cast<double>(*count);

@@ -5,16 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/signal/detail/csv_reader.hpp"
 #include "shelfbeam/signal/detail/text_file.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
 namespace shelfbeam {
 
 namespace {
-
-using detail::CsvReader;
 
 // Calls apply(row, field) for every line after the header, with the row of `rows` that its id names.
 template <class Rows, class Apply>

@@ -140,9 +140,11 @@ class Simulation {
     std::fill(work.direct.begin(), work.direct.end(), 0);
     const std::span<double> direct =
         options_.direct == DirectLight::sampled ? std::span(work.direct) : std::span<double>();
-    for (std::uint32_t s = 0; s < per_batch_; ++s)
+    for (std::uint32_t s = 0; s < per_batch_; ++s) {
+      if (s % 1024 == 0 && control_.cancelled()) return;  // a batch begun does not count
       work.rays +=
           uniform_walk(world_, world_.scene.labels[i], {streams_[i], batch, s}, work.reflected, direct);
+    }
     rows_[i].add(work, per_batch_);
     report(++batches_done_);
   }
