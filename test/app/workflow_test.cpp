@@ -157,7 +157,7 @@ TEST_F(Workflow, NamesMayHaveBlanksAndOtherLetters) {
   store["fixtures"][0]["id"] = odd;
   store["labels"][0]["id"] = "<b>, \"door\"; 'x'";
   folder.write(odd + "/store of.json", store.dump());
-  expect_silent({"plan", path(odd + "/store of.json"), "-o", path(odd + "/der Plan"), "--samples", "320"}, 1);
+  expect_silent({"plan", path(odd + "/store of.json"), "-o", path(odd + "/der Plan"), "--samples", "2000"});
   EXPECT_EQ(names(folder / odd / "der Plan"), std::set<std::string>(of_a_plan.begin(), of_a_plan.end()));
   expect_silent({"report", path(odd + "/der Plan")});
   const Json summary = Json::parse(expect_silent(

@@ -72,20 +72,26 @@ void expect_few(const std::optional<FixtureLabels>& labels, const JsonCursor& fi
     fixture["labels"]["spacing"].fail(fmt::format("makes {:.0f} labels", count), "use a wider spacing");
 }
 
+// What all shelving has but its labels.
+void read_shelving(const JsonCursor& c, const std::string& id, const StoreNames& names, Shelving& shelving) {
+  shelving.id = id;
+  shelving.at = read_plan_point(c["at"]);
+  shelving.rotation_deg = read_rotation(c);
+  shelving.length = read_length(c["length"]);
+  shelving.depth = read_length(c["depth"]);
+  shelving.height = read_length(c["height"]);
+  shelving.material = names.material(c["material"]);
+  const auto goods = c.find("goods");
+  shelving.goods = goods ? names.material(*goods) : shelving.material;
+  shelving.stocking = read_stocking(c);
+}
+
 Gondola read_gondola(const JsonCursor& c, const std::string& id, const StoreNames& names) {
   c.expect_keys({"type", "id", "at", "length", "depth", "height", "rotation_deg", "material", "goods",
                  "shelves", "stocking", "faces", "labels"});
   Gondola g;
-  g.id = id;
-  g.at = read_plan_point(c["at"]);
-  g.rotation_deg = read_rotation(c);
-  g.length = read_length(c["length"]);
-  g.depth = read_length(c["depth"]);
-  g.height = read_length(c["height"]);
+  read_shelving(c, id, names, g);
   if (g.depth < 0.1) c["depth"].fail("is below 0.1 m", "a back panel and a board need that much");
-  g.material = names.material(c["material"]);
-  const auto goods = c.find("goods");
-  g.goods = goods ? names.material(*goods) : g.material;
   for (const JsonCursor& shelf : c["shelves"].elements()) {
     const double z = read_length(shelf);
     if (z >= g.height)
@@ -97,7 +103,6 @@ Gondola read_gondola(const JsonCursor& c, const std::string& id, const StoreName
     g.shelves.push_back(z);
   }
   if (g.shelves.size() > 50) c["shelves"].fail(fmt::format("has {} boards", g.shelves.size()), "50 at most");
-  g.stocking = read_stocking(c);
   const auto faces = c.find("faces");
   g.faces = faces ? read_faces(*faces, false) : std::vector{Face::front, Face::back};
   g.labels = read_fixture_labels(c, names, g.faces, false);
@@ -111,18 +116,9 @@ Freezer read_freezer(const JsonCursor& c, const std::string& id, const StoreName
   c.expect_keys({"type", "id", "at", "length", "depth", "height", "rotation_deg", "material", "goods",
                  "stocking", "labels"});
   Freezer f;
-  f.id = id;
-  f.at = read_plan_point(c["at"]);
-  f.rotation_deg = read_rotation(c);
-  f.length = read_length(c["length"]);
-  f.depth = read_length(c["depth"]);
-  f.height = read_length(c["height"]);
+  read_shelving(c, id, names, f);
   for (const char* key : {"length", "depth", "height"})
     if (c[key].number() < 0.3) c[key].fail("is below 0.3 m", "a tub needs that much");
-  f.material = names.material(c["material"]);
-  const auto goods = c.find("goods");
-  f.goods = goods ? names.material(*goods) : f.material;
-  f.stocking = read_stocking(c);
   f.labels = read_fixture_labels(c, names, {Face::front, Face::back}, true);
   expect_few(f.labels, c, std::max(f.length, f.depth), 1);
   return f;
