@@ -74,7 +74,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string(program_version()));
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 the answer is no (infeasible); 2 wrong input; 3 stopped by a limit, the result\n"
+      "Exit codes: 0 done; 1 the answer is no (infeasible); 2 wrong input; 3 stopped by a limit or by you, "
+      "the result\n"
       "so far is saved; 4 internal error. 'shelfbeam VERB --help' shows examples.");
   ChosenVerb chosen;
   add_new(app, chosen);

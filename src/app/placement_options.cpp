@@ -77,15 +77,16 @@ std::string describe(const Placement& placement, const SignalTable& table) {
     const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
     for (std::size_t u = 0; u < shown; ++u) {
       const Unreachable& one = placement.unreachable[u];
-      text += fmt::format("  {}: at most {:.4g}, needs {:.4g}\n", table.labels[one.label].id, one.most,
-                          one.requirement);
+      text += fmt::format("  {}: at most {:.4g}, needs {:.4g}{}\n", table.labels[one.label].id, one.most,
+                          one.requirement,
+                          one.most == 0 ? " (no light arrives at all: is it inside something?)" : "");
     }
     if (shown < placement.unreachable.size())
       text += fmt::format("  and {} more\n", placement.unreachable.size() - shown);
     return text;
   }
   if (placement.selected.empty() && placement.status == Status::stopped)
-    return fmt::format("No placement was found before the limit; at least {} transceivers are needed.\n",
+    return fmt::format("No placement was found in time; at least {} transceivers are needed.\n",
                        placement.count_lower_bound);
   std::string text = fmt::format(
       "{} reach{} all {} labels ({}); ",
@@ -105,7 +106,7 @@ std::string describe(const Placement& placement, const SignalTable& table) {
   text +=
       fmt::format("  solver {}, {:.2f} s{}\n", placement.solver, placement.seconds,
                   placement.status == Status::stopped
-                      ? fmt::format("; stopped by the limit: incumbent {:.6g}, bound {:.6g}, gap {:.1f} %",
+                      ? fmt::format("; stopped early: incumbent {:.6g}, bound {:.6g}, gap {:.1f} %",
                                     placement.objective_value, placement.lower_bound, 100 * placement.gap())
                       : "");
   return text;

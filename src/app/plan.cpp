@@ -46,15 +46,20 @@ int run_plan(const Options& options) {
   const LoadedStore store = load_store(options.store);
   keep_store(options.folder, options.store, store);
   expect_memory_for(store.scene, options.store);
+  const bool is_new = !std::filesystem::exists(options.folder);
   prepare_plan_folder(options.folder);
   Plan plan;
-  {
+  try {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
     plan = make_plan(store.scene, store.hash,
                      {options.simulation.options(options.common.seed), options.question.question(),
                       options.solver.options()},
                      control);
+  } catch (const Interrupted&) {
+    std::error_code not_empty;
+    if (is_new) std::filesystem::remove(options.folder, not_empty);
+    throw;
   }
   const SignalMatrix& matrix = plan.simulation.matrix;
   const SignalTable table = make_signal_table(matrix);

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/placement/placement_file.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
@@ -28,9 +30,10 @@ struct Options {
 int run_report(const Options& options) {
   const LoadedStore store = load_store(options.folder / store_name);
   const SignalMatrix matrix = read_signal_file(options.folder / signal_name);
-  if (matrix.provenance.store_hash != store.hash)
-    throw InputError((options.folder / signal_name).string(), "belongs to another store file",
-                     "run 'shelfbeam plan' again");
+  // The bytes that `plan` hashed, not what this version would write for the same store.
+  if (matrix.provenance.store_hash != content_hash(read_file(options.folder / store_name)))
+    throw InputError((options.folder / signal_name).string(),
+                     "belongs to another store file than the one beside it", "run 'shelfbeam plan' again");
   const Placement placement = read_placement(options.folder / placement_name, make_signal_table(matrix));
   write_report(options.folder, {store.scene, matrix, placement});
   const std::string report = (options.folder / report_name).string();

@@ -89,8 +89,20 @@ test::Outcome interrupted(std::vector<std::string> arguments, double delay) {
   std::this_thread::sleep_for(std::chrono::duration<double>(delay));
   const auto sent = Clock::now();
   process.send(SIGINT);
-  const test::Outcome outcome = process.wait();
+  test::Outcome outcome = process.wait();
   EXPECT_LT(std::chrono::duration<double>(Clock::now() - sent).count(), 30);
+  return outcome;
+}
+
+// Interrupts once the program listens; before that SIGINT ends it as it ends any.
+test::Outcome interrupted_at_work(const std::vector<std::string>& arguments) {
+  test::Outcome outcome;
+  double delay = 0.3;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    outcome = interrupted(arguments, delay);
+    if (outcome.exit_code != 128 + SIGINT) break;
+    delay *= 2;
+  }
   return outcome;
 }
 
@@ -131,13 +143,9 @@ TEST_F(ExitCode, ThreeWithoutAFileBeforeThereIsAnything) {
   for (const char* verb : {"simulate", "plan"}) {
     const std::string output = path(std::string(verb) == "plan" ? "plan" : "signal.h5");
     const auto before = test::contents(folder.path());
-    // A batch of 2 billion samples a label never ends. Until the program listens, SIGINT ends it the usual
-    // way.
-    test::Outcome outcome;
-    for (double delay = 0.3; delay < 10; delay *= 2) {
-      outcome = interrupted({verb, path("store.json"), "-o", output, "--samples", "60000000000"}, delay);
-      if (outcome.exit_code != 128 + SIGINT) break;
-    }
+    // A batch of 2 billion samples a label never ends.
+    const test::Outcome outcome =
+        interrupted_at_work({verb, path("store.json"), "-o", output, "--samples", "60000000000"});
     EXPECT_EQ(outcome.exit_code, 3) << verb;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err, "stopped: the simulation was stopped before it had two batches of samples\n");
@@ -148,12 +156,8 @@ TEST_F(ExitCode, ThreeWithoutAFileBeforeThereIsAnything) {
 
 TEST_F(ExitCode, ThreeWhenAPlacementIsInterrupted) {
   folder.write("hard.csv", hard_matrix());
-  test::Outcome outcome;
-  for (double delay = 0.5; delay < 10; delay *= 2) {
-    outcome = interrupted(
-        {"place", path("hard.csv"), "--threshold", "6", "-o", path("p.json"), "--time-limit", "7200"}, delay);
-    if (outcome.exit_code != 128 + SIGINT) break;
-  }
+  const test::Outcome outcome = interrupted_at_work(
+      {"place", path("hard.csv"), "--threshold", "6", "-o", path("p.json"), "--time-limit", "7200"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(json("p.json")["status"], "stopped");

@@ -208,6 +208,15 @@ const std::vector<Change> bad = {
     {"/fixtures/3/parts/0/normals", "[]"},
     {"/fixtures/3/at", "[6, 4]"},
     {"/fixtures/3/scale", "0"},
+    {"/fixtures/3", R"({"type":"mesh","id":"M","at":[0,0,0]})"},
+    {"/fixtures/3", R"({"type":"mesh","id":"M","at":[0,0,0],"file":"a.glb"})"},
+    {"/fixtures/3", R"({"type":"mesh","id":"M","at":[0,0,0],"file":3,"materials":{"*":"tile"}})"},
+    {"/fixtures/3", R"({"type":"mesh","id":"M","at":[0,0,0],"file":"","materials":{"*":"tile"}})"},
+    {"/fixtures/3", R"({"type":"mesh","id":"M","at":[0,0,0],"file":"a.glb","materials":{"*":3}})"},
+    {"/fixtures/3", R"({"type":"mesh","id":"M","at":[0,0,0],"file":"a.glb","materials":["tile"]})"},
+    {"/fixtures/3",
+     R"({"type":"mesh","id":"M","at":[0,0,0],"file":"a.glb","materials":{"*":"tile"},"up":"x"})"},
+    {"/fixtures/3", R"({"type":"mesh","id":"M","file":"a.glb","materials":{"*":"tile"}})"},
     {"/labels", "{}"},
     {"/labels", "\"labels.csv\""},
     {"/labels", "{ \"csv\": \"\" }"},
@@ -323,6 +332,7 @@ class Schema : public testing::Test {
   }
   std::vector<std::string> verdicts(const std::vector<Change>& changes) {
     std::vector<std::string> texts;
+    texts.reserve(changes.size());
     for (const auto& [pointer, value] : changes) texts.push_back(changed_store(pointer, value).dump());
     return verdicts(texts);
   }
@@ -378,6 +388,7 @@ TEST_F(Schema, AndReaderRefuseWhatIsNoJson) {
 
 TEST_F(Schema, LeavesSomeErrorsToTheReader) {
   std::vector<Change> changes;
+  changes.reserve(semantic.size());
   for (const Semantic& one : semantic) changes.push_back(one.change);
   const auto lines = verdicts(changes);
   for (std::size_t i = 0; i < changes.size(); ++i) {

@@ -24,9 +24,8 @@ struct Outcome {
 class Process {
  public:
   explicit Process(std::vector<std::string> command) {
-    std::vector<char*> arguments;
-    for (std::string& word : command) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
+    std::vector<char*> arguments(command.size() + 1, nullptr);
+    for (std::size_t i = 0; i < command.size(); ++i) arguments[i] = command[i].data();
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, out_.descriptor, STDOUT_FILENO);

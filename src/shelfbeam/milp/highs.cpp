@@ -85,7 +85,9 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
   const SchedulerGuard guard;
   const double scale = detail::objective_scale(model);
   const unsigned asked = options.threads != 0 ? options.threads : control.threads;
-  const unsigned threads = asked != 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
+  // Its workers spin: more than there are cores only get in each other's way.
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned threads = asked != 0 ? std::min(asked, cores) : cores;
 
   Highs highs;
   highs.setOptionValue("output_flag", false);

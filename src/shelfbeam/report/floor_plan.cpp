@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/elevation.hpp"
+#include "shelfbeam/report/fixture_ids.hpp"
 #include "shelfbeam/report/part_drawing.hpp"
 #include "shelfbeam/report/plan_view.hpp"
 #include "shelfbeam/report/report.hpp"

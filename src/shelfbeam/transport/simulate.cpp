@@ -30,8 +30,10 @@ struct Workspace {
   std::uint64_t rays = 0;
 };
 
-// Running mean and squares (Welford 1962) of a row over its batches. Only the task that has the label touches
-// its row, batch after batch, so the order of additions never depends on the threads.
+// Running mean and squares (Welford 1962) of a row over its batches, one array a quantity, so that the many
+// entries that a batch leaves at zero cost little (Moments would repeat the count for each). Only the task
+// that has the label touches its row, batch after batch, so the order of additions never depends on the
+// threads.
 struct Row {
   explicit Row(std::size_t n) : mean(n), squares(n), direct(n) {}
   std::vector<double> mean;
