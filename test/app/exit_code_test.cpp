@@ -69,7 +69,7 @@ TEST_F(ExitCode, ThreeAtTheTimeLimit) {
         expect_silent({"place", path("hard.csv"), "--threshold", "6", "-o", path("p.json"), "--time-limit",
                        "0.001", "--backend", std::string(backend.name)},
                       3);
-    EXPECT_NE(out.find("stopped by the limit: incumbent"), std::string::npos) << out;
+    EXPECT_NE(out.find("stopped early: incumbent"), std::string::npos) << out;
     EXPECT_NE(out.find("gap"), std::string::npos) << out;
     const Json placement = json("p.json");
     EXPECT_EQ(placement["status"], "stopped");

@@ -21,13 +21,15 @@ struct Drawn {
 };
 
 // Square pillars of half a metre, too small for their ids, at these corners in a room of 25 x 18 m.
-Drawn draw(const std::vector<Vec2>& corners) {
+Drawn draw(const std::vector<Vec2>& corners, const Vec3& label = {1, 1, 1}) {
   Store store = sample_store::empty_store("Pillars", {25, 18, 4});
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const auto& [x, y] = corners[k];
     store.fixtures.push_back(
         {Box{"pillar-" + std::to_string(k), {x, y, 0}, {x + 0.5, y + 0.5, 4}, {}}, "fixtures"});
   }
+  store.labels.push_back({Label{"L", label, {1, 0, 0}, {}}, "list"});
+  store.transceivers.push_back({Transceiver{"T", {2, 2, 3}, {0, 0, -1}, 0, {}, false}, "list"});
   const Scene scene = make_scene(store);
   Drawn result{PlanView(scene), {}};
   SvgCanvas canvas;
@@ -48,6 +50,13 @@ TEST(FixtureIds, StandBesideAPillar) {
   const Drawn alone = draw({{10, 8}});
   EXPECT_GT(x_of(alone, 0), alone.view.at(10.5, 8).x);
   EXPECT_EQ(alone.count("line"), 0U);
+}
+
+TEST(FixtureIds, LeaveTheMarkOfALabelFree) {
+  const double free = x_of(draw({{10, 8}}), 0);
+  const Drawn labelled = draw({{10, 8}}, {10.5, 8.25, 1});
+  EXPECT_NE(x_of(labelled, 0), free);
+  EXPECT_EQ(labelled.count("line"), 0U);
 }
 
 TEST(FixtureIds, GoToTheOtherSideWhereANeighbourStands) {

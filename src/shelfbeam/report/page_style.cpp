@@ -56,7 +56,7 @@ table{border-collapse:collapse;width:100%;font-size:.9rem;font-variant-numeric:t
 th,td{padding:7px 12px;text-align:left;white-space:nowrap;border-top:1px solid var(--line)}
 thead th{border-top:0;font-weight:600;color:var(--muted);font-size:.82rem;vertical-align:bottom;white-space:normal;min-width:4.6em}
 .n{text-align:right}
-td.w{white-space:normal}
+td.w{white-space:normal;min-width:11em}
 details{margin-top:12px;background:var(--card);border:1px solid var(--line);border-radius:8px;padding:10px 14px}
 summary{font-weight:600;cursor:pointer}
 .serves{margin:10px 0 0;font-size:.88rem}
@@ -97,7 +97,10 @@ text{fill:var(--ink);font-family:inherit}
 .bar{fill:var(--m5)}.short{fill:var(--m1)}
 .mark{stroke:var(--strong);stroke-width:1.6;stroke-dasharray:5 3}
 .chart{--fs:13px}
-@media (max-width:1000px){th,td{padding:7px 8px}}
+@media (max-width:1079px){
+.cards{grid-template-columns:repeat(3,1fr)}
+th,td{padding:7px 6px}
+}
 @media (max-width:720px){
 main{padding:24px 14px 40px}
 section{margin-top:38px}
@@ -131,6 +134,7 @@ th,td{padding:1.2mm 1.6mm}
 .m{max-height:92mm;width:auto;max-width:100%;margin:0 auto}
 .m.half{max-height:none;width:100%}
 .chart{--fs:15px}
+summary{list-style:none}summary::-webkit-details-marker{display:none}
 details::details-content{display:block;content-visibility:visible;height:auto}
 details{border-color:#c4cbd1;padding:2mm 3mm}
 .serves{font-size:8pt}
