@@ -2,16 +2,17 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/model_file.hpp"
 #include "shelfbeam/placement/export_model.hpp"
 #include "shelfbeam/signal/matrix_export.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
-#include "shelfbeam/signal/signal_table.hpp"
 
+#include "arguments.hpp"
+#include "placement_input.hpp"
 #include "placement_options.hpp"
+#include "print_json.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {
@@ -21,13 +22,14 @@ namespace {
 struct Options {
   CommonOptions common;
   QuestionFlags question;
-  std::filesystem::path signal, output;
+  PlacementInput input;
+  std::filesystem::path output;
   std::string what = "mean";
-  double threshold = 0;
+  bool for_model = false, for_matrix = false;  ///< an option was given that only plays a part there
 };
 
 void export_matrix(const Options& options) {
-  const SignalMatrix matrix = read_signal_file(options.signal);
+  const SignalMatrix matrix = read_signal_file(options.input.signal);
   const auto& values = options.what == "mean"     ? matrix.mean
                        : options.what == "direct" ? matrix.direct
                                                   : matrix.standard_error;
@@ -38,9 +40,8 @@ void export_matrix(const Options& options) {
 }
 
 void export_model(const Options& options) {
-  SignalTable table = read_signal_table(options.signal);
-  if (options.threshold > 0) set_requirement(table, options.threshold);
-  const milp::Model model = placement_model(table, options.question.question());
+  const Question question = options.question.question();
+  const milp::Model model = placement_model(options.input.table(question), question);
   if (options.output.extension() == ".lp")
     milp::write_lp(model, options.output);
   else
@@ -48,16 +49,24 @@ void export_model(const Options& options) {
 }
 
 int run_export(const Options& options) {
+  keep_inputs(options.output, {options.input.signal});
   const std::string kind = options.output.extension().string();
-  if (kind == ".mps" || kind == ".lp")
+  const bool is_model = kind == ".mps" || kind == ".lp", is_matrix = kind == ".csv" || kind == ".npy";
+  if (is_model && options.for_matrix)
+    throw InputError("--what", "chooses a matrix, but the output is a model",
+                     "leave it out, or write .csv or .npy");
+  if (is_matrix && options.for_model)
+    throw InputError("--model, --objective, --weighted, --share, --threshold, --costs",
+                     "play no part in a matrix", "leave them out, or write .mps or .lp");
+  if (is_model)
     export_model(options);
-  else if (kind == ".csv" || kind == ".npy")
+  else if (is_matrix)
     export_matrix(options);
   else
     throw InputError(options.output.string(), fmt::format("'{}' says nothing about the format", kind),
                      "end the name in .mps, .lp, .csv or .npy");
   if (options.common.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"output", options.output.string()}}.dump(1));
+    print_json({{"output", options.output.string()}});
   else if (!options.common.quiet)
     fmt::print("{}\n", options.output.string());
   return done;
@@ -69,22 +78,27 @@ void add_export(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("export", "Write the placement model (MPS, LP) or the matrix (CSV, NPY)");
   auto options = std::make_shared<Options>();
-  verb->add_option("SIGNAL", options->signal, "Signal file, or any matrix that 'place' reads")->required();
+  add_placement_input(*verb, options->input);
   verb->add_option("-o,--output", options->output,
                    "File to write: .mps or .lp for the model, .csv or .npy for the matrix")
-      ->required();
-  verb->add_option("--what", options->what, "Which matrix")
+      ->required()
+      ->check(a_path());
+  verb->add_option("--what", options->what, "Which matrix of a signal file (HDF5)")
       ->check(CLI::IsMember({"mean", "standard-error", "direct"}))
       ->capture_default_str();
   add_question_options(*verb, options->question);
-  verb->add_option("--threshold", options->threshold, "Requirement of every label, for matrices without one")
-      ->check(CLI::PositiveNumber);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"
       "  shelfbeam export signal.h5 -o model.mps --model non-cooperative --objective links --weighted\n"
       "  shelfbeam export signal.h5 -o errors.csv --what standard-error");
-  verb->callback([options, &chosen] { chosen = [options] { return run_export(*options); }; });
+  verb->callback([options, verb, &chosen] {
+    options->for_matrix = verb->count("--what") > 0;
+    for (const char* flag :
+         {"--model", "--objective", "--weighted", "--lexicographic", "--share", "--threshold", "--costs"})
+      options->for_model = options->for_model || verb->count(flag) > 0;
+    chosen = [options] { return run_export(*options); };
+  });
 }
 
 }  // namespace shelfbeam::app

@@ -8,7 +8,9 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/report/report.hpp"
 
+#include "arguments.hpp"
 #include "loaded_store.hpp"
+#include "print_json.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {
@@ -110,10 +112,11 @@ void print(const LoadedStore& store) {
 }
 
 int run_inspect(const Options& options) {
+  keep_inputs(options.plan, {options.store});
   const LoadedStore store = load_store(options.store);
   if (!options.plan.empty()) write_file(options.plan, floor_plan_svg(store.scene));
   if (options.common.json) {
-    fmt::print("{}\n", as_json(store).dump(1));
+    print_json(as_json(store));
   } else if (!options.common.quiet) {
     print(store);
     if (!options.plan.empty()) fmt::print("\nfloor plan: {}\n", options.plan.string());
@@ -127,8 +130,8 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("inspect", "Check a store file; show dimensions, counts, areas, flux and the plan");
   auto options = std::make_shared<Options>();
-  verb->add_option("STORE", options->store, "Store file")->required();
-  verb->add_option("-o,--output", options->plan, "Write the floor plan as SVG to this file");
+  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
+  verb->add_option("-o,--output", options->plan, "Write the floor plan as SVG to this file")->check(a_path());
   add_common_options(*verb, options->common);
   verb->footer("Examples:\n  shelfbeam inspect store.json\n  shelfbeam inspect store.json -o plan.svg");
   verb->callback([options, &chosen] { chosen = [options] { return run_inspect(*options); }; });

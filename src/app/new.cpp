@@ -7,6 +7,8 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/scene/templates.hpp"
 
+#include "arguments.hpp"
+#include "print_json.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {
@@ -28,7 +30,7 @@ int run_new(const Options& options) {
   for (const TemplateFile& file : chosen.files) write_file(options.folder / file.name, file.content);
   const std::string store = (options.folder / "store.json").string();
   if (options.common.json) {
-    fmt::print("{{\"store\": \"{}\"}}\n", store);
+    print_json({{"store", store}});
   } else if (!options.common.quiet) {
     fmt::print("{}: {}\nnext: shelfbeam plan {} -o {}\n", store, chosen.description, store,
                (options.folder / "plan").string());
@@ -45,7 +47,9 @@ void add_new(CLI::App& app, ChosenVerb& chosen) {
   for (const StoreTemplate& t : store_templates())
     names += fmt::format("\n  {:<10} {}", t.name, t.description);
   verb->add_option("TEMPLATE", options->name, "One of:" + names)->required();
-  verb->add_option("DIR", options->folder, "Folder for the store file and what it needs")->required();
+  verb->add_option("DIR", options->folder, "Folder for the store file and what it needs")
+      ->required()
+      ->check(a_path());
   add_common_options(*verb, options->common);
   verb->footer("Examples:\n  shelfbeam new grocery my-store\n  shelfbeam new thesis thesis");
   verb->callback([options, &chosen] { chosen = [options] { return run_new(*options); }; });

@@ -1,13 +1,13 @@
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/placement/placement_file.hpp"
-#include "shelfbeam/signal/signal_table.hpp"
 
+#include "arguments.hpp"
+#include "placement_input.hpp"
 #include "placement_options.hpp"
 #include "terminal.hpp"
 #include "verbs.hpp"
@@ -20,16 +20,15 @@ struct Options {
   CommonOptions common;
   QuestionFlags question;
   SolverFlags solver;
-  std::filesystem::path signal, output;
-  std::vector<std::filesystem::path> costs;
-  double threshold = 0;
+  PlacementInput input;
+  std::filesystem::path output;
 };
 
 int run_place(const Options& options) {
-  SignalTable table = read_signal_table(options.signal);
-  if (options.threshold > 0) set_requirement(table, options.threshold);
-  for (const auto& file : options.costs) apply_costs(table, file);
-  if (!options.output.empty()) AtomicFile probe(options.output);
+  keep_inputs(options.output, {options.input.signal});
+  for (const auto& file : options.input.costs) keep_inputs(options.output, {file});
+  const SignalTable table = options.input.table(options.question.question());
+  if (!options.output.empty()) expect_writable(options.output);
   Placement placement;
   {
     TerminalProgress progress(options.common.quiet);
@@ -50,16 +49,10 @@ int run_place(const Options& options) {
 void add_place(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("place", "Choose transceivers on a signal matrix, with a proven bound");
   auto options = std::make_shared<Options>();
-  verb->add_option("SIGNAL", options->signal,
-                   "Signal file (HDF5), CSV, NPY, sparse text, or OR-Library scp or rail file")
-      ->required();
-  verb->add_option("-o,--output", options->output, "Write the answer as JSON to this file");
+  add_placement_input(*verb, options->input);
+  verb->add_option("-o,--output", options->output, "Write the answer as JSON to this file")->check(a_path());
   add_question_options(*verb, options->question);
   add_solver_options(*verb, options->solver, 60);
-  verb->add_option("--threshold", options->threshold, "Requirement of every label, for matrices without one")
-      ->check(CLI::PositiveNumber);
-  verb->add_option("--costs", options->costs,
-                   "CSV 'id,cost' of transceivers or 'id,link_cost,signal_cost' of labels; may be repeated");
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -8,6 +8,7 @@
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/checker.hpp"
 
+#include "arguments.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {
@@ -48,7 +49,7 @@ void add_question_options(CLI::App& verb, QuestionFlags& flags) {
                 "Fewest transceivers first, then the objective (default)")
       ->excludes(weighted);
   verb.add_option("--share", flags.share, "Share of the requirement from which an effective link counts")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
 }
 
@@ -62,7 +63,7 @@ void add_solver_options(CLI::App& verb, SolverFlags& flags, double default_time_
   verb.add_option("--backend", flags.backend, fmt::format("MIP solver: {}", fmt::join(names, " or ")))
       ->check(CLI::IsMember(names));
   verb.add_option("--time-limit", flags.time_limit_s, "Seconds for the solver")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
 }
 
@@ -76,18 +77,21 @@ std::string describe(const Placement& placement, const SignalTable& table) {
     const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
     for (std::size_t u = 0; u < shown; ++u) {
       const Unreachable& one = placement.unreachable[u];
-      text += fmt::format("  {}: at most {:.4g}, needs {:.4g}\n", table.labels[one.label].id, one.most,
-                          one.requirement);
+      text += fmt::format("  {}: at most {:.4g}, needs {:.4g}{}\n", table.labels[one.label].id, one.most,
+                          one.requirement,
+                          one.most == 0 ? " (no light arrives at all: is it inside something?)" : "");
     }
     if (shown < placement.unreachable.size())
       text += fmt::format("  and {} more\n", placement.unreachable.size() - shown);
     return text;
   }
   if (placement.selected.empty() && placement.status == Status::stopped)
-    return fmt::format("No placement was found before the limit; at least {} transceivers are needed.\n",
+    return fmt::format("No placement was found in time; at least {} transceivers are needed.\n",
                        placement.count_lower_bound);
-  std::string text = fmt::format("{} transceivers reach all {} labels ({}); ", placement.count(), labels,
-                                 cooperative ? "cooperative" : "non-cooperative");
+  std::string text = fmt::format(
+      "{} reach{} all {} labels ({}); ",
+      placement.count() == 1 ? "1 transceiver" : fmt::format("{} transceivers", placement.count()),
+      placement.count() == 1 ? "es" : "", labels, cooperative ? "cooperative" : "non-cooperative");
   if (static_cast<double>(placement.count()) <= placement.count_lower_bound)
     text += "fewer cannot, proven.\n";
   else
@@ -102,7 +106,7 @@ std::string describe(const Placement& placement, const SignalTable& table) {
   text +=
       fmt::format("  solver {}, {:.2f} s{}\n", placement.solver, placement.seconds,
                   placement.status == Status::stopped
-                      ? fmt::format("; stopped by the limit: incumbent {:.6g}, bound {:.6g}, gap {:.1f} %",
+                      ? fmt::format("; stopped early: incumbent {:.6g}, bound {:.6g}, gap {:.1f} %",
                                     placement.objective_value, placement.lower_bound, 100 * placement.gap())
                       : "");
   return text;

@@ -2,14 +2,17 @@
 
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/placement/placement_file.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
+#include "arguments.hpp"
 #include "loaded_store.hpp"
 #include "placement_options.hpp"
 #include "plan_folder.hpp"
@@ -29,17 +32,34 @@ struct Options {
   std::filesystem::path store, folder;
 };
 
+// A store that is no plan's own stays, and so do the lists that may lie beside it.
+void keep_store(const std::filesystem::path& folder, const std::filesystem::path& file,
+                const LoadedStore& store) {
+  std::error_code missing;
+  const auto home = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (std::filesystem::equivalent(folder, home, missing) && read_file(file) != store.resolved)
+    throw InputError(folder.string(), "is the folder of the store file, which would be overwritten",
+                     "choose another folder for the plan");
+}
+
 int run_plan(const Options& options) {
   const LoadedStore store = load_store(options.store);
-  make_output_folder(options.folder);
+  keep_store(options.folder, options.store, store);
+  expect_memory_for(store.scene, options.store);
+  const bool is_new = !std::filesystem::exists(options.folder);
+  prepare_plan_folder(options.folder);
   Plan plan;
-  {
+  try {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
     plan = make_plan(store.scene, store.hash,
                      {options.simulation.options(options.common.seed), options.question.question(),
                       options.solver.options()},
                      control);
+  } catch (const Interrupted&) {
+    std::error_code not_empty;
+    if (is_new) std::filesystem::remove(options.folder, not_empty);
+    throw;
   }
   const SignalMatrix& matrix = plan.simulation.matrix;
   const SignalTable table = make_signal_table(matrix);
@@ -54,11 +74,9 @@ int run_plan(const Options& options) {
   else if (!options.common.quiet)
     fmt::print("{}\n{}report: {}\n", describe(plan.simulation), describe(plan.placement, table),
                (options.folder / report_name).string());
-  if (!plan.simulation.complete) {
-    fmt::print(stderr, "stopped early: the plan rests on the samples so far\n");
-    return stopped_early;
-  }
-  return exit_code(plan.placement);
+  if (plan.simulation.complete) return exit_code(plan.placement);
+  if (!options.common.quiet) fmt::print(stderr, "stopped early: the plan rests on the samples so far\n");
+  return stopped_early;
 }
 
 }  // namespace
@@ -66,8 +84,8 @@ int run_plan(const Options& options) {
 void add_plan(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("plan", "Simulate a store, place transceivers, and write the report");
   auto options = std::make_shared<Options>();
-  verb->add_option("STORE", options->store, "Store file")->required();
-  verb->add_option("-o,--output", options->folder, "Folder for the results")->required();
+  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
+  verb->add_option("-o,--output", options->folder, "Folder for the results")->required()->check(a_path());
   add_simulation_options(*verb, options->simulation, "exact");
   add_question_options(*verb, options->question);
   add_solver_options(*verb, options->solver, 60);

@@ -10,7 +10,12 @@ namespace shelfbeam::app {
 inline constexpr auto signal_name = "signal.h5";
 inline constexpr auto placement_name = "placement.json";
 inline constexpr auto store_name = "store.json";
+inline constexpr auto labels_name = "labels.csv";
+inline constexpr auto placement_table_name = "placement.csv";
 inline constexpr auto report_name = "report.html";
+
+/// Makes the folder; throws InputError where one of the files above could not be written.
+void prepare_plan_folder(const std::filesystem::path& folder);
 
 /// Writes report.html, labels.csv and placement.csv.
 void write_report(const std::filesystem::path& folder, const ReportInput& input);

@@ -4,15 +4,18 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/placement/placement_file.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
+#include "arguments.hpp"
 #include "loaded_store.hpp"
 #include "plan_folder.hpp"
+#include "print_json.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {
@@ -27,14 +30,15 @@ struct Options {
 int run_report(const Options& options) {
   const LoadedStore store = load_store(options.folder / store_name);
   const SignalMatrix matrix = read_signal_file(options.folder / signal_name);
-  if (matrix.provenance.store_hash != store.hash)
-    throw InputError((options.folder / signal_name).string(), "belongs to another store file",
-                     "run 'shelfbeam plan' again");
+  // The bytes that `plan` hashed, not what this version would write for the same store.
+  if (matrix.provenance.store_hash != content_hash(read_file(options.folder / store_name)))
+    throw InputError((options.folder / signal_name).string(),
+                     "belongs to another store file than the one beside it", "run 'shelfbeam plan' again");
   const Placement placement = read_placement(options.folder / placement_name, make_signal_table(matrix));
   write_report(options.folder, {store.scene, matrix, placement});
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"report", report}}.dump(1));
+    print_json({{"report", report}});
   else if (!options.common.quiet)
     fmt::print("{}\n", report);
   return done;
@@ -46,9 +50,9 @@ void add_report(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("report", "Rebuild report.html, labels.csv and placement.csv of a plan");
   auto options = std::make_shared<Options>();
-  verb->add_option("DIR", options->folder, "Folder that 'shelfbeam plan' wrote")->required();
+  verb->add_option("DIR", options->folder, "Folder that 'shelfbeam plan' wrote")->required()->check(a_path());
   add_common_options(*verb, options->common);
-  verb->footer("Example:\n  shelfbeam report plan");
+  verb->footer("Examples:\n  shelfbeam report plan");
   verb->callback([options, &chosen] { chosen = [options] { return run_report(*options); }; });
 }
 

@@ -7,7 +7,9 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 
+#include "arguments.hpp"
 #include "loaded_store.hpp"
+#include "print_json.hpp"
 #include "simulation_options.hpp"
 #include "terminal.hpp"
 #include "verbs.hpp"
@@ -23,8 +25,10 @@ struct Options {
 };
 
 int run_simulate(const Options& options) {
+  keep_inputs(options.output, {options.store});
   const LoadedStore store = load_store(options.store);
-  AtomicFile probe(options.output);  // says now, not after an hour, that the output cannot be written
+  expect_memory_for(store.scene, options.store);
+  expect_writable(options.output);
   SimulationResult result;
   {
     TerminalProgress progress(options.common.quiet);
@@ -39,11 +43,11 @@ int run_simulate(const Options& options) {
                                       {"complete", result.complete},
                                       {"rays", result.rays},
                                       {"seconds", result.seconds}};
-    fmt::print("{}\n", json.dump(1));
+    print_json(json);
   } else if (!options.common.quiet) {
     fmt::print("{}\n{}\n", describe(result), options.output.string());
   }
-  if (!result.complete && !options.common.json)
+  if (!result.complete && !options.common.json && !options.common.quiet)
     fmt::print(stderr, "stopped early: the file holds the samples so far\n");
   return result.complete ? done : stopped_early;
 }
@@ -53,8 +57,10 @@ int run_simulate(const Options& options) {
 void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("simulate", "Compute the signal matrix of a store");
   auto options = std::make_shared<Options>();
-  verb->add_option("STORE", options->store, "Store file")->required();
-  verb->add_option("-o,--output", options->output, "Signal file (HDF5) to write")->required();
+  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
+  verb->add_option("-o,--output", options->output, "Signal file (HDF5) to write")
+      ->required()
+      ->check(a_path());
   add_simulation_options(*verb, options->simulation, "sampled");
   add_common_options(*verb, options->common);
   verb->footer(

@@ -1,9 +1,10 @@
 #include "simulation_options.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/report/sampling.hpp"
 
 namespace shelfbeam::app {
 
@@ -26,30 +27,34 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
       ->capture_default_str();
 }
 
+void expect_memory_for(const Scene& scene, const std::filesystem::path& store) {
+  // An entry is summed up in three doubles and written as three floats.
+  constexpr double bytes_per_entry = 3 * sizeof(double) + 3 * sizeof(float);
+  const double needed = bytes_per_entry * static_cast<double>(scene.labels.size()) *
+                        static_cast<double>(scene.transceivers.size());
+  const double present =
+      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  if (needed > present)
+    throw InputError(
+        store.string(),
+        fmt::format(
+            "has {} labels and {} candidates, whose matrix takes {:.1f} GB; this machine has {:.1f} GB",
+            scene.labels.size(), scene.transceivers.size(), needed / 1e9, present / 1e9),
+        "use a wider grid of candidates");
+}
+
 std::string describe(const SimulationResult& result) {
-  const SignalMatrix& matrix = result.matrix;
-  std::vector<double> relative;
-  for (std::size_t i = 0; i < matrix.rows(); ++i)
-    for (std::size_t j = 0; j < matrix.columns(); ++j) {
-      const std::size_t entry = matrix.at(i, j);
-      if (static_cast<double>(matrix.mean[entry]) >= 0.3 * matrix.labels[i].requirement)
-        relative.push_back(static_cast<double>(matrix.standard_error[entry] / matrix.mean[entry]));
-    }
-  std::string error = "no entry above 0.3 of its requirement";
-  if (!relative.empty()) {
-    std::sort(relative.begin(), relative.end());
-    error = fmt::format(
-        "relative standard error of the {} entries above 0.3 of the requirement: median {:.1f} %, "
-        "99 % below {:.1f} %",
-        relative.size(), 100 * relative[relative.size() / 2],
-        100 * relative[static_cast<std::size_t>(0.99 * static_cast<double>(relative.size() - 1))]);
-  }
-  const auto fewest = std::min_element(matrix.labels.begin(), matrix.labels.end(),
-                                       [](const auto& a, const auto& b) { return a.samples < b.samples; });
-  return fmt::format(
-      "{} labels x {} candidates, {} samples a label in {:.1f} s ({:.2f} million rays a second)\n{}",
-      matrix.rows(), matrix.columns(), fewest->samples, result.seconds,
-      static_cast<double>(result.rays) / result.seconds / 1e6, error);
+  const SamplingSummary sampling = sampling_summary(result.matrix);
+  std::string text = fmt::format(
+      "{} labels x {} candidates, {} samples a label in {:.1f} s ({:.2f} million rays a second)\n",
+      result.matrix.rows(), result.matrix.columns(), sampling.least_samples, result.seconds,
+      static_cast<double>(result.rays) / result.seconds / 1e6);
+  if (sampling.relevant == 0)
+    return text + fmt::format("no entry reaches {} of its requirement", relevant_share);
+  return text + fmt::format(
+                    "relative standard error of the {} entries above {} of the requirement: "
+                    "median {:.1f} %, 99 % below {:.1f} %",
+                    sampling.relevant, relevant_share, 100 * sampling.median, 100 * sampling.p99);
 }
 
 }  // namespace shelfbeam::app

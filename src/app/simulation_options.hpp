@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -18,6 +19,9 @@ struct SimulationFlags {
 };
 
 void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::string& default_direct);
+
+/// Throws InputError naming the store file when the matrix would not fit into this machine's memory.
+void expect_memory_for(const Scene& scene, const std::filesystem::path& store);
 
 /// One line about what was simulated and how good it is.
 std::string describe(const SimulationResult& result);

@@ -74,13 +74,16 @@ TEST(Json, UnknownKeysNameTheNearest) {
 }
 
 TEST(Json, KeysStandOnce) {
-  expect_input_error([] { parse(R"({ "a": { "b": 1, "c": 2, "b": 3 } })"); }, "store.json",
-                     "'b' stands twice");
+  expect_input_error([] { parse(R"({ "a": { "b": 1, "c": 2, "b": 3 } })"); },
+                     "store.json: a.b: stands twice");
+  expect_input_error([] { parse(R"([ 1, [], { "a": [ {}, { "b": [2], "b": 3 } ] } ])"); },
+                     "store.json: [2].a[1].b: stands twice");
   EXPECT_NO_THROW(parse(R"({ "a": { "b": 1 }, "b": [ { "b": 1 }, { "b": 2 } ] })"));
 }
 
 TEST(Json, WhatIsNoJsonIsToldWithItsPlace) {
   expect_input_error([] { parse("{\n  \"a\": ,\n}"); }, "store.json: is not valid JSON", "line 2");
+  expect_input_error([] { parse("[1,\n 1e999]"); }, "store.json: has a number beyond", "1e999", "line 2");
   for (const char* text : {"", "{", "[1, 2", "{} {}", "nul", "{'a': 1}", "[1e999]"})
     expect_input_error([&] { parse(text); }, "store.json");
 }

@@ -62,9 +62,9 @@ Incident incident_flux(double rho) {
   return incident;
 }
 
-// z-test at 0.1 %: a statistical error of about 0.05 %, and that of the midpoint rule, which is 0.07 % of the direct
-// flux (whose integral is known: Phi) and less of the smooth rest. The control, an albedo 2 % off, changes the
-// flux by 5 %.
+// z-test at 0.1 %: a statistical error of about 0.05 %, and that of the midpoint rule, which is 0.07 % of the
+// direct flux (whose integral is known: Phi) and less of the smooth rest. The control, an albedo 2 % off,
+// changes the flux by 5 %.
 TEST(FluxBalance, EverythingThatEntersIsAbsorbed) {
   constexpr double rho = 0.7, midpoint_error = 7e-4;
   const auto agrees = [](const Incident& found, double expected) {

@@ -1,5 +1,6 @@
 #include "shelfbeam/placement/checker.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <gtest/gtest.h>

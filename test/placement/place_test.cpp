@@ -107,12 +107,12 @@ SignalTable hard_table() {
 TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
   const SignalTable table = hard_table();
   for (const milp::Backend& backend : milp::backends()) {
-    for (const double limit : {0.0, 0.5}) {
+    for (const double limit : {0.0, 2.0}) {
       const auto start = std::chrono::steady_clock::now();
       const Placement found = place(table, {coop, Objective::signal},
                                     {.backend = std::string(backend.name), .time_limit_s = limit});
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      EXPECT_LT(seconds, 5.0);
+      EXPECT_LT(seconds, 20.0);
       EXPECT_EQ(found.status, Status::stopped);
       EXPECT_TRUE(check_selection(table, {coop}, found.selected).met());
       EXPECT_GT(found.lower_bound, 0);

@@ -50,12 +50,19 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   "lower_bound": 3.5,
   "gap": 0.125,
   "unit_costs": true,
+  "redundant_share": 0.0,
   "status": "stopped",
   "solver": "highs 1.10.0",
   "seconds": 0.25,
   "unreachable": []
 }
 )");
+}
+
+// One of two labels is reached by both units; on paper, not by the checker.
+TEST(PlacementFile, TellsTheShareOfRedundantLabels) {
+  const std::string json = placement_json(solved(), test::make_table({{3, 3}, {3, 0.5}}, 2));
+  EXPECT_NE(json.find("\"redundant_share\": 0.5,"), std::string::npos) << json;
 }
 
 TEST(PlacementFile, IsReadBack) {

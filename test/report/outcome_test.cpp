@@ -73,6 +73,9 @@ bool agrees(const Outcome& outcome, const SignalMatrix& matrix, const Placement&
         unit.strongest_for != expected.strongest_for || unit.needed_by != expected.needed_by)
       return false;
   }
+  const auto redundant =
+      std::count_if(check.serving.begin(), check.serving.end(), [](auto n) { return n >= 2; });
+  if (outcome.redundant != static_cast<std::size_t>(redundant)) return false;
   const double least = outcome.labels[outcome.by_margin.front()].margin();
   return outcome.met == matrix.rows() - check.unmet.size() &&
          std::all_of(outcome.labels.begin(), outcome.labels.end(),
@@ -117,7 +120,15 @@ TEST(Outcome, KnownValues) {
   EXPECT_EQ(outcome.units[1].needed_by, 2U);
   EXPECT_EQ(outcome.units[0].strongest_for, 1U);
   EXPECT_EQ(outcome.met_by_direct, 1U);
+  EXPECT_EQ(outcome.redundant, 0U);
+  EXPECT_EQ(outcome.served_by(0), (std::vector<std::uint32_t>{0}));  // reaches none alone: strongest for it
+  EXPECT_EQ(outcome.served_by(1), (std::vector<std::uint32_t>{1}));
   EXPECT_EQ(outcome.direct_shares(), (std::vector<double>{0.75, 0.25}));
+
+  matrix.labels[0].requirement = 1;  // now both units reach it, whichever is the stronger
+  EXPECT_EQ(outcome_of(matrix, placement).redundant, 1U);
+  EXPECT_EQ(outcome_of(matrix, placement).served_by(1), (std::vector<std::uint32_t>{0, 1}));
+  matrix.labels[0].requirement = 2;
 
   placement.question.model = CommunicationModel::non_cooperative;
   const Outcome alone = outcome_of(matrix, placement);

@@ -1,44 +1,24 @@
-#include <algorithm>
-#include <set>
+#include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/distributions.hpp"
-#include "shelfbeam/report/headline.hpp"
+#include "shelfbeam/report/id_ranges.hpp"
 #include "shelfbeam/report/report.hpp"
+#include "shelfbeam/report/report_data.hpp"
 
 #include "markup.hpp"
 #include "sample_store.hpp"
+#include "supermarket_report.hpp"
 
 namespace shelfbeam {
 namespace {
 
-using test::Markup;
+using test::fault;
+using test::pieces;
 using test::read_markup;
-
-struct Supermarket {
-  Scene scene = make_scene(sample_store::supermarket());
-  SignalMatrix matrix = sample_store::matrix_of(scene);
-  Placement placement = sample_store::cover(matrix);
-  ReportInput input{scene, matrix, placement};
-};
-
-// Well-formed, no script, nothing fetched, every reference within the page resolves, ids are unique.
-std::string fault(const std::string& html) {
-  const Markup markup = read_markup(html);
-  if (!markup.problem.empty()) return markup.problem;
-  for (const char* word : {"http:", "https:", "url(", "@import", "<script", "<link", " src="})
-    if (html.find(word) != std::string::npos) return std::string("holds ") + word;
-  std::set<std::string> ids;
-  for (const auto& element : markup.elements)
-    if (const auto id = element.attributes.find("id"); id != element.attributes.end())
-      if (!ids.insert(id->second).second) return "id twice: " + id->second;
-  for (const auto& element : markup.elements)
-    if (const auto href = element.attributes.find("href"); href != element.attributes.end())
-      if (href->second.empty() || href->second[0] != '#' || !ids.contains(href->second.substr(1)))
-        return "dangling: " + href->second;
-  return {};
-}
+using test::Supermarket;
 
 TEST(Markup, ReaderRejectsBrokenMarkup) {
   EXPECT_EQ(read_markup("<p class=\"a\">x &amp; y<br></p>").problem, "");
@@ -67,18 +47,6 @@ TEST(ReportHtml, EscapesIdsAndNames) {
   for (const char* name : {"Joe's <Kiosk> & \"Bar\"", "A<1>-front-1-1", "T,2", "<solver>"})
     EXPECT_NE(text.find(name), std::string::npos) << name;
   for (const char* raw : {"<Kiosk>", "A<1>", "<solver>"}) EXPECT_EQ(html.find(raw), std::string::npos) << raw;
-}
-
-// Tables and facts as text, so that "8" is only found where it stands alone.
-std::multiset<std::string> pieces(const std::string& html) {
-  std::multiset<std::string> result;
-  const std::string text = read_markup(html).text;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (end > begin) result.insert(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return result;
 }
 
 TEST(ReportHtml, EveryComputedNumberIsInIt) {
@@ -110,6 +78,7 @@ TEST(ReportHtml, EveryComputedNumberIsInIt) {
     expect_cell("Level " + std::to_string(k + 1) + ": " + data.levels[k].heights() + " (" +
                 grouped(data.levels[k].labels.size()) + ")");
   expect_cell(grouped(data.outcome.met));
+  expect_text(grouped(data.outcome.redundant) + " of " + grouped(data.outcome.labels.size()) + " (");
   const SamplingSummary& sampling = data.sampling;
   for (const double share : {sampling.mean, sampling.median, sampling.p90, sampling.p99, sampling.worst})
     expect_text(percent(share));
@@ -143,34 +112,35 @@ TEST(ReportHtml, EveryLabelIsMarkedOnceOnThePlans) {
   }
 }
 
-TEST(ReportHtml, SaysWhatIsProven) {
-  Supermarket s;
-  const std::size_t k = s.placement.count();
-  const auto answer = [&] { return headline(ReportData(s.input)).answer; };
-  const std::string reach = std::to_string(k) + " transceivers reach all 926 labels; ";
-  EXPECT_EQ(answer(), reach + "at least " + std::to_string(k) + " are needed (proven).");
-
-  s.placement.status = Status::stopped;
-  s.placement.count_lower_bound = s.placement.lower_bound =
-      static_cast<double>(k) - 1.6;  // rounded up: k - 1
-  EXPECT_EQ(answer(), reach + "it is proven that at least " + std::to_string(k - 1) + " are needed (gap " +
-                          percent(1.0 / static_cast<double>(k)) + ").");
-  EXPECT_EQ(headline(ReportData(s.input)).tone, Headline::Tone::open);
-  EXPECT_EQ(fault(report_html(s.input)), "");
-
-  s.placement.question.objective = Objective::links;
-  s.placement.count_lower_bound = static_cast<double>(k);
-  s.placement.objective_value = 1000;
-  s.placement.lower_bound = 900;
-  EXPECT_EQ(answer(), reach + "at least " + std::to_string(k) + " are needed (proven).");
+TEST(ReportHtml, ListsTheLabelsThatEachUnitServes) {
+  const Supermarket s;
+  const ReportData data(s.input);
   const std::string html = report_html(s.input);
-  EXPECT_NE(html.find("links: 1000; at least 900 is proven (gap 10.0\u00A0%)."), std::string::npos);
-  EXPECT_EQ(fault(html), "");
+  const std::string list =
+      html.substr(html.find("<details>"), html.find("</details>") - html.find("<details>"));
+  std::size_t ranges = 0, at = 0;
+  for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
+    std::vector<std::string> ids;
+    for (const std::uint32_t row : data.outcome.served_by(k)) ids.push_back(data.label(row).id);
+    at = list.find("<dt>" + std::to_string(k + 1) + ": ", at);
+    ASSERT_NE(at, std::string::npos) << k;
+    for (const std::string& range : id_ranges(ids)) {
+      ++ranges;
+      at = list.find("<li>" + escape(range) + "</li>", at);
+      ASSERT_NE(at, std::string::npos) << k << " " << range;
+    }
+  }
+  EXPECT_GT(ranges, data.outcome.units.size());
+  std::size_t items = 0;
+  for (at = 0; (at = list.find("<li>", at)) != std::string::npos; ++at) ++items;
+  EXPECT_EQ(items, ranges);
+}
 
-  s.placement.question.combination = Combination::weighted;
-  s.placement.status = Status::optimal;
-  s.placement.count_lower_bound = 1;
-  EXPECT_EQ(answer(), reach + "no selection has a lower total cost (proven).");
+TEST(ReportHtml, NamesLabelsWithoutDirectLight) {
+  Supermarket s;
+  EXPECT_EQ(report_html(s.input).find("gets no direct light"), std::string::npos);
+  std::fill(s.matrix.direct.begin(), s.matrix.direct.end(), 0.0F);
+  EXPECT_NE(report_html(s.input).find("one in ten gets no direct light"), std::string::npos);
 }
 
 TEST(ReportHtml, ExplainsThatNothingCanBeDone) {

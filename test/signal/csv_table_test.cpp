@@ -60,33 +60,32 @@ struct Broken {
   const char* problem;
 };
 
-class BrokenCsv : public testing::TestWithParam<Broken> {};
-
-TEST_P(BrokenCsv, IsRefusedWithPlace) {
+TEST(CsvTable, BrokenFilesAreRefusedWithPlace) {
   const TempFolder folder;
-  const auto path = folder.write("broken.csv", GetParam().text);
-  expect_input_error([&] { read_signal_table(path); }, path.string(), GetParam().place, GetParam().problem);
+  const Broken all[] = {
+      {"id,T1,T2\nL1,1,2\nL2,1,nan\n", "line 3, field 3", "NaN"},
+      {"nan,1\n1,1\n", "line 1, field 1", "NaN"},
+      {"1,inf\n1,1\n", "line 1, field 2", "infinite"},
+      {"1,1\n1,-1e-9\n", "line 2, field 2", "negative"},
+      {"1,1\n1,x\n", "line 2, field 2", "is 'x'"},
+      {"1,1\n1,\n", "line 2, field 2", "is empty"},
+      {"1,1\n1\n", "line 2", "has 1 fields where 2 are expected"},
+      {"1,1\n1,1,1\n", "line 2", "has 3 fields where 2 are expected"},
+      {"id,T1,T2\nL1,1,2\nL2,1\n", "line 3", "has 2 fields"},
+      {"id,T1,T2\nL1,1,2\nL1,1,2\n", "", "two labels with the id 'L1'"},
+      {"id,T1,T1\nL1,1,2\n", "", "two transceivers with the id 'T1'"},
+      {"id,T1,\nL1,1,2\n", "line 2", "header's field 3 is empty"},
+      {"id,T1\n,1\n", "line 2, field 1", "is empty"},
+      {"id,T1\n", "line 1", "header without rows"},
+      {"id,T1\n\"L1,1\n", "line 2, field 1", "never closed"},
+      {"id,T1\n\"L1\"x,1\n", "line 2, field 1", "after its closing quote"},
+      {"# from a spreadsheet, 2024\n1,2,3\n", "line 1", "is a comment"},
+  };
+  for (const auto& [text, place, problem] : all) {
+    const auto path = folder.write("broken.csv", text);
+    expect_input_error([&] { read_signal_table(path); }, path.string(), place, problem);
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    All, BrokenCsv,
-    testing::Values(Broken{"id,T1,T2\nL1,1,2\nL2,1,nan\n", "line 3, field 3", "NaN"},
-                    Broken{"nan,1\n1,1\n", "line 1, field 1", "NaN"},
-                    Broken{"1,inf\n1,1\n", "line 1, field 2", "infinite"},
-                    Broken{"1,1\n1,-1e-9\n", "line 2, field 2", "negative"},
-                    Broken{"1,1\n1,x\n", "line 2, field 2", "is 'x'"},
-                    Broken{"1,1\n1,\n", "line 2, field 2", "is empty"},
-                    Broken{"1,1\n1\n", "line 2", "has 1 fields where 2 are expected"},
-                    Broken{"1,1\n1,1,1\n", "line 2", "has 3 fields where 2 are expected"},
-                    Broken{"id,T1,T2\nL1,1,2\nL2,1\n", "line 3", "has 2 fields"},
-                    Broken{"id,T1,T2\nL1,1,2\nL1,1,2\n", "", "two labels with the id 'L1'"},
-                    Broken{"id,T1,T1\nL1,1,2\n", "", "two transceivers with the id 'T1'"},
-                    Broken{"id,T1,\nL1,1,2\n", "line 2", "header's field 3 is empty"},
-                    Broken{"id,T1\n,1\n", "line 2, field 1", "is empty"},
-                    Broken{"id,T1\n", "line 1", "header without rows"},
-                    Broken{"id,T1\n\"L1,1\n", "line 2, field 1", "never closed"},
-                    Broken{"id,T1\n\"L1\"x,1\n", "line 2, field 1", "after its closing quote"},
-                    Broken{"# from a spreadsheet, 2024\n1,2,3\n", "line 1", "is a comment"}));
 
 }  // namespace
 }  // namespace shelfbeam

@@ -11,7 +11,7 @@
 namespace shelfbeam {
 namespace {
 
-const std::filesystem::path instances = SHELFBEAM_SOURCE_DIR "/../shared/reference/instances";
+const std::filesystem::path instances = SHELFBEAM_SOURCE_DIR "/test/data/instances";
 
 double sum(const SignalTable& table) {
   double total = 0;
@@ -22,7 +22,6 @@ double sum(const SignalTable& table) {
 // Counts and sums were taken with zcat and awk. The sum of k rounded terms is within k * 2^-53 of its size.
 TEST(ReferenceInstances, Thesis) {
   const auto path = instances / "thesis_s1_e0.txt.gz";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the reference instances are not here";
   const SignalTable table = read_signal_table(path);
   EXPECT_EQ(table.rows(), 300u);
   EXPECT_EQ(table.columns(), 150u);
@@ -32,20 +31,19 @@ TEST(ReferenceInstances, Thesis) {
   EXPECT_NEAR(sum(table), 32613.1494, 1e-6);
 }
 
+#ifdef SHELFBEAM_LARGE_INSTANCES
 TEST(ReferenceInstances, Supermarket) {
-  const auto path = instances / "super_s1_e0.txt.gz";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the reference instances are not here";
-  const SignalTable table = read_signal_table(path);
+  const SignalTable table = read_signal_table(SHELFBEAM_LARGE_INSTANCES "/super_s1_e0.txt.gz");
   EXPECT_EQ(table.rows(), 5000u);
   EXPECT_EQ(table.columns(), 600u);
   EXPECT_EQ(table.entries.size(), 2999985u);
   EXPECT_EQ(table.labels[0].single_requirement, 0.437292221);
   EXPECT_NEAR(sum(table), 235503.2028001014, 1e-5);
 }
+#endif
 
 TEST(ReferenceInstances, TruncatedGzipIsRefused) {
   const auto path = instances / "thesis_s1_e0.txt.gz";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the reference instances are not here";
   const std::string whole = read_file(path);
   const test::TempFolder folder;
   for (const std::size_t length :

@@ -178,6 +178,7 @@ TEST(SignalFile, ClaimsBeyondTheFileAreRefused) {
   refused("claims_text_length.h5", "/labels/id", "claims 4000000000 bytes and holds 0");
   refused("claims_entries.h5", "/mean", "claims 24 bytes and holds 0");
   refused("claims_chunk.h5", "/mean", "chunks that are larger than itself");
+  refused("old_format.h5", "", "old HDF5 format");
   refused("variable_texts.h5", "/labels/id", "no texts of fixed length");
 }
 

@@ -38,36 +38,36 @@ struct Broken {
   const char* problem;
 };
 
-class BrokenSparseText : public testing::TestWithParam<Broken> {};
-
-TEST_P(BrokenSparseText, IsRefusedWithPlace) {
+TEST(SparseText, BrokenFilesAreRefusedWithPlace) {
   const TempFolder folder;
-  const auto path = folder.write("broken.txt", GetParam().text);
-  expect_input_error([&] { read_signal_table(path); }, path.string(), GetParam().place, GetParam().problem);
+  const Broken all[] = {
+      {"2 2 0.5\n1 0 nan\n0\n", "line 2, character 5", "NaN"},
+      {"2 2 0.5\n1 0 inf\n0\n", "line 2", "infinite"},
+      {"2 2 0.5\n0\n1 0 -0.1\n", "line 3", "negative"},
+      {"2 2 0.5\n0\n1 0 1e999\n", "line 3", "'1e999'"},
+      {"2 2 0.5\n0\n1 0 0.5x\n", "line 3", "'0.5x'"},
+      {"2 2 0.5\n1 2 0.1\n0\n", "line 2", "column number is 2"},
+      {"2 2 0.5\n1 -1 0.1\n0\n", "line 2", "column number is -1"},
+      {"2 2 0.5\n1 0.5 0.1\n0\n", "line 2", "whole number"},
+      {"2 2 0.5\n2 0 0.1\n0\n", "line 2", "line ends where a column number is expected"},
+      {"2 2 0.5\n1 0\n0\n", "line 2", "line ends where the signal is expected"},
+      {"2 2 0.5\n1 0 0.1 1 0.2\n0\n", "line 2", "goes on after 1 pairs"},
+      {"2 2 0.5\n2 1 0.1 1 0.2\n0\n", "line 2", "names column 1 twice"},
+      {"2 2 0.5\n3 0 0.1\n0\n", "line 2", "number of pairs is 3"},
+      {"2 2 0.5\n1 0 0.1\n", "line 3", "ends after 1 of 2 labels"},
+      {"2 2 0.5\n0\n0\n0\n", "line 4", "goes on after 2 labels"},
+      {"2 2 0\n0\n0\n", "line 1", "g is 0"},
+      {"2 0 1\n0\n0\n", "line 1", "n is 0"},
+      {"0.1 0.2 0.3\n0.1 0.2 0.3\n", "line 1", "m is '0.1'"},
+      {"4000000000 2 0.5\n0\n", "line 1", "m is 4000000000, more than a file of"},
+      {"1 4000000000 0.5\n0\n", "line 1", "n is 4000000000, more than a file of"},
+      {"1 99999999999999999999 0.5\n0\n", "line 1", "n is 99999999999999999999"},
+  };
+  for (const auto& [text, place, problem] : all) {
+    const auto path = folder.write("broken.txt", text);
+    expect_input_error([&] { read_signal_table(path); }, path.string(), place, problem);
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    All, BrokenSparseText,
-    testing::Values(Broken{"2 2 0.5\n1 0 nan\n0\n", "line 2, character 5", "NaN"},
-                    Broken{"2 2 0.5\n1 0 inf\n0\n", "line 2", "infinite"},
-                    Broken{"2 2 0.5\n0\n1 0 -0.1\n", "line 3", "negative"},
-                    Broken{"2 2 0.5\n0\n1 0 1e999\n", "line 3", "'1e999'"},
-                    Broken{"2 2 0.5\n0\n1 0 0.5x\n", "line 3", "'0.5x'"},
-                    Broken{"2 2 0.5\n1 2 0.1\n0\n", "line 2", "column number is 2"},
-                    Broken{"2 2 0.5\n1 -1 0.1\n0\n", "line 2", "column number is -1"},
-                    Broken{"2 2 0.5\n1 0.5 0.1\n0\n", "line 2", "whole number"},
-                    Broken{"2 2 0.5\n2 0 0.1\n0\n", "line 2", "line ends where a column number is expected"},
-                    Broken{"2 2 0.5\n1 0\n0\n", "line 2", "line ends where the signal is expected"},
-                    Broken{"2 2 0.5\n1 0 0.1 1 0.2\n0\n", "line 2", "goes on after 1 pairs"},
-                    Broken{"2 2 0.5\n2 1 0.1 1 0.2\n0\n", "line 2", "names column 1 twice"},
-                    Broken{"2 2 0.5\n3 0 0.1\n0\n", "line 2", "number of pairs is 3"},
-                    Broken{"2 2 0.5\n1 0 0.1\n", "line 3", "ends after 1 of 2 labels"},
-                    Broken{"2 2 0.5\n0\n0\n0\n", "line 4", "goes on after 2 labels"},
-                    Broken{"2 2 0\n0\n0\n", "line 1", "g is 0"}, Broken{"2 0 1\n0\n0\n", "line 1", "n is 0"},
-                    Broken{"0.1 0.2 0.3\n0.1 0.2 0.3\n", "line 1", "m is '0.1'"},
-                    Broken{"4000000000 2 0.5\n0\n", "line 1", "m is 4000000000, more than a file of"},
-                    Broken{"1 4000000000 0.5\n0\n", "line 1", "n is 4000000000, more than a file of"},
-                    Broken{"1 99999999999999999999 0.5\n0\n", "line 1", "n is 99999999999999999999"}));
 
 TEST(AnyText, OtherContentIsRefused) {
   const TempFolder folder;

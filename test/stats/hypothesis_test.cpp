@@ -94,8 +94,8 @@ TEST(ZTest, WhatHasNoScoreFails) {
 int chi_square_failures(const std::vector<double>& drawn, const std::vector<double>& claimed) {
   std::mt19937_64 random(17);
   std::discrete_distribution<std::size_t> draw(drawn.begin(), drawn.end());
-  std::vector<double> expected;
-  for (const double p : claimed) expected.push_back(1000 * p);
+  std::vector<double> expected = claimed;
+  for (double& cell : expected) cell *= 1000;
   int failures = 0;
   for (int run = 0; run < 2000; ++run) {
     std::vector<double> counts(drawn.size(), 0.0);
@@ -109,8 +109,8 @@ TEST(ChiSquareTest, FailsAtItsLevel) {
   const std::vector<double> even(20, 0.05);
   EXPECT_TRUE(is_binomial(chi_square_failures(even, even), 2000, 0.1));
   // Many cells that expect 1 to 4 of 1000: pooling keeps the level.
-  std::vector<double> skewed;
-  for (int k = 0; k < 100; ++k) skewed.push_back(k < 80 ? 0.001 + 0.003 * k / 79.0 : 0.04);
+  std::vector<double> skewed(100, 0.04);
+  for (std::size_t k = 0; k < 80; ++k) skewed[k] = 0.001 + 0.003 * static_cast<double>(k) / 79;
   double sum = 0;
   for (const double p : skewed) sum += p;
   for (double& p : skewed) p /= sum;

@@ -30,7 +30,7 @@ class TempFolder {
 
   /// Writes the bytes to a file in the folder (made with its parents) and returns its path.
   std::filesystem::path write(std::string_view name, std::string_view content) const {
-    const auto file = path_ / name;
+    auto file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
     return file;

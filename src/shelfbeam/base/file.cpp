@@ -21,6 +21,11 @@ std::string reason() {
   return std::generic_category().message(errno);
 }
 
+bool is_folder(const fs::path& path) {
+  std::error_code unknown;
+  return fs::is_directory(path, unknown);
+}
+
 [[noreturn]] void cannot_write(const fs::path& path, const std::string& why) {
   throw InputError(path.string(), fmt::format("cannot be written ({})", why),
                    "choose an existing folder that you may write to");
@@ -38,8 +43,8 @@ void flush_to_disk(const fs::path& path) {
 }  // namespace
 
 std::string read_file(const fs::path& path) {
-  if (fs::is_directory(path))
-    throw InputError(path.string(), "is a folder, not a file", "name the file in it");
+  if (is_folder(path)) throw InputError(path.string(), "is a folder, not a file", "name the file in it");
+  errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(path.string(), fmt::format("cannot be read ({})", reason()), "check the path");
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -49,8 +54,12 @@ std::string read_file(const fs::path& path) {
 
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder)) cannot_write(target_, "the folder does not exist");
-  if (fs::is_directory(target_)) cannot_write(target_, "it is a folder");
+  if (!is_folder(folder)) cannot_write(target_, "the folder does not exist");
+  if (is_folder(target_)) cannot_write(target_, "it is a folder");
+  // Renaming over a device or a pipe would put a file in its place.
+  std::error_code missing;
+  if (fs::exists(target_, missing) && !fs::is_regular_file(target_, missing))
+    cannot_write(target_, "it is no regular file");
   std::string pattern = (folder / ("." + target_.filename().string() + ".XXXXXX")).string();
   const int descriptor = ::mkstemp(pattern.data());
   if (descriptor < 0) cannot_write(target_, reason());
@@ -86,7 +95,7 @@ void write_file(const fs::path& path, std::string_view content) {
 void make_output_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) cannot_write(folder, error ? error.message() : "it is a file");
+  if (error || !is_folder(folder)) cannot_write(folder, error ? error.message() : "it is a file");
   if (::access(folder.c_str(), W_OK) != 0) cannot_write(folder, reason());
 }
 

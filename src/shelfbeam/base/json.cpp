@@ -42,23 +42,77 @@ std::string parser_message(const std::exception& error) {
   return text;
 }
 
-Node parse_strictly(std::string_view text, const std::string& name) {
-  std::vector<std::set<std::string>> open;
-  std::string repeated;
-  const auto watch_keys = [&](int, Node::parse_event_t event, Node& value) {
-    if (event == Node::parse_event_t::object_start) open.emplace_back();
-    if (event == Node::parse_event_t::object_end) open.pop_back();
-    if (event == Node::parse_event_t::key && !open.back().insert(value.get<std::string>()).second &&
-        repeated.empty())
-      repeated = value.get<std::string>();
-    return true;
+// "number overflow parsing '1e999'" comes without a place.
+std::string overflow_message(const std::exception& error, std::string_view document) {
+  std::string message = parser_message(error);
+  const auto quote = message.find('\'');
+  if (quote == std::string::npos) return message;
+  const auto at = document.find(message.substr(quote + 1, message.rfind('\'') - quote - 1));
+  if (at == std::string_view::npos) return message;
+  return fmt::format("{} at line {}", message, 1 + std::count(document.begin(), document.begin() + at, '\n'));
+}
+
+// Follows the parser and keeps the path of the first key that an object has twice; the parser would silently
+// take the last.
+class KeyWatcher {
+ public:
+  void see(Node::parse_event_t event, const Node& value) {
+    switch (event) {
+      case Node::parse_event_t::object_start:
+      case Node::parse_event_t::array_start:
+        open_.push_back({event == Node::parse_event_t::array_start, 0, {}, {}});
+        break;
+      case Node::parse_event_t::key:
+        open_.back().key = value.get<std::string>();
+        if (!open_.back().keys.insert(open_.back().key).second && repeated_.empty()) repeated_ = path();
+        break;
+      case Node::parse_event_t::object_end:
+      case Node::parse_event_t::array_end:
+        open_.pop_back();
+        [[fallthrough]];
+      case Node::parse_event_t::value:
+        if (!open_.empty()) ++open_.back().index;
+        break;
+    }
+  }
+
+  const std::string& repeated() const { return repeated_; }
+
+ private:
+  struct Level {
+    bool is_array;
+    std::size_t index;
+    std::string key;
+    std::set<std::string> keys;
   };
+
+  std::string path() const {
+    std::string path;
+    for (const Level& level : open_)
+      path += level.is_array ? fmt::format("[{}]", level.index) : (path.empty() ? "" : ".") + level.key;
+    return path;
+  }
+
+  std::vector<Level> open_;
+  std::string repeated_;
+};
+
+Node parse_strictly(std::string_view text, const std::string& name) {
+  KeyWatcher keys;
   try {
-    Node root = Node::parse(text, watch_keys, true, true);
-    if (!repeated.empty())
-      throw InputError(name, fmt::format("key '{}' stands twice in one object", repeated),
-                       "remove one of them");
+    Node root = Node::parse(
+        text,
+        [&](int, Node::parse_event_t event, const Node& value) {
+          keys.see(event, value);
+          return true;
+        },
+        true, true);
+    if (!keys.repeated().empty())
+      throw InputError(name + ": " + keys.repeated(), "stands twice in its object", "remove one of them");
     return root;
+  } catch (const Node::out_of_range& error) {
+    throw InputError(name, "has a number beyond all bounds (" + overflow_message(error, text) + ")",
+                     "correct it there");
   } catch (const Node::exception& error) {
     throw InputError(name, "is not valid JSON (" + parser_message(error) + ")", "correct it there");
   }

@@ -23,4 +23,7 @@ std::vector<std::string_view> split(std::string_view line, char separator);
 
 std::string_view trim(std::string_view text);
 
+/// Whether the bytes are well-formed UTF-8 (RFC 3629).
+bool is_utf8(std::string_view text);
+
 }  // namespace shelfbeam

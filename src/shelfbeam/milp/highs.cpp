@@ -85,13 +85,17 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
   const SchedulerGuard guard;
   const double scale = detail::objective_scale(model);
   const unsigned asked = options.threads != 0 ? options.threads : control.threads;
-  const unsigned threads = asked != 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
+  // Its workers spin: more than there are cores only get in each other's way.
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned threads = asked != 0 ? std::min(asked, cores) : cores;
 
   Highs highs;
   highs.setOptionValue("output_flag", false);
   highs.setOptionValue("threads", static_cast<HighsInt>(threads));
   highs.setOptionValue("mip_rel_gap", options.relative_gap);
   highs.setOptionValue("mip_abs_gap", 0.0);
+  // At the default of 1e-6, values such as -2e-7 pass as whole and whole objectives are pruned one too far.
+  highs.setOptionValue("mip_feasibility_tolerance", 1e-7);
   highs.setOptionValue("time_limit", std::max(options.time_limit_s, 0.0));
   if (highs.passModel(to_highs(model, scale)) == HighsStatus::kError) return {};
 

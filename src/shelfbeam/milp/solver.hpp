@@ -36,7 +36,7 @@ struct Result {
 ///
 /// `solve` is silent and reports incumbent and bound to `control.progress`. Costs of any magnitude are fine
 /// (they are scaled inside); rows should have coefficients of order 1, because solvers test them with an
-/// absolute tolerance of 1e-6. Whatever the solver says has been through `verified` (verify.hpp).
+/// absolute tolerance of about 1e-7. Whatever the solver says has been through `verified` (verify.hpp).
 /// `read` reads an MPS or LP file (by its ending) with the solver's own reader; throws InputError.
 struct Backend {
   std::string_view name;

@@ -1,6 +1,7 @@
 #include "shelfbeam/placement/detail/cover_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "shelfbeam/milp/verify.hpp"
@@ -15,18 +16,19 @@ namespace {
 // right-hand side is a relaxation: bounds stay valid, and the checker judges selections.
 constexpr double negligible = 1e-8;
 
-// Solvers compare sums with tolerances of 1e-9 to 1e-6, in presolve to either side. Rows of sums are relaxed
-// by this much, so that nothing the contract allows is lost (HiGHS 1.10 did lose selections that meet a row
-// by less than 1e-9); what the contract does not allow is cut off again.
-constexpr double row_slack = 1e-7;
+// Solvers compare sums with tolerances of 1e-9 to 1e-7, in presolve to either side, and prune wrongly what
+// lies that near to a row's bound. So coefficients are rounded up to this grid, another relaxation: a
+// selection that the contract allows then reaches 1 exactly, and no sum comes nearer to the bound, half a
+// step lower, than half a step.
+constexpr double steps = 1 << 20;
 
 milp::Row relaxed(milp::Row row) {
-  row.lower -= row_slack;
+  row.lower = 1 - 0.5 / steps;
   for (milp::Entry& entry : row.entries) {
-    entry.value = std::min(entry.value, 1.0);
     if (entry.value < negligible) row.lower -= entry.value;
+    entry.value = entry.value < negligible ? 0 : std::ceil(std::min(entry.value, 1.0) * steps) / steps;
   }
-  std::erase_if(row.entries, [](const milp::Entry& entry) { return entry.value < negligible; });
+  std::erase_if(row.entries, [](const milp::Entry& entry) { return entry.value == 0; });
   return row;
 }
 
@@ -47,11 +49,17 @@ double CoverModel::seconds_left() const {
   return time_limit_s_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, std::optional<std::size_t> count) {
+CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double known,
+                                         std::optional<std::size_t> count) {
   Outcome outcome;
   if (seconds_left() <= 0 || control_.cancelled()) return outcome;
   if (!built_) build();
-  for (std::size_t j = 0; j < cost.size(); ++j) model_.columns[j].cost = cost[j];
+  for (std::size_t j = 0; j < cost.size(); ++j) {
+    milp::Column& column = model_.columns[j];
+    const bool too_dear = column.lower == 0 && cost[j] > known * (1 + 1e-9);
+    column.cost = too_dear ? 0 : cost[j];
+    column.upper = too_dear ? 0 : 1;
+  }
   milp::Row count_row;
   if (count) {
     count_row.lower = count_row.upper = static_cast<double>(*count);

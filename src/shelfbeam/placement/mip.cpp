@@ -63,7 +63,7 @@ struct Search {
   MipAnswer lexicographic() {
     MipAnswer answer;
     const std::vector<double> ones = first_objective(table, question);
-    const auto fewest = model.minimise(ones);
+    const auto fewest = model.minimise(ones, static_cast<double>(incumbent.count()));
     incumbent.offer(fewest.selected);
     answer.solver_failed = fewest.failed;
     const auto count = static_cast<double>(incumbent.count());
@@ -81,7 +81,7 @@ struct Search {
     double bound = bounds.cheapest(static_cast<std::size_t>(proven_count));
     bool is_optimal = is_fewest && closes(bound, incumbent.value());
     if (is_fewest && !is_optimal) {
-      const auto best = model.minimise(cost, incumbent.count());
+      const auto best = model.minimise(cost, incumbent.value(), incumbent.count());
       incumbent.offer(best.selected);
       answer.solver_failed = answer.solver_failed || best.failed;
       bound = std::max(bound, bounds.rounded(best.bound));
@@ -99,7 +99,7 @@ struct Search {
     double bound = bounds.cheapest(count);
     bool is_optimal = closes(bound, incumbent.value());
     if (!is_optimal) {
-      const auto best = model.minimise(cost);
+      const auto best = model.minimise(cost, incumbent.value());
       incumbent.offer(best.selected);
       answer.solver_failed = best.failed;
       bound = std::max(bound, bounds.rounded(best.bound));

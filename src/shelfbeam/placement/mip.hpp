@@ -22,10 +22,10 @@ struct MipAnswer {
 
 /// Answers a feasible question with a MIP solver, starting from `start`, a selection that meets every label.
 ///
-/// Rows are those of placement_model, clipped to a_ij = min(1, M_ij / (gamma_i tau_i)) and relaxed by 1e-7. A
-/// selection that the checker rejects is cut off and the model solved again. The time limit covers
-/// everything; without any time, `solve` may be empty, and the answer is `start` with the bounds that need no
-/// search.
+/// Rows are those of placement_model with a_ij = min(1, M_ij / (gamma_i tau_i)), rounded up to multiples of
+/// 2^-20 where units cooperate. A selection that the checker rejects is cut off and the model solved again.
+/// The time limit covers everything; without any time, `solve` may be empty, and the answer is `start` with
+/// the bounds that need no search.
 MipAnswer place_by_mip(const SignalTable& table, const Question& question, std::vector<std::uint32_t> start,
                        const SolveFunction& solve, double time_limit_s, const RunControl& control);
 

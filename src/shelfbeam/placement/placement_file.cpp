@@ -11,6 +11,7 @@
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/names.hpp"
 
 namespace shelfbeam {
@@ -86,6 +87,16 @@ std::vector<Unreachable> read_unreachable(const JsonCursor& cursor, const Signal
   return result;
 }
 
+// Share of the labels that two or more of the selected units reach alone: "Redundant" of the paper's
+// Table 3.1.
+double redundant_share(const Placement& placement, const SignalTable& table) {
+  if (table.rows() == 0) return 0;
+  const Check check = check_selection(table, placement.question, placement.selected);
+  const auto redundant = std::count_if(check.serving.begin(), check.serving.end(),
+                                       [](std::uint32_t units) { return units >= 2; });
+  return static_cast<double>(redundant) / static_cast<double>(table.rows());
+}
+
 }  // namespace
 
 std::string placement_json(const Placement& placement, const SignalTable& table) {
@@ -108,6 +119,7 @@ std::string placement_json(const Placement& placement, const SignalTable& table)
                      {"lower_bound", number(placement.lower_bound)},
                      {"gap", number(placement.gap())},
                      {"unit_costs", placement.unit_costs},
+                     {"redundant_share", redundant_share(placement, table)},
                      {"status", name_of(status_names, placement.status)},
                      {"solver", placement.solver},
                      {"seconds", number(placement.seconds)},
@@ -118,8 +130,8 @@ std::string placement_json(const Placement& placement, const SignalTable& table)
 Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
   const JsonCursor file = JsonCursor::parse_file(path);
   file.expect_keys({"format", "model", "objective", "combination", "share", "selected", "count",
-                    "count_lower_bound", "objective_value", "lower_bound", "gap", "unit_costs", "status",
-                    "solver", "seconds", "unreachable", "certificate"});
+                    "count_lower_bound", "objective_value", "lower_bound", "gap", "unit_costs",
+                    "redundant_share", "status", "solver", "seconds", "unreachable", "certificate"});
   file["format"].integer(1, 1);
   Placement placement;
   placement.question.model = named(file["model"], model_names);

@@ -17,7 +17,7 @@ std::string card(const std::string& name, const std::string& value, const std::s
 }
 
 std::string shortfall(const Unreachable& label) {
-  if (label.most <= 0) return "no signal";
+  if (label.most <= 0) return "no light arrives at all: is it inside something, or facing into it?";
   const double db = -margin_db(label.most, label.requirement);
   return fixed(db, db < 0.095 ? 2 : 1) + "\u00A0dB";
 }
@@ -34,12 +34,16 @@ std::string answer_section(const ReportData& data) {
   constexpr const char* verdicts[] = {"Solved", "Open", "Not possible"};
   const Headline line = headline(data);
   const auto tone = static_cast<std::size_t>(line.tone);
+  std::string verdict = verdicts[tone];
+  // A proof on a matrix that other samples would change is less than the word alone promises.
+  if (line.tone == Headline::Tone::yes && data.uncertain > 0)
+    verdict += fmt::format(", {} uncertain", counted(data.uncertain, "label"));
   const std::string& name = data.input.scene.name;
   std::string html = fmt::format(
       "<header class=\"{}\">\n<p class=\"kicker\">Transceiver placement <span "
       "class=\"verdict\">{}</span></p>\n"
       "<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
-      tones[tone], verdicts[tone], escape(name.empty() ? "Store" : name), escape(line.answer));
+      tones[tone], verdict, escape(name.empty() ? "Store" : name), escape(line.answer));
   for (const std::string& remark : line.remarks) html += paragraph(remark, "remark");
   return html + "</header>\n";
 }
@@ -91,7 +95,7 @@ std::string unreachable_section(const ReportData& data) {
                    {"Height (m)"},
                    {fmt::format("Needs ({})", data.unit.name)},
                    {fmt::format("Could get at most ({})", data.unit.name)},
-                   {"Short by"}});
+                   {"Short by", true, true}});
   for (std::size_t k = 0; k < std::min(worst.size(), most_rows); ++k) {
     const LabelRow& label = data.label(worst[k].label);
     table.add_row({label.id, fixed(label.position.x, 2), fixed(label.position.y, 2),

@@ -1,3 +1,5 @@
+#include "shelfbeam/base/csv.hpp"
+
 #include <cmath>
 #include <initializer_list>
 #include <map>
@@ -12,19 +14,6 @@
 namespace shelfbeam {
 
 namespace {
-
-// Quoted as RFC 4180 asks, and where a reader would trim blanks.
-std::string field(std::string_view text) {
-  const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos &&
-                     (text.empty() || (text.front() != ' ' && text.back() != ' '));
-  if (plain) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c;
-    if (c == '"') quoted += c;
-  }
-  return quoted + '"';
-}
 
 // Nine significant digits keep 32-bit values; nothing for what is not a number.
 std::string field(double value) {
@@ -53,11 +42,12 @@ std::string labels_csv(const ReportInput& input) {
     std::string serving;
     for (const std::uint32_t column : result.reached_by)
       serving += (serving.empty() ? "" : ";") + matrix.transceivers[column].id;
-    csv += row({field(label.id), field(label.position.x), field(label.position.y), field(label.position.z),
-                field(label.normal.x), field(label.normal.y), field(label.normal.z), field(label.type),
-                field(label.requirement), field(result.signal), field(result.margin()),
-                has_direct && result.signal > 0 ? field(result.direct / result.signal) : "", field(serving),
-                result.strongest ? field(matrix.transceivers[*result.strongest].id) : ""});
+    csv +=
+        row({csv_field(label.id), field(label.position.x), field(label.position.y), field(label.position.z),
+             field(label.normal.x), field(label.normal.y), field(label.normal.z), csv_field(label.type),
+             field(label.requirement), field(result.signal), field(result.margin()),
+             has_direct && result.signal > 0 ? field(result.direct / result.signal) : "", csv_field(serving),
+             result.strongest ? csv_field(matrix.transceivers[*result.strongest].id) : ""});
   }
   return csv;
 }
@@ -72,10 +62,11 @@ std::string placement_csv(const ReportInput& input) {
   for (const UnitOutcome& unit : outcome.units) {
     const TransceiverColumn& t = matrix.transceivers[unit.column];
     const auto roll = roll_deg.find(t.id);
-    csv += row({field(t.id), field(t.position.x), field(t.position.y), field(t.position.z), field(t.axis.x),
-                field(t.axis.y), field(t.axis.z), field(roll == roll_deg.end() ? 0 : roll->second),
-                field(t.type), field(t.cost), t.installed ? "1" : "0", fmt::format("{}", unit.reaches_alone),
-                fmt::format("{}", unit.strongest_for), fmt::format("{}", unit.needed_by)});
+    csv +=
+        row({csv_field(t.id), field(t.position.x), field(t.position.y), field(t.position.z), field(t.axis.x),
+             field(t.axis.y), field(t.axis.z), field(roll == roll_deg.end() ? 0 : roll->second),
+             csv_field(t.type), field(t.cost), t.installed ? "1" : "0", fmt::format("{}", unit.reaches_alone),
+             fmt::format("{}", unit.strongest_for), fmt::format("{}", unit.needed_by)});
   }
   return csv;
 }

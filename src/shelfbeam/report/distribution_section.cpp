@@ -51,6 +51,7 @@ std::vector<HistogramChart::Tick> requirement_lines(const ReportData& data) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   std::vector<HistogramChart::Tick> lines;
+  lines.reserve(values.size());
   for (const double value : values) lines.push_back({std::log10(value), ""});
   if (lines.size() > 4) lines = {lines.front(), lines.back()};
   if (!lines.empty()) lines.front().text = lines.size() > 1 ? "requirements" : "requirement";

@@ -25,6 +25,10 @@ std::string range(std::uint64_t least, std::uint64_t most) {
   return least == most ? grouped(least) : grouped(least) + " to " + grouped(most);
 }
 
+double share_of(std::size_t part, std::size_t all) {
+  return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
+}
+
 std::string placement_facts(const ReportData& data) {
   const Placement& placement = data.input.placement;
   const Question& question = placement.question;
@@ -40,9 +44,16 @@ std::string placement_facts(const ReportData& data) {
     facts.add("Transceivers", grouped(placement.count()));
     facts.add("At least needed", grouped(least_count(placement)));
     facts.add("Gap of the number", percent(count_gap(placement)));
-    facts.add("Objective value", plain(placement.objective_value));
-    facts.add("Bound of the objective", plain(placement.lower_bound));
-    facts.add("Gap of the objective", percent(placement.gap()));
+    // For the number alone these would say the same again.
+    if (question.objective != Objective::count || question.combination == Combination::weighted) {
+      facts.add("Objective value", plain(placement.objective_value));
+      facts.add("Bound of the objective", plain(placement.lower_bound));
+      facts.add("Gap of the objective", percent(placement.gap()));
+    }
+    const std::size_t labels = data.outcome.labels.size();
+    facts.add("Labels reached by two or more units, each alone (redundant)",
+              fmt::format("{} of {} ({})", grouped(data.outcome.redundant), grouped(labels),
+                          percent(share_of(data.outcome.redundant, labels))));
   } else if (placement.status != Status::infeasible) {
     facts.add("At least needed", grouped(least_count(placement)));
   }
@@ -58,10 +69,8 @@ std::string simulation_facts(const ReportData& data) {
   facts.add("Batches a label", range(s.least_batches, s.most_batches));
   facts.add("Estimator", matrix.provenance.estimator);
   facts.add("Wavelength", plain(matrix.wavelength_nm) + "\u00A0nm");
-  facts.add("Entries without signal",
-            fmt::format(
-                "{} of {} ({})", grouped(s.zeros), grouped(s.entries),
-                percent(s.entries == 0 ? 0 : static_cast<double>(s.zeros) / static_cast<double>(s.entries))));
+  facts.add("Entries without signal", fmt::format("{} of {} ({})", grouped(s.zeros), grouped(s.entries),
+                                                  percent(share_of(s.zeros, s.entries))));
   facts.add(fmt::format("Entries from {} of the requirement", percent(relevant_share, 0)),
             grouped(s.relevant));
   if (s.has_errors && s.relevant > 0) {

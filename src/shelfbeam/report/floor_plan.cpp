@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/elevation.hpp"
+#include "shelfbeam/report/fixture_ids.hpp"
 #include "shelfbeam/report/part_drawing.hpp"
 #include "shelfbeam/report/plan_view.hpp"
 #include "shelfbeam/report/report.hpp"
@@ -27,7 +28,7 @@ void draw_labels(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
     const std::string from = coordinate(at.x) + " " + coordinate(at.y);
     const std::string step = coordinate(tick * label.normal.x) + " " + coordinate(-tick * label.normal.y);
     if (!drawn.emplace(from, step).second) continue;
-    ticks += "M" + from + "l" + step;
+    ticks += fmt::format("M{}l{}", from, step);
     dots += fmt::format("M{0} {1}a{2} {2} 0 1 0 {3} 0a{2} {2} 0 1 0 -{3} 0", coordinate(at.x - dot),
                         coordinate(at.y), coordinate(dot), coordinate(2 * dot));
   }

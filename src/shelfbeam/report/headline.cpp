@@ -90,6 +90,14 @@ Headline infeasible(const ReportData& data) {
   if (lost > 0)
     result.answer = fmt::format("No selection can do it: {} of {} cannot be reached, {}.", grouped(lost),
                                 counted(all, "label"), candidates_text(data));
+  const auto dark = std::count_if(placement.unreachable.begin(), placement.unreachable.end(),
+                                  [](const Unreachable& label) { return label.most <= 0; });
+  if (dark > 0)
+    result.remarks.push_back(
+        dark == 1 ? "At one of them no light arrives at all: is it inside something, or facing into it?"
+                  : fmt::format("At {} of them no light arrives at all: are they inside something, or facing "
+                                "into it?",
+                                grouped(static_cast<std::uint64_t>(dark))));
   result.remarks.push_back(
       "What helps: candidates in more places, stronger units, or labels that need less signal. The plans "
       "below "
@@ -115,6 +123,10 @@ Headline nothing_found(const ReportData& data) {
 std::string objective_remark(const Placement& placement) {
   const Question& question = placement.question;
   if (question.objective == Objective::count && question.combination == Combination::lexicographic) return {};
+  if (question.combination == Combination::lexicographic &&
+      (placement.status == Status::feasible || !count_is_proven(placement)))
+    return fmt::format("The second aim, the least sum over {}, was not searched for: the number comes first.",
+                       what_is_minimised(question));
   const std::string value = plain(placement.objective_value);
   const std::string bound = plain(placement.lower_bound);
   const bool proven = placement.status == Status::optimal;
@@ -128,6 +140,16 @@ std::string objective_remark(const Placement& placement) {
     text += fmt::format("; at least {} is proven (gap {})", bound, percent(placement.gap()));
   text += placement.unit_costs ? ". No costs were given, so each counts 1." : ".";
   return text;
+}
+
+std::string closeness_remark(const ReportData& data) {
+  if (data.uncertain == 0) return {};
+  const bool one = data.uncertain == 1;
+  return fmt::format(
+      "At least {} so close to {} that other random samples could turn the verdict: within two standard "
+      "errors, counting only that of the largest contribution. More samples would tell.",
+      one ? "one label lies" : counted(data.uncertain, "label") + " lie",
+      one ? "its requirement" : "their requirements");
 }
 
 std::string sampling_remark(const ReportData& data) {
@@ -181,7 +203,7 @@ std::string status_name(Status status) {
     case Status::infeasible:
       return "infeasible (proven)";
     case Status::stopped:
-      return "stopped by a limit";
+      return "stopped early";
   }
   return {};
 }
@@ -191,9 +213,12 @@ Headline headline(const ReportData& data) {
   Headline result = data.has_selection()                     ? with_selection(data)
                     : placement.status == Status::infeasible ? infeasible(data)
                                                              : nothing_found(data);
-  if (data.has_selection())
+  if (data.has_selection()) {
+    if (std::string remark = closeness_remark(data); !remark.empty())
+      result.remarks.insert(result.remarks.begin(), std::move(remark));
     if (std::string remark = objective_remark(placement); !remark.empty())
       result.remarks.push_back(std::move(remark));
+  }
   result.remarks.push_back(sampling_remark(data));
   return result;
 }

@@ -1,6 +1,7 @@
 #include "shelfbeam/report/histogram_chart.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "shelfbeam/report/scale.hpp"
 #include "shelfbeam/report/svg.hpp"
@@ -27,7 +28,7 @@ std::string histogram_svg(const HistogramChart& chart) {
   SvgCanvas canvas;
   for (const double value : multiples(0, most, step)) {
     if (value > 0) canvas.line({left, y(value)}, {width - right, y(value)}, "grid");
-    canvas.text({left - 8, y(value) + 4}, grouped(static_cast<std::uint64_t>(value + 0.5)), "t end");
+    canvas.text({left - 8, y(value) + 4}, grouped(static_cast<std::uint64_t>(std::lround(value))), "t end");
   }
   for (const auto& bar : chart.bars) {
     if (bar.height <= 0) continue;

@@ -10,18 +10,26 @@ namespace shelfbeam {
 
 HtmlTable::HtmlTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
+namespace {
+
+std::string class_attribute(const HtmlTable::Column& column) {
+  const char* const names[] = {"", " class=\"n\"", " class=\"w\"", " class=\"n w\""};
+  return names[(column.number ? 1 : 0) + (column.wraps ? 2 : 0)];
+}
+
+}  // namespace
+
 void HtmlTable::add_row(const std::vector<std::string>& cells) {
   rows_ += "<tr>";
   for (std::size_t k = 0; k < cells.size(); ++k)
-    rows_ += fmt::format("<td{}>{}</td>", columns_[k].number ? " class=\"n\"" : "", escape(cells[k]));
+    rows_ += fmt::format("<td{}>{}</td>", class_attribute(columns_[k]), escape(cells[k]));
   rows_ += "</tr>\n";
 }
 
 std::string HtmlTable::html() const {
   std::string head;
   for (const Column& column : columns_)
-    head +=
-        fmt::format("<th scope=\"col\"{}>{}</th>", column.number ? " class=\"n\"" : "", escape(column.head));
+    head += fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(column), escape(column.head));
   return fmt::format(
       "<div class=\"scroll\" "
       "tabindex=\"0\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",

@@ -11,6 +11,7 @@ class HtmlTable {
   struct Column {
     std::string head;
     bool number = true;  ///< right-aligned
+    bool wraps = false;  ///< may break its cells into lines
   };
 
   explicit HtmlTable(std::vector<Column> columns);

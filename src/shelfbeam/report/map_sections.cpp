@@ -5,6 +5,17 @@
 
 namespace shelfbeam {
 
+namespace {
+
+// What the tenth of the labels with the least direct light has of it.
+std::string least_tenth(double direct_share) {
+  if (direct_share <= 0) return "one in ten gets no direct light";
+  if (direct_share < 0.0005) return "one label in ten has less than 0.1\u00A0%";
+  return fmt::format("one label in ten has {} or less", percent(direct_share));
+}
+
+}  // namespace
+
 std::string margin_section(const ReportData& data, const Maps& maps) {
   if (data.levels.empty()) return {};
   std::string html =
@@ -32,12 +43,11 @@ std::string reflection_section(const ReportData& data, const Maps& maps) {
   std::string html =
       paragraph(fmt::format("By direct light alone, {} of {} would be reached; with the light that floor, "
                             "ceiling, shelves and goods "
-                            "throw back, {} are. The direct share of a label's signal has the median {}; one "
-                            "label in ten has {} or less, "
-                            "one in ten {} or more.",
+                            "throw back, {} are. The direct share of a label's signal has the median {}; {}, "
+                            "one in ten has {} or more.",
                             grouped(data.outcome.met_by_direct), counted(data.outcome.labels.size(), "label"),
                             grouped(data.outcome.met), percent(quantile(shares, 0.5)),
-                            percent(quantile(shares, 0.1)), percent(quantile(shares, 0.9))));
+                            least_tenth(quantile(shares, 0.1)), percent(quantile(shares, 0.9))));
   html += paragraph(fmt::format("Signal of the chosen units at level {}, {}, both in one logarithmic scale:",
                                 level + 1, data.levels[level].heights()));
   html += maps.signal_maps(level);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/report/fixture_ids.hpp"
 #include "shelfbeam/report/store_layer.hpp"
 
 namespace shelfbeam {

@@ -68,12 +68,26 @@ std::vector<double> Outcome::direct_shares() const {
   return shares;
 }
 
+std::vector<std::uint32_t> Outcome::served_by(std::size_t k) const {
+  const UnitOutcome& unit = units[k];
+  std::vector<std::uint32_t> served;
+  for (std::uint32_t i = 0; i < labels.size(); ++i) {
+    const auto& alone = labels[i].reached_by;
+    const bool serves = unit.reaches_alone > 0
+                            ? std::find(alone.begin(), alone.end(), unit.column) != alone.end()
+                            : labels[i].strongest == unit.column;
+    if (serves) served.push_back(i);
+  }
+  return served;
+}
+
 Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
   Outcome outcome;
   for (const std::uint32_t column : placement.selected) outcome.units.push_back({column, 0, 0, 0});
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     LabelOutcome label = label_outcome(matrix, placement, i);
     if (label.met) ++outcome.met;
+    if (label.reached_by.size() > 1) ++outcome.redundant;
     if (label.met && is_met(label.direct, label.requirement)) ++outcome.met_by_direct;
     for (UnitOutcome& unit : outcome.units) {
       if (is_met(static_cast<double>(matrix.mean[matrix.at(i, unit.column)]), label.requirement))

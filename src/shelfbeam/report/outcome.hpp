@@ -37,11 +37,15 @@ struct UnitOutcome {
 /// A placement seen from every label and every chosen unit, recomputed from the matrix in double precision.
 struct Outcome {
   std::vector<LabelOutcome> labels;
-  std::vector<UnitOutcome> units;             ///< in the order of Placement::selected
-  std::vector<std::uint32_t> by_margin;       ///< labels, least margin first
-  std::size_t met = 0;                        ///< labels that are met
-  std::size_t met_by_direct = 0;              ///< labels that would be, were nothing reflected
+  std::vector<UnitOutcome> units;        ///< in the order of Placement::selected
+  std::vector<std::uint32_t> by_margin;  ///< labels, least margin first
+  std::size_t met = 0;                   ///< labels that are met
+  std::size_t met_by_direct = 0;         ///< labels that would be, were nothing reflected
+  std::size_t redundant = 0;             ///< labels that two or more chosen units reach alone (Table 3.1)
   std::vector<double> direct_shares() const;  ///< direct / signal of every label with signal, label order
+
+  /// Labels that chosen unit k reaches alone; where there are none, those it is strongest for.
+  std::vector<std::uint32_t> served_by(std::size_t k) const;
 };
 
 Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement);

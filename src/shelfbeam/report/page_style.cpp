@@ -56,6 +56,15 @@ table{border-collapse:collapse;width:100%;font-size:.9rem;font-variant-numeric:t
 th,td{padding:7px 12px;text-align:left;white-space:nowrap;border-top:1px solid var(--line)}
 thead th{border-top:0;font-weight:600;color:var(--muted);font-size:.82rem;vertical-align:bottom;white-space:normal;min-width:4.6em}
 .n{text-align:right}
+td.w{white-space:normal;min-width:11em}
+details{margin-top:12px;background:var(--card);border:1px solid var(--line);border-radius:8px;padding:10px 14px}
+summary{font-weight:600;cursor:pointer}
+.serves{margin:10px 0 0;font-size:.88rem}
+.serves dt{font-weight:600}
+.serves span{font-weight:400;color:var(--muted)}
+.serves dd{margin:0 0 10px}
+.serves ul{margin:0;padding:0}
+.serves li{display:inline-block;margin-right:.8em;max-width:100%;overflow-wrap:anywhere}
 tr>:first-child{position:sticky;left:0;background:var(--card)}
 .facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:16px}
 .facts>div{background:var(--card);border:1px solid var(--line);border-radius:8px;padding:14px 16px;min-width:0}
@@ -88,6 +97,10 @@ text{fill:var(--ink);font-family:inherit}
 .bar{fill:var(--m5)}.short{fill:var(--m1)}
 .mark{stroke:var(--strong);stroke-width:1.6;stroke-dasharray:5 3}
 .chart{--fs:13px}
+@media (max-width:1079px){
+.cards{grid-template-columns:repeat(3,1fr)}
+th,td{padding:7px 6px}
+}
 @media (max-width:720px){
 main{padding:24px 14px 40px}
 section{margin-top:38px}
@@ -121,6 +134,10 @@ th,td{padding:1.2mm 1.6mm}
 .m{max-height:92mm;width:auto;max-width:100%;margin:0 auto}
 .m.half{max-height:none;width:100%}
 .chart{--fs:15px}
+summary{list-style:none}summary::-webkit-details-marker{display:none}
+details::details-content{display:block;content-visibility:visible;height:auto}
+details{border-color:#c4cbd1;padding:2mm 3mm}
+.serves{font-size:8pt}
 figure{margin-bottom:5mm;padding:3mm 4mm}
 .legend{gap:1mm 4mm;font-size:8pt;margin-top:2mm}
 .key{width:4.5mm;height:4.5mm}

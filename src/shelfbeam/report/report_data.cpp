@@ -18,6 +18,7 @@ ReportData::ReportData(const ReportInput& report_input)
     : input(report_input),
       outcome(outcome_of(input.matrix, input.placement)),
       sampling(sampling_summary(input.matrix)),
+      uncertain(uncertain_labels(input.matrix, outcome)),
       unit(unit_of(input.matrix)) {
   std::vector<double> heights;
   for (const LabelRow& label : input.matrix.labels) heights.push_back(label.position.z);

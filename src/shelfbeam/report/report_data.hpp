@@ -17,6 +17,7 @@ struct ReportData {
   const ReportInput& input;
   Outcome outcome;
   SamplingSummary sampling;
+  std::size_t uncertain;  ///< labels that sampling error could turn
   std::vector<ShelfLevel> levels;
   SignalUnit unit;
 

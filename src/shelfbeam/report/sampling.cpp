@@ -1,10 +1,9 @@
 #include "shelfbeam/report/sampling.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
-
-#include "shelfbeam/report/outcome.hpp"
 
 namespace shelfbeam {
 
@@ -38,6 +37,18 @@ SamplingSummary sampling_summary(const SignalMatrix& matrix) {
   summary.p99 = quantile(relative, 0.99);
   summary.worst = relative.back();
   return summary;
+}
+
+std::size_t uncertain_labels(const SignalMatrix& matrix, const Outcome& outcome) {
+  if (matrix.standard_error.size() != matrix.mean.size()) return 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < outcome.labels.size(); ++i) {
+    const LabelOutcome& label = outcome.labels[i];
+    if (!label.strongest) continue;
+    const auto error = static_cast<double>(matrix.standard_error[matrix.at(i, *label.strongest)]);
+    if (std::abs(label.signal - label.requirement) < 2 * error) ++count;
+  }
+  return count;
 }
 
 }  // namespace shelfbeam

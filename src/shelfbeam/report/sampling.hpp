@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "shelfbeam/report/outcome.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 
 namespace shelfbeam {
@@ -24,5 +25,9 @@ struct SamplingSummary {
 };
 
 SamplingSummary sampling_summary(const SignalMatrix& matrix);
+
+/// Labels whose signal lies within two standard errors of their requirement, so that other samples could turn
+/// the verdict. Of a sum only the error of its largest entry is known: rather too few than too many.
+std::size_t uncertain_labels(const SignalMatrix& matrix, const Outcome& outcome);
 
 }  // namespace shelfbeam

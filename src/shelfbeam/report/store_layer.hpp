@@ -11,9 +11,6 @@ namespace shelfbeam {
 /// Footprints of all fixtures in plain colours, a background for what stands in front of them.
 void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
 
-/// The fixtures' ids, along their long sides; beside what is too small to hold a text.
-void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
-
 /// Small crosses as one path.
 void draw_crosses(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> positions, double arm,
                   std::string_view css_class);

@@ -3,9 +3,35 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/html_table.hpp"
+#include "shelfbeam/report/id_ranges.hpp"
 #include "shelfbeam/report/sections.hpp"
 
 namespace shelfbeam {
+
+namespace {
+
+std::string served_labels(const ReportData& data) {
+  std::string list;
+  for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
+    const UnitOutcome& unit = data.outcome.units[k];
+    std::vector<std::string> ids;
+    for (const std::uint32_t row : data.outcome.served_by(k)) ids.push_back(data.label(row).id);
+    const char* const how = unit.reaches_alone > 0 ? "reaches alone"
+                            : ids.empty()          ? "is strongest for no label"
+                                                   : "reaches none alone, is strongest for";
+    list += fmt::format("<dt>{}: {} <span>{}{}</span></dt><dd><ul>", k + 1,
+                        escape(data.transceiver(unit.column).id), how,
+                        ids.empty() ? "" : " " + counted(ids.size(), "label"));
+    for (const std::string& range : id_ranges(ids)) list += fmt::format("<li>{}</li> ", escape(range));
+    list += "</ul></dd>\n";
+  }
+  return fmt::format(
+      "<details>\n<summary>The labels each unit serves</summary>\n<dl "
+      "class=\"serves\">\n{}</dl>\n</details>\n",
+      list);
+}
+
+}  // namespace
 
 std::string unit_section(const ReportData& data) {
   if (!data.has_selection()) return {};
@@ -32,7 +58,8 @@ std::string unit_section(const ReportData& data) {
           paragraph(
               "Numbers of labels: that the unit reaches without help; that get the largest part of their "
               "signal from it; that would fall below their requirement without it.",
-              "note"));
+              "note") +
+          served_labels(data));
 }
 
 std::string weakest_section(const ReportData& data) {

@@ -47,8 +47,10 @@ std::string_view face_name(Face face) {
 }
 
 std::vector<Vec2> rectangle_footprint(const Vec2& at, double length, double depth, double rotation_deg) {
-  const auto [c, s] = rotation(rotation_deg);
-  const auto turned = [&](double x, double y) { return Vec2{at[0] + c * x - s * y, at[1] + s * x + c * y}; };
+  const Rotation turn = rotation(rotation_deg);
+  const auto turned = [&](double x, double y) {
+    return Vec2{at[0] + turn.cos * x - turn.sin * y, at[1] + turn.sin * x + turn.cos * y};
+  };
   return {turned(0, 0), turned(length, 0), turned(length, depth), turned(0, depth)};
 }
 

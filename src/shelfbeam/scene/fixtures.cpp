@@ -30,6 +30,10 @@ std::uint32_t begin_fixture(Scene& scene, const std::string& id, std::string_vie
   return static_cast<std::uint32_t>(scene.fixtures.size() - 1);
 }
 
+std::uint32_t begin_fixture(Scene& scene, const Shelving& s, std::string_view type) {
+  return begin_fixture(scene, s.id, type, s.at, s.length, s.depth, s.height, s.rotation_deg);
+}
+
 // A row of goods between x = low.x and high.x, as deep as the box, standing on low.z below high.z.
 void add_goods_row(FixtureBuilder& builder, const Vec3& low, const Vec3& high, double stocking,
                    MaterialId material, const std::string& key) {
@@ -49,7 +53,7 @@ void add_goods_row(FixtureBuilder& builder, const Vec3& low, const Vec3& high, d
 }  // namespace
 
 void add_fixture(Scene& scene, const Gondola& g) {
-  const auto index = begin_fixture(scene, g.id, "gondola", g.at, g.length, g.depth, g.height, g.rotation_deg);
+  const auto index = begin_fixture(scene, g, "gondola");
   FixtureBuilder builder(scene, index, {g.at[0], g.at[1], 0}, g.rotation_deg);
 
   const bool front = std::find(g.faces.begin(), g.faces.end(), Face::front) != g.faces.end();
@@ -61,8 +65,9 @@ void add_fixture(Scene& scene, const Gondola& g) {
 
   const auto add_side = [&](Face face, double low_y, double high_y) {
     const bool faces_low = face == Face::front;
-    const double kick_low = faces_low ? low_y + kick_recess : low_y;
-    const double kick_high = faces_low ? high_y : high_y - kick_recess;
+    const double recess = std::min(kick_recess, (high_y - low_y) / 2);
+    const double kick_low = faces_low ? low_y + recess : low_y;
+    const double kick_high = faces_low ? high_y : high_y - recess;
     const double goods_low = faces_low ? low_y + goods_setback : low_y + facing_gap;
     const double goods_high = faces_low ? high_y - facing_gap : high_y - goods_setback;
     const double lowest = g.shelves.empty() ? g.height : g.shelves.front() - board_thickness / 2;
@@ -89,7 +94,7 @@ void add_fixture(Scene& scene, const Gondola& g) {
 }
 
 void add_fixture(Scene& scene, const Freezer& f) {
-  const auto index = begin_fixture(scene, f.id, "freezer", f.at, f.length, f.depth, f.height, f.rotation_deg);
+  const auto index = begin_fixture(scene, f, "freezer");
   FixtureBuilder builder(scene, index, {f.at[0], f.at[1], 0}, f.rotation_deg);
 
   const double base = std::min(kick_height, f.height / 2), l = f.length, d = f.depth;

@@ -13,6 +13,14 @@ namespace shelfbeam {
 
 namespace {
 
+bool inside(const std::vector<Vec2>& polygon, double x, double y) {
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    if ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]) <= 0) return false;
+  }
+  return polygon.size() >= 3;
+}
+
 class SceneMaker {
  public:
   explicit SceneMaker(const Store& store) : store_(store) {}
@@ -30,6 +38,7 @@ class SceneMaker {
     add_labels();
     add_transceivers();
     mark_installed();
+    warn_of_buried();
     return std::move(scene_);
   }
 
@@ -121,6 +130,26 @@ class SceneMaker {
                          "make ids unique");
       expect_in_room(label.id, label.position, label_places_[i], "label");
     }
+  }
+
+  // A mesh is only known by its hull here, which may hold labels that stand free.
+  const std::string* fixture_around(const Vec3& p) const {
+    for (std::size_t f = 0; f < scene_.fixtures.size(); ++f) {
+      if (scene_.fixtures[f].type == "mesh" || !inside(scene_.fixtures[f].footprint, p.x, p.y)) continue;
+      for (const Part& part : scene_.parts)
+        if (part.fixture == f && p.z > part.bottom && p.z < part.top && inside(part.footprint, p.x, p.y))
+          return &scene_.fixtures[f].id;
+    }
+    return nullptr;
+  }
+
+  void warn_of_buried() {
+    const auto warn = [&](const std::string& what, const std::string& id, const Vec3& p) {
+      if (const std::string* fixture = fixture_around(p))
+        scene_.warnings.push_back(fmt::format("{} '{}' lies inside fixture '{}'", what, id, *fixture));
+    };
+    for (const Label& label : scene_.labels) warn("label", label.id, label.position);
+    for (const Transceiver& unit : scene_.transceivers) warn("transceiver", unit.id, unit.position);
   }
 
   bool kept_out(const Vec3& p) const {

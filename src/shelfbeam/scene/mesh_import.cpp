@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 #include <system_error>
@@ -15,9 +17,20 @@ namespace shelfbeam {
 
 namespace {
 
+// What is not UTF-8 shows as one '?' a byte.
 std::string material_name(const aiScene& scene, const aiMesh& mesh) {
-  const aiString name = scene.mMaterials[mesh.mMaterialIndex]->GetName();
-  return name.C_Str();
+  std::string name = scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str();
+  if (!is_utf8(name))
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) > 127; }, '?');
+  return name;
+}
+
+bool is_gltf(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".gltf" || extension == ".glb";
 }
 
 std::optional<MaterialId> mapped(const std::string& name,
@@ -47,7 +60,7 @@ MeshPiece take_piece(const aiMesh& mesh, bool y_is_up, const std::string& where)
 
 }  // namespace
 
-std::vector<MeshPiece> import_mesh(const std::filesystem::path& file, bool y_is_up,
+std::vector<MeshPiece> import_mesh(const std::filesystem::path& file, std::optional<bool> y_is_up,
                                    const std::vector<std::pair<std::string, MaterialId>>& materials,
                                    const std::string& where) {
   std::error_code ignored;
@@ -67,7 +80,7 @@ std::vector<MeshPiece> import_mesh(const std::filesystem::path& file, bool y_is_
   std::set<std::string> unmatched;
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
     const aiMesh& mesh = *scene->mMeshes[m];
-    MeshPiece piece = take_piece(mesh, y_is_up, where);
+    MeshPiece piece = take_piece(mesh, y_is_up.value_or(is_gltf(file)), where);
     if (piece.triangles.empty()) continue;
     piece.name = material_name(*scene, mesh);
     if (const auto material = mapped(piece.name, materials)) {

@@ -1,19 +1,14 @@
-#include <cmath>
+#include <system_error>
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/scene/device_csv.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store_parts.hpp"
 
 namespace shelfbeam {
 
 namespace {
-
-Vec2 read_corner(const JsonCursor& cursor) {
-  const auto v = cursor.numbers(2);
-  return {v[0], v[1]};
-}
 
 void expect_extent(const JsonCursor& cursor, const Vec2& low, const Vec2& high) {
   if (high[0] < low[0] || high[1] < low[1]) cursor["max"].fail("is below 'min'", "exchange them");
@@ -23,13 +18,13 @@ TransceiverGrid read_grid(const JsonCursor& cursor, const StoreNames& names) {
   cursor.expect_keys({"type", "min", "max", "spacing", "z", "axis", "roll_deg"});
   TransceiverGrid grid;
   grid.type = names.transceiver_type(cursor["type"]);
-  grid.min = read_corner(cursor["min"]);
-  grid.max = read_corner(cursor["max"]);
+  grid.min = read_plan_point(cursor["min"]);
+  grid.max = read_plan_point(cursor["max"]);
   expect_extent(cursor, grid.min, grid.max);
-  grid.spacing = cursor["spacing"].positive();
-  grid.z = cursor["z"].number();
+  grid.spacing = read_length(cursor["spacing"]);
+  grid.z = read_coordinate(cursor["z"]);
   if (const auto axis = cursor.find("axis")) grid.axis = read_direction(*axis);
-  if (const auto roll = cursor.find("roll_deg")) grid.roll_deg = roll->number();
+  if (const auto roll = cursor.find("roll_deg")) grid.roll_deg = read_angle_deg(*roll);
   const double count =
       ((grid.max[0] - grid.min[0]) / grid.spacing + 1) * ((grid.max[1] - grid.min[1]) / grid.spacing + 1);
   if (count > 1e6)
@@ -40,42 +35,32 @@ TransceiverGrid read_grid(const JsonCursor& cursor, const StoreNames& names) {
 Transceiver read_transceiver(const JsonCursor& cursor, const StoreNames& names) {
   cursor.expect_keys({"id", "position", "axis", "roll_deg", "type"});
   Transceiver unit;
-  unit.id = cursor["id"].text();
+  unit.id = read_name(cursor["id"]);
   unit.position = read_point(cursor["position"]);
   if (const auto axis = cursor.find("axis")) unit.axis = read_direction(*axis);
-  if (const auto roll = cursor.find("roll_deg")) unit.roll_deg = roll->number();
+  if (const auto roll = cursor.find("roll_deg")) unit.roll_deg = read_angle_deg(*roll);
   unit.type = names.transceiver_type(cursor["type"]);
   return unit;
 }
 
 std::filesystem::path csv_path(const JsonCursor& section, const std::filesystem::path& folder) {
   section.expect_keys({"csv"});
-  return folder / section["csv"].text();
+  const std::filesystem::path path = folder / section["csv"].text();
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    section["csv"].fail(fmt::format("the file '{}' does not exist", path.string()),
+                        "paths are relative to the store file");
+  return path;
 }
 
 }  // namespace
-
-Vec3 read_point(const JsonCursor& cursor) {
-  const auto v = cursor.numbers(3);
-  return {v[0], v[1], v[2]};
-}
-
-Vec3 unit_direction(const Vec3& v, const std::string& where) {
-  const double squared = length_squared(v);
-  if (!(squared > 0)) throw InputError(where, "the direction is zero", "give it a length");
-  return std::abs(squared - 1) < 1e-12 ? v : normalized(v);
-}
-
-Vec3 read_direction(const JsonCursor& cursor) {
-  return unit_direction(read_point(cursor), cursor.where());
-}
 
 void read_labels(const JsonCursor& section, const StoreNames& names, const std::filesystem::path& folder,
                  Store& store) {
   if (section.is_object()) return read_labels_csv(csv_path(section, folder), names, store);
   for (const JsonCursor& cursor : section.elements()) {
     cursor.expect_keys({"id", "position", "normal", "type"});
-    Label label{cursor["id"].text(), read_point(cursor["position"]), read_direction(cursor["normal"]),
+    Label label{read_name(cursor["id"]), read_point(cursor["position"]), read_direction(cursor["normal"]),
                 names.label_type(cursor["type"])};
     store.labels.push_back({std::move(label), cursor.where()});
   }
@@ -97,7 +82,7 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names,
   if (const auto areas = section.find("keep_out"))
     for (const JsonCursor& cursor : areas->elements()) {
       cursor.expect_keys({"min", "max"});
-      store.keep_out.push_back({read_corner(cursor["min"]), read_corner(cursor["max"])});
+      store.keep_out.push_back({read_plan_point(cursor["min"]), read_plan_point(cursor["max"])});
       expect_extent(cursor, store.keep_out.back().min, store.keep_out.back().max);
     }
   if (const auto installed = section.find("installed"))

@@ -1,18 +1,15 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store_parts.hpp"
 
 namespace shelfbeam {
 
 namespace {
-
-Vec2 read_plan_point(const JsonCursor& cursor) {
-  const auto v = cursor.numbers(2);
-  return {v[0], v[1]};
-}
 
 Face read_face(const JsonCursor& cursor, bool with_ends) {
   const std::string name =
@@ -35,9 +32,9 @@ std::vector<Face> read_faces(const JsonCursor& cursor, bool with_ends) {
   return faces;
 }
 
-double optional_number(const JsonCursor& cursor, const char* key, double fallback) {
-  const auto found = cursor.find(key);
-  return found ? found->number() : fallback;
+double read_rotation(const JsonCursor& cursor) {
+  const auto found = cursor.find("rotation_deg");
+  return found ? read_angle_deg(*found) : 0;
 }
 
 double read_stocking(const JsonCursor& cursor) {
@@ -52,7 +49,7 @@ std::optional<FixtureLabels> read_fixture_labels(const JsonCursor& fixture, cons
   cursor->expect_keys({"type", "spacing", "faces", "tilt_deg"});
   FixtureLabels labels;
   labels.type = names.label_type((*cursor)["type"]);
-  labels.spacing = (*cursor)["spacing"].positive();
+  labels.spacing = read_length((*cursor)["spacing"]);
   if (const auto faces = cursor->find("faces")) {
     labels.faces = read_faces(*faces, with_ends);
     if (!with_ends)
@@ -66,22 +63,37 @@ std::optional<FixtureLabels> read_fixture_labels(const JsonCursor& fixture, cons
   return labels;
 }
 
+// `length` is the longest face of the fixture, m.
+void expect_few(const std::optional<FixtureLabels>& labels, const JsonCursor& fixture, double length,
+                std::size_t levels) {
+  if (!labels) return;
+  const double count = length / labels->spacing * static_cast<double>(levels * labels->faces.size());
+  if (count > 1e6)
+    fixture["labels"]["spacing"].fail(fmt::format("makes {:.0f} labels", count), "use a wider spacing");
+}
+
+// What all shelving has but its labels.
+void read_shelving(const JsonCursor& c, const std::string& id, const StoreNames& names, Shelving& shelving) {
+  shelving.id = id;
+  shelving.at = read_plan_point(c["at"]);
+  shelving.rotation_deg = read_rotation(c);
+  shelving.length = read_length(c["length"]);
+  shelving.depth = read_length(c["depth"]);
+  shelving.height = read_length(c["height"]);
+  shelving.material = names.material(c["material"]);
+  const auto goods = c.find("goods");
+  shelving.goods = goods ? names.material(*goods) : shelving.material;
+  shelving.stocking = read_stocking(c);
+}
+
 Gondola read_gondola(const JsonCursor& c, const std::string& id, const StoreNames& names) {
   c.expect_keys({"type", "id", "at", "length", "depth", "height", "rotation_deg", "material", "goods",
                  "shelves", "stocking", "faces", "labels"});
   Gondola g;
-  g.id = id;
-  g.at = read_plan_point(c["at"]);
-  g.rotation_deg = optional_number(c, "rotation_deg", 0);
-  g.length = c["length"].positive();
-  g.depth = c["depth"].positive();
-  g.height = c["height"].positive();
+  read_shelving(c, id, names, g);
   if (g.depth < 0.1) c["depth"].fail("is below 0.1 m", "a back panel and a board need that much");
-  g.material = names.material(c["material"]);
-  const auto goods = c.find("goods");
-  g.goods = goods ? names.material(*goods) : g.material;
   for (const JsonCursor& shelf : c["shelves"].elements()) {
-    const double z = shelf.positive();
+    const double z = read_length(shelf);
     if (z >= g.height)
       shelf.fail(fmt::format("is at {} m, not below the height {} m", z, g.height), "lower it");
     if (z < 0.05) shelf.fail(fmt::format("is at {} m", z), "boards stand at 0.05 m or higher");
@@ -90,12 +102,13 @@ Gondola read_gondola(const JsonCursor& c, const std::string& id, const StoreName
                  "list the boards from the lowest to the highest");
     g.shelves.push_back(z);
   }
-  g.stocking = read_stocking(c);
+  if (g.shelves.size() > 50) c["shelves"].fail(fmt::format("has {} boards", g.shelves.size()), "50 at most");
   const auto faces = c.find("faces");
   g.faces = faces ? read_faces(*faces, false) : std::vector{Face::front, Face::back};
   g.labels = read_fixture_labels(c, names, g.faces, false);
   if (g.labels && g.shelves.empty())
     c["labels"].fail("has no boards to stand on", "give the fixture shelves");
+  expect_few(g.labels, c, g.length, g.shelves.size());
   return g;
 }
 
@@ -103,19 +116,11 @@ Freezer read_freezer(const JsonCursor& c, const std::string& id, const StoreName
   c.expect_keys({"type", "id", "at", "length", "depth", "height", "rotation_deg", "material", "goods",
                  "stocking", "labels"});
   Freezer f;
-  f.id = id;
-  f.at = read_plan_point(c["at"]);
-  f.rotation_deg = optional_number(c, "rotation_deg", 0);
-  f.length = c["length"].positive();
-  f.depth = c["depth"].positive();
-  f.height = c["height"].positive();
+  read_shelving(c, id, names, f);
   for (const char* key : {"length", "depth", "height"})
     if (c[key].number() < 0.3) c[key].fail("is below 0.3 m", "a tub needs that much");
-  f.material = names.material(c["material"]);
-  const auto goods = c.find("goods");
-  f.goods = goods ? names.material(*goods) : f.material;
-  f.stocking = read_stocking(c);
   f.labels = read_fixture_labels(c, names, {Face::front, Face::back}, true);
+  expect_few(f.labels, c, std::max(f.length, f.depth), 1);
   return f;
 }
 
@@ -135,7 +140,10 @@ std::vector<MeshPiece> read_inline_pieces(const JsonCursor& parts, const StoreNa
     MeshPiece piece;
     piece.name = part["name"].text();
     piece.material = names.material(part["material"]);
-    for (const JsonCursor& vertex : part["vertices"].elements()) piece.vertices.push_back(read_point(vertex));
+    for (const JsonCursor& vertex : part["vertices"].elements()) {
+      const auto v = vertex.numbers(3);
+      piece.vertices.push_back({v[0], v[1], v[2]});
+    }
     const auto last = static_cast<std::int64_t>(piece.vertices.size()) - 1;
     for (const JsonCursor& face : part["faces"].elements()) {
       const auto corners = face.elements();
@@ -152,28 +160,38 @@ std::vector<MeshPiece> read_inline_pieces(const JsonCursor& parts, const StoreNa
   return pieces;
 }
 
-MeshFixture read_mesh(const JsonCursor& c, const std::string& id, const StoreNames& names,
-                      const std::filesystem::path& folder) {
-  c.expect_keys({"type", "id", "file", "parts", "at", "rotation_deg", "scale", "up", "materials"});
-  MeshFixture m;
-  m.id = id;
-  m.at = read_point(c["at"]);
-  m.rotation_deg = optional_number(c, "rotation_deg", 0);
-  if (const auto scale = c.find("scale")) m.scale = scale->positive();
-  if (const auto parts = c.find("parts")) {
-    if (c.find("file")) c.fail("has both 'file' and 'parts'", "keep one of them");
-    m.pieces = read_inline_pieces(*parts, names);
-    return m;
-  }
+std::vector<MeshPiece> read_mesh_file(const JsonCursor& c, const StoreNames& names,
+                                      const std::filesystem::path& folder) {
   const JsonCursor file = c["file"];
   const std::filesystem::path path = folder / file.text();
-  // glTF defines y as up; the other formats say nothing, and z is what building tools write.
-  bool y_is_up = path.extension() == ".gltf" || path.extension() == ".glb";
-  if (const auto up = c.find("up")) y_is_up = up->choice({"y", "z"}) == "y";
   std::vector<std::pair<std::string, MaterialId>> map;
   for (const auto& [pattern, name] : c["materials"].members())
     map.emplace_back(pattern, names.material(name));
-  m.pieces = import_mesh(path, y_is_up, map, file.where());
+  std::optional<bool> y_is_up;
+  if (const auto up = c.find("up")) y_is_up = up->choice({"y", "z"}) == "y";
+  return import_mesh(path, y_is_up, map, file.where());
+}
+
+MeshFixture read_mesh(const JsonCursor& c, const std::string& id, const StoreNames& names,
+                      const std::filesystem::path& folder) {
+  const bool is_inline = c.find("parts").has_value();
+  if (is_inline && c.find("file")) c.fail("has both 'file' and 'parts'", "keep one of them");
+  if (is_inline)
+    c.expect_keys({"type", "id", "parts", "at", "rotation_deg", "scale"});
+  else
+    c.expect_keys({"type", "id", "file", "at", "rotation_deg", "scale", "up", "materials"});
+  MeshFixture m;
+  m.id = id;
+  m.at = read_point(c["at"]);
+  m.rotation_deg = read_rotation(c);
+  if (const auto scale = c.find("scale")) m.scale = read_quantity(*scale);
+  m.pieces = is_inline ? read_inline_pieces(c["parts"], names) : read_mesh_file(c, names, folder);
+  for (const MeshPiece& piece : m.pieces)
+    for (const Vec3& vertex : piece.vertices)
+      for (int axis = 0; axis < 3; ++axis)
+        if (!(std::abs(vertex[axis] * m.scale) <= 1e4))
+          c.fail(fmt::format("reaches {:.4g} m from its 'at'", std::abs(vertex[axis] * m.scale)),
+                 "set 'scale' to the metres that a unit of the mesh stands for");
   return m;
 }
 
@@ -183,8 +201,7 @@ void read_fixtures(const JsonCursor& section, const StoreNames& names, const std
                    Store& store) {
   for (const JsonCursor& cursor : section.elements()) {
     const std::string type = cursor["type"].choice({"gondola", "freezer", "box", "mesh"});
-    const std::string id = cursor["id"].text();
-    if (id.empty()) cursor["id"].fail("is empty", "give the fixture a name");
+    const std::string id = read_name(cursor["id"]);
     Fixture fixture = type == "gondola"   ? Fixture(read_gondola(cursor, id, names))
                       : type == "freezer" ? Fixture(read_freezer(cursor, id, names))
                       : type == "box"     ? Fixture(read_box(cursor, id, names))

@@ -1,9 +1,7 @@
-#include <cmath>
-#include <numbers>
-
 #include <fmt/format.h>
 
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store_parts.hpp"
 
 namespace shelfbeam {
@@ -23,7 +21,7 @@ Material read_material(const JsonCursor& cursor) {
 
 std::vector<double> read_angles(const JsonCursor& cursor, double last_deg) {
   std::vector<double> angles = cursor.numbers();
-  if (angles.empty() || angles.front() < 0) cursor.fail("does not begin at 0 or above", "sort the angles");
+  if (angles.empty() || angles.front() != 0) cursor.fail("does not begin at 0", "angles ascend from 0");
   for (std::size_t i = 0; i < angles.size(); ++i) {
     if (i > 0 && angles[i] <= angles[i - 1]) cursor.fail("does not ascend", "sort the angles");
     if (angles[i] > last_deg)
@@ -41,14 +39,13 @@ EmissionTable read_table(const JsonCursor& cursor) {
   std::vector<double> phi{0}, values;
   const JsonCursor intensity = cursor["intensity"];
   const auto add_row = [&](const JsonCursor& row) {
-    for (const JsonCursor& value : row.elements()) values.push_back(value.non_negative());
+    for (const JsonCursor& value : row.elements()) values.push_back(read_amount(value));
     if (row.elements().size() != theta.size())
       row.fail(fmt::format("has {} values for {} angles", row.elements().size(), theta.size()),
                "give one value for each theta");
   };
   if (const auto given = cursor.find("phi_deg")) {
     phi = read_angles(*given, 360);
-    if (phi.front() != 0) given->fail("does not begin at 0", "the first plane is the one at 0");
     const auto rows = intensity.elements();
     if (rows.size() != phi.size())
       intensity.fail(fmt::format("has {} rows for {} values of phi", rows.size(), phi.size()),
@@ -70,52 +67,51 @@ Emission read_emission(const JsonCursor& cursor) {
   if (type == "table") return read_table(cursor);
   if (type == "isotropic") {
     cursor.expect_keys({"type", "intensity"});
-    return IsotropicHemisphere{cursor["intensity"].positive()};
+    return IsotropicHemisphere{read_quantity(cursor["intensity"])};
   }
   if (type == "lambertian") {
     cursor.expect_keys({"type", "order", "flux"});
     const auto order = cursor.find("order");
-    return GeneralizedLambertian{order ? order->non_negative() : 1, cursor["flux"].positive()};
+    return GeneralizedLambertian{order ? order->number(0, 1e6) : 1, read_quantity(cursor["flux"])};
   }
   cursor.expect_keys({"type", "peak"});
-  return SinTwoTheta{cursor["peak"].positive()};
+  return SinTwoTheta{read_quantity(cursor["peak"])};
 }
 
-double number_or(const JsonCursor& cursor, const char* key, double fallback) {
+double amount_or(const JsonCursor& cursor, const char* key, double fallback) {
   const auto found = cursor.find(key);
-  return found ? found->non_negative() : fallback;
+  return found ? read_amount(*found) : fallback;
 }
 
-void expect_point(const JsonCursor& cursor, const char* key, const char* what) {
-  const auto found = cursor.find(key);
-  if (!found) return;
-  const auto extents = found->is_array() ? found->numbers(2) : std::vector<double>{found->number()};
-  for (const double extent : extents)
-    if (extent != 0)
-      found->fail(fmt::format("is not 0, but this version knows only {}", what), "set it to 0");
+void expect_zero(const JsonCursor& extent, const char* what) {
+  if (extent.number() != 0)
+    extent.fail(fmt::format("is not 0, but this version knows only {}", what), "set it to 0");
 }
 
 }  // namespace
 
 void read_materials(const JsonCursor& section, Store& store) {
   for (const auto& [name, cursor] : section.members())
-    store.materials.push_back({name, read_material(cursor)});
+    store.materials.push_back({check_name(name, cursor.where()), read_material(cursor)});
 }
 
 void read_label_types(const JsonCursor& section, Store& store) {
   for (const auto& [name, cursor] : section.members()) {
     cursor.expect_keys({"responsivity", "size", "threshold", "safety_factor", "link_cost", "signal_cost"});
     LabelType type;
-    type.name = name;
+    type.name = check_name(name, cursor.where());
     if (const auto responsivity = cursor.find("responsivity")) {
       responsivity->expect_keys({"type"});
       (*responsivity)["type"].choice({"cosine"});
     }
-    expect_point(cursor, "size", "labels without extent");
-    type.threshold = cursor["threshold"].positive();
-    if (const auto factor = cursor.find("safety_factor")) type.safety_factor = factor->positive();
-    type.link_cost = number_or(cursor, "link_cost", 0);
-    type.signal_cost = number_or(cursor, "signal_cost", 0);
+    if (const auto size = cursor.find("size")) {
+      size->numbers(2);
+      for (const JsonCursor& extent : size->elements()) expect_zero(extent, "labels without extent");
+    }
+    type.threshold = read_quantity(cursor["threshold"]);
+    if (const auto factor = cursor.find("safety_factor")) type.safety_factor = read_quantity(*factor);
+    type.link_cost = amount_or(cursor, "link_cost", 0);
+    type.signal_cost = amount_or(cursor, "signal_cost", 0);
     store.label_types.push_back(std::move(type));
   }
 }
@@ -123,8 +119,9 @@ void read_label_types(const JsonCursor& section, Store& store) {
 void read_transceiver_types(const JsonCursor& section, Store& store) {
   for (const auto& [name, cursor] : section.members()) {
     cursor.expect_keys({"emission", "radius", "cost"});
-    expect_point(cursor, "radius", "point transceivers");
-    TransceiverType type{name, read_emission(cursor["emission"]), number_or(cursor, "cost", 1)};
+    if (const auto radius = cursor.find("radius")) expect_zero(*radius, "point transceivers");
+    TransceiverType type{check_name(name, cursor.where()), read_emission(cursor["emission"]),
+                         amount_or(cursor, "cost", 1)};
     if (!(power(type.emission) > 0)) cursor["emission"].fail("emits nothing", "give it some intensity");
     store.transceiver_types.push_back(std::move(type));
   }

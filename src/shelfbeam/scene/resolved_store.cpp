@@ -115,34 +115,26 @@ class Resolver {
     return result;
   }
 
+  Json shelving(const char* type, const Shelving& s) const {
+    return {{"type", type},
+            {"id", s.id},
+            {"at", s.at},
+            {"rotation_deg", s.rotation_deg},
+            {"length", s.length},
+            {"depth", s.depth},
+            {"height", s.height},
+            {"material", name(s.material)},
+            {"goods", name(s.goods)},
+            {"stocking", s.stocking}};
+  }
   Json fixture(const Gondola& g) const {
-    Json json{{"type", "gondola"},
-              {"id", g.id},
-              {"at", g.at},
-              {"rotation_deg", g.rotation_deg},
-              {"length", g.length},
-              {"depth", g.depth},
-              {"height", g.height},
-              {"material", name(g.material)},
-              {"goods", name(g.goods)},
-              {"shelves", g.shelves},
-              {"stocking", g.stocking},
-              {"faces", Json::array()}};
+    Json json = shelving("gondola", g);
+    json["shelves"] = g.shelves;
+    json["faces"] = Json::array();
     for (const Face face : g.faces) json["faces"].push_back(face_name(face));
     return json;
   }
-  Json fixture(const Freezer& f) const {
-    return {{"type", "freezer"},
-            {"id", f.id},
-            {"at", f.at},
-            {"rotation_deg", f.rotation_deg},
-            {"length", f.length},
-            {"depth", f.depth},
-            {"height", f.height},
-            {"material", name(f.material)},
-            {"goods", name(f.goods)},
-            {"stocking", f.stocking}};
-  }
+  Json fixture(const Freezer& f) const { return shelving("freezer", f); }
   Json fixture(const Box& b) const {
     return {{"type", "box"},
             {"id", b.id},

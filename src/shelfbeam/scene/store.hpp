@@ -27,31 +27,26 @@ struct FixtureLabels {
   double tilt_deg = 0;  ///< how far the labels look up
 };
 
-/// A run of shelving: back panel, kick plate with a bottom deck, boards, goods standing on them.
-struct Gondola {
+/// What gondolas and freezers have in common.
+struct Shelving {
   std::string id;
   Vec2 at{};  ///< corner of least x and y before rotation, m
   double rotation_deg = 0;
   double length = 0, depth = 0, height = 0;  ///< m
-  MaterialId material;                       ///< panel, boards and kick plate
+  MaterialId material;                       ///< of all but the goods
   MaterialId goods;
-  std::vector<double> shelves;  ///< height of each board edge, ascending, m
-  double stocking = 0.8;        ///< share of the facings that hold goods; also how full these are
-  std::vector<Face> faces;      ///< sides that carry boards: front, back
+  double stocking = 0.8;  ///< share of the facings that hold goods; also how full these are
   std::optional<FixtureLabels> labels;
 };
 
-/// An open chest: a tub on a kick plate, goods inside, labels below its rim.
-struct Freezer {
-  std::string id;
-  Vec2 at{};
-  double rotation_deg = 0;
-  double length = 0, depth = 0, height = 0;
-  MaterialId material;
-  MaterialId goods;
-  double stocking = 0.8;
-  std::optional<FixtureLabels> labels;
+/// A run of shelving: back panel, kick plate with a bottom deck, boards, goods standing on them.
+struct Gondola : Shelving {
+  std::vector<double> shelves;  ///< height of each board edge, ascending, m
+  std::vector<Face> faces;      ///< sides that carry boards: front, back
 };
+
+/// An open chest: a tub on a kick plate, goods inside, labels below its rim.
+struct Freezer : Shelving {};
 
 struct Box {
   std::string id;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,14 +24,10 @@ void read_labels(const JsonCursor& section, const StoreNames& names, const std::
 void read_transceivers(const JsonCursor& section, const StoreNames& names,
                        const std::filesystem::path& folder, Store& store);
 
-Vec3 read_point(const JsonCursor& cursor);
-/// Made unit unless it is already, to rounding. Throws for the zero vector.
-Vec3 read_direction(const JsonCursor& cursor);
-Vec3 unit_direction(const Vec3& v, const std::string& where);
-
 /// Pieces of a mesh file (glTF, GLB, OBJ), nodes placed, materials mapped: the first pattern of `materials`
-/// (pattern -> material) that matches the name in the file counts.
-std::vector<MeshPiece> import_mesh(const std::filesystem::path& file, bool y_is_up,
+/// (pattern -> material) that matches the name in the file counts. Where `y_is_up` is not given, y is up in
+/// glTF, which defines it so, and z in the other formats, which say nothing.
+std::vector<MeshPiece> import_mesh(const std::filesystem::path& file, std::optional<bool> y_is_up,
                                    const std::vector<std::pair<std::string, MaterialId>>& materials,
                                    const std::string& where);
 

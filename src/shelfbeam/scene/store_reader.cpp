@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store.hpp"
 #include "shelfbeam/scene/store_parts.hpp"
 
@@ -11,10 +12,9 @@ namespace {
 Room read_room(const JsonCursor& cursor, const StoreNames& names) {
   cursor.expect_keys({"size", "floor", "ceiling", "walls"});
   Room room;
-  room.size = read_point(cursor["size"]);
-  for (int axis = 0; axis < 3; ++axis)
-    if (room.size[axis] <= 0)
-      cursor["size"].fail("has an extent that is not positive", "give three lengths in m");
+  cursor["size"].numbers(3);
+  const auto size = cursor["size"].elements();
+  room.size = {read_length(size[0]), read_length(size[1]), read_length(size[2])};
   const JsonCursor walls = cursor["walls"];
   if (walls.is_object()) {
     walls.expect_keys({"x0", "x1", "y0", "y1"});
@@ -36,6 +36,7 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
                     "transceiver_types", "fixtures", "labels", "transceivers"});
   Store store;
   store.file = name;
+  if (const auto schema = root.find("$schema")) schema->text();
   if (const auto title = root.find("name")) store.name = title->text();
   if (const auto wavelength = root.find("wavelength_nm")) store.wavelength_nm = wavelength->number(100, 1e5);
   read_materials(root["materials"], store);

@@ -5,16 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/signal/detail/csv_reader.hpp"
 #include "shelfbeam/signal/detail/text_file.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
 namespace shelfbeam {
 
 namespace {
-
-using detail::CsvReader;
 
 // Calls apply(row, field) for every line after the header, with the row of `rows` that its id names.
 template <class Rows, class Apply>
@@ -30,6 +28,7 @@ void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Appl
     const auto found = row_of.find(csv.id(0));
     if (found == row_of.end()) {
       std::vector<std::string_view> known;
+      known.reserve(rows.size());
       for (const auto& row : rows) known.push_back(row.id);
       const std::string near = nearest(csv.id(0), known);
       csv.fail(0, fmt::format("the matrix has no {} '{}'", kind, csv.id(0)),

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "shelfbeam/signal/detail/csv_reader.hpp"
+#include "shelfbeam/base/csv.hpp"
+#include "shelfbeam/base/number.hpp"
 #include "shelfbeam/signal/detail/formats.hpp"
-#include "shelfbeam/signal/detail/number.hpp"
 
 namespace shelfbeam::detail {
 

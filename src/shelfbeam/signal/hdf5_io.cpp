@@ -9,6 +9,7 @@
 #include <hdf5.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/signal/detail/text_file.hpp"
 
 namespace shelfbeam::detail {
 
@@ -258,6 +259,10 @@ struct Hdf5Reader::File {
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : file_(std::make_unique<File>()) {
   file_->name = path.string();
+  // Byte 8 is the version of the superblock. The library trusts old metadata blindly where they are damaged.
+  if (const std::string head = read_first_bytes(path, 9); head.size() == 9 && head[8] < 2)
+    throw InputError(path.string(), "is in the old HDF5 format, whose metadata have no checksums",
+                     "write it with libver='latest' (h5py) or convert it with h5repack --low=2");
   file_->id = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file_->id)
     throw InputError(path.string(), "is no HDF5 file, or a truncated or damaged one",

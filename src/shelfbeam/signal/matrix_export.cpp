@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/signal/detail/csv_reader.hpp"
 
 static_assert(std::endian::native == std::endian::little, "NPY files are written as they lie in memory");
 
@@ -56,10 +56,10 @@ void write_matrix_csv(const SignalMatrix& matrix, std::span<const float> values,
   };
   line.append(std::string_view("label"));
   for (const TransceiverColumn& unit : matrix.transceivers)
-    fmt::format_to(std::back_inserter(line), ",{}", detail::csv_field(unit.id));
+    fmt::format_to(std::back_inserter(line), ",{}", csv_field(unit.id));
   end_line();
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    line.append(detail::csv_field(matrix.labels[i].id));
+    line.append(csv_field(matrix.labels[i].id));
     for (const float value : values.subspan(i * matrix.columns(), matrix.columns()))
       fmt::format_to(std::back_inserter(line), ",{:.9g}", value);
     end_line();

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/number.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/detail/formats.hpp"
-#include "shelfbeam/signal/detail/number.hpp"
 #include "shelfbeam/signal/detail/text_file.hpp"
 
 static_assert(std::endian::native == std::endian::little, "NPY files are read as they lie in memory");

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/number.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/detail/formats.hpp"
-#include "shelfbeam/signal/detail/number.hpp"
 #include "shelfbeam/signal/detail/text_file.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
@@ -25,7 +25,7 @@ SignalTable read_text_table(std::string_view text, const std::string& name) {
   for (const std::string_view word : split(first_line, ' ')) {
     for (const std::string_view part : split(word, '\t')) {
       words += part.empty() ? 0 : 1;
-      numbers += detail::to_number(part) ? 1 : 0;
+      numbers += to_number(part) ? 1 : 0;
     }
   }
   if (numbers == words) {

@@ -7,8 +7,8 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/number.hpp"
 #include "shelfbeam/signal/detail/hdf5_io.hpp"
-#include "shelfbeam/signal/detail/number.hpp"
 #include "shelfbeam/signal/detail/text_file.hpp"
 
 namespace shelfbeam {
@@ -158,7 +158,7 @@ class MatrixReader {
   std::vector<double> amounts(const std::string& path, std::size_t count) const {
     auto values = file_.numbers<double>(path, {count});
     for (std::size_t i = 0; i < count; ++i)
-      if (const auto problem = detail::amount_problem(values[i]); !problem.empty())
+      if (const auto problem = amount_problem(values[i]); !problem.empty())
         fail(fmt::format("{}, row {}", path, i + 1), problem);
     return values;
   }
@@ -166,7 +166,7 @@ class MatrixReader {
   std::vector<float> entries(const std::string& path, const SignalMatrix& matrix) const {
     auto values = file_.numbers<float>(path, {matrix.rows(), matrix.columns()});
     for (std::size_t k = 0; k < values.size(); ++k)
-      if (const auto problem = detail::amount_problem(values[k]); !problem.empty())
+      if (const auto problem = amount_problem(values[k]); !problem.empty())
         fail(fmt::format("{}, label '{}', transceiver '{}'", path, matrix.labels[k / matrix.columns()].id,
                          matrix.transceivers[k % matrix.columns()].id),
              problem);

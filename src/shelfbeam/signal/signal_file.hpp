@@ -7,11 +7,13 @@
 namespace shelfbeam {
 
 /// Writes the signal file (HDF5, docs/formats/signal.md) through a temporary file and a rename. The content
-/// depends on the matrix alone: no time stamps. Throws InputError when it cannot be written.
+/// depends on the matrix alone: no time stamps. Throws InputError when it cannot be written, and
+/// std::invalid_argument for a matrix that is empty or whose arrays are not all of m n entries.
 void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path);
 
-/// Throws InputError for a file that is not HDF5, is truncated, is of an unknown format version, lacks a
-/// data set or has one of another shape, or holds NaN, infinite or negative means.
+/// Throws InputError for a file that is not HDF5 (or in its old format without checksums), is truncated, is
+/// of an unknown format version, lacks a data set or has one of another shape, or holds NaN, infinite or
+/// negative signals, errors, requirements or costs.
 SignalMatrix read_signal_file(const std::filesystem::path& path);
 
 /// True when the file begins with the HDF5 signature.

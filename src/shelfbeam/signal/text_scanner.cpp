@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/signal/detail/number.hpp"
+#include "shelfbeam/base/number.hpp"
 
 namespace shelfbeam::detail {
 

@@ -30,21 +30,30 @@ struct Workspace {
   std::uint64_t rays = 0;
 };
 
-// Sums over the batches of a row. Only the task that has the label touches its row, batch after batch, so the
-// order of additions never depends on the threads.
+// Running mean and squares (Welford 1962) of a row over its batches, one array a quantity, so that the many
+// entries that a batch leaves at zero cost little (Moments would repeat the count for each). Only the task
+// that has the label touches its row, batch after batch, so the order of additions never depends on the
+// threads.
 struct Row {
-  explicit Row(std::size_t n) : mean(n), square(n), direct(n) {}
-  std::vector<double> mean, square, direct;
+  explicit Row(std::size_t n) : mean(n), squares(n), direct(n) {}
+  std::vector<double> mean;
+  std::vector<double> squares;  // sum of squared differences from the mean
+  std::vector<double> direct;
   std::uint32_t batches = 0;
 
   void add(const Workspace& work, double samples) {
+    ++batches;
     for (std::size_t j = 0; j < mean.size(); ++j) {
       const double value = (work.reflected[j] + work.direct[j]) / samples;
-      mean[j] += value;
-      square[j] += value * value;
-      direct[j] += work.direct[j] / samples;
+      const double difference = value - mean[j];
+      mean[j] += difference / batches;
+      squares[j] += difference * (value - mean[j]);
+      direct[j] += (work.direct[j] / samples - direct[j]) / batches;
     }
-    ++batches;
+  }
+
+  double standard_error(std::size_t j) const {
+    return std::sqrt(squares[j] / (static_cast<double>(batches) * (batches - 1)));
   }
 };
 
@@ -133,9 +142,11 @@ class Simulation {
     std::fill(work.direct.begin(), work.direct.end(), 0);
     const std::span<double> direct =
         options_.direct == DirectLight::sampled ? std::span(work.direct) : std::span<double>();
-    for (std::uint32_t s = 0; s < per_batch_; ++s)
+    for (std::uint32_t s = 0; s < per_batch_; ++s) {
+      if (s % 1024 == 0 && control_.cancelled()) return;  // a batch begun does not count
       work.rays +=
           uniform_walk(world_, world_.scene.labels[i], {streams_[i], batch, s}, work.reflected, direct);
+    }
     rows_[i].add(work, per_batch_);
     report(++batches_done_);
   }
@@ -152,16 +163,12 @@ class Simulation {
     const Label& label = world_.scene.labels[i];
     const Responsivity& responsivity = world_.scene.type_of(label).responsivity;
     const bool exact = options_.direct == DirectLight::exact;
-    const double count = row.batches;
     for (std::size_t j = 0; j < n_; ++j) {
       const std::size_t entry = matrix.at(i, j);
-      const double sampled = row.mean[j] / count;
-      const double variance = std::max(0.0, (row.square[j] - count * sampled * sampled) / (count - 1));
-      const double direct =
-          exact ? direct_signal(label, responsivity, emitters_, j, rays_) : row.direct[j] / count;
-      matrix.mean[entry] = static_cast<float>(exact ? sampled + direct : sampled);
+      const double direct = exact ? direct_signal(label, responsivity, emitters_, j, rays_) : row.direct[j];
+      matrix.mean[entry] = static_cast<float>(exact ? row.mean[j] + direct : row.mean[j]);
       matrix.direct[entry] = static_cast<float>(direct);
-      matrix.standard_error[entry] = static_cast<float>(std::sqrt(variance / count));
+      matrix.standard_error[entry] = static_cast<float>(row.standard_error(j));
     }
     if (exact) work.rays += n_;
     matrix.labels[i].batches = row.batches;

@@ -10,9 +10,9 @@ folder = pathlib.Path(__file__).parent
 texts = lambda *values: np.array([value.encode() for value in values], dtype="S")
 
 
-def signal_file(name, **options):
+def signal_file(name, libver="latest"):
     """A valid signal file of 2 labels and 3 transceivers, in data types and layouts of h5py's choosing."""
-    file = h5py.File(folder / name, "w", **options)
+    file = h5py.File(folder / name, "w", libver=libver)
     for key, value in {"program_version": "9", "store_hash": "", "estimator": "by hand"}.items():
         file.attrs[key] = np.bytes_(value)
     file.attrs["format_version"] = 1
@@ -41,13 +41,14 @@ def replace(file, path, *args, **options):
 
 
 signal_file("foreign.h5").close()
-with signal_file("claims_labels.h5", libver="latest") as file:
+signal_file("old_format.h5", libver="earliest").close()
+with signal_file("claims_labels.h5") as file:
     replace(file, "labels/id", shape=(10**12,), dtype="S8")
-with signal_file("claims_text_length.h5", libver="latest") as file:
+with signal_file("claims_text_length.h5") as file:
     replace(file, "labels/id", shape=(2,), dtype="S2000000000")
-with signal_file("claims_entries.h5", libver="latest") as file:
+with signal_file("claims_entries.h5") as file:
     replace(file, "mean", shape=(2, 3), dtype="f4", chunks=(1, 3))
-with signal_file("claims_chunk.h5", libver="latest") as file:
+with signal_file("claims_chunk.h5") as file:
     replace(file, "mean", data=np.ones((2, 3)), chunks=(3000, 3000), maxshape=(None, None), compression=9)
-with signal_file("variable_texts.h5", libver="latest") as file:
+with signal_file("variable_texts.h5") as file:
     replace(file, "labels/id", data=["L1", "L2"], dtype=h5py.string_dtype())

@@ -24,8 +24,10 @@ class CoverModel {
   };
 
   /// The selection of least cost that meets every label; of exactly `count` units where that is given.
-  /// Precondition: there is one.
-  Outcome minimise(std::span<const double> cost, std::optional<std::size_t> count = std::nullopt);
+  /// Precondition: there is one that costs no more than `known`. Units that cost more alone are left out, so
+  /// that their costs do not drown the others in the solver's tolerances.
+  Outcome minimise(std::span<const double> cost, double known,
+                   std::optional<std::size_t> count = std::nullopt);
 
  private:
   void build();

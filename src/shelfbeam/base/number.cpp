@@ -1,10 +1,10 @@
-#include "shelfbeam/signal/detail/number.hpp"
+#include "shelfbeam/base/number.hpp"
 
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
-namespace shelfbeam::detail {
+namespace shelfbeam {
 
 std::optional<double> to_number(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);  // from_chars knows no '+'
@@ -22,4 +22,4 @@ std::string_view amount_problem(double value) {
   return {};
 }
 
-}  // namespace shelfbeam::detail
+}  // namespace shelfbeam

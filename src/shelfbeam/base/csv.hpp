@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace shelfbeam::detail {
+namespace shelfbeam {
 
 /// Reads comma-separated records (RFC 4180: fields may be quoted, a quote in them is doubled). Blanks around
 /// unquoted fields and blank lines do not count; there are no comments.
@@ -20,11 +20,15 @@ class CsvReader {
   /// The current record; valid until `next`.
   const std::vector<std::string_view>& fields() const { return fields_; }
 
-  /// The field as a number; throws InputError unless it is finite and not negative.
+  /// The field as a number; throws InputError unless it is finite.
+  double number(std::size_t field) const;
+  /// The same; throws InputError where it is negative, too.
   double amount(std::size_t field) const;
   /// The field as an id; throws InputError when it is empty.
   std::string id(std::size_t field) const;
 
+  /// "file: line 3" for errors.
+  std::string where() const;
   /// Throws InputError with file, line and, where given, field (from 0).
   [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const;
   [[noreturn]] void fail(std::size_t field, const std::string& problem, const std::string& suggestion) const;
@@ -44,4 +48,4 @@ class CsvReader {
 /// `field` as it must stand in a CSV file: quoted where it would not be read back as it is.
 std::string csv_field(std::string_view field);
 
-}  // namespace shelfbeam::detail
+}  // namespace shelfbeam

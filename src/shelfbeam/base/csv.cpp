@@ -1,24 +1,29 @@
-#include "shelfbeam/signal/detail/csv_reader.hpp"
+#include "shelfbeam/base/csv.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/number.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/signal/detail/number.hpp"
 
-namespace shelfbeam::detail {
+namespace shelfbeam {
 
 CsvReader::CsvReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
+std::string CsvReader::where() const {
+  return fmt::format("{}: line {}", name_, line_);
+}
+
 void CsvReader::fail(const std::string& problem, const std::string& suggestion) const {
-  throw InputError(fmt::format("{}: line {}", name_, line_), problem, suggestion);
+  throw InputError(where(), problem, suggestion);
 }
 
 void CsvReader::fail(std::size_t field, const std::string& problem, const std::string& suggestion) const {
-  throw InputError(fmt::format("{}: line {}, field {}", name_, line_, field + 1), problem, suggestion);
+  throw InputError(fmt::format("{}, field {}", where(), field + 1), problem, suggestion);
 }
 
 std::string_view CsvReader::quoted_field() {
@@ -74,15 +79,21 @@ bool CsvReader::next() {
   return true;
 }
 
-double CsvReader::amount(std::size_t field) const {
+double CsvReader::number(std::size_t field) const {
   const auto value = to_number(fields_[field]);
   if (!value) {
     if (fields_[field].empty()) fail(field, "is empty", "a number is expected");
     fail(field, fmt::format("is '{}'", fields_[field].substr(0, 40)), "a number is expected");
   }
-  if (const auto problem = amount_problem(*value); !problem.empty())
-    fail(field, std::string(problem), "a finite number that is not negative is expected");
+  if (!std::isfinite(*value))
+    fail(field, std::string(amount_problem(std::abs(*value))), "a finite number is expected");
   return *value;
+}
+
+double CsvReader::amount(std::size_t field) const {
+  const double value = number(field);
+  if (value < 0) fail(field, "is negative", "a finite number that is not negative is expected");
+  return value;
 }
 
 std::string CsvReader::id(std::size_t field) const {
@@ -91,7 +102,7 @@ std::string CsvReader::id(std::size_t field) const {
 }
 
 std::string csv_field(std::string_view field) {
-  if (!field.empty() && field.find_first_of(",\"\r\n") == std::string_view::npos && trim(field) == field)
+  if (field.find_first_of(",\"\r\n") == std::string_view::npos && trim(field) == field)
     return std::string(field);
   std::string quoted = "\"";
   for (const char c : field) {
@@ -101,4 +112,4 @@ std::string csv_field(std::string_view field) {
   return quoted + '"';
 }
 
-}  // namespace shelfbeam::detail
+}  // namespace shelfbeam

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+
+#include <CLI/CLI.hpp>
+
+namespace shelfbeam::app {
+
+// What arguments of the command line must be, for CLI::Option::check; the messages name the option.
+
+/// A finite number above 0.
+CLI::Validator positive_number();
+/// A path that is not empty.
+CLI::Validator a_path();
+
+/// Throws InputError when the output is one of the inputs, which it would overwrite.
+void keep_inputs(const std::filesystem::path& output, std::initializer_list<std::filesystem::path> inputs);
+
+/// Throws InputError where the output cannot be written: now, not after an hour's work.
+void expect_writable(const std::filesystem::path& output);
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,36 @@
+#include "placement_input.hpp"
+
+#include <string>
+
+#include "shelfbeam/base/error.hpp"
+
+#include "arguments.hpp"
+
+namespace shelfbeam::app {
+
+SignalTable PlacementInput::table(const Question& question) const {
+  SignalTable table = read_signal_table(signal);
+  if (threshold > 0) set_requirement(table, threshold);
+  for (const auto& file : costs) apply_costs(table, file);
+  try {
+    check_question(table, question);
+  } catch (const InputError& error) {
+    throw InputError(signal.string(), error.what());
+  }
+  return table;
+}
+
+void add_placement_input(CLI::App& verb, PlacementInput& input) {
+  verb.add_option("SIGNAL", input.signal,
+                  "Signal file (HDF5), CSV, NPY, sparse text, or OR-Library scp or rail file")
+      ->required()
+      ->check(a_path());
+  verb.add_option("--threshold", input.threshold,
+                  "Requirement of every label: for matrices without one, or instead of the file's")
+      ->check(positive_number());
+  verb.add_option("--costs", input.costs,
+                  "CSV 'id,cost' of transceivers or 'id,link_cost,signal_cost' of labels; may be repeated")
+      ->check(a_path());
+}
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "shelfbeam/placement/instance.hpp"
+#include "shelfbeam/signal/signal_table.hpp"
+
+namespace shelfbeam::app {
+
+/// Where `place` and `export` take their matrix from.
+struct PlacementInput {
+  std::filesystem::path signal;
+  double threshold = 0;  ///< 0: not given
+  std::vector<std::filesystem::path> costs;
+
+  /// Throws InputError that names the file, also where a label has no requirement.
+  SignalTable table(const Question& question) const;
+};
+
+void add_placement_input(CLI::App& verb, PlacementInput& input);
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,186 @@
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/signal/signal_file.hpp"
+
+#include "app/program.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::contents;
+using test::expect_silent;
+using test::Json;
+using test::names;
+using test::small_store;
+using test::TempFolder;
+
+const std::vector<std::string> of_a_plan = {"labels.csv",  "placement.csv", "placement.json",
+                                            "report.html", "signal.h5",     "store.json"};
+
+class Workflow : public testing::Test {
+ protected:
+  Workflow() { folder.write("store.json", small_store().dump()); }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+  std::string bytes(const std::string& name) const { return read_file(folder / name); }
+  Json json(const std::string& name) const { return Json::parse(bytes(name)); }
+  TempFolder folder;
+};
+
+TEST_F(Workflow, NewThenInspect) {
+  for (const char* name : {"thesis", "grocery"}) {
+    const std::string out = expect_silent({"new", name, path(name)});
+    EXPECT_NE(out.find("shelfbeam plan " + path(name) + "/store.json -o " + path(name) + "/plan"),
+              std::string::npos);
+    EXPECT_TRUE(contents(folder / name) ==
+                contents(std::filesystem::path(SHELFBEAM_SOURCE_DIR) / "examples" / name));
+    const std::string text = expect_silent({"inspect", path(name) + "/store.json", "-o", path("plan.svg")});
+    EXPECT_NE(text.find("reflectance"), std::string::npos);
+    EXPECT_TRUE(bytes("plan.svg").starts_with("<?xml"));
+  }
+  const Json thesis = Json::parse(expect_silent({"inspect", path("thesis/store.json"), "--json"}));
+  EXPECT_EQ(thesis["labels"], 390);
+  EXPECT_EQ(thesis["transceivers"], 320);
+  EXPECT_EQ(thesis["upper"], Json({20.0, 16.0, 4.0}));
+}
+
+TEST_F(Workflow, SimulateThenPlaceThenExport) {
+  expect_silent(
+      {"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "2000", "--direct", "exact"});
+  const SignalMatrix matrix = read_signal_file(folder / "signal.h5");
+  ASSERT_EQ(matrix.rows(), 17u);
+  ASSERT_EQ(matrix.columns(), 12u);
+  EXPECT_GE(matrix.labels[0].samples, 2000u);
+  EXPECT_EQ(matrix.labels[0].batches, 32u);
+
+  const std::string text = expect_silent({"place", path("signal.h5"), "-o", path("placement.json")});
+  EXPECT_NE(text.find("fewer cannot, proven"), std::string::npos) << text;
+  const Json placement = json("placement.json");
+  for (const char* key : {"format", "model", "objective", "selected", "count", "count_lower_bound",
+                          "objective_value", "lower_bound", "status", "solver", "seconds", "unreachable"})
+    EXPECT_TRUE(placement.contains(key)) << key;
+  EXPECT_EQ(placement["status"], "optimal");
+  EXPECT_GE(placement["count"], 2);
+  EXPECT_EQ(placement["selected"].size(), placement["count"]);
+  EXPECT_EQ(placement["count_lower_bound"], placement["count"]);
+
+  for (const char* name : {"model.mps", "model.lp", "mean.csv", "mean.npy"})
+    EXPECT_EQ(expect_silent({"export", path("signal.h5"), "-o", path(name)}), path(name) + "\n");
+  EXPECT_NE(bytes("model.mps").find("ENDATA"), std::string::npos);
+  EXPECT_NE(bytes("model.lp").find("End"), std::string::npos);
+  EXPECT_TRUE(bytes("mean.npy").starts_with("\x93NUMPY"));
+  EXPECT_TRUE(bytes("mean.csv").starts_with("label,G1-1-1,"));
+  expect_silent({"export", path("signal.h5"), "-o", path("direct.csv"), "--what", "direct"});
+  expect_silent({"export", path("signal.h5"), "-o", path("error.csv"), "--what", "standard-error"});
+  EXPECT_EQ((std::set{bytes("mean.csv"), bytes("direct.csv"), bytes("error.csv")}).size(), 3u);
+
+  // The matrix placed from its CSV and its NPY form asks for the same units; NPY knows no ids.
+  expect_silent({"place", path("mean.csv"), "--threshold", "0.03", "-o", path("from_csv.json")});
+  EXPECT_EQ(json("from_csv.json")["selected"], placement["selected"]);
+  expect_silent({"place", path("mean.npy"), "--threshold", "0.03", "-o", path("from_npy.json")});
+  EXPECT_EQ(json("from_npy.json")["count"], placement["count"]);
+}
+
+TEST_F(Workflow, EveryQuestionIsAnswered) {
+  expect_silent(
+      {"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "2000", "--direct", "exact"});
+  std::set<std::string> answers;
+  for (const char* model : {"cooperative", "non-cooperative"})
+    for (const char* objective : {"count", "links", "effective-links", "signal"})
+      for (const char* combination : {"--lexicographic", "--weighted"})
+        for (const char* solver : {"mip", "greedy"}) {
+          expect_silent({"place", path("signal.h5"), "-o", path("p.json"), "--model", model, "--objective",
+                         objective, combination, "--solver", solver});
+          const Json placement = json("p.json");
+          EXPECT_EQ(placement["model"], model);
+          EXPECT_EQ(placement["objective"], objective);
+          EXPECT_EQ(placement["status"], std::string(solver) == "mip" ? "optimal" : "feasible");
+        }
+}
+
+TEST_F(Workflow, PlanLeavesEveryFileOfTheContract) {
+  const std::string out =
+      expect_silent({"plan", path("store.json"), "-o", path("plan"), "--samples", "2000"});
+  EXPECT_NE(out.find("report: " + path("plan/report.html")), std::string::npos);
+  EXPECT_EQ(names(folder / "plan"), std::set<std::string>(of_a_plan.begin(), of_a_plan.end()));
+  EXPECT_TRUE(bytes("plan/report.html").starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(bytes("plan/labels.csv").starts_with("id,x,y,z,nx,ny,nz,type,"));
+  EXPECT_TRUE(bytes("plan/placement.csv").starts_with("id,x,y,z,ax,ay,az,roll_deg,type,"));
+
+  // It is what simulate and place give for the same seed.
+  expect_silent(
+      {"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "2000", "--direct", "exact"});
+  EXPECT_TRUE(bytes("signal.h5") == bytes("plan/signal.h5"));
+  expect_silent({"place", path("signal.h5"), "-o", path("placement.json")});
+  EXPECT_EQ(json("placement.json")["selected"], json("plan/placement.json")["selected"]);
+}
+
+TEST_F(Workflow, PlanOfItsOwnStoreIsTheSamePlan) {
+  expect_silent({"plan", path("store.json"), "-o", path("plan"), "--samples", "2000"});
+  auto first = contents(folder / "plan");
+  expect_silent({"plan", path("plan/store.json"), "-o", path("again"), "--samples", "2000"});
+  expect_silent({"plan", path("plan/store.json"), "-o", path("plan"), "--samples", "2000"});
+  for (const char* name : {"signal.h5", "store.json", "labels.csv", "placement.csv"}) {
+    EXPECT_TRUE(contents(folder / "again")[name] == first[name]) << name;
+    EXPECT_TRUE(contents(folder / "plan")[name] == first[name]) << name;
+  }
+}
+
+TEST_F(Workflow, ReportIsRebuilt) {
+  expect_silent({"plan", path("store.json"), "-o", path("plan"), "--samples", "2000"});
+  const auto before = contents(folder / "plan");
+  for (const char* name : {"report.html", "labels.csv", "placement.csv"})
+    std::filesystem::remove(folder / "plan" / name);
+  EXPECT_EQ(expect_silent({"report", path("plan")}), path("plan/report.html") + "\n");
+  EXPECT_TRUE(contents(folder / "plan") == before);
+}
+
+TEST_F(Workflow, ListsOfAPlanCanBeReadBack) {
+  expect_silent({"plan", path("store.json"), "-o", path("plan"), "--samples", "2000"});
+  Json store = small_store();
+  store["fixtures"][0].erase("labels");
+  store["labels"] = {{"csv", "plan/labels.csv"}};
+  store["transceivers"] = {{"list", {{"csv", "plan/placement.csv"}}}};
+  folder.write("again.json", store.dump());
+  const Json summary = Json::parse(expect_silent({"inspect", path("again.json"), "--json"}));
+  EXPECT_EQ(summary["labels"], 17);
+  EXPECT_EQ(summary["transceivers"], json("plan/placement.json")["count"]);
+}
+
+TEST_F(Workflow, NamesMayHaveBlanksAndOtherLetters) {
+  const std::string odd = "Müller & Söhne 'Größe \"7\" 名前";
+  Json store = small_store();
+  store["name"] = odd;
+  store["fixtures"][0]["id"] = odd;
+  store["labels"][0]["id"] = "<b>, \"door\"; 'x'";
+  folder.write(odd + "/store of.json", store.dump());
+  expect_silent({"plan", path(odd + "/store of.json"), "-o", path(odd + "/der Plan"), "--samples", "2000"});
+  EXPECT_EQ(names(folder / odd / "der Plan"), std::set<std::string>(of_a_plan.begin(), of_a_plan.end()));
+  expect_silent({"report", path(odd + "/der Plan")});
+  const Json summary = Json::parse(expect_silent(
+      {"simulate", path(odd + "/store of.json"), "-o", path(odd + "/s.h5"), "--samples", "64", "--json"}));
+  EXPECT_EQ(summary["signal"], path(odd + "/s.h5"));
+  expect_silent({"export", path(odd + "/s.h5"), "-o", path(odd + "/s.csv")});
+  expect_silent({"place", path(odd + "/s.csv"), "--threshold", "1e-6"});
+}
+
+TEST_F(Workflow, ThreadsDoNotChangeASignalAndSeedsDo) {
+  const auto simulate = [&](const std::string& threads, const std::string& seed, const std::string& direct) {
+    expect_silent({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "1000", "--threads",
+                   threads, "--seed", seed, "--direct", direct, "--quiet"});
+    return bytes("signal.h5");
+  };
+  for (const char* direct : {"sampled", "exact"}) {
+    const std::string one = simulate("1", "7", direct);
+    EXPECT_TRUE(simulate("2", "7", direct) == one);
+    EXPECT_TRUE(simulate("5", "7", direct) == one);
+    EXPECT_TRUE(simulate("0", "7", direct) == one);
+    EXPECT_FALSE(simulate("1", "8", direct) == one);
+  }
+}
+
+}  // namespace
+}  // namespace shelfbeam

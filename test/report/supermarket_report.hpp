@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "shelfbeam/report/report.hpp"
+
+#include "markup.hpp"
+#include "sample_store.hpp"
+
+namespace shelfbeam::test {
+
+struct Supermarket {
+  Scene scene = make_scene(sample_store::supermarket());
+  SignalMatrix matrix = sample_store::matrix_of(scene);
+  Placement placement = sample_store::cover(matrix);
+  ReportInput input{scene, matrix, placement};
+};
+
+// Well-formed, no script, nothing fetched, every reference within the page resolves, ids are unique.
+inline std::string fault(const std::string& html) {
+  const Markup markup = read_markup(html);
+  if (!markup.problem.empty()) return markup.problem;
+  for (const char* word : {"http:", "https:", "url(", "@import", "<script", "<link", " src="})
+    if (html.find(word) != std::string::npos) return std::string("holds ") + word;
+  std::set<std::string> ids;
+  for (const auto& element : markup.elements)
+    if (const auto id = element.attributes.find("id"); id != element.attributes.end())
+      if (!ids.insert(id->second).second) return "id twice: " + id->second;
+  for (const auto& element : markup.elements)
+    if (const auto href = element.attributes.find("href"); href != element.attributes.end())
+      if (href->second.empty() || href->second[0] != '#' || !ids.contains(href->second.substr(1)))
+        return "dangling: " + href->second;
+  return {};
+}
+
+// Tables and facts as text, so that "8" is only found where it stands alone.
+inline std::multiset<std::string> pieces(const std::string& html) {
+  std::multiset<std::string> result;
+  const std::string text = read_markup(html).text;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end > begin) result.insert(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return result;
+}
+
+}  // namespace shelfbeam::test

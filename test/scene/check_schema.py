@@ -1,0 +1,52 @@
+#!/usr/bin/python3
+"""Usage: check_schema.py SCHEMA FILE...
+
+Prints "ok" or "bad: <why>" for each file, one line each: whether it is JSON (comments allowed) that fits the schema.
+The system's Python is meant, for which scripts/install-dependencies installs jsonschema.
+"""
+
+import json
+import math
+import re
+import sys
+
+import jsonschema
+
+STRING_OR_COMMENT = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+
+
+def refuse(constant):
+    raise ValueError(f"{constant} is no JSON")
+
+
+def finite(text):
+    number = float(text)
+    return number if math.isfinite(number) else refuse(text)
+
+
+def parse(text):
+    plain = STRING_OR_COMMENT.sub(lambda match: match[0] if match[0][0] == '"' else " ", text)
+    return json.loads(plain, parse_constant=refuse, parse_float=finite)
+
+
+def verdict(validator, file):
+    try:
+        with open(file, encoding="utf-8") as content:
+            document = parse(content.read())
+    except ValueError as error:
+        return f"bad: {error}"
+    error = jsonschema.exceptions.best_match(validator.iter_errors(document))
+    return "ok" if error is None else f"bad: {error.json_path}: {error.message}"
+
+
+def main(schema_file, files):
+    with open(schema_file, encoding="utf-8") as content:
+        schema = json.load(content)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    for file in files:
+        print(verdict(validator, file).replace("\n", " "))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2:])

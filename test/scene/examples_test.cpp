@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/templates.hpp"
+
+#include "scene/solids.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace shelfbeam {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path examples = fs::path(SHELFBEAM_SOURCE_DIR) / "examples";
+
+Scene example(const char* name) {
+  return make_scene(read_store(examples / name / "store.json"));
+}
+
+TEST(Templates, AreTheExamples) {
+  std::vector<std::string> names;
+  for (const StoreTemplate& one : store_templates()) {
+    names.emplace_back(one.name);
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(examples / one.name)) files += entry.is_regular_file();
+    EXPECT_EQ(one.files.size(), files) << one.name;
+    for (const TemplateFile& file : one.files)
+      EXPECT_TRUE(file.content == read_file(examples / one.name / file.name)) << one.name << '/' << file.name;
+    EXPECT_EQ(&find_template(std::string(one.name)), &one);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"thesis", "grocery"}));
+  test::expect_input_error([] { find_template("grosery"); }, "did you mean 'grocery'?");
+}
+
+TEST(Thesis, HasTheCountsOfTheErrata) {
+  const Scene scene = example("thesis");
+  EXPECT_EQ(scene.labels.size(), 390u);
+  EXPECT_EQ(scene.transceivers.size(), 320u);
+  std::map<std::string, int> rows;
+  for (const Label& label : scene.labels) ++rows[label.id.substr(0, label.id.rfind('-'))];
+  EXPECT_EQ(rows.size(), 4u * 2 * 3 + 2);
+  for (const auto& [row, count] : rows) EXPECT_EQ(count, 15) << row;
+  EXPECT_TRUE(scene.warnings.empty());
+  EXPECT_EQ(*scene.room, (Vec3{20, 16, 4}));
+  for (const auto& [name, material] : scene.materials)
+    EXPECT_EQ(std::get<Lambertian>(material).reflectance, 0.7) << name;
+}
+
+// A scene's labels, candidates and parts, with x mirrored about x = 10 if asked for; sorted, in units of 0.1
+// um.
+using Shape = std::vector<long>;
+std::vector<Shape> shapes(const Scene& scene, bool mirrored) {
+  const auto rounded = [](double value) { return std::lround(value * 1e7); };
+  const auto x = [&](double value) { return rounded(mirrored ? 20 - value : value); };
+  std::vector<Shape> result;
+  for (const Label& label : scene.labels)
+    result.push_back({0, x(label.position.x), rounded(label.position.y), rounded(label.position.z),
+                      rounded(mirrored ? -label.normal.x : label.normal.x), rounded(label.normal.y),
+                      rounded(label.normal.z)});
+  for (const Transceiver& unit : scene.transceivers)
+    result.push_back({1, x(unit.position.x), rounded(unit.position.y), rounded(unit.position.z)});
+  for (const Part& part : scene.parts) {
+    std::vector<std::array<long, 2>> corners;
+    for (const auto& [a, b] : part.footprint) corners.push_back({x(a), rounded(b)});
+    std::sort(corners.begin(), corners.end());
+    Shape shape{2, static_cast<long>(part.kind), rounded(part.bottom), rounded(part.top)};
+    for (const auto& [a, b] : corners) shape.insert(shape.end(), {a, b});
+    result.push_back(std::move(shape));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Thesis, IsItsOwnMirrorImage) {
+  const Scene scene = example("thesis");
+  EXPECT_EQ(shapes(scene, true), shapes(scene, false));
+  Store store = read_store(examples / "thesis" / "store.json");
+  std::get<Gondola>(store.fixtures[2].value).stocking = 0.95;
+  const Scene uneven = make_scene(store);
+  EXPECT_NE(shapes(uneven, true), shapes(uneven, false)) << "goods with gaps must show";
+}
+
+TEST(Grocery, LooksLikeOne) {
+  const Scene scene = example("grocery");
+  EXPECT_GE(scene.labels.size(), 600u);
+  EXPECT_LE(scene.labels.size(), 1000u);
+  EXPECT_NEAR(static_cast<double>(scene.transceivers.size()), 300, 30);
+  std::map<std::string, int> kinds;
+  for (const FixtureOutline& fixture : scene.fixtures) ++kinds[fixture.type];
+  EXPECT_GE(kinds["gondola"], 10);
+  EXPECT_GE(kinds["freezer"], 1);
+  EXPECT_EQ(kinds["mesh"], 3);
+  EXPECT_GE(kinds["box"], 1);
+  EXPECT_GE(scene.label_types.size(), 2u);
+  EXPECT_GE(scene.materials.size(), 4u);
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+// A label within a part, or behind one that touches it, would hear nothing; that is a slip in the example.
+TEST(Grocery, NoLabelIsBuried) {
+  for (const char* name : {"thesis", "grocery"}) {
+    const Scene scene = example(name);
+    const auto inside = [](const Part& part, const Vec3& p) {
+      if (p.z <= part.bottom || p.z >= part.top) return false;
+      for (std::size_t k = 0; k < part.footprint.size(); ++k) {
+        const auto& a = part.footprint[k];
+        const auto& b = part.footprint[(k + 1) % part.footprint.size()];
+        if ((b[0] - a[0]) * (p.y - a[1]) - (b[1] - a[1]) * (p.x - a[0]) <= 0) return false;
+      }
+      return true;
+    };
+    const auto buried = [&](const Vec3& p) {
+      return std::any_of(scene.parts.begin(), scene.parts.end(),
+                         [&](const Part& part) { return part.kind != PartKind::mesh && inside(part, p); });
+    };
+    for (const Label& label : scene.labels) {
+      EXPECT_FALSE(buried(label.position)) << name << ": " << label.id;
+      EXPECT_FALSE(buried(label.position + label.normal * 0.3))
+          << name << ": less than 0.3 m before " << label.id;
+    }
+    // The check finds what lies behind the labels: the boards they stand at.
+    const auto behind = std::count_if(scene.labels.begin(), scene.labels.end(), [&](const Label& label) {
+      return buried(label.position - label.normal * 0.02);
+    });
+    EXPECT_GT(behind, static_cast<std::ptrdiff_t>(scene.labels.size() * 9 / 10));
+  }
+}
+
+}  // namespace
+}  // namespace shelfbeam

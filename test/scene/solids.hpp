@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam::test {
+
+/// The triangles that one box of a scene is made of.
+struct Solid {
+  Part part;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// The boxes of a scene whose only other triangles are the twelve of its room, if it has one.
+inline std::vector<Solid> solids_of(const Scene& scene) {
+  std::vector<Solid> solids;
+  std::size_t next = scene.room ? 12 : 0;
+  for (const Part& part : scene.parts) {
+    Solid solid{part, {}};
+    for (int t = 0; t < 12; ++t) solid.triangles.push_back(scene.mesh.triangles.at(next++));
+    solids.push_back(std::move(solid));
+  }
+  return solids;
+}
+
+inline std::vector<Solid> solids_of(const Scene& scene, PartKind kind) {
+  auto solids = solids_of(scene);
+  std::erase_if(solids, [&](const Solid& solid) { return solid.part.kind != kind; });
+  return solids;
+}
+
+/// Whether every directed edge has exactly one partner that runs the other way: the surface is closed and its
+/// triangles are oriented alike.
+inline bool is_closed(const Solid& solid) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const auto& t : solid.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+  return std::all_of(edges.begin(), edges.end(), [&](const auto& edge) {
+    const auto partner = edges.find({edge.first.second, edge.first.first});
+    return edge.second == 1 && partner != edges.end() && partner->second == 1;
+  });
+}
+
+/// By the divergence theorem: positive where the triangles look outwards.
+inline double volume(const Solid& solid, const TriangleMesh& mesh) {
+  double six = 0;
+  for (const auto& [a, b, c] : solid.triangles)
+    six += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c]));
+  return six / 6;
+}
+
+inline double area(const Solid& solid, const TriangleMesh& mesh) {
+  double twice = 0;
+  for (const auto& [a, b, c] : solid.triangles)
+    twice += length(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+  return twice / 2;
+}
+
+/// Area of a polygon, positive where it runs counter-clockwise.
+inline double signed_area(const std::vector<std::array<double, 2>>& polygon) {
+  double twice = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto& p = polygon[k];
+    const auto& q = polygon[(k + 1) % polygon.size()];
+    twice += p[0] * q[1] - p[1] * q[0];
+  }
+  return twice / 2;
+}
+
+}  // namespace shelfbeam::test
