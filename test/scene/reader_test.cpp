@@ -70,15 +70,15 @@ TEST(StoreReader, ReadsTransceiverTypes) {
   EXPECT_EQ(spot.flux, 3);
   EXPECT_EQ(std::get<GeneralizedLambertian>(store.transceiver_types[3].emission).order, 1);
   const double degree = std::acos(-1.0) / 180;
-  const auto ring = std::get<EmissionTable>(store.transceiver_types[4].emission);
-  EXPECT_EQ(ring.phi, std::vector<double>{0});
-  ASSERT_EQ(ring.theta.size(), 3u);
-  EXPECT_NEAR(ring.theta[1], 30 * degree, 1e-15);
-  EXPECT_EQ(ring.intensity, (std::vector<double>{0, 1, 0}));
-  const auto fan = std::get<EmissionTable>(store.transceiver_types[5].emission);
-  ASSERT_EQ(fan.phi.size(), 4u) << "the first plane is repeated at 360 degrees";
-  EXPECT_NEAR(fan.phi[3], 360 * degree, 1e-15);
-  EXPECT_EQ(fan.intensity, (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 2, 3}));
+  const DirectionTable ring = std::get<EmissionTable>(store.transceiver_types[4].emission).intensity;
+  EXPECT_EQ(ring.phi(), std::vector<double>{0});
+  ASSERT_EQ(ring.theta().size(), 3u);
+  EXPECT_NEAR(ring.theta()[1], 30 * degree, 1e-15);
+  EXPECT_EQ(ring.values(), (std::vector<double>{0, 1, 0}));
+  const DirectionTable fan = std::get<EmissionTable>(store.transceiver_types[5].emission).intensity;
+  ASSERT_EQ(fan.phi().size(), 4u) << "the first plane is repeated at 360 degrees";
+  EXPECT_NEAR(fan.phi()[3], 360 * degree, 1e-15);
+  EXPECT_EQ(fan.values(), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 2, 3}));
 }
 
 TEST(StoreReader, ReadsFixtures) {

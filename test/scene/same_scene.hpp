@@ -31,7 +31,8 @@ inline std::string fingerprint(const Scene& scene) {
     out << "\ntransceiver type " << type.name << ' ' << type.emission.index() << ' ';
     bits(type.cost), bits(power(type.emission));
     if (const auto* table = std::get_if<EmissionTable>(&type.emission))
-      for (const auto* list : {&table->theta, &table->phi, &table->intensity})
+      for (const auto* list :
+           {&table->intensity.theta(), &table->intensity.phi(), &table->intensity.values()})
         for (const double value : *list) bits(value);
   }
   out << "\nmesh ";
