@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <mutex>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include <tbb/blocked_range.h>
@@ -128,12 +129,20 @@ class Simulation {
   }
 
  private:
+  // What came before the loop is seen by every body, and what the bodies did is seen after it. oneTBB sees to
+  // that, too, but inside its prebuilt library, where the thread sanitizer cannot follow.
   template <class Body>
   void for_labels(Body body) {
+    std::atomic<bool> begun{false};
+    std::atomic<std::size_t> ended{0};
+    begun.store(true, std::memory_order_release);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows_.size()), [&](const auto& range) {
+      if (!begun.load(std::memory_order_acquire)) return;
       Workspace& work = workspaces_.local();
       for (std::size_t i = range.begin(); i != range.end(); ++i) body(i, work);
+      ended.fetch_add(range.size(), std::memory_order_acq_rel);
     });
+    if (ended.load(std::memory_order_acquire) != rows_.size()) throw std::logic_error("labels were left out");
   }
 
   void sample_batch(std::size_t i, std::uint32_t batch, Workspace& work) {
