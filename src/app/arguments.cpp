@@ -26,13 +26,11 @@ CLI::Validator a_path() {
   return {[](const std::string& text) { return std::string(text.empty() ? "the name is empty" : ""); }, ""};
 }
 
-void keep_inputs(const std::filesystem::path& output, std::initializer_list<std::filesystem::path> inputs) {
-  for (const auto& input : inputs) {
-    std::error_code missing;
-    if (std::filesystem::equivalent(output, input, missing))
-      throw InputError(output.string(), "is the input, which would be lost",
-                       "choose another name for the output");
-  }
+void keep_input(const std::filesystem::path& output, const std::filesystem::path& input) {
+  std::error_code missing;
+  if (std::filesystem::equivalent(output, input, missing))
+    throw InputError(output.string(), "is the input, which would be lost",
+                     "choose another name for the output");
 }
 
 void expect_writable(const std::filesystem::path& output) {

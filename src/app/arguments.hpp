@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 
 #include <CLI/CLI.hpp>
 
@@ -14,8 +13,8 @@ CLI::Validator positive_number();
 /// A path that is not empty.
 CLI::Validator a_path();
 
-/// Throws InputError when the output is one of the inputs, which it would overwrite.
-void keep_inputs(const std::filesystem::path& output, std::initializer_list<std::filesystem::path> inputs);
+/// Throws InputError when the output is the input, which it would overwrite.
+void keep_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
 /// Throws InputError where the output cannot be written: now, not after an hour's work.
 void expect_writable(const std::filesystem::path& output);

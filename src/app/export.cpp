@@ -49,7 +49,7 @@ void export_model(const Options& options) {
 }
 
 int run_export(const Options& options) {
-  keep_inputs(options.output, {options.input.signal});
+  options.input.keep(options.output);
   const std::string kind = options.output.extension().string();
   const bool is_model = kind == ".mps" || kind == ".lp", is_matrix = kind == ".csv" || kind == ".npy";
   if (is_model && options.for_matrix)

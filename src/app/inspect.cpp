@@ -112,7 +112,7 @@ void print(const LoadedStore& store) {
 }
 
 int run_inspect(const Options& options) {
-  keep_inputs(options.plan, {options.store});
+  keep_input(options.plan, options.store);
   const LoadedStore store = load_store(options.store);
   if (!options.plan.empty()) write_file(options.plan, floor_plan_svg(store.scene));
   if (options.common.json) {

@@ -25,8 +25,7 @@ struct Options {
 };
 
 int run_place(const Options& options) {
-  keep_inputs(options.output, {options.input.signal});
-  for (const auto& file : options.input.costs) keep_inputs(options.output, {file});
+  options.input.keep(options.output);
   const SignalTable table = options.input.table(options.question.question());
   if (!options.output.empty()) expect_writable(options.output);
   Placement placement;

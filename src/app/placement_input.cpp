@@ -8,6 +8,11 @@
 
 namespace shelfbeam::app {
 
+void PlacementInput::keep(const std::filesystem::path& output) const {
+  keep_input(output, signal);
+  for (const auto& file : costs) keep_input(output, file);
+}
+
 SignalTable PlacementInput::table(const Question& question) const {
   SignalTable table = read_signal_table(signal);
   if (threshold > 0) set_requirement(table, threshold);

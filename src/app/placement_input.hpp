@@ -16,6 +16,8 @@ struct PlacementInput {
   double threshold = 0;  ///< 0: not given
   std::vector<std::filesystem::path> costs;
 
+  /// Throws InputError when the output is one of the files that are read.
+  void keep(const std::filesystem::path& output) const;
   /// Throws InputError that names the file, also where a label has no requirement.
   SignalTable table(const Question& question) const;
 };

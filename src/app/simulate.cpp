@@ -25,7 +25,7 @@ struct Options {
 };
 
 int run_simulate(const Options& options) {
-  keep_inputs(options.output, {options.store});
+  keep_input(options.output, options.store);
   const LoadedStore store = load_store(options.store);
   expect_memory_for(store.scene, options.store);
   expect_writable(options.output);

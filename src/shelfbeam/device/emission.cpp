@@ -74,9 +74,7 @@ std::string_view type_name(const EmissionTable&) {
 template <class Profile>
 std::optional<DirectionSample> sample(const Profile& e, double u1, double u2) {
   const Vec3 direction = draw(e, u1, u2);
-  const double density = pdf(e, direction);
-  if (!(density > 0)) return std::nullopt;
-  return DirectionSample{direction, density};
+  return usable(direction, pdf(e, direction));
 }
 std::optional<DirectionSample> sample(const EmissionTable& e, double u1, double u2) {
   return e.intensity.sample(u1, u2);

@@ -54,9 +54,7 @@ double pdf(const ResponseTable& r, const Vec3& d) {
 template <class Closed>
 std::optional<DirectionSample> sample(const Closed& r, double u1, double u2) {
   const Vec3 direction = draw(r, u1, u2);
-  const double density = pdf(r, direction);
-  if (!(density > 0)) return std::nullopt;
-  return DirectionSample{direction, density};
+  return usable(direction, pdf(r, direction));
 }
 std::optional<DirectionSample> sample(const ResponseTable& r, double u1, double u2) {
   return r.response.sample(u1, u2);

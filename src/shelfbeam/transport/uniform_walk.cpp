@@ -59,8 +59,9 @@ std::uint64_t uniform_walk(const WalkScene& world, const Label& label, const Wal
       }
     }
 
-    const auto lobe = philox({vertex, key.sample, key.batch, 1}, key.stream);
-    const auto next = sample(material, outgoing, to_unit(lobe[0]), to_unit(random[1]), to_unit(random[2]));
+    // The number that chose the unit may choose the lobe, too: connection and continuation are terms of a
+    // sum.
+    const auto next = sample(material, outgoing, to_unit(random[0]), to_unit(random[1]), to_unit(random[2]));
     if (!next || next->direction.z <= 0) break;
     beta *= next->weight;
     const double survival = std::min(most_survival, beta / weight);
