@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "shelfbeam/device/emission.hpp"
@@ -11,6 +12,8 @@ namespace shelfbeam {
 struct LabelType {
   std::string name;
   Responsivity responsivity;
+  std::array<double, 2>
+      size{};                ///< width (horizontal) and height, m; the signal is averaged over it; 0: a point
   double threshold = 0;      ///< tau, in the unit of the signal (W/m^2 for the cosine response)
   double safety_factor = 1;  ///< gamma
   double link_cost = 0;      ///< c^E (3.3)
@@ -19,11 +22,13 @@ struct LabelType {
   double requirement() const { return safety_factor * threshold; }
 };
 
-/// A kind of transceiver: a point that emits without a body of its own.
+/// A kind of transceiver: a point or a flat disc that emits without a body of its own. Every element of a
+/// disc of area A emits I(omega) / A.
 struct TransceiverType {
   std::string name;
   Emission emission;
-  double cost = 1;  ///< c^T (3.3)
+  double radius = 0;  ///< of the disc, about the axis, m; 0: a point
+  double cost = 1;    ///< c^T (3.3)
 };
 
 }  // namespace shelfbeam

@@ -120,8 +120,10 @@ void read_transceiver_types(const JsonCursor& section, Store& store) {
   for (const auto& [name, cursor] : section.members()) {
     cursor.expect_keys({"emission", "radius", "cost"});
     if (const auto radius = cursor.find("radius")) expect_zero(*radius, "point transceivers");
-    TransceiverType type{check_name(name, cursor.where()), read_emission(cursor["emission"]),
-                         amount_or(cursor, "cost", 1)};
+    TransceiverType type;
+    type.name = check_name(name, cursor.where());
+    type.emission = read_emission(cursor["emission"]);
+    type.cost = amount_or(cursor, "cost", 1);
     if (!(power(type.emission) > 0)) cursor["emission"].fail("emits nothing", "give it some intensity");
     store.transceiver_types.push_back(std::move(type));
   }

@@ -34,6 +34,14 @@ struct NamedMaterial {
   Material material;
 };
 
+/// Surfaces that shine: all triangles of a material emit this radiance from both sides. A light source like a
+/// transceiver, for tests that need one of known light; no store file has them.
+struct EmittingSurface {
+  std::string id;
+  MaterialId material;
+  double radiance = 0;  ///< W/(m^2 sr)
+};
+
 /// The triangles of a scene: indexed, two-sided, one material each.
 struct TriangleMesh {
   std::vector<Vec3> vertices;  ///< m
@@ -75,6 +83,7 @@ struct Scene {
   std::vector<Part> parts;
   std::vector<Label> labels;
   std::vector<Transceiver> transceivers;
+  std::vector<EmittingSurface> emitting_surfaces;
   std::vector<std::string> warnings;
 
   const LabelType& type_of(const Label& label) const { return label_types[label.type.value]; }
