@@ -45,7 +45,8 @@ void keep_store(const std::filesystem::path& folder, const std::filesystem::path
 int run_plan(const Options& options) {
   const LoadedStore store = load_store(options.store);
   keep_store(options.folder, options.store, store);
-  expect_memory_for(store.scene, options.store);
+  const SimulationOptions simulation = options.simulation.options(options.common.seed);
+  expect_memory_for(store.scene, simulation, options.store);
   const bool is_new = !std::filesystem::exists(options.folder);
   prepare_plan_folder(options.folder);
   Plan plan;
@@ -53,9 +54,7 @@ int run_plan(const Options& options) {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
     plan = make_plan(store.scene, store.hash,
-                     {options.simulation.options(options.common.seed), options.question.question(),
-                      options.solver.options()},
-                     control);
+                     {simulation, options.question.question(), options.solver.options()}, control);
   } catch (const Interrupted&) {
     std::error_code not_empty;
     if (is_new) std::filesystem::remove(options.folder, not_empty);

@@ -27,13 +27,14 @@ struct Options {
 int run_simulate(const Options& options) {
   keep_input(options.output, options.store);
   const LoadedStore store = load_store(options.store);
-  expect_memory_for(store.scene, options.store);
+  const SimulationOptions simulation = options.simulation.options(options.common.seed);
+  expect_memory_for(store.scene, simulation, options.store);
   expect_writable(options.output);
   SimulationResult result;
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
-    result = simulate(store.scene, store.hash, options.simulation.options(options.common.seed), control);
+    result = simulate(store.scene, store.hash, simulation, control);
   }
   write_signal_file(result.matrix, options.output);
   if (options.common.json) {
@@ -62,6 +63,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       ->required()
       ->check(a_path());
   add_simulation_options(*verb, options->simulation, "sampled");
+  add_by_bounce(*verb, options->simulation);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

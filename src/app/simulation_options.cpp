@@ -9,7 +9,18 @@
 namespace shelfbeam::app {
 
 SimulationOptions SimulationFlags::options(std::uint64_t seed) const {
-  return {samples, direct == "sampled" ? DirectLight::sampled : DirectLight::exact, seed};
+  SimulationOptions options;
+  options.samples = samples;
+  options.direct = direct == "sampled" ? DirectLight::sampled : DirectLight::exact;
+  options.seed = seed;
+  options.strategy = strategy == "walk"  ? Strategy::walk
+                     : strategy == "nee" ? Strategy::nee
+                     : strategy == "mis" ? Strategy::mis
+                                         : Strategy::particle;
+  options.heuristic = heuristic == "balance" ? Heuristic::balance : Heuristic::power;
+  options.max_bounces = max_bounces.value_or(PathRules::no_limit);
+  options.by_bounce = by_bounce;
+  return options;
 }
 
 void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::string& default_direct) {
@@ -22,14 +33,32 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
                   "Direct light: sampled by the walk, as in the paper, or exact in closed form")
       ->check(CLI::IsMember({"sampled", "exact"}))
       ->capture_default_str();
-  verb.add_option("--samples", flags.samples, "First rays a label, dealt out over 32 batches")
+  verb.add_option("--samples", flags.samples,
+                  "First rays a label (particles a transceiver), dealt out over 32 batches")
       ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
       ->capture_default_str();
+  verb.add_option("--strategy", flags.strategy,
+                  "How paths are found: walk (until a transceiver of some size is met), nee (next event "
+                  "estimation), mis (both, weighted), particle (from the transceivers)")
+      ->check(CLI::IsMember({"walk", "nee", "mis", "particle"}))
+      ->capture_default_str();
+  verb.add_option("--heuristic", flags.heuristic, "Weights of mis")
+      ->check(CLI::IsMember({"balance", "power"}))
+      ->capture_default_str();
+  verb.add_option("--max-bounces", flags.max_bounces, "Longest paths: reflections and refractions")
+      ->check(CLI::Range(0, 1000));
 }
 
-void expect_memory_for(const Scene& scene, const std::filesystem::path& store) {
-  // An entry is summed up in three doubles and written as three floats.
-  constexpr double bytes_per_entry = 3 * sizeof(double) + 3 * sizeof(float);
+void add_by_bounce(CLI::App& verb, SimulationFlags& flags) {
+  verb.add_flag("--by-bounce", flags.by_bounce, "Store a matrix for each number of bounces, too")
+      ->needs("--max-bounces");
+}
+
+void expect_memory_for(const Scene& scene, const SimulationOptions& options,
+                       const std::filesystem::path& store) {
+  // An entry is summed up in three doubles and written as three floats; a layer of bounces is two of either.
+  const double layers = options.by_bounce ? options.max_bounces + 1.0 : 0;
+  const double bytes_per_entry = (3 + 2 * layers) * (sizeof(double) + sizeof(float));
   const double needed = bytes_per_entry * static_cast<double>(scene.labels.size()) *
                         static_cast<double>(scene.transceivers.size());
   const double present =

@@ -25,28 +25,31 @@ Scene empty_room(double x, double y, double z) {
       "room", "."));
 }
 
-TEST(RayScene, FindsTheWallItLooksAt) {
-  const RayScene rays(empty_room(6, 5, 3).mesh);
-  const auto hit = rays.intersect({3, 2, 1}, {1, 0, 0}, normalized({1, 0.25, -0.1}));
-  ASSERT_TRUE(hit);
-  // The start is moved by 64 units in the last place of 3 m, 1.5e-5 m.
-  EXPECT_NEAR(hit->position.x, 6, 1e-12);
-  EXPECT_NEAR(hit->position.y, 2.75, 1e-5);
-  EXPECT_NEAR(hit->position.z, 0.7, 1e-5);
-  EXPECT_NEAR(length(hit->normal - Vec3{-1, 0, 0}), 0, 1e-12);
+bool blocked(const RayScene& rays, const Vec3& from, const Vec3& to) {
+  return rays.passage({from, {0, 0, 1}}, to).share == 0;
 }
 
-TEST(RayScene, NormalsLookToTheSideOfTheRay) {
+TEST(RayScene, FindsTheWallItLooksAt) {
+  const RayScene rays(empty_room(6, 5, 3));
+  const auto hit = rays.intersect({{3, 2, 1}, {1, 0, 0}}, normalized({1, 0.25, -0.1}));
+  ASSERT_TRUE(hit);
+  // The start is moved by 64 units in the last place of 3 m, 1.5e-5 m.
+  EXPECT_NEAR(hit->point.position.x, 6, 1e-12);
+  EXPECT_NEAR(hit->point.position.y, 2.75, 1e-5);
+  EXPECT_NEAR(hit->point.position.z, 0.7, 1e-5);
+  EXPECT_NEAR(std::abs(hit->point.normal.x), 1, 1e-12);
+  EXPECT_NEAR(hit->distance, length(Vec3{3, 0.75, -0.3}), 1e-5);
+}
+
+TEST(RayScene, LightDoesNotLeakOutOfAClosedRoom) {
   const Scene scene = test::SmallStore{}.scene();
-  const RayScene rays(scene.mesh);
+  const RayScene rays(scene);
   for (std::uint32_t k = 0; k < 10000; ++k) {
     const auto u = philox({k, 0, 0, 0}, 1);
     const Vec3 from{6 * to_unit(u[0]), 5 * to_unit(u[1]), 2.5 + 0.4 * to_unit(u[2])};
     const double z = 2 * to_unit(u[3]) - 1, phi = k, r = std::sqrt(1 - z * z);
     const Vec3 direction{r * std::cos(phi), r * std::sin(phi), z};
-    const auto hit = rays.intersect(from, direction, direction);
-    ASSERT_TRUE(hit) << "light leaks out of a closed room";
-    EXPECT_LT(dot(hit->normal, direction), 0);
+    ASSERT_TRUE(rays.intersect({from, direction}, direction));
   }
 }
 
@@ -55,16 +58,16 @@ TEST(RayScene, NormalsLookToTheSideOfTheRay) {
 TEST(RayScene, ConvexRoomsShadowNothingAtAnyScale) {
   for (const double scale : {0.05, 1.0, 20.0, 200.0}) {
     const Scene scene = empty_room(scale, 0.7 * scale, 0.3 * scale);
-    const RayScene rays(scene.mesh);
-    int blocked = 0;
+    const RayScene rays(scene);
+    int controls = 0;
     for (std::uint32_t k = 0; k < 20000; ++k) {
       const auto u = philox({k, 0, 0, 0}, 2);
       const Vec3 floor{scale * to_unit(u[0]), 0.7 * scale * to_unit(u[1]), 0};
       const Vec3 ceiling{scale * to_unit(u[2]), 0.7 * scale * to_unit(u[3]), 0.3 * scale};
-      EXPECT_FALSE(rays.occluded(floor, {0, 0, 1}, ceiling)) << "scale " << scale;
-      blocked += rays.occluded(floor - Vec3{0, 0, 0.01 * scale}, {0, 0, 1}, ceiling) ? 1 : 0;
+      EXPECT_FALSE(blocked(rays, floor, ceiling)) << "scale " << scale;
+      controls += blocked(rays, floor - Vec3{0, 0, 0.01 * scale}, ceiling) ? 1 : 0;
     }
-    EXPECT_EQ(blocked, 20000);
+    EXPECT_EQ(controls, 20000);
   }
 }
 
@@ -72,25 +75,27 @@ TEST(RayScene, ConvexRoomsShadowNothingAtAnyScale) {
 TEST(RayScene, WalksStayInsideAtAnyScale) {
   for (const double scale : {0.05, 1.0, 200.0}) {
     const Scene scene = empty_room(scale, 0.7 * scale, 0.3 * scale);
-    const RayScene rays(scene.mesh);
+    const RayScene rays(scene);
     Vec3 position{0.3 * scale, 0.2 * scale, 0}, normal{0, 0, 1};
     for (std::uint32_t k = 0; k < 20000; ++k) {
       const auto u = philox({k, 1, 0, 0}, 3);
       const Vec3 local = sample_cosine_hemisphere(to_unit(u[0]), to_unit(u[1]));
-      const auto hit = rays.intersect(position, normal, Frame::about(normal).to_world(local));
+      const auto hit = rays.intersect({position, normal}, Frame::about(normal).to_world(local));
       ASSERT_TRUE(hit) << "scale " << scale << ", step " << k;
-      ASSERT_GT(length(hit->normal - normal), 0.5) << "hit the surface it left, at scale " << scale;
-      position = hit->position;
-      normal = hit->normal;
+      ASSERT_GT(dot(normal, hit->point.position - position), 1e-9 * scale)
+          << "hit the surface it left, at scale " << scale;
+      position = hit->point.position;
+      const Vec3 inwards = Vec3{0.5 * scale, 0.35 * scale, 0.15 * scale} - position;
+      normal = dot(hit->point.normal, inwards) > 0 ? hit->point.normal : -hit->point.normal;
     }
   }
 }
 
 TEST(RayScene, FixturesBlock) {
   const Scene scene = test::SmallStore{}.scene();
-  const RayScene rays(scene.mesh);
-  EXPECT_TRUE(rays.occluded({2, 1.0, 0.3}, {0, -1, 0}, {2, 4.5, 0.4}));
-  EXPECT_FALSE(rays.occluded({2, 1.0, 0.3}, {0, -1, 0}, {2, 0.2, 2.9}));
+  const RayScene rays(scene);
+  EXPECT_EQ(rays.passage({{2, 1.0, 0.3}, {0, -1, 0}}, {2, 4.5, 0.4}).share, 0);
+  EXPECT_EQ(rays.passage({{2, 1.0, 0.3}, {0, -1, 0}}, {2, 0.2, 2.9}).share, 1);
 }
 
 }  // namespace

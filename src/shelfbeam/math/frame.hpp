@@ -18,6 +18,15 @@ struct Frame {
     return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
   }
 
+  /// The frame of a surface: x is horizontal and y points up along it; on horizontal surfaces x is world +x.
+  static Frame of_surface(const Vec3& n) {
+    const double across = n.x * n.x + n.y * n.y;
+    if (across < 1e-12) return {{1, 0, 0}, {0, n.z, 0}, n};
+    const double s = 1 / std::sqrt(across);
+    const Vec3 x{-n.y * s, n.x * s, 0};
+    return {x, cross(n, x), n};
+  }
+
   /// The frame of a device: `axis` is unit; at roll 0, x is the horizontal part of world +x seen across the
   /// axis (world +y where the axis runs along x); roll turns it right-handed about the axis.
   static Frame of_device(const Vec3& axis, double roll_rad) {

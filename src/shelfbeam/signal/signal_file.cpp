@@ -51,6 +51,13 @@ class MatrixWriter {
     entries("/mean", matrix_.mean);
     entries("/standard_error", matrix_.standard_error);
     entries("/direct", matrix_.direct);
+    if (!matrix_.by_bounce.empty()) file_.group("/bounces");
+    for (std::size_t k = 0; k < matrix_.by_bounce.size(); ++k) {
+      const std::string group = fmt::format("/bounces/{}", k);
+      file_.group(group);
+      entries(group + "/mean", matrix_.by_bounce[k].mean);
+      entries(group + "/standard_error", matrix_.by_bounce[k].standard_error);
+    }
 
     const auto& labels = matrix_.labels;
     file_.group("/labels");

@@ -34,6 +34,11 @@ struct TransceiverColumn {
   bool installed = false;
 };
 
+/// The part of a signal matrix that comes over a certain number of bounces.
+struct BounceLayer {
+  std::vector<float> mean, standard_error;  ///< m n entries, as in SignalMatrix
+};
+
 /// The simulated signal matrix M (m labels x n transceivers, row-major) and what belongs to it.
 struct SignalMatrix {
   std::vector<LabelRow> labels;
@@ -41,6 +46,8 @@ struct SignalMatrix {
   std::vector<float> mean;            ///< m n entries: the signal of label i from transceiver j alone
   std::vector<float> standard_error;  ///< m n entries: of `mean`, from independent batches
   std::vector<float> direct;          ///< m n entries: the part of `mean` without any reflection
+  std::vector<BounceLayer>
+      by_bounce;  ///< layer k: k bounces; none unless asked for, and none in a matrix read
   double wavelength_nm = 940;
   Provenance provenance;
 

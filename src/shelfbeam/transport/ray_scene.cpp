@@ -10,7 +10,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -43,13 +45,11 @@ float offset(float p, float n) {
   return std::bit_cast<float>(bits + (p < 0 ? -steps : steps));
 }
 
-Float3 leave_surface(const Vec3& origin, const Vec3& normal) {
-  const Float3 p = to_float(origin), n = to_float(normal);
+Float3 leave_surface(const SurfacePoint& from, const Vec3& direction) {
+  const Float3 p = to_float(from.position);
+  const Float3 n = to_float(dot(from.normal, direction) < 0 ? -from.normal : from.normal);
   return {offset(p.x, n.x), offset(p.y, n.y), offset(p.z, n.z)};
 }
-
-// A ray to a point that touches a surface ends this share of its length before it.
-constexpr float shadow_end = 1 - 1.0F / 65536;
 
 #if SHELFBEAM_EMBREE_MAJOR == 3
 void trace(RTCScene scene, RTCRayHit& ray) {
@@ -84,24 +84,15 @@ RTCRay make_ray(const Float3& origin, const Float3& direction, float end) {
   return ray;
 }
 
-}  // namespace
-
-struct RayScene::Impl {
-  Device device;
-  EmbreeScene scene;
-  TriangleMesh mesh;
-};
-
-RayScene::RayScene(const TriangleMesh& mesh) {
-  auto impl = std::make_unique<Impl>();
-  impl->mesh = mesh;
-  impl->device.reset(rtcNewDevice(nullptr));
-  if (!impl->device) throw std::runtime_error("Embree could not start a device");
-  impl->scene.reset(rtcNewScene(impl->device.get()));
-  rtcSetSceneFlags(impl->scene.get(), RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(impl->scene.get(), RTC_BUILD_QUALITY_HIGH);
-
-  RTCGeometry geometry = rtcNewGeometry(impl->device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, std::span<const std::uint32_t> chosen) {
+  EmbreeScene scene(rtcNewScene(device));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
+  if (chosen.empty()) {
+    rtcCommitScene(scene.get());
+    return scene;
+  }
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
   for (const Vec3& vertex : mesh.vertices) {
@@ -110,18 +101,74 @@ RayScene::RayScene(const TriangleMesh& mesh) {
     *vertices++ = v.y;
     *vertices++ = v.z;
   }
-  auto* indices = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-                              mesh.triangles.size()));
-  for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t corner : triangle) *indices++ = corner;
+  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), chosen.size()));
+  for (const std::uint32_t triangle : chosen)
+    for (const std::uint32_t corner : mesh.triangles[triangle]) *indices++ = corner;
   rtcCommitGeometry(geometry);
-  rtcAttachGeometry(impl->scene.get(), geometry);
+  rtcAttachGeometry(scene.get(), geometry);
   rtcReleaseGeometry(geometry);
-  rtcCommitScene(impl->scene.get());
-  if (const RTCError error = rtcGetDeviceError(impl->device.get()); error != RTC_ERROR_NONE)
+  rtcCommitScene(scene.get());
+  if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
     throw std::runtime_error(
         fmt::format("Embree could not build the scene (error {})", static_cast<int>(error)));
+  return scene;
+}
+
+// Triangles of one kind, in their own Embree scene: Embree's ray masks, which could tell kinds apart, are not
+// built into every package of it.
+struct TriangleSet {
+  std::vector<std::uint32_t> triangles;  // of the mesh, by Embree's number
+  EmbreeScene scene;
+};
+
+struct Found {
+  const TriangleSet* set = nullptr;
+  RTCRayHit query{};
+};
+
+}  // namespace
+
+struct RayScene::Impl {
+  Device device;
+  TriangleMesh mesh;
+  std::vector<std::optional<ThinDielectric>> pane;  // by material
+  TriangleSet opaque, panes;                        // `panes` has no scene where there are none
+
+  // The nearest hit of one set before `end`, in multiples of the direction's length.
+  void nearest(const TriangleSet& set, const Float3& origin, const Float3& direction, float end,
+               Found& found) const {
+    RTCRayHit query{};
+    query.ray = make_ray(origin, direction, end);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    trace(set.scene.get(), query);
+    if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) found = {&set, query};
+  }
+
+  SurfacePoint point(const Found& found) const {
+    // From the barycentric coordinates the point lies in the triangle's plane to rounding, however long the
+    // ray.
+    const auto& [a, b, c] = mesh.triangles[found.set->triangles[found.query.hit.primID]];
+    const Vec3 p0 = mesh.vertices[a], e1 = mesh.vertices[b] - p0, e2 = mesh.vertices[c] - p0;
+    return {p0 + e1 * static_cast<double>(found.query.hit.u) + e2 * static_cast<double>(found.query.hit.v),
+            normalized(cross(e1, e2))};
+  }
+};
+
+RayScene::RayScene(const Scene& scene) {
+  auto impl = std::make_unique<Impl>();
+  impl->mesh = scene.mesh;
+  for (const NamedMaterial& named : scene.materials) {
+    const auto* pane = std::get_if<ThinDielectric>(&named.material);
+    impl->pane.push_back(pane != nullptr ? std::optional(*pane) : std::nullopt);
+  }
+  impl->device.reset(rtcNewDevice(nullptr));
+  if (!impl->device) throw std::runtime_error("Embree could not start a device");
+  for (std::uint32_t t = 0; t < scene.mesh.triangles.size(); ++t)
+    (impl->pane[scene.mesh.materials[t].value] ? impl->panes : impl->opaque).triangles.push_back(t);
+  impl->opaque.scene = build(impl->device.get(), impl->mesh, impl->opaque.triangles);
+  if (!impl->panes.triangles.empty())
+    impl->panes.scene = build(impl->device.get(), impl->mesh, impl->panes.triangles);
   impl_ = std::move(impl);
 }
 
@@ -129,29 +176,45 @@ RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
-std::optional<Hit> RayScene::intersect(const Vec3& origin, const Vec3& normal, const Vec3& direction) const {
-  RTCRayHit query{};
-  query.ray =
-      make_ray(leave_surface(origin, normal), to_float(direction), std::numeric_limits<float>::infinity());
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  trace(impl_->scene.get(), query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-
-  // From the barycentric coordinates the point lies in the triangle's plane to rounding, however long the
-  // ray.
-  const TriangleMesh& mesh = impl_->mesh;
-  const auto& [a, b, c] = mesh.triangles[query.hit.primID];
-  const Vec3 p0 = mesh.vertices[a], e1 = mesh.vertices[b] - p0, e2 = mesh.vertices[c] - p0;
-  const Vec3 n = normalized(cross(e1, e2));
-  return Hit{p0 + e1 * static_cast<double>(query.hit.u) + e2 * static_cast<double>(query.hit.v),
-             dot(n, direction) > 0 ? -n : n, mesh.materials[query.hit.primID]};
+std::optional<Hit> RayScene::intersect(const SurfacePoint& from, const Vec3& direction) const {
+  const Float3 origin = leave_surface(from, direction), d = to_float(direction);
+  Found found;
+  impl_->nearest(impl_->opaque, origin, d, std::numeric_limits<float>::infinity(), found);
+  if (impl_->panes.scene) {
+    const float end = found.set != nullptr ? found.query.ray.tfar : std::numeric_limits<float>::infinity();
+    impl_->nearest(impl_->panes, origin, d, end, found);
+  }
+  if (found.set == nullptr) return std::nullopt;
+  const std::uint32_t triangle = found.set->triangles[found.query.hit.primID];
+  const SurfacePoint point = impl_->point(found);
+  return Hit{point, dot(point.position - from.position, direction), impl_->mesh.materials[triangle],
+             triangle};
 }
 
-bool RayScene::occluded(const Vec3& origin, const Vec3& normal, const Vec3& target) const {
-  const Float3 from = leave_surface(origin, normal), to = to_float(target);
-  RTCRay ray = make_ray(from, {to.x - from.x, to.y - from.y, to.z - from.z}, shadow_end);
-  trace(impl_->scene.get(), ray);
-  return ray.tfar < 0;
+Passage RayScene::passage(const SurfacePoint& from, const Vec3& to) const {
+  const Float3 origin = leave_surface(from, to - from.position), target = to_float(to);
+  RTCRay ray = make_ray(origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z}, shadow_end);
+  trace(impl_->opaque.scene.get(), ray);
+  Passage passage;
+  if (ray.tfar < 0) return {0, 0};
+  if (!impl_->panes.scene) return passage;
+
+  const Vec3 direction = normalized(to - from.position);
+  for (SurfacePoint at = from; passage.share > 0;) {
+    const Float3 start = leave_surface(at, direction);
+    Found found;
+    impl_->nearest(impl_->panes, start, {target.x - start.x, target.y - start.y, target.z - start.z},
+                   shadow_end, found);
+    if (found.set == nullptr) break;
+    at = impl_->point(found);
+    if (dot(to - at.position, direction) <= 0) break;
+    const MaterialId material = impl_->mesh.materials[found.set->triangles[found.query.hit.primID]];
+    const auto [reflected, transmitted] =
+        pane_shares(*impl_->pane[material.value], dot(at.normal, direction));
+    passage.share *= transmitted;
+    passage.probability *= transmitted > 0 ? transmitted / (reflected + transmitted) : 0;
+  }
+  return passage;
 }
 
 }  // namespace shelfbeam

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace shelfbeam {
+
+/// How paths between labels and light sources are sampled; docs/methods/simulation.md has a table of the
+/// paths that each of them covers.
+enum class Strategy {
+  walk,     ///< from the label, until a source is met (2.15): sources need an area
+  nee,      ///< from the label, with a connection to a source at every vertex (2.7.2)
+  mis,      ///< both, weighted against each other (2.7.3)
+  particle  ///< from the source, with connections to all labels at every vertex
+};
+
+/// How multiple importance sampling weights a technique of density p among all (Veach 1997).
+enum class Heuristic {
+  balance,  ///< p / sum p
+  power     ///< p^2 / sum p^2
+};
+
+struct PathRules {
+  static constexpr std::uint32_t no_limit = std::numeric_limits<std::uint32_t>::max();
+
+  Strategy strategy = Strategy::mis;
+  Heuristic heuristic = Heuristic::balance;
+  /// Longest paths, in reflections and refractions; going straight through a pane is neither.
+  std::uint32_t max_bounces = no_limit;
+  /// Whether walks sample the light that comes without a bounce, and over one plane mirror from end to end;
+  /// otherwise `direct` below computes it.
+  bool samples_direct = true;
+
+  /// Whether connections look for plane mirrors: where one end is a point that walks from the other cannot
+  /// meet.
+  bool uses_images(bool point_label, bool point_source) const {
+    if (strategy == Strategy::walk || max_bounces == 0) return false;
+    return strategy == Strategy::particle ? point_label : point_source;
+  }
+};
+
+/// Weight of a technique of density p where another one of density q draws the same path.
+inline double mis_weight(Heuristic heuristic, double p, double q) {
+  const double ratio = q / p;
+  return 1 / (1 + (heuristic == Heuristic::power ? ratio * ratio : ratio));
+}
+
+}  // namespace shelfbeam
