@@ -1,0 +1,129 @@
+// Estimators that share no sampling code agree entry by entry in a small store: 20 labels, 4 units, 2
+// shelves.
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/stats/hypothesis.hpp"
+#include "shelfbeam/transport/simulate.hpp"
+
+#include "strategy_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+SignalMatrix run(const test::StrategyStore& store, Strategy strategy, std::uint64_t samples,
+                 Heuristic heuristic = Heuristic::balance, DirectLight direct = DirectLight::sampled) {
+  SimulationOptions options;
+  options.samples = samples;
+  options.strategy = strategy;
+  options.heuristic = heuristic;
+  options.direct = direct;
+  options.seed = 10 * static_cast<std::uint64_t>(strategy) + (heuristic == Heuristic::power ? 1 : 2);
+  return simulate(store.scene(), "", options).matrix;
+}
+
+// All 80 entries at once at a level of 0.1 %.
+ZTest compare(const SignalMatrix& a, const SignalMatrix& b) {
+  std::vector<double> values, references, errors;
+  for (std::size_t e = 0; e < a.mean.size(); ++e) {
+    values.push_back(a.mean[e]);
+    references.push_back(b.mean[e]);
+    errors.push_back(std::hypot(a.standard_error[e], b.standard_error[e]));
+  }
+  return z_test(values, references, errors, 0.001, batch_count - 1);
+}
+
+double relative_error(const SignalMatrix& matrix) {
+  double squares = 0;
+  for (std::size_t e = 0; e < matrix.mean.size(); ++e)
+    squares += std::pow(matrix.standard_error[e] / matrix.mean[e], 2);
+  return std::sqrt(squares / static_cast<double>(matrix.mean.size()));
+}
+
+void expect_agreement(const std::vector<SignalMatrix>& all, double largest_error) {
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    EXPECT_LT(relative_error(all[a]), largest_error) << all[a].provenance.estimator;
+    for (std::size_t b = 0; b < a; ++b) {
+      const ZTest test = compare(all[a], all[b]);
+      EXPECT_TRUE(test.pass) << all[a].provenance.estimator << " against " << all[b].provenance.estimator
+                             << ": " << test.largest << " of " << test.limit;
+    }
+  }
+}
+
+test::StrategyStore glossy() {
+  test::StrategyStore store;
+  store.add_glossy();
+  return store;
+}
+
+// (ii): discs of 0.4 m and labels of 0.6 x 0.4 m.
+test::StrategyStore glass() {
+  test::StrategyStore store = glossy();
+  store.add_glass();
+  store.radius = 0.4;
+  store.label_size = {0.6, 0.4};
+  return store;
+}
+
+// Diffuse and glossy surfaces, `effort` times the samples that make the root mean square of the entries'
+// relative standard errors about 1 %. The controls are what one strategy finds in a store with coats of
+// another index, or without the paths of more than four bounces.
+void check_glossy(double effort, double largest_error) {
+  const auto samples = [&](double n) { return static_cast<std::uint64_t>(n * effort); };
+  const std::vector<SignalMatrix> all{
+      run(glossy(), Strategy::nee, samples(120000)),
+      run(glossy(), Strategy::mis, samples(120000), Heuristic::power, DirectLight::exact),
+      run(glossy(), Strategy::particle, samples(90000))};
+  expect_agreement(all, largest_error);
+
+  test::StrategyStore other = glossy();
+  other.set("paint", make_lambertian(0.72));
+  EXPECT_FALSE(compare(run(other, Strategy::particle, samples(90000)), all[0]).pass);
+  other = glossy();
+  other.set("floor", make_plastic(1.5, 0.6, make_microfacets(FacetDistribution::beckmann, 0.25, 0.25)));
+  EXPECT_FALSE(compare(run(other, Strategy::particle, samples(90000)), all[0]).pass);
+}
+
+// With a mirror, a pane and a glass block, `effort` times the samples of about 3 %. The controls are what is
+// found without one of these.
+void check_glass(double effort, double largest_error) {
+  const auto samples = [&](double n) { return static_cast<std::uint64_t>(n * effort); };
+  const std::vector<SignalMatrix> all{
+      run(glass(), Strategy::walk, samples(350000)), run(glass(), Strategy::nee, samples(75000)),
+      run(glass(), Strategy::mis, samples(75000), Heuristic::balance),
+      run(glass(), Strategy::mis, samples(75000), Heuristic::power, DirectLight::exact),
+      run(glass(), Strategy::particle, samples(120000))};
+  expect_agreement(all, largest_error);
+
+  for (const auto& [name, material] :
+       std::vector<std::pair<std::string, Material>>{{"mirror", make_lambertian(0)},
+                                                     {"pane", make_thin_dielectric(1, 0, 0)},
+                                                     {"glass", make_lambertian(0)}}) {
+    test::StrategyStore other = glass();
+    other.set(name, material);
+    EXPECT_FALSE(compare(run(other, Strategy::mis, samples(75000)), all[2]).pass) << name;
+  }
+}
+
+// The fast checks run at errors of 1.2 % and 4 %.
+TEST(StrategyAgreement, DiffuseAndGlossy) {
+  check_glossy(1, 0.012);
+}
+TEST(StrategyAgreement, MirrorPaneAndGlass) {
+  check_glass(0.6, 0.045);
+}
+
+TEST(StrategyAgreementSlow, DiffuseAndGlossyToHalfAPercent) {
+  check_glossy(4, 0.0055);
+}
+TEST(StrategyAgreementSlow, MirrorPaneAndGlassToAPercent) {
+  check_glass(9, 0.011);
+}
+
+}  // namespace
+}  // namespace shelfbeam
