@@ -51,6 +51,29 @@ TEST(Emission, NothingLeavesBackwards) {
             0);
 }
 
+// Against the mean of 100,000 azimuths, which a linear interpolation between planes errs from by less than
+// 1e-8.
+TEST(Emission, MeanIntensityIsTheAverageOverPhi) {
+  for (const Emission& profile :
+       {Emission(SinTwoTheta{1.5}), Emission(GeneralizedLambertian{7.05, 0.1}),
+        Emission(IsotropicHemisphere{0.3}), Emission(EmissionTable{test::axial_table()}),
+        Emission(EmissionTable{test::lopsided_table()})})
+    for (const double theta : {1e-9, 0.2, 1.0, 1.5, 3.0}) {  // on the axis itself a direction has no phi
+      double sum = 0;
+      constexpr int azimuths = 100'000;
+      for (int k = 0; k < azimuths; ++k) {
+        const double phi = 2 * pi * (k + 0.5) / azimuths;
+        sum += intensity(profile,
+                         {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
+      }
+      EXPECT_NEAR(mean_intensity(profile, theta), sum / azimuths, 1e-8) << theta;
+    }
+  // The control: the planes differ by far more.
+  const Emission lopsided = EmissionTable{test::lopsided_table()};
+  EXPECT_GT(std::abs(intensity(lopsided, {std::sin(1.0), 0, std::cos(1.0)}) - mean_intensity(lopsided, 1)),
+            1e-3);
+}
+
 TEST(Emission, TablesInterpolateBetweenTheirPoints) {
   const auto at = [](double theta_deg, double phi_deg) {
     const double t = radians(theta_deg), p = radians(phi_deg);

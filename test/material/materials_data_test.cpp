@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/material/reflectances_940nm.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
@@ -65,6 +66,13 @@ TEST(MaterialsData, CheckFindsWhatIsMissing) {
   EXPECT_NE(with("source", "hearsay"), "");
   EXPECT_NE(with("source", "owcsimpy"), "");
   EXPECT_NE(with("range", Json::array({0.9, 0.7})), "");
+}
+
+TEST(MaterialsData, ProgramKnowsAllReflectances) {
+  const Json data = read_data();
+  EXPECT_EQ(reflectances_940nm().size(), data["reflectances"].size());
+  for (const NamedReflectance& entry : reflectances_940nm())
+    EXPECT_EQ(data["reflectances"][entry.name]["reflectance"], entry.reflectance) << entry.name;
 }
 
 // The facts that the project's research lists.

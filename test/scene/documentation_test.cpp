@@ -15,8 +15,8 @@ namespace {
 using test::Json;
 
 // The fenced blocks of a kind, in the order of the page.
-std::vector<std::string> blocks(const std::string& kind) {
-  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/store.md");
+std::vector<std::string> blocks(const std::string& kind, const std::string& name = "store.md") {
+  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/" + name);
   const std::string open = "```" + kind + "\n";
   std::vector<std::string> found;
   for (std::size_t at = page.find(open); at != std::string::npos; at = page.find(open, at)) {
@@ -34,7 +34,7 @@ std::vector<std::string> ids_of(const Scene& scene) {
 
 TEST(Documentation, ExampleOfTheStoreFileIsAccepted) {
   const auto examples = blocks("jsonc");
-  ASSERT_EQ(examples.size(), 1u);
+  ASSERT_EQ(examples.size(), 2u);
   const Scene scene = make_scene(test::read_text(examples[0]));
   EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
   const auto ids = ids_of(scene);
@@ -47,6 +47,26 @@ TEST(Documentation, ExampleOfTheStoreFileIsAccepted) {
   ASSERT_EQ(scene.transceivers.size(), 7u * 5 - 2 + 1);
   EXPECT_TRUE(scene.transceivers.back().installed);
   EXPECT_EQ(scene.transceivers.back().id, "till");
+}
+
+// The types of a fragment, in the example of the store file.
+Store with_types(const std::string& fragment) {
+  Json store = Json::parse(blocks("jsonc")[0], nullptr, true, true);
+  const Json types = Json::parse(fragment, nullptr, true, true);
+  for (const auto& [section, members] : types.items()) store[section].update(members);
+  return test::read_text(store.dump(), SHELFBEAM_SOURCE_DIR "/data/photometry");
+}
+
+TEST(Documentation, ExamplesOfTypesAreAccepted) {
+  const Store store = with_types(blocks("jsonc").at(1));
+  EXPECT_EQ(store.materials.size(), 4u + 6);
+  ASSERT_EQ(store.label_types.size(), 1u + 3);
+  ASSERT_EQ(store.transceiver_types.size(), 1u + 3);
+  const Emission& aisle = store.transceiver_types[1].emission;
+  EXPECT_NEAR(store.label_types[1].threshold, mean_intensity(aisle, 0) / 36, 1e-15);
+  const Store measured = with_types("{" + blocks("jsonc", "photometry.md").at(0) + "}");
+  ASSERT_EQ(measured.transceiver_types.size(), 1u + 2);
+  EXPECT_NEAR(power(measured.transceiver_types[2].emission), 0.8, 1e-14);
 }
 
 TEST(Documentation, CsvExamplesAreAccepted) {

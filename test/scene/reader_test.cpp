@@ -37,14 +37,14 @@ TEST(StoreReader, ReadsNameAndRoom) {
 
 TEST(StoreReader, ReadsMaterialsInTheirOrder) {
   const Store store = sample();
-  ASSERT_EQ(store.materials.size(), 4u);
+  ASSERT_EQ(store.materials.size(), 9u);
   EXPECT_EQ(store.materials[1].name, "tile");
   EXPECT_EQ(std::get<Lambertian>(store.materials[1].material).reflectance, 0.5);
 }
 
 TEST(StoreReader, ReadsLabelTypes) {
   const Store store = sample();
-  ASSERT_EQ(store.label_types.size(), 2u);
+  ASSERT_EQ(store.label_types.size(), 4u);
   const LabelType& small = store.label_types[0];
   EXPECT_EQ(small.name, "small");
   EXPECT_EQ(small.threshold, 0.02);

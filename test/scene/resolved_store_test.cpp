@@ -1,4 +1,7 @@
+#include <array>
+#include <filesystem>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -87,6 +90,65 @@ TEST(ResolvedStore, KeepsTheAnglesOfTables) {
   }
 }
 
+// Every way to write a material, and every photometric file there is: all symmetries, types C and B.
+TEST(ResolvedStore, KeepsMaterials) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0.01, 1);
+  const auto roughness = [&](bool anisotropic) {
+    return anisotropic ? Json{share(random), share(random)} : Json(share(random));
+  };
+  Json store = sample_store();
+  Json& materials = store["materials"];
+  int count = 0;
+  const auto add = [&](Json material) { materials["m" + std::to_string(count++)] = std::move(material); };
+  for (const bool anisotropic : {false, true})
+    for (const auto& [distribution, masking, sampling] : {std::array{"ggx", "smith", "visible"},
+                                                          {"ggx", "smith", "all"},
+                                                          {"ggx", "cook_torrance", "visible"},
+                                                          {"beckmann", "smith", "all"},
+                                                          {"beckmann", "smith_rational", "all"},
+                                                          {"beckmann", "cook_torrance", "all"}}) {
+      const Json facets{{"roughness", roughness(anisotropic)},
+                        {"distribution", distribution},
+                        {"masking", masking},
+                        {"sampling", sampling}};
+      const auto with_facets = [&](Json material) {
+        material.update(facets);
+        add(material);
+      };
+      with_facets({{"type", "conductor"}, {"eta", share(random)}, {"k", 10 * share(random)}});
+      if (!anisotropic)
+        with_facets({{"type", "plastic"}, {"ior", 1 + share(random)}, {"reflectance", share(random)}});
+      if (std::string(masking) != "cook_torrance")
+        with_facets({{"type", "dielectric"}, {"ior", 1.01 + share(random)}});
+    }
+  add({{"type", "dielectric"}, {"ior", 1 + share(random)}});
+  add({{"type", "lambertian"}, {"reflectance", "plaster"}});
+  add({{"type", "plastic"}, {"ior", 1.5}, {"reflectance", "ceramic_tile"}});
+  add({{"type", "thin_dielectric"}, {"ior", 1 + share(random)}, {"thickness", share(random)}});
+  expect_same_scene(test::read_text(store.dump()));
+  const Store read = test::read_text(store.dump());
+  EXPECT_EQ(
+      Json::parse(resolved_store_json(read, make_scene(read)))["materials"]["m" + std::to_string(count - 3)],
+      Json::parse(R"({ "type": "lambertian", "reflectance": 0.836 })"));
+}
+
+TEST(ResolvedStore, KeepsProfilesOfFiles) {
+  for (const char* folder : {"/data/photometry", "/test/device/photometry"})
+    for (const auto& entry :
+         std::filesystem::directory_iterator(SHELFBEAM_SOURCE_DIR + std::string(folder))) {
+      const auto name = entry.path().filename().string();
+      if (name.ends_with(".md")) continue;
+      SCOPED_TRACE(name);
+      Json store = sample_store();
+      store["transceiver_types"]["ring"]["emission"] = {
+          {"type", name.ends_with(".ies") ? "ies" : "eulumdat"}, {"file", name}, {"flux", 0.7}};
+      store["label_types"]["deep"]["threshold"] = {{"hears", "ring"}, {"at_m", 3.3}, {"angle_deg", 45}};
+      if (name == "upwards.ies") store["label_types"]["deep"]["threshold"]["angle_deg"] = 135;
+      expect_same_scene(test::read_text(store.dump(), entry.path().parent_path()));
+    }
+}
+
 TEST(ResolvedStore, HasEverythingListed) {
   const Store store = test::read_text(sample_store().dump());
   const Scene scene = make_scene(store);
@@ -94,6 +156,7 @@ TEST(ResolvedStore, HasEverythingListed) {
   EXPECT_EQ(resolved["labels"].size(), scene.labels.size());
   EXPECT_EQ(resolved["transceivers"]["list"].size(), scene.transceivers.size());
   EXPECT_EQ(resolved["transceivers"]["installed"], Json::parse(R"(["T1"])"));
+  EXPECT_EQ(resolved["label_types"]["deep"]["threshold"], 0.08) << "not as a range";
   for (const char* key : {"grids", "keep_out"}) EXPECT_FALSE(resolved["transceivers"].contains(key));
   for (const Json& fixture : resolved["fixtures"]) {
     EXPECT_FALSE(fixture.contains("labels"));
@@ -109,7 +172,27 @@ TEST(ResolvedStore, ComparisonSeesEveryChange) {
            {"/room/size/0", "8.000000000000002"},
            {"/room/walls/x0", "\"tile\""},
            {"/materials/tile/reflectance", "0.5000000000000001"},
+           {"/materials/foil/k", "8.608000000000002"},
+           {"/materials/chrome/eta", "3.3570000000000007"},
+           {"/materials/chrome/roughness/1", "0.4000000000000001"},
+           {"/materials/chrome/masking", "\"smith\""},
+           {"/materials/chrome",
+            R"({ "type": "conductor", "eta": 3.357, "k": 3.546, "roughness": [0.2, 0.4] })"},
+           {"/materials/jar/sampling", "\"all\""},
+           {"/materials/jar/roughness", "0"},
+           {"/materials/carton/roughness", "0.5"},
+           {"/materials/carton/ior", "1.5000000000000002"},
+           {"/materials/carton/reflectance", "0.6000000000000001"},
+           {"/materials/door/thickness", "0.006000000000000001"},
+           {"/materials/door/absorption_per_m", "54.60000000000001"},
            {"/label_types/large/threshold", "0.010000000000000002"},
+           {"/label_types/deep/threshold/at_m", "5.000000000000001"},
+           {"/label_types/deep/responsivity/exponent", "2.5000000000000004"},
+           {"/label_types/deep/responsivity/cutoff_deg", "60.00000000000001"},
+           {"/label_types/deep/size/0", "0.20000000000000004"},
+           {"/label_types/measured/responsivity/theta_deg/1", "40.00000000000001"},
+           {"/label_types/measured/responsivity/response/1", "1.5000000000000002"},
+           {"/transceiver_types/disc/radius", "0.20000000000000004"},
            {"/transceiver_types/down/cost", "4.000000000000001"},
            {"/transceiver_types/wide/emission/intensity", "0.5000000000000001"},
            {"/transceiver_types/fan/emission/theta_deg/1", "45.00000000000001"},

@@ -1,13 +1,70 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam::test {
+
+/// What a type is made of, doubles as their bits; one line.
+class TypePrint {
+ public:
+  std::string of(const NamedMaterial& named) {
+    out_ << "material " << named.name << ' ' << named.material.index() << ' ';
+    std::visit([this](const auto& m) { print(m); }, named.material);
+    return take();
+  }
+  std::string of(const LabelType& type) {
+    out_ << "label type " << type.name << ' ' << type.responsivity.index() << ' ';
+    std::visit([this](const auto& r) { print(r); }, type.responsivity);
+    all(type.size), all(std::array{type.threshold, type.safety_factor, type.link_cost, type.signal_cost});
+    return take();
+  }
+  std::string of(const TransceiverType& type) {
+    out_ << "transceiver type " << type.name << ' ' << type.emission.index() << ' ';
+    std::visit([this](const auto& e) { print(e); }, type.emission);
+    all(std::array{type.radius, type.cost, power(type.emission)});
+    return take();
+  }
+
+ private:
+  std::string take() { return std::exchange(out_, std::ostringstream()).str(); }
+  template <class List>
+  void all(const List& values) {
+    for (const double x : values) out_ << std::hex << std::bit_cast<std::uint64_t>(x) << ' ';
+    out_ << "/ ";
+  }
+  void print(const std::optional<Microfacets>& f) {
+    if (!f) return;
+    out_ << static_cast<int>(f->distribution) << ' ' << static_cast<int>(f->masking) << ' '
+         << static_cast<int>(f->sampling) << ' ';
+    all(std::array{f->alpha_x, f->alpha_y});
+  }
+  void print(const DirectionTable& t) { all(t.theta()), all(t.phi()), all(t.values()); }
+  void print(const Lambertian& m) { all(std::array{m.reflectance}); }
+  void print(const Conductor& m) { all(std::array{m.eta, m.k}), print(m.facets); }
+  void print(const Plastic& m) {
+    all(std::array{m.ior, m.reflectance, m.base_scale, m.base_albedo}), print(m.facets);
+  }
+  void print(const Dielectric& m) { all(std::array{m.ior}), print(m.facets); }
+  void print(const ThinDielectric& m) { all(std::array{m.ior, m.thickness, m.absorption_per_m}); }
+  void print(const SinTwoTheta& e) { all(std::array{e.peak}); }
+  void print(const IsotropicHemisphere& e) { all(std::array{e.intensity}); }
+  void print(const GeneralizedLambertian& e) { all(std::array{e.order, e.flux}); }
+  void print(const EmissionTable& e) { print(e.intensity); }
+  void print(const CosineResponse&) {}
+  void print(const CosinePowerResponse& r) { all(std::array{r.exponent, r.cutoff}); }
+  void print(const ResponseTable& r) { print(r.response); }
+
+  std::ostringstream out_;
+};
 
 /// Every bit of a scene that a result can depend on, written out; doubles as their bits.
 inline std::string fingerprint(const Scene& scene) {
@@ -21,20 +78,10 @@ inline std::string fingerprint(const Scene& scene) {
   bits(scene.wavelength_nm);
   if (scene.room) point(*scene.room);
   point(scene.lower), point(scene.upper);
-  for (const auto& [name, material] : scene.materials)
-    out << "\nmaterial " << name << ' ', bits(std::get<Lambertian>(material).reflectance);
-  for (const LabelType& type : scene.label_types) {
-    out << "\nlabel type " << type.name << ' ';
-    bits(type.threshold), bits(type.safety_factor), bits(type.link_cost), bits(type.signal_cost);
-  }
-  for (const TransceiverType& type : scene.transceiver_types) {
-    out << "\ntransceiver type " << type.name << ' ' << type.emission.index() << ' ';
-    bits(type.cost), bits(power(type.emission));
-    if (const auto* table = std::get_if<EmissionTable>(&type.emission))
-      for (const auto* list :
-           {&table->intensity.theta(), &table->intensity.phi(), &table->intensity.values()})
-        for (const double value : *list) bits(value);
-  }
+  TypePrint types;
+  for (const NamedMaterial& material : scene.materials) out << '\n' << types.of(material);
+  for (const LabelType& type : scene.label_types) out << '\n' << types.of(type);
+  for (const TransceiverType& type : scene.transceiver_types) out << '\n' << types.of(type);
   out << "\nmesh ";
   for (const Vec3& vertex : scene.mesh.vertices) point(vertex);
   for (const auto& [a, b, c] : scene.mesh.triangles) out << a << ' ' << b << ' ' << c << ' ';

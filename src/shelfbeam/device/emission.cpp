@@ -1,6 +1,8 @@
 #include "shelfbeam/device/emission.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "shelfbeam/device/detail/cosine_power.hpp"
 #include "shelfbeam/math/warp.hpp"
@@ -71,6 +73,20 @@ std::string_view type_name(const EmissionTable&) {
   return "table";
 }
 
+template <class RotationallySymmetric>
+double mean_intensity(const RotationallySymmetric& e, double theta) {
+  return intensity(e, {std::sin(theta), 0, std::cos(theta)});
+}
+double mean_intensity(const EmissionTable& e, double theta) {
+  const std::vector<double>& phi = e.intensity.phi();
+  if (phi.size() == 1) return e.intensity.value(theta, 0);
+  double sum = 0;
+  for (std::size_t p = 0; p + 1 < phi.size(); ++p)
+    sum +=
+        (phi[p + 1] - phi[p]) * (e.intensity.value(theta, phi[p]) + e.intensity.value(theta, phi[p + 1])) / 2;
+  return sum / (2 * pi);
+}
+
 template <class Profile>
 std::optional<DirectionSample> sample(const Profile& e, double u1, double u2) {
   const Vec3 direction = draw(e, u1, u2);
@@ -84,6 +100,10 @@ std::optional<DirectionSample> sample(const EmissionTable& e, double u1, double 
 
 double intensity(const Emission& emission, const Vec3& direction) {
   return std::visit([&](const auto& e) { return intensity(e, direction); }, emission);
+}
+
+double mean_intensity(const Emission& emission, double theta) {
+  return std::visit([&](const auto& e) { return mean_intensity(e, theta); }, emission);
 }
 
 double power(const Emission& emission) {

@@ -40,6 +40,9 @@ using Emission = std::variant<SinTwoTheta, IsotropicHemisphere, GeneralizedLambe
 /// Radiant intensity in W/sr towards a unit direction in the device's frame.
 double intensity(const Emission& emission, const Vec3& direction);
 
+/// Radiant intensity in W/sr at an angle of 0 to pi from the axis, averaged over phi.
+double mean_intensity(const Emission& emission, double theta);
+
 /// Total flux in W: closed forms; for a table the exact integral of the interpolation.
 double power(const Emission& emission);
 

@@ -1,5 +1,3 @@
-#include <system_error>
-
 #include <fmt/format.h>
 
 #include "shelfbeam/scene/device_csv.hpp"
@@ -45,12 +43,7 @@ Transceiver read_transceiver(const JsonCursor& cursor, const StoreNames& names) 
 
 std::filesystem::path csv_path(const JsonCursor& section, const std::filesystem::path& folder) {
   section.expect_keys({"csv"});
-  const std::filesystem::path path = folder / section["csv"].text();
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
-    section["csv"].fail(fmt::format("the file '{}' does not exist", path.string()),
-                        "paths are relative to the store file");
-  return path;
+  return read_path(section["csv"], folder);
 }
 
 }  // namespace

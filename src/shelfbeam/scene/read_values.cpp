@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
 
@@ -42,14 +44,50 @@ double read_angle_deg(const JsonCursor& cursor) {
   return cursor.number(-360, 360);
 }
 
+double read_extent(const JsonCursor& cursor, double least) {
+  constexpr double largest = 10;
+  const double value = cursor.non_negative();
+  if (value > 0 && (value < least || value > largest))
+    cursor.fail(fmt::format("is {}, which is outside {} to {} m", value, least, largest),
+                "use a value in that range, or 0 for a point");
+  return value;
+}
+
 double read_quantity(const JsonCursor& cursor) {
   cursor.positive();
-  return cursor.number(1e-12, 1e9);
+  return cursor.number(least_quantity, largest_amount);
 }
 
 double read_amount(const JsonCursor& cursor) {
   cursor.non_negative();
-  return cursor.number(0, 1e9);
+  return cursor.number(0, largest_amount);
+}
+
+std::vector<double> read_amounts(const JsonCursor& row, std::size_t angles) {
+  std::vector<double> values;
+  for (const JsonCursor& value : row.elements()) values.push_back(read_amount(value));
+  if (values.size() != angles)
+    row.fail(fmt::format("has {} values for {} angles", values.size(), angles),
+             "give one value for each theta");
+  return values;
+}
+
+std::vector<double> read_angles(const JsonCursor& cursor, double last_deg) {
+  std::vector<double> angles;
+  for (const JsonCursor& element : cursor.elements()) {
+    const double angle = radians(element.number(0, last_deg));
+    // Compared as it is kept: two angles may become the same in radians.
+    if (!angles.empty() && angle <= angles.back()) cursor.fail("does not ascend", "sort the angles");
+    angles.push_back(angle);
+  }
+  if (angles.empty()) cursor.fail("is empty", "give some angles");
+  return angles;
+}
+
+std::vector<double> read_angles_from_zero(const JsonCursor& cursor, double last_deg) {
+  std::vector<double> angles = read_angles(cursor, last_deg);
+  if (angles.front() != 0) cursor.fail("does not begin at 0", "angles ascend from 0");
+  return angles;
 }
 
 Vec3 unit_direction(const Vec3& v, const std::string& where) {
@@ -75,6 +113,15 @@ std::string check_name(std::string name, const std::string& where) {
 
 std::string read_name(const JsonCursor& cursor) {
   return check_name(cursor.text(), cursor.where());
+}
+
+std::filesystem::path read_path(const JsonCursor& cursor, const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / cursor.text();
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    cursor.fail(fmt::format("the file '{}' does not exist", path.string()),
+                "paths are relative to the store file");
+  return path;
 }
 
 }  // namespace shelfbeam

@@ -1,10 +1,7 @@
-#include <cmath>
-#include <cstddef>
-
 #include <nlohmann/json.hpp>
 
-#include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/fixture_geometry.hpp"
+#include "shelfbeam/scene/resolved_types.hpp"
 #include "shelfbeam/scene/store.hpp"
 
 namespace shelfbeam {
@@ -26,13 +23,10 @@ class Resolver {
     json["name"] = store_.name;
     json["wavelength_nm"] = store_.wavelength_nm;
     if (store_.room) json["room"] = room(*store_.room);
-    for (const auto& [name, material] : store_.materials)
-      json["materials"][name] = {{"type", type_name(material)},
-                                 {"reflectance", std::get<Lambertian>(material).reflectance}};
-    for (const LabelType& type : store_.label_types) json["label_types"][type.name] = label_type(type);
+    for (const auto& [name, material] : store_.materials) json["materials"][name] = resolved(material);
+    for (const LabelType& type : store_.label_types) json["label_types"][type.name] = resolved(type);
     for (const TransceiverType& type : store_.transceiver_types)
-      json["transceiver_types"][type.name] = {
-          {"emission", emission(type.emission)}, {"radius", 0}, {"cost", type.cost}};
+      json["transceiver_types"][type.name] = resolved(type);
     json["fixtures"] = Json::array();
     for (const auto& [value, where] : store_.fixtures)
       json["fixtures"].push_back(std::visit([this](const auto& f) { return fixture(f); }, value));
@@ -66,53 +60,6 @@ class Resolver {
               {"x1", name(r.materials[1])},
               {"y0", name(r.materials[2])},
               {"y1", name(r.materials[3])}}}};
-  }
-
-  static Json label_type(const LabelType& type) {
-    return {{"responsivity", {{"type", "cosine"}}}, {"size", {0, 0}},
-            {"threshold", type.threshold},          {"safety_factor", type.safety_factor},
-            {"link_cost", type.link_cost},          {"signal_cost", type.signal_cost}};
-  }
-
-  static Json emission(const SinTwoTheta& e) { return {{"type", "sin2theta"}, {"peak", e.peak}}; }
-  static Json emission(const IsotropicHemisphere& e) {
-    return {{"type", "isotropic"}, {"intensity", e.intensity}};
-  }
-  static Json emission(const GeneralizedLambertian& e) {
-    return {{"type", "lambertian"}, {"order", e.order}, {"flux", e.flux}};
-  }
-  static Json emission(const EmissionTable& e) {
-    const DirectionTable& table = e.intensity;
-    Json json{{"type", "table"}, {"theta_deg", degrees(table.theta())}};
-    if (table.phi().size() == 1) {
-      json["intensity"] = table.values();
-      return json;
-    }
-    json["phi_deg"] = degrees(table.phi());
-    json["intensity"] = Json::array();
-    const auto width = static_cast<std::ptrdiff_t>(table.theta().size());
-    for (auto row = table.values().begin(); row != table.values().end(); row += width)
-      json["intensity"].push_back(std::vector<double>(row, row + width));
-    return json;
-  }
-  static Json emission(const Emission& e) {
-    return std::visit([](const auto& profile) { return emission(profile); }, e);
-  }
-
-  // Angles came from degrees; undo the conversion so that reading them back gives the same bits.
-  static std::vector<double> degrees(const std::vector<double>& angles) {
-    std::vector<double> result;
-    for (const double angle : angles) {
-      double value = angle * 180 / pi;
-      for (const double near :
-           {std::round(value * 1e6) / 1e6, value, std::nextafter(value, 0.0), std::nextafter(value, 400.0)})
-        if (radians(near) == angle) {
-          value = near;
-          break;
-        }
-      result.push_back(value);
-    }
-    return result;
   }
 
   Json shelving(const char* type, const Shelving& s) const {

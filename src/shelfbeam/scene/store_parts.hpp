@@ -15,8 +15,9 @@ namespace shelfbeam {
 // The sections of a store file; each reads one and throws InputError with its JSON path.
 
 void read_materials(const JsonCursor& section, Store& store);
+void read_transceiver_types(const JsonCursor& section, const std::filesystem::path& folder, Store& store);
+/// After the transceiver types, which a threshold may name.
 void read_label_types(const JsonCursor& section, Store& store);
-void read_transceiver_types(const JsonCursor& section, Store& store);
 void read_fixtures(const JsonCursor& section, const StoreNames& names, const std::filesystem::path& folder,
                    Store& store);
 void read_labels(const JsonCursor& section, const StoreNames& names, const std::filesystem::path& folder,

@@ -40,8 +40,8 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   if (const auto title = root.find("name")) store.name = title->text();
   if (const auto wavelength = root.find("wavelength_nm")) store.wavelength_nm = wavelength->number(100, 1e5);
   read_materials(root["materials"], store);
+  read_transceiver_types(root["transceiver_types"], folder, store);
   read_label_types(root["label_types"], store);
-  read_transceiver_types(root["transceiver_types"], store);
 
   const StoreNames names(store);
   if (const auto room = root.find("room")) store.room = read_room(*room, names);
