@@ -13,10 +13,6 @@ namespace {
 // Planes are one where they agree to this, relative to the size of the scene and in the normal.
 constexpr double same_plane = 1e-6;
 
-bool mirrors_a_share(const Material& material) {
-  return specular_reflectance(material, {0, 0, 1}) > 0;
-}
-
 // Normals that look to opposite sides belong to the same plane.
 Vec3 canonical(const Vec3& n) {
   const double lead = std::abs(n.x) > 0.5 ? n.x : std::abs(n.y) > 0.5 ? n.y : n.z;
@@ -24,6 +20,10 @@ Vec3 canonical(const Vec3& n) {
 }
 
 }  // namespace
+
+bool mirrors_a_share(const Material& material) {
+  return specular_reflectance(material, {0, 0, 1}) > 0;
+}
 
 PlaneMirrors::PlaneMirrors(const Scene& scene) : scene_(scene), left_out_(scene.materials.size()) {
   std::vector<bool> is_mirror;

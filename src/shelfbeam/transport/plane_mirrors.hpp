@@ -11,6 +11,9 @@
 
 namespace shelfbeam {
 
+/// Whether a surface reflects a share as a mirror does.
+bool mirrors_a_share(const Material& material);
+
 /// The way from one point to another over one mirror.
 struct Bend {
   Vec3 at;           ///< on the mirror's plane
