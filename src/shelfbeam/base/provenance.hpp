@@ -20,7 +20,7 @@ struct Provenance {
   std::string program_version;
   std::string store_hash;  ///< content_hash of the resolved store; empty for a matrix from elsewhere
   std::uint64_t seed = 0;
-  std::string estimator;  ///< e.g. "uniform, direct sampled"; empty for a matrix from elsewhere
+  std::string estimator;  ///< e.g. "uniform mis (balance), direct exact"; empty for a matrix from elsewhere
 };
 
 }  // namespace shelfbeam
