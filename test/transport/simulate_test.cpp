@@ -10,6 +10,7 @@
 #include "shelfbeam/stats/hypothesis.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
+#include "support/expect_input_error.hpp"
 #include "support/small_store.hpp"
 
 namespace shelfbeam {
@@ -45,6 +46,45 @@ TEST(Simulate, IsBitwiseTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.direct, many.direct);
   }
   EXPECT_NE(one.mean, run(scene, 640, DirectLight::sampled, 2, 1).matrix.mean);
+}
+
+TEST(Simulate, EveryStrategyIsBitwiseTheSameForAnyNumberOfThreads) {
+  Scene scene = test::SmallStore{}.scene();
+  for (TransceiverType& type : scene.transceiver_types) type.radius = 0.1;
+  for (LabelType& type : scene.label_types) type.size = {0.1, 0.05};
+  for (const Strategy strategy : {Strategy::walk, Strategy::nee, Strategy::mis, Strategy::particle})
+    for (const DirectLight direct : {DirectLight::sampled, DirectLight::exact}) {
+      SimulationOptions options;
+      options.samples = 320;
+      options.strategy = strategy;
+      options.direct = direct;
+      options.max_bounces = 4;
+      options.by_bounce = true;
+      const auto with = [&](unsigned threads) {
+        RunControl control;
+        control.threads = threads;
+        return simulate(scene, "hash", options, control).matrix;
+      };
+      const SignalMatrix one = with(1), many = with(3);
+      EXPECT_EQ(one.mean, many.mean);
+      EXPECT_EQ(one.standard_error, many.standard_error);
+      EXPECT_EQ(one.direct, many.direct);
+      ASSERT_EQ(one.by_bounce.size(), 5u);
+      for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(one.by_bounce[k].mean, many.by_bounce[k].mean);
+      options.seed = 2;
+      EXPECT_NE(one.mean, with(1).mean);
+    }
+}
+
+TEST(Simulate, RefusesWhatCannotBe) {
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions options;
+  options.strategy = Strategy::walk;
+  test::expect_input_error([&] { simulate(scene, "", options); }, "--strategy walk", "'T0'", "'unit0'",
+                           "radius");
+  options = {};
+  options.by_bounce = true;
+  test::expect_input_error([&] { simulate(scene, "", options); }, "--by-bounce", "--max-bounces");
 }
 
 TEST(Simulate, PermutedLabelsPermuteTheRowsToTheBit) {
