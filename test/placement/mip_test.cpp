@@ -197,7 +197,8 @@ TEST(PlacementMip, TellsSmallCostsApartBesideLargeOnes) {
   const Question question{CommunicationModel::cooperative, Objective::signal, Combination::weighted};
   const double best = test::BruteForce(table, question).best_sum;
   for (const milp::Backend& backend : milp::backends()) {
-    const Placement found = place_by_mip(table, question, {0, 1, 2, 3}, backend.solve, 60, {}).placement;
+    const Placement found =
+        place_by_mip(table, question, Columns{0, 1, 2, 3}, backend.solve, 60, {}).placement;
     EXPECT_EQ(found.status, Status::optimal) << backend.name;
     EXPECT_NEAR(found.objective_value / best, 1, 1e-9) << backend.name;
     EXPECT_NEAR(found.lower_bound / best, 1, 2e-6) << backend.name;
