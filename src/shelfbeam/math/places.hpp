@@ -22,4 +22,13 @@ struct Places {
 /// is transitive, and does not depend on the order of the positions.
 Places places_of(std::span<const Vec3> positions);
 
+/// The positions of things that have one.
+template <class Thing>
+std::vector<Vec3> positions_of(const std::vector<Thing>& things) {
+  std::vector<Vec3> positions;
+  positions.reserve(things.size());
+  for (const Thing& thing : things) positions.push_back(thing.position);
+  return positions;
+}
+
 }  // namespace shelfbeam

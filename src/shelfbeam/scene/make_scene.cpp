@@ -217,9 +217,7 @@ class SceneMaker {
   }
 
   void expect_one_installed_at_a_point() const {
-    std::vector<Vec3> positions;
-    for (const Transceiver& unit : scene_.transceivers) positions.push_back(unit.position);
-    const Places places = places_of(positions);
+    const Places places = places_of(positions_of(scene_.transceivers));
     std::vector<const Transceiver*> at(places.count, nullptr);
     for (const auto& [id, where] : store_.installed) {
       const std::size_t index = unit_index_.at(id);

@@ -33,12 +33,9 @@ void expect_one_installed(const SignalTable& table, const std::string& name) {
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> shared_mounts(const SignalMatrix& matrix) {
-  std::vector<Vec3> positions;
-  positions.reserve(matrix.columns());
-  for (const TransceiverColumn& unit : matrix.transceivers) positions.push_back(unit.position);
-  const Places places = places_of(positions);
+  const Places places = places_of(positions_of(matrix.transceivers));
   std::vector<std::vector<std::uint32_t>> mounts(places.count);
-  for (std::uint32_t j = 0; j < positions.size(); ++j) mounts[places.of[j]].push_back(j);
+  for (std::uint32_t j = 0; j < matrix.columns(); ++j) mounts[places.of[j]].push_back(j);
   std::erase_if(mounts, [](const auto& mount) { return mount.size() < 2; });
   return mounts;
 }

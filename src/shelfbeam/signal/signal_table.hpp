@@ -46,6 +46,11 @@ struct SignalTable {
 
   std::size_t rows() const { return labels.size(); }
   std::size_t columns() const { return transceivers.size(); }
+  std::size_t mounting_points() const {
+    std::size_t count = columns();
+    for (const auto& mount : mounts) count -= mount.size() - 1;
+    return count;
+  }
   std::span<const SignalEntry> row(std::size_t label) const {
     return std::span(entries).subspan(row_begin[label], row_begin[label + 1] - row_begin[label]);
   }
