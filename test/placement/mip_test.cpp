@@ -194,6 +194,37 @@ TEST(PlacementMip, NeedsNoStart) {
     }
 }
 
+// No start, and nothing looked at before: "there is none" rests on the solver alone, near the rule's edge
+// too. Half of the tables have options. Optima are proven within a relative gap of 1e-6.
+TEST(PlacementMip, EqualsEnumerationWithoutAStart) {
+  for (const milp::Backend& backend : milp::backends()) {
+    test::RandomTables plain(43), with_options(44, {.mounts = true});
+    int infeasible = 0, optimal = 0, stopped = 0;
+    for (int k = 0; k < 1500; ++k) {
+      SCOPED_TRACE(testing::Message() << backend.name << " " << k);
+      test::RandomTables& tables = k % 2 == 0 ? plain : with_options;
+      const SignalTable table = tables.next();
+      const Question question = tables.next_question();
+      const test::BruteForce brute(table, question);
+      const Placement found = place_by_mip(table, question, {}, backend.solve, 60, {}).placement;
+      if (found.status == Status::stopped) {
+        ++stopped;
+        continue;
+      }
+      ASSERT_EQ(found.status == Status::infeasible, !brute.feasible);
+      (brute.feasible ? optimal : infeasible) += 1;
+      if (!brute.feasible) continue;
+      const double best = question.combination == Combination::weighted ? brute.best_sum
+                          : question.objective == Objective::count      ? static_cast<double>(brute.fewest)
+                                                                        : brute.best_at_fewest;
+      EXPECT_NEAR(found.objective_value, best, 2e-6 * best);
+    }
+    EXPECT_GT(infeasible, 200);
+    EXPECT_GT(optimal, 500);
+    EXPECT_LE(stopped, 1);
+  }
+}
+
 TEST(PlacementMip, MayStopWithoutASelection) {
   for (const auto combination : {Combination::lexicographic, Combination::weighted}) {
     const Question question{CommunicationModel::cooperative, Objective::links, combination};
