@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/placement/instance.hpp"
@@ -16,15 +17,15 @@ class Mounts {
 
   /// `shared` as SignalTable::mounts; `units` are the columns, each with a member `installed`.
   template <class Units>
-  Mounts(const std::vector<std::vector<std::uint32_t>>& shared, const Units& units)
-      : shared_(shared), mount_(units.size(), alone), available_(units.size(), true) {
-    for (std::uint32_t k = 0; k < shared.size(); ++k) {
+  Mounts(std::vector<std::vector<std::uint32_t>> shared, const Units& units)
+      : shared_(std::move(shared)), mount_(units.size(), alone), available_(units.size(), true) {
+    for (std::uint32_t k = 0; k < shared_.size(); ++k) {
       bool taken = false;
-      for (const std::uint32_t j : shared[k]) {
+      for (const std::uint32_t j : shared_[k]) {
         mount_[j] = k;
         taken = taken || units[j].installed;
       }
-      for (const std::uint32_t j : shared[k]) available_[j] = !taken || units[j].installed;
+      for (const std::uint32_t j : shared_[k]) available_[j] = !taken || units[j].installed;
     }
   }
 
@@ -42,7 +43,7 @@ class Mounts {
  private:
   static constexpr std::uint32_t alone = ~std::uint32_t{0};
 
-  const std::vector<std::vector<std::uint32_t>>& shared_;
+  std::vector<std::vector<std::uint32_t>> shared_;
   std::vector<std::uint32_t> mount_;  ///< index into `shared_`, or alone
   std::vector<bool> available_;
 };

@@ -87,8 +87,7 @@ std::vector<std::uint32_t> Outcome::served_by(std::size_t k) const {
 Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
   Outcome outcome;
   for (const std::uint32_t column : placement.selected) outcome.units.push_back({column, 0, 0, 0});
-  const auto shared = shared_mounts(matrix);
-  const Mounts mounts(shared, matrix.transceivers);
+  const Mounts mounts(shared_mounts(matrix), matrix.transceivers);
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     LabelOutcome label = label_outcome(matrix, placement, mounts, i);
     if (label.met) ++outcome.met;
