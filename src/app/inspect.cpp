@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/math/places.hpp"
 #include "shelfbeam/report/report.hpp"
 
 #include "arguments.hpp"
@@ -50,6 +51,10 @@ std::size_t count_of(const List& list, TypeId type) {
   return count;
 }
 
+std::size_t mounting_points(const Scene& scene) {
+  return places_of(positions_of(scene.transceivers)).count;
+}
+
 nlohmann::ordered_json as_json(const LoadedStore& store) {
   const Scene& scene = store.scene;
   nlohmann::ordered_json json;
@@ -61,6 +66,7 @@ nlohmann::ordered_json as_json(const LoadedStore& store) {
   json["fixtures"] = scene.fixtures.size();
   json["labels"] = scene.labels.size();
   json["transceivers"] = scene.transceivers.size();
+  json["mounting_points"] = mounting_points(scene);
   const auto use = material_use(scene);
   for (std::size_t m = 0; m < use.size(); ++m)
     json["materials"][scene.materials[m].name] = {
@@ -87,8 +93,10 @@ void print(const LoadedStore& store) {
   const Vec3 size = scene.upper - scene.lower;
   fmt::print("{}\n  {:.2f} x {:.2f} x {:.2f} m, {:g} nm, {} triangles, store hash {}\n", scene.name, size.x,
              size.y, size.z, scene.wavelength_nm, scene.mesh.triangles.size(), store.hash);
-  fmt::print("  {} fixtures, {} labels, {} candidate transceivers\n\n", scene.fixtures.size(),
-             scene.labels.size(), scene.transceivers.size());
+  const std::size_t points = mounting_points(scene);
+  fmt::print("  {} fixtures, {} labels, {} candidate transceivers{}\n\n", scene.fixtures.size(),
+             scene.labels.size(), scene.transceivers.size(),
+             points < scene.transceivers.size() ? fmt::format(" at {} mounting points", points) : "");
   fmt::print("  {:<16} {:<12} {:>11} {:>10} {:>10}\n", "material", "type", "reflectance", "area m^2",
              "triangles");
   const auto use = material_use(scene);

@@ -67,24 +67,44 @@ void add_solver_options(CLI::App& verb, SolverFlags& flags, double default_time_
       ->capture_default_str();
 }
 
+namespace {
+
+std::string describe_infeasible(const Placement& placement, const SignalTable& table) {
+  const std::size_t labels = table.rows();
+  if (placement.unreachable.empty())
+    return fmt::format(
+        "No selection reaches all {} labels: each could be reached, but not all of them at once, because a "
+        "mounting point holds one unit (proven by {}).\n",
+        labels, placement.solver);
+  const char* const best = placement.question.model == CommunicationModel::non_cooperative
+                               ? "the best candidate"
+                           : table.mounts.empty() ? "all candidates together"
+                                                  : "the best options of all mounting points together";
+  std::string text = fmt::format("No selection reaches all {} labels: {} cannot be reached even by {}.\n",
+                                 labels, placement.unreachable.size(), best);
+  const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
+  for (std::size_t u = 0; u < shown; ++u) {
+    const Unreachable& one = placement.unreachable[u];
+    text += fmt::format("  {}: at most {:.4g}, needs {:.4g}{}\n", table.labels[one.label].id, one.most,
+                        one.requirement,
+                        one.most == 0 ? " (no light arrives at all: is it inside something?)" : "");
+  }
+  if (shown < placement.unreachable.size())
+    text += fmt::format("  and {} more\n", placement.unreachable.size() - shown);
+  return text;
+}
+
+}  // namespace
+
 std::string describe(const Placement& placement, const SignalTable& table) {
   const bool cooperative = placement.question.model == CommunicationModel::cooperative;
   const std::size_t labels = table.rows();
-  if (placement.status == Status::infeasible) {
-    std::string text = fmt::format("No selection reaches all {} labels: {} cannot be reached even by {}.\n",
-                                   labels, placement.unreachable.size(),
-                                   cooperative ? "all candidates together" : "the best candidate");
-    const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
-    for (std::size_t u = 0; u < shown; ++u) {
-      const Unreachable& one = placement.unreachable[u];
-      text += fmt::format("  {}: at most {:.4g}, needs {:.4g}{}\n", table.labels[one.label].id, one.most,
-                          one.requirement,
-                          one.most == 0 ? " (no light arrives at all: is it inside something?)" : "");
-    }
-    if (shown < placement.unreachable.size())
-      text += fmt::format("  and {} more\n", placement.unreachable.size() - shown);
-    return text;
-  }
+  if (placement.status == Status::infeasible) return describe_infeasible(placement, table);
+  if (placement.selected.empty() && placement.status == Status::stopped && placement.solver == "greedy")
+    return fmt::format(
+        "The greedy method found no placement; at least {} transceivers are needed. '--solver mip' searches "
+        "for one.\n",
+        placement.count_lower_bound);
   if (placement.selected.empty() && placement.status == Status::stopped)
     return fmt::format("No placement was found in time; at least {} transceivers are needed.\n",
                        placement.count_lower_bound);
@@ -99,6 +119,9 @@ std::string describe(const Placement& placement, const SignalTable& table) {
   std::vector<std::string_view> ids;
   for (const std::uint32_t j : placement.selected) ids.push_back(table.transceivers[j].id);
   text += fmt::format("  chosen: {}\n", fmt::join(ids, ", "));
+  if (!table.mounts.empty())
+    text +=
+        fmt::format("  from {} candidates at {} mounting points\n", table.columns(), table.mounting_points());
   if (placement.question.objective != Objective::count ||
       placement.question.combination == Combination::weighted)
     text += fmt::format("  objective {:.9g}, lower bound {:.9g}, gap {:.2f} %\n", placement.objective_value,

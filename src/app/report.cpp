@@ -34,7 +34,8 @@ int run_report(const Options& options) {
   if (matrix.provenance.store_hash != content_hash(read_file(options.folder / store_name)))
     throw InputError((options.folder / signal_name).string(),
                      "belongs to another store file than the one beside it", "run 'shelfbeam plan' again");
-  const Placement placement = read_placement(options.folder / placement_name, make_signal_table(matrix));
+  const SignalTable table = make_signal_table(matrix, (options.folder / signal_name).string());
+  const Placement placement = read_placement(options.folder / placement_name, table);
   write_report(options.folder, {store.scene, matrix, placement});
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)

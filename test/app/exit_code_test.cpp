@@ -50,6 +50,36 @@ TEST_F(ExitCode, OneWhereTheAnswerIsNo) {
   expect_silent({"place", path("plan/signal.h5"), "--threshold", "1e-9"});
 }
 
+// Two spots at one point, and a label that only one of them reaches on either side.
+TEST_F(ExitCode, OneWhereOptionsExcludeOneAnother) {
+  folder.write("spots.json", R"({
+    "room": { "size": [8, 6, 3], "floor": "m", "ceiling": "m", "walls": "m" },
+    "materials": { "m": { "type": "lambertian", "reflectance": 0 } },
+    "label_types": { "standard": { "threshold": 0.3 } },
+    "transceiver_types": { "spot": { "emission": { "type": "lambertian", "order": 20, "flux": 5 } } },
+    "labels": [ { "id": "west", "position": [0.1, 3, 1.5], "normal": [1, 0, 0], "type": "standard" },
+                { "id": "east", "position": [7.9, 3, 1.5], "normal": [-1, 0, 0], "type": "standard" } ],
+    "transceivers": { "list": [
+      { "id": "to west", "position": [4, 3, 2.9], "axis": [-1, 0, -0.36], "type": "spot" },
+      { "id": "to east", "position": [4, 3, 2.9], "axis": [1, 0, -0.36], "type": "spot" } ] }
+  })");
+  std::string out = expect_silent({"plan", path("spots.json"), "-o", path("plan"), "--samples", "320"}, 1);
+  EXPECT_NE(out.find("each could be reached, but not all of them at once"), std::string::npos) << out;
+  EXPECT_EQ(json("plan/placement.json")["status"], "infeasible");
+  EXPECT_TRUE(json("plan/placement.json")["unreachable"].empty());
+  EXPECT_NE(read_file(folder / "plan/report.html").find("a mounting point holds one unit"),
+            std::string::npos);
+  expect_silent({"report", path("plan")});
+  // Greedy cannot tell.
+  out = expect_silent({"place", path("plan/signal.h5"), "-o", path("p.json"), "--solver", "greedy"}, 3);
+  EXPECT_NE(out.find("'--solver mip' searches for one"), std::string::npos) << out;
+  EXPECT_EQ(json("p.json")["status"], "stopped");
+  expect_silent({"plan", path("spots.json"), "-o", path("plan"), "--samples", "320", "--solver", "greedy"},
+                3);
+  EXPECT_NE(read_file(folder / "plan/report.html").find("The greedy method found no selection"),
+            std::string::npos);
+}
+
 // A random cover of 300 labels by 200 units: far more than a millisecond's work for any exact solver.
 std::string hard_matrix() {
   std::mt19937 random(1);

@@ -103,6 +103,39 @@ TEST_F(Workflow, StrategiesAgree) {
   EXPECT_LT(sum({"--max-bounces", "1"}) / mis, 0.96);
 }
 
+// Three grids of one extent with other axes: options of the same 12 points.
+TEST_F(Workflow, OffersSeveralTiltsAtAMountingPoint) {
+  Json store = small_store();
+  Json grid = store["transceivers"]["grids"][0];
+  for (const double lean : {0.4, -0.4}) {
+    grid["axis"] = {0, lean, -1};
+    store["transceivers"]["grids"].push_back(grid);
+  }
+  folder.write("tilts.json", store.dump());
+  EXPECT_NE(
+      expect_silent({"inspect", path("tilts.json")}).find("36 candidate transceivers at 12 mounting points"),
+      std::string::npos);
+  EXPECT_EQ(Json::parse(expect_silent({"inspect", path("tilts.json"), "--json"}))["mounting_points"], 12);
+  const std::string text = expect_silent(
+      {"plan", path("tilts.json"), "-o", path("plan"), "--samples", "2000", "--direct", "exact"});
+  EXPECT_NE(text.find("from 36 candidates at 12 mounting points"), std::string::npos) << text;
+  EXPECT_NE(bytes("plan/report.html").find("of 36 candidates at 12 mounting points"), std::string::npos);
+
+  // Whichever grid a unit is of, a point is its ix and iy.
+  std::set<std::string> points;
+  const Json selected = json("plan/placement.json")["selected"];
+  for (const Json& id : selected) {
+    points.insert(id.get<std::string>().substr(2));
+    EXPECT_NE(bytes("plan/placement.csv").find(id.get<std::string>() + ","), std::string::npos);
+  }
+  EXPECT_EQ(points.size(), selected.size());
+  expect_silent({"report", path("plan")});
+  expect_silent({"export", path("plan/signal.h5"), "-o", path("model.lp")});
+  std::size_t rows = 0;
+  for (std::size_t at = 0; (at = bytes("model.lp").find(" mount_", at)) != std::string::npos; ++at) ++rows;
+  EXPECT_EQ(rows, 12u);
+}
+
 TEST_F(Workflow, SimulateThenPlaceThenExport) {
   expect_silent(
       {"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "2000", "--direct", "exact"});

@@ -14,9 +14,10 @@ namespace {
 
 // Both bounds against enumeration; the same bounds with one unit more must be wrong now and then.
 TEST(PlacementBounds, HoldForEverySelection) {
-  test::RandomTables tables(3);
+  test::RandomTables plain(3), with_options(4, {.mounts = true});
   int tight = 0;
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 2000; ++k) {
+    test::RandomTables& tables = k % 2 == 0 ? plain : with_options;
     const SignalTable table = tables.next();
     Question question = tables.next_question();
     question.combination = Combination::weighted;

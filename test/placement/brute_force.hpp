@@ -11,7 +11,7 @@
 namespace shelfbeam::test {
 
 /// What is left out of the enumeration, to see that a comparison with it can fail.
-enum class Omission { nothing, last_label, installed, second_objective, tolerance };
+enum class Omission { nothing, last_label, installed, second_objective, tolerance, mounts };
 
 /// Answers of the paper's models by trying every selection, written from the formulas of chapter 3 with dense
 /// matrices M, l and t, sharing no code with the library.
@@ -21,14 +21,12 @@ struct BruteForce {
   double best_at_fewest = 0;     ///< least second objective among the selections of that many
   double best_sum = 0;           ///< least sum of transceiver costs and second objective
   double best_second_objective;  ///< least second objective of all
+  std::uint32_t set_at_fewest = 0, set_of_best_sum = 0;  ///< selections of these values, a bit a column
 
   BruteForce(const SignalTable& table, const Question& question, Omission omission = Omission::nothing) {
     const std::size_t m = table.labels.size();
     const std::size_t n = table.transceivers.size();
-    std::vector<std::vector<double>> signal(m, std::vector<double>(n, 0.0));
-    for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t k = table.row_begin[i]; k < table.row_begin[i + 1]; ++k)
-        signal[i][table.entries[k].transceiver] = table.entries[k].signal;
+    const std::vector<std::vector<double>> signal = dense(table);
 
     constexpr double infinite = std::numeric_limits<double>::infinity();
     best_at_fewest = best_sum = best_second_objective = infinite;
@@ -37,7 +35,7 @@ struct BruteForce {
     const std::size_t tested = m - (omission == Omission::last_label && m > 0 ? 1 : 0);
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
       const auto in = [&](std::size_t j) { return (set >> j & 1U) != 0; };
-      bool allowed = true;
+      bool allowed = omission == Omission::mounts || one_at_a_point(table, set);
       double price = 0;
       std::size_t count = 0;
       for (std::size_t j = 0; j < n; ++j) {
@@ -61,16 +59,58 @@ struct BruteForce {
       const double second =
           omission == Omission::second_objective ? 0 : second_objective(table, question, signal, set);
       best_second_objective = std::min(best_second_objective, second);
-      best_sum = std::min(best_sum, price + second);
-      if (count < fewest) best_at_fewest = infinite;
-      if (count <= fewest) {
+      if (price + second < best_sum) {
+        best_sum = price + second;
+        set_of_best_sum = set;
+      }
+      if (count < fewest || (count == fewest && second < best_at_fewest)) {
         fewest = count;
-        best_at_fewest = std::min(best_at_fewest, second);
+        best_at_fewest = second;
+        set_at_fewest = set;
       }
     }
   }
 
+  /// What each label gets from the selection that gives it most, whatever becomes of the others.
+  static std::vector<double> most(const SignalTable& table, const Question& question) {
+    const std::vector<std::vector<double>> signal = dense(table);
+    std::uint32_t installed = 0;
+    for (std::size_t j = 0; j < table.transceivers.size(); ++j)
+      if (table.transceivers[j].installed) installed |= std::uint32_t{1} << j;
+    std::vector<double> result(table.labels.size(), 0.0);
+    for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.transceivers.size()); ++set) {
+      if ((set & installed) != installed || !one_at_a_point(table, set)) continue;
+      for (std::size_t i = 0; i < signal.size(); ++i) {
+        double got = 0;
+        for (std::size_t j = 0; j < signal[i].size(); ++j)
+          if ((set >> j & 1U) != 0)
+            got = question.model == CommunicationModel::cooperative ? got + signal[i][j]
+                                                                    : std::max(got, signal[i][j]);
+        result[i] = std::max(result[i], got);
+      }
+    }
+    return result;
+  }
+
  private:
+  static std::vector<std::vector<double>> dense(const SignalTable& table) {
+    std::vector<std::vector<double>> signal(table.labels.size(),
+                                            std::vector<double>(table.transceivers.size(), 0.0));
+    for (std::size_t i = 0; i < signal.size(); ++i)
+      for (std::size_t k = table.row_begin[i]; k < table.row_begin[i + 1]; ++k)
+        signal[i][table.entries[k].transceiver] = table.entries[k].signal;
+    return signal;
+  }
+
+  static bool one_at_a_point(const SignalTable& table, std::uint32_t set) {
+    for (const auto& mount : table.mounts) {
+      int units = 0;
+      for (const std::uint32_t j : mount) units += (set >> j & 1U) != 0 ? 1 : 0;
+      if (units > 1) return false;
+    }
+    return true;
+  }
+
   static double second_objective(const SignalTable& table, const Question& question,
                                  const std::vector<std::vector<double>>& signal, std::uint32_t set) {
     if (question.objective == Objective::count) return 0;

@@ -61,6 +61,19 @@ TEST(PlacementChecker, AppliesTheToleranceOfTheContract) {
   EXPECT_FALSE(check_selection(table, {coop}, Columns{0, 1}).met());
 }
 
+TEST(PlacementChecker, RejectsTwoUnitsAtAMountingPoint) {
+  SignalTable table = example();
+  table.mounts = {{0, 2}, {1, 3}};
+  EXPECT_TRUE(check_selection(table, {coop}, Columns{2, 3, 3}).crowded.empty());
+  Check check = check_selection(table, {coop}, Columns{0, 1, 2});
+  EXPECT_TRUE(check.unmet.empty());
+  EXPECT_EQ(check.crowded, Columns{0});
+  EXPECT_FALSE(check.met());
+  check = check_selection(table, {alone}, Columns{0, 1, 2, 3});
+  EXPECT_EQ(check.crowded, (Columns{0, 1}));
+  EXPECT_FALSE(check.met());
+}
+
 TEST(PlacementChecker, CountsARepeatedColumnOnce) {
   EXPECT_EQ(check_selection(example(), {coop}, Columns{0, 0}).unmet, (Columns{0, 1, 2}));
   EXPECT_THROW(check_selection(example(), {coop}, Columns{4}), std::out_of_range);

@@ -55,7 +55,7 @@ Matrix hadamard(Matrix a, const Matrix& b) {
 enum class Form { complete, without_equalities };
 
 /// (3.11)-(3.14) as printed, x = (t_11, ..., t_1n, ..., t_mn, T_1, ..., T_n); the rows A x >= gamma tau are
-/// divided by their requirement only.
+/// divided by their requirement only. Beside the paper's, a row for every mounting point with options.
 milp::Model explicit_model(const SignalTable& table, const std::vector<double>& link_cost,
                            const std::vector<double>& delta, Form form) {
   const std::size_t m = table.rows(), n = table.columns();
@@ -83,14 +83,21 @@ milp::Model explicit_model(const SignalTable& table, const std::vector<double>& 
     add(a, i, table.labels[i].requirement, 1 - met_tolerance, milp::infinity);
   if (form == Form::complete)
     for (std::size_t r = 0; r < m * n; ++r) add(equal, r, 1, 0, 0);
+  for (const auto& mount : table.mounts) {
+    milp::Row row{-milp::infinity, 1, {}, {}};
+    for (const std::uint32_t j : mount) row.entries.push_back({static_cast<std::uint32_t>(m * n) + j, 1});
+    model.rows.push_back(std::move(row));
+  }
   return model;
 }
 
 TEST(PlacementExplicitForm, HasTheSameOptimumAsTheEliminatedOne) {
-  test::RandomTables tables(31, {.labels = 5, .transceivers = 7, .borderline = false});
+  test::RandomTables plain(31, {.labels = 5, .transceivers = 7, .borderline = false});
+  test::RandomTables with_options(32, {.labels = 5, .transceivers = 7, .borderline = false, .mounts = true});
   int feasible = 0, control = 0;
-  for (int k = 0; k < 600; ++k) {
+  for (int k = 0; k < 900; ++k) {
     SCOPED_TRACE(k);
+    test::RandomTables& tables = k < 600 ? plain : with_options;
     const SignalTable table = tables.next();
     Question question = tables.next_question();
     question.model = CommunicationModel::cooperative;

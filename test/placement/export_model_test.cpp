@@ -39,12 +39,31 @@ TEST(PlacementExport, DividesRowsByTheirRequirementAndClipsNothing) {
   EXPECT_EQ(model.rows[0].lower, 1);
 }
 
+TEST(PlacementExport, HasARowForEveryMountingPointWithOptions) {
+  SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
+  table.mounts = {{0, 2}};
+  for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
+    const milp::Model built = placement_model(table, {model});
+    ASSERT_EQ(built.rows.size(), 2U);
+    const milp::Row& row = built.rows[1];
+    EXPECT_EQ(row.name, "mount_T0");
+    EXPECT_EQ(row.lower, -milp::infinity);
+    EXPECT_EQ(row.upper, 1);
+    ASSERT_EQ(row.entries.size(), 2U);
+    EXPECT_EQ(row.entries[0].column, 0U);
+    EXPECT_EQ(row.entries[1].column, 2U);
+    EXPECT_EQ(row.entries[1].value, 1);
+  }
+}
+
 // Both files, read back by every solver, have the optimum that `place` proves; both within a gap of 1e-6.
 TEST(PlacementExport, HasTheOptimumOfThePlacement) {
   const test::TempFolder folder;
-  test::RandomTables tables(51, {.labels = 6, .transceivers = 8, .borderline = false});
-  int feasible = 0, control = 0;
-  for (int k = 0; k < 150; ++k) {
+  test::RandomTables plain(51, {.labels = 6, .transceivers = 8, .borderline = false});
+  test::RandomTables with_options(52, {.labels = 6, .transceivers = 8, .borderline = false, .mounts = true});
+  int feasible = 0, control = 0, mount_control = 0;
+  for (int k = 0; k < 300; ++k) {
+    test::RandomTables& tables = k % 2 == 0 ? plain : with_options;
     const SignalTable table = tables.next();
     Question question = tables.next_question();
     if (question.combination == Combination::lexicographic) question.objective = Objective::count;
@@ -72,9 +91,17 @@ TEST(PlacementExport, HasTheOptimumOfThePlacement) {
       const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
       control += result.primal_bound < found.objective_value * (1 - 1e-5);
     }
+    // And so it has without the rows of the mounting points.
+    if (!table.mounts.empty()) {
+      milp::Model relaxed = model;
+      relaxed.rows.resize(table.rows());
+      const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
+      mount_control += result.primal_bound < found.objective_value * (1 - 1e-5);
+    }
   }
   EXPECT_GT(feasible, 200);
   EXPECT_GT(control, 10);
+  EXPECT_GT(mount_control, 10);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "shelfbeam/placement/greedy.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -141,6 +142,60 @@ TEST(PlacementGreedy, CooperativeStaysWithinWolseysBound) {
   }
   EXPECT_GT(solved, 1000);
   EXPECT_GT(above, 100);
+}
+
+// Unit 0 comes first, being cheap, and takes the point of unit 1, which alone reaches the last three labels.
+// With unit 1 in its place two labels are left over instead of three, and unit 2 reaches these.
+TEST(PlacementGreedy, ExchangesOptionsWhereItGotStuck) {
+  SignalTable table = test::make_table({{1, 0, 1}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}}, 3);
+  table.transceivers[1].cost = 4;
+  table.transceivers[2].cost = 3;
+  for (const auto model : {alone, coop}) {
+    const Question question{model, Objective::count, Combination::weighted};
+    table.mounts.clear();
+    EXPECT_EQ(greedy_selection(table, question), (Columns{0, 1}));
+    table.mounts = {{0, 1}};
+    EXPECT_EQ(greedy_selection(table, question), (Columns{1, 2}));
+    EXPECT_TRUE(check_selection(table, question, Columns{1, 2}).met());
+  }
+}
+
+TEST(PlacementGreedy, AnInstalledUnitKeepsItsPoint) {
+  SignalTable table = test::make_table({{1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 0, 1}}, 3);
+  table.mounts = {{0, 1}};
+  EXPECT_EQ(greedy_selection(table, {alone}), (Columns{0, 2}));
+  table.transceivers[1].installed = true;
+  EXPECT_EQ(greedy_selection(table, {alone}), (Columns{1, 2}));
+}
+
+// It never puts two units at a point and keeps what is installed. Mostly it finds an answer where there is
+// one; where it does not, the exact search takes over. (It gets stuck more than three times as often if it
+// cannot exchange options.)
+TEST(PlacementGreedy, RespectsMountingPoints) {
+  test::RandomTables tables(23, {.mounts = true});
+  int solved = 0, stuck = 0, crowded_control = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const SignalTable table = tables.next();
+    const Question question = tables.next_question();
+    const Columns selected = greedy_selection(table, question);
+    const Check check = check_selection(table, question, selected);
+    ASSERT_TRUE(check.crowded.empty()) << k;
+    for (std::uint32_t j = 0; j < table.columns(); ++j)
+      ASSERT_TRUE(!table.transceivers[j].installed ||
+                  std::find(selected.begin(), selected.end(), j) != selected.end());
+    const bool feasible = test::BruteForce(table, question).feasible;
+    ASSERT_TRUE(feasible || !check.met());
+    solved += feasible && check.met();
+    stuck += feasible && !check.met();
+    SignalTable ignorant = table;
+    ignorant.mounts.clear();
+    crowded_control +=
+        !check_selection(table, question, greedy_selection(ignorant, question)).crowded.empty();
+  }
+  EXPECT_GT(solved, 1000);
+  EXPECT_LT(stuck, solved / 20);
+  EXPECT_GT(stuck, 0);
+  EXPECT_GT(crowded_control, 200);
 }
 
 TEST(PlacementGreedy, HandlesTablesWithoutLabelsOrUnits) {

@@ -66,6 +66,74 @@ TEST(Placement, KeepsInstalledUnits) {
   }
 }
 
+TEST(Placement, AnInstalledUnitTakesItsMountingPoint) {
+  SignalTable table = test::make_table({{1, 0, 1}, {0, 1, 1}}, 3);
+  table.mounts = {{0, 2}};
+  EXPECT_EQ(place(table, {coop}, {}).selected, Columns{2});
+  table.transceivers[0].installed = true;
+  for (const auto solver : {SolverChoice::mip, SolverChoice::greedy})
+    EXPECT_EQ(place(table, {coop}, {.solver = solver}).selected, (Columns{0, 1}));
+  table.entries.erase(table.entries.begin() + 2);  // unit 1 reaches nobody, unit 2 cannot be mounted
+  table.row_begin = {0, 2, 3};
+  const Placement found = place(table, {coop}, {});
+  EXPECT_EQ(found.status, Status::infeasible);
+  ASSERT_EQ(found.unreachable.size(), 1U);
+  EXPECT_EQ(found.unreachable[0].label, 1U);
+  EXPECT_EQ(found.unreachable[0].most, 0);
+}
+
+TEST(Placement, TheMostALabelGetsIsFromTheBestOptionOfEveryPoint) {
+  SignalTable table = test::make_table({{0.5, 0.4, 0.25}}, 3);
+  table.mounts = {{0, 1}};
+  Placement found = place(table, {coop}, {});
+  EXPECT_EQ(found.status, Status::infeasible);
+  ASSERT_EQ(found.unreachable.size(), 1U);
+  EXPECT_EQ(found.unreachable[0].most, 0.75);
+  found = place(table, {alone}, {});
+  EXPECT_EQ(found.unreachable[0].most, 0.5);
+  table.mounts.clear();
+  EXPECT_EQ(place(table, {coop}, {}).status, Status::optimal);
+}
+
+TEST(Placement, ProvesThatOptionsExcludeOneAnother) {
+  SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
+  table.mounts = {{0, 1}};
+  for (const milp::Backend& backend : milp::backends())
+    for (const auto model : {coop, alone}) {
+      Placement found = place(table, {model}, {.backend = std::string(backend.name)});
+      EXPECT_EQ(found.status, Status::infeasible);
+      EXPECT_TRUE(found.unreachable.empty());
+      EXPECT_TRUE(found.selected.empty());
+      EXPECT_EQ(found.solver.find(backend.name), 0U) << "who proved it is told";
+      // Greedy proves nothing, and without time nobody does.
+      found = place(table, {model}, {.solver = SolverChoice::greedy});
+      EXPECT_EQ(found.status, Status::stopped);
+      EXPECT_TRUE(found.selected.empty());
+      EXPECT_TRUE(std::isinf(found.objective_value));
+      EXPECT_EQ(found.count_lower_bound, 1);
+      found = place(table, {model}, {.time_limit_s = 0});
+      EXPECT_EQ(found.status, Status::stopped);
+      EXPECT_TRUE(found.selected.empty());
+    }
+}
+
+// Greedy takes the cheap unit 0; with unit 1 in its place as many labels are left over, so it stays there.
+TEST(Placement, SearchesWhereGreedyIsStuck) {
+  SignalTable table = test::make_table({{1, 0, 1}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}}, 3);
+  table.transceivers[1].cost = 4;
+  table.transceivers[2].cost = 3;
+  table.mounts = {{0, 1}};
+  const Question question{alone, Objective::count, Combination::weighted};
+  const Placement greedy = place(table, question, {.solver = SolverChoice::greedy});
+  EXPECT_EQ(greedy.status, Status::stopped);
+  EXPECT_TRUE(greedy.selected.empty());
+  EXPECT_TRUE(std::isinf(greedy.gap()));
+  const Placement found = place(table, question, {});
+  EXPECT_EQ(found.status, Status::optimal);
+  EXPECT_EQ(found.selected, (Columns{1, 2}));
+  EXPECT_EQ(found.objective_value, 7);
+}
+
 TEST(Placement, SaysWhoAnsweredAndForHowLong) {
   const SignalTable table = test::make_table({{1, 1}}, 2);
   for (const milp::Backend& backend : milp::backends()) {

@@ -90,6 +90,27 @@ TEST(PlacementFile, WritesAnswersThatHaveNoNumbers) {
   EXPECT_EQ(placement_json(read, table), text);
 }
 
+TEST(PlacementFile, WritesWhatWasStoppedWithoutASelection) {
+  SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
+  table.mounts = {{0, 1}};
+  const Placement stopped = place(table, {}, {.solver = SolverChoice::greedy});
+  const std::string text = placement_json(stopped, table);
+  for (const char* part : {"\"selected\": []", "\"count\": 0", "\"count_lower_bound\": 1",
+                           "\"objective_value\": null", "\"status\": \"stopped\""})
+    EXPECT_NE(text.find(part), std::string::npos) << part << text;
+  const test::TempFolder folder;
+  EXPECT_EQ(placement_json(read_placement(folder.write("p.json", text), table), table), text);
+}
+
+TEST(PlacementFile, RejectsTwoOptionsOfAMountingPoint) {
+  const test::TempFolder folder;
+  const auto path = folder.write("p.json", placement_json(solved(), example()));
+  SignalTable table = example();
+  table.mounts = {{0, 1}};
+  test::expect_input_error([&] { read_placement(path, table); }, "p.json", "selected", "'T0' and 'T1'",
+                           "one mounting point");
+}
+
 TEST(PlacementFile, AllowsTheCertificateOfAPlan) {
   const test::TempFolder folder;
   std::string text = placement_json(solved(), example());

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "shelfbeam/placement/instance.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
@@ -29,6 +32,7 @@ struct RandomTableLimits {
   int labels = 10;
   int transceivers = 14;
   bool borderline = true;  ///< with signals so near the requirement that only the exact rule decides
+  bool mounts = false;     ///< with mounting points that have one to four options
 };
 
 /// Small tables of very different kinds: dense and sparse, real and quantised (many exact ties and sums that
@@ -50,6 +54,7 @@ class RandomTables {
         if (chance(density)) entry = entry_of(kind);
     SignalTable table = make_table(matrix, n);
     add_costs(table);
+    if (limits_.mounts) add_mounts(table);
     const double unit = chance(0.5) ? 1.0 : std::pow(10.0, real(-9, 4));
     scale(table, unit);
     return table;
@@ -95,6 +100,28 @@ class RandomTables {
       if (label_costs == 1) label.link_cost = label.signal_cost = whole(0, 2);
       if (label_costs == 2) label.link_cost = real(0, 1), label.signal_cost = real(0, 5);
       if (other_reach) label.single_requirement = 0.5;
+    }
+  }
+
+  // Any columns may share a point; one of them at most is installed.
+  void add_mounts(SignalTable& table) {
+    std::vector<std::uint32_t> columns(table.columns());
+    std::iota(columns.begin(), columns.end(), 0U);
+    std::shuffle(columns.begin(), columns.end(), random_);
+    for (std::size_t begin = 0; begin < columns.size();) {
+      const std::size_t end = std::min(columns.size(), begin + static_cast<std::size_t>(whole(1, 4)));
+      std::vector<std::uint32_t> mount(columns.begin() + static_cast<std::ptrdiff_t>(begin),
+                                       columns.begin() + static_cast<std::ptrdiff_t>(end));
+      begin = end;
+      if (mount.size() < 2) continue;
+      std::sort(mount.begin(), mount.end());
+      bool taken = false;
+      for (const std::uint32_t j : mount) {
+        bool& installed = table.transceivers[j].installed;
+        installed = installed && !taken;
+        taken = taken || installed;
+      }
+      table.mounts.push_back(std::move(mount));
     }
   }
 

@@ -28,6 +28,38 @@ TEST(FloorPlan, IsWellFormedAndNamesWhatItShows) {
   EXPECT_EQ(svg, floor_plan_svg(scene));
 }
 
+TEST(FloorPlan, DrawsAMountingPointOnce) {
+  Store store = sample_store::kiosk();
+  const auto crosses = [&] {
+    std::size_t count = 0;
+    for (const auto& element : test::read_markup(floor_plan_svg(make_scene(store))).elements) {
+      const auto css = element.attributes.find("class"), data = element.attributes.find("d");
+      if (css == element.attributes.end() || css->second != "cand" || data == element.attributes.end())
+        continue;
+      const auto& d = data->second;
+      // Each cross has one M; so has the one in the key.
+      count += static_cast<std::size_t>(std::count(d.begin(), d.end(), 'M'));
+    }
+    return count;
+  };
+  const auto has = [&](const char* text) {
+    return floor_plan_svg(make_scene(store)).find(text) != std::string::npos;
+  };
+  EXPECT_EQ(crosses(), 2U + 1);  // two candidates and an installed unit
+  EXPECT_FALSE(has("mounting point"));
+  Transceiver option = store.transceivers[0].value;
+  option.id = "option";
+  option.axis = {1, 0, 0};
+  store.transceivers.push_back({option, "list"});
+  option.id = "where one is installed";
+  option.position = store.transceivers[1].value.position;
+  store.transceivers.push_back({option, "list"});
+  EXPECT_EQ(crosses(), 2U + 1);
+  EXPECT_TRUE(has("5 candidate transceivers at 3 mounting points"));
+  store.transceivers.back().value.position.x -= 0.01;
+  EXPECT_EQ(crosses(), 3U + 1);
+}
+
 TEST(FloorPlan, EscapesNames) {
   const std::string svg = floor_plan_svg(make_scene(sample_store::kiosk()));
   const test::Markup markup = test::read_markup(svg);

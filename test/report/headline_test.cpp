@@ -88,6 +88,33 @@ TEST(Headline, SaysHowManyLabelsSamplingErrorCouldTurn) {
   EXPECT_TRUE(pieces(report_html(s.input)).contains("Solved, 1 label uncertain"));
 }
 
+TEST(Headline, SaysThatOptionsExcludeOneAnother) {
+  Supermarket s;
+  for (TransceiverColumn& unit : s.matrix.transceivers) unit.position = s.matrix.transceivers[0].position;
+  s.placement = {};
+  s.placement.status = Status::infeasible;
+  s.placement.solver = "highs 1.10.0";
+  EXPECT_EQ(headline(ReportData(s.input)).answer,
+            "No selection can do it: each label could be reached, but not all of them at once, because a "
+            "mounting point holds one unit.");
+  const std::string html = report_html(s.input);
+  EXPECT_EQ(fault(html), "");
+  EXPECT_TRUE(pieces(html).contains("each alone could be reached"));
+  EXPECT_TRUE(any_remark(s.input, "if the best option of every mounting point were on"));
+
+  s.placement.unreachable = {{0, 1, 0.5}};
+  EXPECT_EQ(
+      headline(ReportData(s.input)).answer,
+      "No selection can do it: 1 of 926 labels cannot be reached, even with the best option of the only "
+      "mounting point on.");
+  s.placement = {};
+  s.placement.solver = "greedy";
+  s.placement.count_lower_bound = 2;
+  EXPECT_EQ(headline(ReportData(s.input)).answer,
+            "The greedy method found no selection; it is proven that at least 2 transceivers are needed.");
+  EXPECT_TRUE(any_remark(s.input, "an exact search may find one"));
+}
+
 TEST(Headline, AsksWhyALabelGetsNoLight) {
   Supermarket s;
   s.placement = {};

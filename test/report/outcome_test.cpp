@@ -139,6 +139,23 @@ TEST(Outcome, KnownValues) {
   EXPECT_EQ(alone.by_margin, (std::vector<std::uint32_t>{0, 1}));
 }
 
+TEST(Outcome, TheBestIsOfOneOptionAMountingPoint) {
+  SignalMatrix matrix = random_matrix(1, 4, 0);
+  matrix.mean = {1, 0.5F, 0.25F, 2};
+  const auto best = [&](CommunicationModel model) {
+    Placement placement;
+    placement.question.model = model;
+    return outcome_of(matrix, placement).labels[0].best;
+  };
+  EXPECT_EQ(best(CommunicationModel::cooperative), 3.75);
+  matrix.transceivers[3].position = matrix.transceivers[0].position;
+  EXPECT_EQ(best(CommunicationModel::cooperative), 2.75);
+  EXPECT_EQ(best(CommunicationModel::non_cooperative), 2);
+  matrix.transceivers[0].installed = true;  // and keeps its point
+  EXPECT_EQ(best(CommunicationModel::cooperative), 1.75);
+  EXPECT_EQ(best(CommunicationModel::non_cooperative), 1);
+}
+
 TEST(Outcome, WithoutASelectionNothingIsMet) {
   SignalMatrix matrix = random_matrix(3, 2, 0);
   matrix.direct.clear();

@@ -136,6 +136,21 @@ TEST(ReportHtml, ListsTheLabelsThatEachUnitServes) {
   EXPECT_EQ(items, ranges);
 }
 
+TEST(ReportHtml, TellsWhereChosenUnitsLook) {
+  Supermarket s;
+  EXPECT_TRUE(pieces(report_html(s.input)).contains("down"));
+  TransceiverColumn& unit = s.matrix.transceivers[s.placement.selected.front()];
+  const auto looks = [&](const Vec3& axis, const std::string& text) {
+    unit.axis = axis;
+    EXPECT_EQ(pieces(report_html(s.input)).count(text), 1U) << text;
+  };
+  looks({std::sqrt(0.75), 0, -0.5}, "60.0° towards 0.0°");
+  looks({0, -std::sqrt(0.5), -std::sqrt(0.5)}, "45.0° towards 270.0°");
+  looks({0, 0, 1}, "up");
+  s.scene.transceivers[s.placement.selected.front()].roll_deg = 30;
+  looks({0, 1, 0}, "90.0° towards 90.0°, roll 30°");
+}
+
 TEST(ReportHtml, NamesLabelsWithoutDirectLight) {
   Supermarket s;
   EXPECT_EQ(report_html(s.input).find("gets no direct light"), std::string::npos);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/places.hpp"
 #include "shelfbeam/scene/store.hpp"
 
 #include "scene/sample_store.hpp"
@@ -179,6 +180,21 @@ TEST(StoreReader, KeepsOutListedUnitsToo) {
   json["transceivers"]["installed"] = {"T2"};
   expect_input_error([&] { scene_of(json); }, "transceivers.installed[0]: there is no transceiver 'T2'",
                      "it lies in a 'keep_out' area");
+}
+
+TEST(StoreReader, CandidatesMayShareAMountingPoint) {
+  auto json = sample_store();
+  auto tilted = json["transceivers"]["grids"][0];
+  tilted["axis"] = {0, 1, -1};
+  json["transceivers"]["grids"].push_back(tilted);
+  json["transceivers"]["installed"] = {"T1", "G2-4-3", "T1"};
+  const Scene scene = scene_of(json);
+  EXPECT_EQ(scene.transceivers.size(), 2 * 11u + 2);
+  EXPECT_EQ(places_of(positions_of(scene.transceivers)).count, 11u + 2);
+  json["transceivers"]["installed"] = {"G2-4-3", "T1", "G1-4-3"};
+  expect_input_error([&] { scene_of(json); },
+                     "transceivers.installed[2]: 'G1-4-3' is installed at the mounting point of 'G2-4-3'",
+                     "keep one of them");
 }
 
 class StoreCsv : public testing::Test {

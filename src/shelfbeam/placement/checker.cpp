@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shelfbeam/placement/mounts.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -39,6 +41,7 @@ Check check_selection(const SignalTable& table, const Question& question,
   const std::vector<double> cost = label_costs(table, question.objective).cost;
 
   Check check;
+  check.crowded = crowded_mounts(table, chosen);
   for (std::size_t j = 0; j < table.columns(); ++j)
     if (chosen[j]) check.transceiver_cost += table.transceivers[j].cost;
   for (std::size_t i = 0; i < table.rows(); ++i) {

@@ -14,10 +14,12 @@ struct Check {
   std::vector<double> signal;          ///< per label: sum (cooperative) or largest (non-cooperative)
   std::vector<std::uint32_t> serving;  ///< per label: chosen units that reach it alone (l_ij = 1)
   std::vector<std::uint32_t> unmet;    ///< labels that are not met, ascending
+  std::vector<std::uint32_t> crowded;  ///< SignalTable::mounts that would hold two units or more, ascending
   double transceiver_cost = 0;         ///< sum c_j^T T_j
   double objective = 0;                ///< value of the question's second objective; 0 for count
 
-  bool met() const { return unmet.empty(); }
+  /// The selection is an answer: every label is met, and no mounting point holds two units.
+  bool met() const { return unmet.empty() && crowded.empty(); }
 };
 
 /// `selected` are columns of the table in any order; one that is named twice counts once.

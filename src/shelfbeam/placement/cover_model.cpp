@@ -41,7 +41,7 @@ CoverModel::CoverModel(const SignalTable& table, const Question& question, const
 void CoverModel::build() {
   model_ = placement_model(table_, question_);
   if (question_.model == CommunicationModel::cooperative)
-    for (milp::Row& row : model_.rows) row = relaxed(std::move(row));
+    for (std::size_t i = 0; i < table_.rows(); ++i) model_.rows[i] = relaxed(std::move(model_.rows[i]));
   built_ = true;
 }
 
@@ -74,6 +74,11 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
         !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;
     if (count) model_.rows.pop_back();
 
+    // Rows relax the rule and cuts keep every answer, so this is a proof unless an answer is known.
+    if (result.termination == milp::Termination::infeasible && known == milp::infinity) {
+      outcome.infeasible = true;
+      break;
+    }
     if (wrong || result.termination == milp::Termination::error ||
         result.termination == milp::Termination::infeasible) {
       outcome.failed = true;
@@ -91,6 +96,10 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
       break;
     }
     if (result.termination != milp::Termination::optimal) break;
+    if (check.unmet.empty()) {  // two options of a mounting point, against its row
+      outcome.failed = true;
+      break;
+    }
     cut_off(selected, check.unmet.front());
   }
   return outcome;

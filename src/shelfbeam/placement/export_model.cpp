@@ -28,6 +28,11 @@ milp::Model placement_model(const SignalTable& table, const Question& question) 
     }
     model.rows.push_back(std::move(row));
   }
+  for (const auto& mount : table.mounts) {
+    milp::Row row{-milp::infinity, 1.0, {}, "mount_" + table.transceivers[mount.front()].id};
+    for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
+    model.rows.push_back(std::move(row));
+  }
   return model;
 }
 

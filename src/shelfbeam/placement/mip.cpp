@@ -1,6 +1,7 @@
 #include "shelfbeam/placement/mip.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "shelfbeam/placement/bounds.hpp"
@@ -16,28 +17,29 @@ namespace {
 constexpr double proof_gap = 1e-6;
 
 bool closes(double bound, double value) {
-  return value - bound <= proof_gap * value;
+  return std::isfinite(value) && value - bound <= proof_gap * value;
 }
 
-/// The best selection so far, by the question's own order.
+/// The best selection so far, by the question's own order; infinite while there is none.
 class Incumbent {
  public:
-  Incumbent(const SignalTable& table, const Question& question, std::vector<std::uint32_t> start)
-      : table_(table), question_(question), selected_(std::move(start)), value_(value_of(selected_)) {}
+  Incumbent(const SignalTable& table, const Question& question) : table_(table), question_(question) {}
 
   void offer(const std::optional<std::vector<std::uint32_t>>& candidate) {
     if (!candidate) return;
     const double value = value_of(*candidate);
+    const auto count = static_cast<double>(candidate->size());
     const bool better = question_.combination == Combination::weighted
                             ? value < value_
-                            : std::pair(candidate->size(), value) < std::pair(selected_.size(), value_);
+                            : std::pair(count, value) < std::pair(count_, value_);
     if (!better) return;
     selected_ = *candidate;
+    count_ = count;
     value_ = value;
   }
 
   const std::vector<std::uint32_t>& selected() const { return selected_; }
-  std::size_t count() const { return selected_.size(); }
+  double count() const { return count_; }
   /// The second objective (lexicographic), or the whole sum (weighted).
   double value() const { return value_; }
 
@@ -50,7 +52,8 @@ class Incumbent {
   const SignalTable& table_;
   const Question& question_;
   std::vector<std::uint32_t> selected_;
-  double value_;
+  double count_ = milp::infinity;
+  double value_ = milp::infinity;
 };
 
 struct Search {
@@ -63,14 +66,15 @@ struct Search {
   MipAnswer lexicographic() {
     MipAnswer answer;
     const std::vector<double> ones = first_objective(table, question);
-    const auto fewest = model.minimise(ones, static_cast<double>(incumbent.count()));
+    const auto fewest = model.minimise(ones, incumbent.count());
+    if (fewest.infeasible) return infeasible();
     incumbent.offer(fewest.selected);
     answer.solver_failed = fewest.failed;
-    const auto count = static_cast<double>(incumbent.count());
+    const double count = incumbent.count();
     const double proven_count = std::clamp(CostBounds(table, ones).rounded(fewest.bound),
                                            static_cast<double>(least_count(table, question)), count);
     answer.placement.count_lower_bound = proven_count;
-    const bool is_fewest = proven_count == count;
+    const bool is_fewest = std::isfinite(count) && proven_count == count;
     if (question.objective == Objective::count) {
       set_value(answer.placement, count, proven_count, is_fewest);
       return answer;
@@ -81,7 +85,7 @@ struct Search {
     double bound = bounds.cheapest(static_cast<std::size_t>(proven_count));
     bool is_optimal = is_fewest && closes(bound, incumbent.value());
     if (is_fewest && !is_optimal) {
-      const auto best = model.minimise(cost, incumbent.value(), incumbent.count());
+      const auto best = model.minimise(cost, incumbent.value(), static_cast<std::size_t>(count));
       incumbent.offer(best.selected);
       answer.solver_failed = answer.solver_failed || best.failed;
       bound = std::max(bound, bounds.rounded(best.bound));
@@ -100,6 +104,7 @@ struct Search {
     bool is_optimal = closes(bound, incumbent.value());
     if (!is_optimal) {
       const auto best = model.minimise(cost, incumbent.value());
+      if (best.infeasible) return infeasible();
       incumbent.offer(best.selected);
       answer.solver_failed = best.failed;
       bound = std::max(bound, bounds.rounded(best.bound));
@@ -108,6 +113,14 @@ struct Search {
     set_value(answer.placement, incumbent.value(), bound, is_optimal);
     answer.placement.count_lower_bound =
         static_cast<double>(std::max(count, bounds.fewest(answer.placement.lower_bound)));
+    return answer;
+  }
+
+  static MipAnswer infeasible() {
+    MipAnswer answer;
+    answer.placement.status = Status::infeasible;
+    answer.placement.count_lower_bound = answer.placement.objective_value = answer.placement.lower_bound =
+        milp::infinity;
     return answer;
   }
 
@@ -121,9 +134,11 @@ struct Search {
 
 }  // namespace
 
-MipAnswer place_by_mip(const SignalTable& table, const Question& question, std::vector<std::uint32_t> start,
-                       const SolveFunction& solve, double time_limit_s, const RunControl& control) {
-  Incumbent incumbent(table, question, std::move(start));
+MipAnswer place_by_mip(const SignalTable& table, const Question& question,
+                       std::optional<std::vector<std::uint32_t>> start, const SolveFunction& solve,
+                       double time_limit_s, const RunControl& control) {
+  Incumbent incumbent(table, question);
+  incumbent.offer(start);
   detail::CoverModel model(table, question, solve, time_limit_s, control);
   Search search{table, question, incumbent, model};
   MipAnswer answer =

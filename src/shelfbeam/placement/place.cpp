@@ -1,5 +1,7 @@
 #include <chrono>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -8,6 +10,7 @@
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/greedy.hpp"
 #include "shelfbeam/placement/mip.hpp"
+#include "shelfbeam/placement/mounts.hpp"
 #include "shelfbeam/placement/placement.hpp"
 
 namespace shelfbeam {
@@ -27,23 +30,45 @@ std::vector<milp::Backend> wanted_backends(const std::string& name) {
   throw InputError("MIP back end", fmt::format("'{}' is not built in", name), suggest(name, known));
 }
 
-Placement infeasible(const SignalTable& table, const Question& question, const Check& with_everything) {
+/// The labels that no selection meets, whatever becomes of the others.
+std::vector<Unreachable> unreachable_labels(const SignalTable& table, const Question& question) {
+  // Selections add up their signals in another order than `most_signal` where points have options. Who is
+  // this near to the rule's edge is left to the search.
+  const double rounding = table.mounts.empty() ? 1 : 1 + 1e-12;
+  const Mounts mounts(table);
+  std::vector<Unreachable> result;
+  for (std::uint32_t i = 0; i < table.rows(); ++i) {
+    const double requirement = requirement_of(table.labels[i], question.model);
+    const double most = mounts.most_signal(table.row(i), question.model);
+    if (!is_met(most * rounding, requirement)) result.push_back({i, requirement, most});
+  }
+  return result;
+}
+
+Placement infeasible(const SignalTable& table, const Question& question,
+                     std::vector<Unreachable> unreachable) {
   Placement placement;
   placement.question = question;
   placement.status = Status::infeasible;
   placement.objective_value = placement.lower_bound = placement.count_lower_bound = infinite;
   placement.unit_costs = label_costs(table, question.objective).unit;
-  for (const std::uint32_t i : with_everything.unmet)
-    placement.unreachable.push_back(
-        {i, requirement_of(table.labels[i], question.model), with_everything.signal[i]});
+  placement.unreachable = std::move(unreachable);
   return placement;
 }
 
+using Selection = std::optional<std::vector<std::uint32_t>>;
+
+/// Nothing where the greedy method reaches no answer.
+Selection greedy_start(const SignalTable& table, const Question& question) {
+  Selection selected = greedy_selection(table, question);
+  if (!check_selection(table, question, *selected).met()) selected.reset();
+  return selected;
+}
+
 /// A selection with the bounds that need no search.
-Placement greedy_placement(const SignalTable& table, const Question& question,
-                           std::vector<std::uint32_t> selected) {
-  Placement placement = place_by_mip(table, question, std::move(selected), {}, 0, {}).placement;
-  placement.status = Status::feasible;
+Placement greedy_placement(const SignalTable& table, const Question& question, const Selection& selected) {
+  Placement placement = place_by_mip(table, question, selected, {}, 0, {}).placement;
+  placement.status = selected ? Status::feasible : Status::stopped;
   placement.solver = "greedy";
   return placement;
 }
@@ -65,13 +90,11 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
   check_question(table, question);
   const auto backends = wanted_backends(options.backend);
 
-  std::vector<std::uint32_t> everything(table.columns());
-  for (std::uint32_t j = 0; j < everything.size(); ++j) everything[j] = j;
   Placement placement;
-  if (const Check check = check_selection(table, question, everything); !check.met()) {
-    placement = infeasible(table, question, check);
+  if (auto unreachable = unreachable_labels(table, question); !unreachable.empty()) {
+    placement = infeasible(table, question, std::move(unreachable));
   } else {
-    const std::vector<std::uint32_t> greedy = greedy_selection(table, question);
+    const Selection greedy = greedy_start(table, question);
     if (options.solver == SolverChoice::greedy) {
       placement = greedy_placement(table, question, greedy);
     } else {

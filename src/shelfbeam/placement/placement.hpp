@@ -14,17 +14,21 @@ enum class Status {
   optimal,     ///< proven
   feasible,    ///< every label is met; nothing is claimed about the rest (greedy)
   infeasible,  ///< proven: see `unreachable`
-  stopped  ///< a limit or an interruption came first, or the solver failed: best selection and bound so far
+  /// A limit or an interruption came first, the solver failed, or the greedy method found no way: best
+  /// selection, if there is any, and bound so far.
+  stopped
 };
 
 struct Unreachable {
   std::uint32_t label = 0;
   double requirement = 0;
-  double most = 0;  ///< with every candidate on (cooperative), or of the best single one
+  double most =
+      0;  ///< with the best option of every mounting point on (cooperative), or of the best single one
 };
 
 /// An answer. Indices refer to the table it was computed from; `selected` is in ascending order and holds
-/// every installed unit. An infeasible question has no selection and infinite values.
+/// every installed unit. An infeasible question has no selection and infinite values; a stopped one for which
+/// none was found has no selection and an infinite objective_value.
 struct Placement {
   Question question;
   Status status = Status::stopped;
@@ -35,8 +39,10 @@ struct Placement {
   /// units; while their number is not proven, the cheapest count_lower_bound units.
   double lower_bound = 0;
   bool unit_costs = false;  ///< no cost was given for the objective, so each link or signal counted 1
+  /// Labels that no selection meets. Infeasible without any: each could be met, but not all by one selection,
+  /// because the options of a mounting point exclude one another.
   std::vector<Unreachable> unreachable;
-  std::string solver;  ///< "greedy", or name and version of the MIP back end
+  std::string solver;  ///< "greedy", or name and version of the MIP back end; empty where neither was needed
   double seconds = 0;  ///< wall time
 
   std::size_t count() const { return selected.size(); }
@@ -56,9 +62,9 @@ struct PlaceOptions {
   double time_limit_s = 60;
 };
 
-/// Answers the question for a table. Every returned selection has passed the checker (checker.hpp); a
-/// question is feasible exactly when the selection of all candidates passes it. Costs must be finite and not
-/// negative. Throws InputError when a label has no requirement or the back end is unknown.
+/// Answers the question for a table. Every returned selection has passed the checker (checker.hpp). Costs
+/// must be finite and not negative. Throws InputError when a label has no requirement or the back end is
+/// unknown.
 Placement place(const SignalTable& table, const Question& question, const PlaceOptions& options,
                 const RunControl& control = {});
 

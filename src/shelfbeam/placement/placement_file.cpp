@@ -12,6 +12,7 @@
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/mounts.hpp"
 #include "shelfbeam/placement/names.hpp"
 
 namespace shelfbeam {
@@ -71,6 +72,13 @@ std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const SignalT
     selected.push_back(position(element, known, "transceiver"));
     if (seen[selected.back()]) element.fail(fmt::format("names '{}' again", element.text()), "name it once");
     seen[selected.back()] = true;
+  }
+  if (const auto crowded = crowded_mounts(table, seen); !crowded.empty()) {
+    std::vector<std::string_view> ids;
+    for (const std::uint32_t j : table.mounts[crowded.front()])
+      if (seen[j]) ids.push_back(table.transceivers[j].id);
+    cursor.fail(fmt::format("names '{}', which are options of one mounting point", fmt::join(ids, "' and '")),
+                "keep one of them");
   }
   std::sort(selected.begin(), selected.end());
   return selected;

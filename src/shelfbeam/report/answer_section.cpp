@@ -56,7 +56,8 @@ std::string key_figures(const ReportData& data) {
   std::string html = "<dl class=\"cards\">\n";
   html += card(
       "Transceivers", data.has_selection() ? grouped(placement.count()) : "–",
-      fmt::format("of {}{}", counted(candidates, "candidate"),
+      fmt::format("of {}{}{}", counted(candidates, "candidate"),
+                  data.has_options() ? " at " + counted(data.mounting_points, "mounting point") : "",
                   data.has_selection() && installed > 0 ? fmt::format("; {} installed", installed) : ""));
   html += placement.status == Status::infeasible ? card("At least needed", "–", "no number suffices")
                                                  : card("At least needed", grouped(least_count(placement)),
@@ -66,6 +67,8 @@ std::string key_figures(const ReportData& data) {
     const std::uint32_t weakest = data.outcome.by_margin.front();
     html += card("Least margin", decibels(data.outcome.labels[weakest].margin()),
                  "label " + data.label(weakest).id);
+  } else if (placement.status == Status::infeasible && placement.unreachable.empty()) {
+    html += card("Labels", grouped(labels), "each alone could be reached");
   } else if (placement.status == Status::infeasible) {
     html += card("Labels out of reach", grouped(placement.unreachable.size()), "of " + grouped(labels));
   } else {
@@ -104,7 +107,7 @@ std::string unreachable_section(const ReportData& data) {
   }
   std::string html =
       paragraph(data.input.placement.question.model == CommunicationModel::cooperative
-                    ? "The most a label could get is its signal with every candidate on."
+                    ? fmt::format("The most a label could get is its signal {}.", data.everything_on())
                     : "The most a label could get is its signal from the best single candidate.");
   html += table.html();
   if (worst.size() > most_rows)

@@ -65,6 +65,7 @@ std::string simulation_facts(const ReportData& data) {
   const SignalMatrix& matrix = data.input.matrix;
   Facts facts("Simulation");
   facts.add("Labels × candidates", grouped(matrix.rows()) + " × " + grouped(matrix.columns()));
+  if (data.has_options()) facts.add("Mounting points", grouped(data.mounting_points));
   facts.add("Samples a label", range(s.least_samples, s.most_samples));
   facts.add("Batches a label", range(s.least_batches, s.most_batches));
   facts.add("Estimator", matrix.provenance.estimator);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/places.hpp"
 #include "shelfbeam/report/elevation.hpp"
 #include "shelfbeam/report/fixture_ids.hpp"
 #include "shelfbeam/report/part_drawing.hpp"
@@ -38,10 +39,9 @@ void draw_labels(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
 }
 
 void draw_transceivers(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
-  std::vector<Vec3> candidates;
-  for (const Transceiver& t : scene.transceivers)
-    if (!t.installed) candidates.push_back(t.position);
-  draw_crosses(canvas, view, candidates, 4, "cand");
+  std::vector<bool> installed;
+  for (const Transceiver& t : scene.transceivers) installed.push_back(t.installed);
+  draw_free_points(canvas, view, positions_of(scene.transceivers), installed);
   for (const Transceiver& t : scene.transceivers)
     if (t.installed) {
       const Point at = view.at(t.position.x, t.position.y);
@@ -52,11 +52,13 @@ void draw_transceivers(SvgCanvas& canvas, const PlanView& view, const Scene& sce
 std::string counts(const Scene& scene) {
   const auto installed = std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
                                        [](const Transceiver& t) { return t.installed; });
+  const std::size_t points = places_of(positions_of(scene.transceivers)).count;
   const Vec3 size = scene.room ? *scene.room : scene.upper - scene.lower;
   std::string text =
       fmt::format("{} × {} × {} m · {} · {} · {}", plain(size.x), plain(size.y), plain(size.z),
                   counted(scene.fixtures.size(), "fixture"), counted(scene.labels.size(), "label"),
                   counted(scene.transceivers.size(), "candidate transceiver"));
+  if (points < scene.transceivers.size()) text += " at " + counted(points, "mounting point");
   if (installed > 0) text += fmt::format(" ({} installed)", installed);
   return text;
 }

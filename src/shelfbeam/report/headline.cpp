@@ -52,6 +52,11 @@ std::string candidates_text(const ReportData& data) {
   const std::size_t n = data.input.matrix.columns();
   if (data.input.placement.question.model == CommunicationModel::non_cooperative)
     return fmt::format("even by the best of {}", counted(n, "candidate"));
+  if (data.has_options())
+    return fmt::format("even with the best option of {} on",
+                       data.mounting_points == 1
+                           ? "the only mounting point"
+                           : fmt::format("all {} mounting points", grouped(data.mounting_points)));
   return n == 1 ? "even with the only candidate on"
                 : fmt::format("even with all {} candidates on", grouped(n));
 }
@@ -90,6 +95,11 @@ Headline infeasible(const ReportData& data) {
   if (lost > 0)
     result.answer = fmt::format("No selection can do it: {} of {} cannot be reached, {}.", grouped(lost),
                                 counted(all, "label"), candidates_text(data));
+  else if (data.has_options())
+    result.answer =
+        "No selection can do it: each label could be reached, but not all of them at once, because a "
+        "mounting "
+        "point holds one unit.";
   const auto dark = std::count_if(placement.unreachable.begin(), placement.unreachable.end(),
                                   [](const Unreachable& label) { return label.most <= 0; });
   if (dark > 0)
@@ -98,25 +108,28 @@ Headline infeasible(const ReportData& data) {
                   : fmt::format("At {} of them no light arrives at all: are they inside something, or facing "
                                 "into it?",
                                 grouped(static_cast<std::uint64_t>(dark))));
-  result.remarks.push_back(
+  result.remarks.push_back(fmt::format(
       "What helps: candidates in more places, stronger units, or labels that need less signal. The plans "
-      "below "
-      "show what each label would get if every candidate were on.");
+      "below show what each label would get {}.",
+      data.everything_on()));
   return result;
 }
 
 Headline nothing_found(const ReportData& data) {
   const Placement& placement = data.input.placement;
   const std::size_t least = least_count(placement);
+  const bool greedy = placement.solver == "greedy";
   Headline result;
   result.answer =
-      fmt::format("No selection was found within {}{}.", time_text(placement.seconds),
+      fmt::format("{}{}.",
+                  greedy ? "The greedy method found no selection"
+                         : fmt::format("No selection was found within {}", time_text(placement.seconds)),
                   least == 0 ? ""
                              : fmt::format("; it is proven that at least {} {} needed", grouped(least),
                                            least == 1 ? "transceiver is" : "transceivers are"));
   result.remarks.push_back(
-      "The question is open: more time may find one. The plans below show what each label would get if every "
-      "candidate were on.");
+      fmt::format("The question is open: {} may find one. The plans below show what each label would get {}.",
+                  greedy ? "an exact search" : "more time", data.everything_on()));
   return result;
 }
 

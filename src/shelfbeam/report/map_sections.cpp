@@ -18,16 +18,17 @@ std::string least_tenth(double direct_share) {
 
 std::string margin_section(const ReportData& data, const Maps& maps) {
   if (data.levels.empty()) return {};
-  std::string html =
-      paragraph(data.has_selection()
-                    ? "Each mark is a label, on the side it faces. Its colour tells by how many decibels its "
-                      "signal exceeds "
-                      "what it needs: 3 dB is twice as much, 10 dB ten times. Triangles are labels that are "
-                      "not reached. "
-                      "Numbers are the chosen units, as in the table below."
-                    : "Each mark is a label, on the side it faces. Its colour tells how its signal would "
-                      "compare to what it "
-                      "needs if every candidate were on. Triangles are labels that stay out of reach.");
+  std::string html = paragraph(
+      data.has_selection()
+          ? "Each mark is a label, on the side it faces. Its colour tells by how many decibels its "
+            "signal exceeds "
+            "what it needs: 3 dB is twice as much, 10 dB ten times. Triangles are labels that are "
+            "not reached. "
+            "Numbers are the chosen units, as in the table below."
+          : fmt::format("Each mark is a label, on the side it faces. Its colour tells how its signal "
+                        "would compare to what it needs {}. Triangles are labels that stay out of "
+                        "reach.",
+                        data.everything_on()));
   for (std::size_t k = 0; k < data.levels.size(); ++k) html += maps.margin_map(k);
   return html_section("plans", "Floor plan by shelf level", html);
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/places.hpp"
 #include "shelfbeam/report/fixture_ids.hpp"
 #include "shelfbeam/report/store_layer.hpp"
 
@@ -31,12 +32,6 @@ std::vector<double> signals_of(const ReportData& data, std::size_t level) {
   return values;
 }
 
-std::vector<Vec3> label_positions(const SignalMatrix& matrix) {
-  std::vector<Vec3> positions;
-  for (const LabelRow& label : matrix.labels) positions.push_back(label.position);
-  return positions;
-}
-
 std::string key(const std::string& symbol, const std::string& text) {
   return fmt::format(
       "<li><svg class=\"key\" viewBox=\"-14 -14 28 28\" aria-hidden=\"true\"><use "
@@ -55,7 +50,7 @@ Maps::Maps(const ReportData& data)
       view_(data.input.scene),
       fullest_(find_fullest(data.levels)),
       scale_(signals_of(data, fullest_)),
-      radius_(label_mark_radius(view_, label_positions(data.input.matrix))) {}
+      radius_(label_mark_radius(view_, positions_of(data.input.matrix.labels))) {}
 
 double Maps::shown_signal(std::uint32_t label) const {
   const LabelOutcome& outcome = data_.outcome.labels[label];
@@ -72,7 +67,6 @@ std::vector<Point> Maps::places(const ShelfLevel& level) const {
 }
 
 std::string Maps::definitions() const {
-  const auto& transceivers = data_.input.matrix.transceivers;
   SvgCanvas canvas;
   canvas.raw("<svg class=\"defs\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>\n");
   define_margin_marks(canvas, radius_);
@@ -88,12 +82,10 @@ std::string Maps::definitions() const {
   canvas.raw("<g id=\"store-layer\">\n");
   view_.draw_floor(canvas);
   draw_fixtures(canvas, view_, data_.input.scene);
-  std::vector<Vec3> rest;
-  for (std::size_t j = 0; j < transceivers.size(); ++j)
-    if (!data_.has_selection() ||
-        data_.unit_number(static_cast<std::uint32_t>(j)) > data_.input.placement.count())
-      rest.push_back(transceivers[j].position);
-  draw_crosses(canvas, view_, rest, 4, "cand");
+  std::vector<bool> chosen(data_.input.matrix.columns(), false);
+  if (data_.has_selection())
+    for (const std::uint32_t j : data_.input.placement.selected) chosen[j] = true;
+  draw_free_points(canvas, view_, positions_of(data_.input.matrix.transceivers), chosen);
   draw_fixture_ids(canvas, view_, data_.input.scene);
   view_.draw_axes(canvas);
   canvas.raw("</g>\n<g id=\"unit-layer\">\n");

@@ -5,6 +5,9 @@
 #include <limits>
 #include <numeric>
 
+#include "shelfbeam/placement/mounts.hpp"
+#include "shelfbeam/signal/signal_table.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -22,7 +25,8 @@ double signal_without(const SignalMatrix& matrix, const Placement& placement, st
   return placement.question.model == CommunicationModel::cooperative ? sum : largest;
 }
 
-LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placement, std::size_t label) {
+LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placement, const Mounts& mounts,
+                           std::size_t label) {
   const bool adds_up = placement.question.model == CommunicationModel::cooperative;
   const auto row = matrix.mean_row(label);
   const auto direct = [&](std::uint32_t column) {
@@ -46,10 +50,9 @@ LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placemen
     result.signal = result.strongest_signal;
     if (result.strongest) result.direct = direct(*result.strongest);
   }
-  for (const float signal : row) {
-    const auto value = static_cast<double>(signal);
-    result.best = adds_up ? result.best + value : std::max(result.best, value);
-  }
+  std::vector<SignalEntry> entries;
+  for (std::uint32_t j = 0; j < row.size(); ++j) entries.push_back({j, static_cast<double>(row[j])});
+  result.best = mounts.most_signal(entries, placement.question.model);
   result.met = !placement.selected.empty() && is_met(result.signal, result.requirement);
   return result;
 }
@@ -84,8 +87,9 @@ std::vector<std::uint32_t> Outcome::served_by(std::size_t k) const {
 Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
   Outcome outcome;
   for (const std::uint32_t column : placement.selected) outcome.units.push_back({column, 0, 0, 0});
+  const Mounts mounts(shared_mounts(matrix), matrix.transceivers);
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    LabelOutcome label = label_outcome(matrix, placement, i);
+    LabelOutcome label = label_outcome(matrix, placement, mounts, i);
     if (label.met) ++outcome.met;
     if (label.reached_by.size() > 1) ++outcome.redundant;
     if (label.met && is_met(label.direct, label.requirement)) ++outcome.met_by_direct;

@@ -17,7 +17,7 @@ struct LabelOutcome {
   double signal = 0;       ///< S_i: sum over the chosen units (cooperative), or the largest (non-cooperative)
   double direct = 0;       ///< the part of `signal` that arrives without any reflection
   double requirement = 0;  ///< gamma tau
-  double best = 0;         ///< S_i if every candidate were chosen
+  double best = 0;         ///< the most it could get: from the best option of every mounting point together
   bool met = false;        ///< signal >= requirement (1 - met_tolerance)
   std::optional<std::uint32_t> strongest;  ///< column of the chosen unit with the largest entry above 0
   double strongest_signal = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shelfbeam/math/places.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -19,6 +21,7 @@ ReportData::ReportData(const ReportInput& report_input)
       outcome(outcome_of(input.matrix, input.placement)),
       sampling(sampling_summary(input.matrix)),
       uncertain(uncertain_labels(input.matrix, outcome)),
+      mounting_points(places_of(positions_of(input.matrix.transceivers)).count),
       unit(unit_of(input.matrix)) {
   std::vector<double> heights;
   for (const LabelRow& label : input.matrix.labels) heights.push_back(label.position.z);

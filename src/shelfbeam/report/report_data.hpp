@@ -18,12 +18,20 @@ struct ReportData {
   Outcome outcome;
   SamplingSummary sampling;
   std::size_t uncertain;  ///< labels that sampling error could turn
+  std::size_t mounting_points;
   std::vector<ShelfLevel> levels;
   SignalUnit unit;
 
-  /// Otherwise the report shows what each label would get if every candidate were on.
+  /// Otherwise the report shows the most that each label could get.
   bool has_selection() const {
     return !input.placement.selected.empty() && input.placement.status != Status::infeasible;
+  }
+  /// Some mounting points have several candidates, of which one at most can be chosen.
+  bool has_options() const { return mounting_points < input.matrix.columns(); }
+  /// The condition under which a label gets LabelOutcome::best.
+  const char* everything_on() const {
+    return has_options() ? "if the best option of every mounting point were on"
+                         : "if every candidate were on";
   }
   bool has_direct() const { return input.matrix.direct.size() == input.matrix.mean.size(); }
   const LabelRow& label(std::uint32_t row) const { return input.matrix.labels[row]; }

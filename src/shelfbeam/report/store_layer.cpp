@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/places.hpp"
 #include "shelfbeam/report/text_format.hpp"
 
 namespace shelfbeam {
@@ -29,15 +30,23 @@ void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) 
                      fmt::format("{} ({}, {} m high)", fixture.id, fixture.type, fixed(fixture.height, 2)));
 }
 
-void draw_crosses(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> positions, double arm,
-                  std::string_view css_class) {
-  std::string data;
+void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> candidates,
+                      const std::vector<bool>& taken) {
+  const Places places = places_of(candidates);
+  std::vector<bool> done(places.count, false);
+  for (std::size_t j = 0; j < candidates.size(); ++j)
+    if (taken[j]) done[places.of[j]] = true;
+
+  constexpr double arm = 4;
   const std::string d = coordinate(arm), d2 = coordinate(2 * arm);
-  for (const Vec3& position : positions) {
-    const Point p = view.at(position.x, position.y);
+  std::string data;
+  for (std::size_t j = 0; j < candidates.size(); ++j) {
+    if (done[places.of[j]]) continue;
+    done[places.of[j]] = true;
+    const Point p = view.at(candidates[j].x, candidates[j].y);
     data += fmt::format("M{} {}h{}m-{} -{}v{}", coordinate(p.x - arm), coordinate(p.y), d2, d, d, d2);
   }
-  if (!data.empty()) canvas.path(data, css_class);
+  if (!data.empty()) canvas.path(data, "cand");
 }
 
 double label_mark_radius(const PlanView& view, std::span<const Vec3> positions) {

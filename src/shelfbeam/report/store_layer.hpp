@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "shelfbeam/report/plan_view.hpp"
 #include "shelfbeam/report/svg.hpp"
@@ -11,9 +12,9 @@ namespace shelfbeam {
 /// Footprints of all fixtures in plain colours, a background for what stands in front of them.
 void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
 
-/// Small crosses as one path.
-void draw_crosses(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> positions, double arm,
-                  std::string_view css_class);
+/// A small cross for every mounting point of which no candidate is taken, however many it has; as one path.
+void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> candidates,
+                      const std::vector<bool>& taken);
 
 /// How far a label's mark reaches on the plan, from the usual distance between neighbours in a row; units.
 double label_mark_radius(const PlanView& view, std::span<const Vec3> positions);

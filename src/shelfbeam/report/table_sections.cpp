@@ -1,4 +1,8 @@
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -9,6 +13,19 @@
 namespace shelfbeam {
 
 namespace {
+
+// "down", or how far the axis leans and which way, with what the unit is turned about it.
+std::string direction(const Vec3& axis, double roll_deg) {
+  constexpr double degree = std::numbers::pi / 180;
+  const double tilt = std::atan2(std::hypot(axis.x, axis.y), -axis.z) / degree;
+  const double towards = std::atan2(axis.y, axis.x) / degree;
+  std::string text = tilt < 0.05     ? "down"
+                     : tilt > 179.95 ? "up"
+                                     : fmt::format("{}° towards {}°", fixed(tilt, 1),
+                                                   fixed(towards < -0.05 ? towards + 360 : towards, 1));
+  if (roll_deg != 0) text += fmt::format(", roll {}°", plain(roll_deg));
+  return text;
+}
 
 std::string served_labels(const ReportData& data) {
   std::string list;
@@ -35,6 +52,8 @@ std::string served_labels(const ReportData& data) {
 
 std::string unit_section(const ReportData& data) {
   if (!data.has_selection()) return {};
+  std::map<std::string_view, double> roll_deg;
+  for (const Transceiver& unit : data.input.scene.transceivers) roll_deg.emplace(unit.id, unit.roll_deg);
   HtmlTable table({{"No."},
                    {"Unit", false},
                    {"x (m)"},
@@ -43,21 +62,25 @@ std::string unit_section(const ReportData& data) {
                    {"Reaches alone"},
                    {"Strongest for"},
                    {"Needed by"},
-                   {"Type", false}});
+                   {"Type", false},
+                   {"Looks", false}});
   for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
     const UnitOutcome& unit = data.outcome.units[k];
     const TransceiverColumn& transceiver = data.transceiver(unit.column);
     table.add_row({grouped(k + 1), transceiver.id + (transceiver.installed ? " (installed)" : ""),
                    fixed(transceiver.position.x, 2), fixed(transceiver.position.y, 2),
                    fixed(transceiver.position.z, 2), grouped(unit.reaches_alone), grouped(unit.strongest_for),
-                   grouped(unit.needed_by), transceiver.type});
+                   grouped(unit.needed_by), transceiver.type,
+                   direction(transceiver.axis, roll_deg[transceiver.id])});
   }
   return html_section(
       "units", "The chosen units",
       table.html() +
           paragraph(
               "Numbers of labels: that the unit reaches without help; that get the largest part of their "
-              "signal from it; that would fall below their requirement without it.",
+              "signal from it; that would fall below their requirement without it. A unit looks down, or "
+              "leans "
+              "so far from it towards a direction in the plan, 0° along x and 90° along y.",
               "note") +
           served_labels(data));
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/places.hpp"
 #include "shelfbeam/scene/fixture_geometry.hpp"
 #include "shelfbeam/scene/store.hpp"
 
@@ -211,6 +212,20 @@ class SceneMaker {
             where, fmt::format("there is no transceiver '{}'", id),
             kept_out_ids_.count(id) != 0 ? "it lies in a 'keep_out' area" : "list it, or correct the id");
       scene_.transceivers[found->second].installed = true;
+    }
+    expect_one_installed_at_a_point();
+  }
+
+  void expect_one_installed_at_a_point() const {
+    const Places places = places_of(positions_of(scene_.transceivers));
+    std::vector<const Transceiver*> at(places.count, nullptr);
+    for (const auto& [id, where] : store_.installed) {
+      const std::size_t index = unit_index_.at(id);
+      const Transceiver*& first = at[places.of[index]];
+      if (first != nullptr && first->id != id)
+        throw InputError(where, fmt::format("'{}' is installed at the mounting point of '{}'", id, first->id),
+                         "a point holds one unit: keep one of them, or correct a position");
+      first = &scene_.transceivers[index];
     }
   }
 

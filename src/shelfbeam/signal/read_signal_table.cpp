@@ -43,7 +43,7 @@ SignalTable read_text_table(std::string_view text, const std::string& name) {
 SignalTable read_signal_table(const std::filesystem::path& path) {
   SignalTable table;
   if (is_hdf5(path))
-    table = make_signal_table(read_signal_file(path));
+    table = make_signal_table(read_signal_file(path), path.string());
   else if (detail::read_first_bytes(path, 6) == "\x93NUMPY")
     table = detail::read_npy_table(path);
   else

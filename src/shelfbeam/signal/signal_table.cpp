@@ -6,12 +6,41 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/places.hpp"
 #include "shelfbeam/signal/detail/formats.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 
 namespace shelfbeam {
 
-SignalTable make_signal_table(const SignalMatrix& matrix) {
+namespace {
+
+void expect_one_installed(const SignalTable& table, const std::string& name) {
+  for (const auto& mount : table.mounts) {
+    const SignalTable::Transceiver* installed = nullptr;
+    for (const std::uint32_t j : mount) {
+      const SignalTable::Transceiver& unit = table.transceivers[j];
+      if (!unit.installed) continue;
+      if (installed != nullptr)
+        throw InputError(
+            name + ": /transceivers/installed",
+            fmt::format("'{}' and '{}' are installed at the same mounting point", installed->id, unit.id),
+            "keep one of them in the store, and simulate it again");
+      installed = &unit;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<std::uint32_t>> shared_mounts(const SignalMatrix& matrix) {
+  const Places places = places_of(positions_of(matrix.transceivers));
+  std::vector<std::vector<std::uint32_t>> mounts(places.count);
+  for (std::uint32_t j = 0; j < matrix.columns(); ++j) mounts[places.of[j]].push_back(j);
+  std::erase_if(mounts, [](const auto& mount) { return mount.size() < 2; });
+  return mounts;
+}
+
+SignalTable make_signal_table(const SignalMatrix& matrix, const std::string& name) {
   SignalTable table;
   table.labels.reserve(matrix.rows());
   for (const LabelRow& label : matrix.labels)
@@ -20,6 +49,8 @@ SignalTable make_signal_table(const SignalMatrix& matrix) {
   table.transceivers.reserve(matrix.columns());
   for (const TransceiverColumn& unit : matrix.transceivers)
     table.transceivers.push_back({unit.id, unit.cost, unit.installed});
+  table.mounts = shared_mounts(matrix);
+  expect_one_installed(table, name);
 
   const auto is_entry = [](float value) { return value > 0; };
   table.entries.reserve(

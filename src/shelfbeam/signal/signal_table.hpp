@@ -38,18 +38,30 @@ struct SignalTable {
 
   std::vector<Label> labels;
   std::vector<Transceiver> transceivers;
+  /// Columns that are options of one mounting point, of which at most one can be chosen: two or more each,
+  /// ascending, no column twice. Every other column has a point of its own.
+  std::vector<std::vector<std::uint32_t>> mounts;
   std::vector<std::size_t> row_begin;  ///< m + 1 offsets into `entries`
   std::vector<SignalEntry> entries;
 
   std::size_t rows() const { return labels.size(); }
   std::size_t columns() const { return transceivers.size(); }
+  std::size_t mounting_points() const {
+    std::size_t count = columns();
+    for (const auto& mount : mounts) count -= mount.size() - 1;
+    return count;
+  }
   std::span<const SignalEntry> row(std::size_t label) const {
     return std::span(entries).subspan(row_begin[label], row_begin[label + 1] - row_begin[label]);
   }
 };
 
-/// The table of a simulated matrix (its means, requirements, costs and installed units).
-SignalTable make_signal_table(const SignalMatrix& matrix);
+/// Candidates at the same place (math/places.hpp), two or more each: SignalTable::mounts.
+std::vector<std::vector<std::uint32_t>> shared_mounts(const SignalMatrix& matrix);
+
+/// The table of a simulated matrix (its means, requirements, costs, installed units and mounting points).
+/// Throws InputError when two units are installed at one point; `name` stands for the matrix in it.
+SignalTable make_signal_table(const SignalMatrix& matrix, const std::string& name = "signal matrix");
 
 /// Reads a matrix from HDF5 (this program's signal file), CSV, NPY, sparse text, or an OR-Library `scp` or
 /// `rail` file; text may be gzip-compressed. The kind is found from the content, not from the name.

@@ -10,7 +10,7 @@
 
 namespace shelfbeam::detail {
 
-/// The label rows of a question as a solver gets them, with the cuts found so far and the clock.
+/// The rows of a question as a solver gets them, with the cuts found so far and the clock.
 class CoverModel {
  public:
   CoverModel(const SignalTable& table, const Question& question, const SolveFunction& solve,
@@ -20,12 +20,13 @@ class CoverModel {
     std::optional<std::vector<std::uint32_t>> selected;  ///< ascending, accepted by the checker
     double bound = -milp::infinity;                      ///< no selection costs less
     bool proven = false;                                 ///< `selected` is optimal within the solver's gap
-    bool failed = false;                                 ///< the solver failed or contradicted what is known
+    bool infeasible = false;  ///< no selection meets every label; only where none was known
+    bool failed = false;      ///< the solver failed or contradicted what is known
   };
 
   /// The selection of least cost that meets every label; of exactly `count` units where that is given.
-  /// Precondition: there is one that costs no more than `known`. Units that cost more alone are left out, so
-  /// that their costs do not drown the others in the solver's tolerances.
+  /// Precondition: there is one that costs no more than `known`; infinite where none is known. Units that
+  /// cost more alone are left out, so that their costs do not drown the others in the solver's tolerances.
   Outcome minimise(std::span<const double> cost, double known,
                    std::optional<std::size_t> count = std::nullopt);
 
