@@ -67,6 +67,7 @@ class SceneMaker {
       const std::string& id = std::visit([](const auto& f) -> const std::string& { return f.id; }, fixture);
       if (!ids.insert(id).second)
         throw InputError(where, fmt::format("the fixture id '{}' is used twice", id), "make ids unique");
+      expect_panes(fixture, where);
       const std::size_t first_vertex = scene_.mesh.vertices.size();
       const auto* mesh = std::get_if<MeshFixture>(&fixture);
       if (mesh != nullptr)
@@ -81,6 +82,19 @@ class SceneMaker {
                                   id, mesh != nullptr ? "its 'scale'" : "its size or the room's"));
       places_.labels.resize(scene_.labels.size(), where);
     }
+  }
+
+  void expect_panes(const Fixture& fixture, const std::string& where) const {
+    const auto* gondola = std::get_if<Gondola>(&fixture);
+    const auto* freezer = std::get_if<Freezer>(&fixture);
+    const auto doors = gondola != nullptr   ? gondola->doors
+                       : freezer != nullptr ? freezer->doors
+                                            : std::nullopt;
+    if (doors && std::holds_alternative<Dielectric>(store_.materials[doors->value].material))
+      throw InputError(where + ".doors",
+                       fmt::format("'{}' is a solid 'dielectric', but a door has no thickness",
+                                   store_.materials[doors->value].name),
+                       "use a 'thin_dielectric', which is a whole pane");
   }
 
   void find_bounds() {
