@@ -102,7 +102,8 @@ void add_fixture(Scene& scene, const Gondola& g) {
     const double kick_high = faces_low ? high_y : high_y - recess;
     const double goods_low = faces_low ? low_y + goods_setback : low_y + facing_gap;
     const double goods_high = faces_low ? high_y - facing_gap : high_y - goods_setback;
-    builder.add_box(PartKind::kick_plate, {0, kick_low, 0}, {g.length, kick_high, deck}, g.material);
+    builder.add_box(g.doors ? PartKind::casing : PartKind::kick_plate, {0, kick_low, 0},
+                    {g.length, kick_high, deck}, g.material);
     for (std::size_t level = 0; level <= g.shelves.size(); ++level) {
       const double floor = level == 0 ? deck : g.shelves[level - 1] + board_thickness / 2;
       const double ceiling = level < g.shelves.size() ? g.shelves[level] - board_thickness / 2 : g.height;
