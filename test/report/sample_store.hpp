@@ -39,9 +39,9 @@ inline Store empty_store(const std::string& name, const Vec3& size) {
   store.name = name;
   store.room = Room{size, {}};
   store.materials = {{"grey", Lambertian{0.7}}};
-  store.label_types = {{"standard", CosineResponse{}, 0.012, 1, 0, 0},
-                       {"large", CosineResponse{}, 0.009, 1.1, 0, 0}};
-  store.transceiver_types = {{"ceiling", SinTwoTheta{1}, 1}};
+  store.label_types = {{"standard", CosineResponse{}, {}, 0.012, 1, 0, 0},
+                       {"large", CosineResponse{}, {}, 0.009, 1.1, 0, 0}};
+  store.transceiver_types = {{"ceiling", SinTwoTheta{1}, 0, 1}};
   return store;
 }
 
