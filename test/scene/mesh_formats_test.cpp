@@ -277,6 +277,12 @@ TEST_F(SolidGlass, SliversDoNotOpenIt) {
   const Scene scene = glass(mesh_store("seam.stl"), folder.path());
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_NE(scene.warnings[0].find("dropped 1 of 6"), std::string::npos);
+  Triangles strewn = tetrahedron();
+  strewn.push_back({x, middle, o});
+  folder.write("strewn.stl", test::binary_stl(strewn));
+  const auto strewn_warnings = glass(mesh_store("strewn.stl"), folder.path()).warnings;
+  ASSERT_EQ(strewn_warnings.size(), 1u);
+  EXPECT_NE(strewn_warnings[0].find("dropped 1 of 5"), std::string::npos);
   seamed.pop_back();
   folder.write("seam.stl", test::binary_stl(seamed));
   EXPECT_NE(glass(mesh_store("seam.stl"), folder.path()).warnings.at(0).find("is not closed"),

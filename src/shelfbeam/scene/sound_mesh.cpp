@@ -57,9 +57,9 @@ double volume(const MeshPiece& piece) {
   return six / 6;
 }
 
-// Refraction needs to know inside from outside. Before slivers are dropped: they may close what is closed.
-void turn_outside_out(MeshPiece& piece, const std::string& what, WarningList& warnings) {
-  if (!is_closed(piece)) {
+// Refraction needs to know inside from outside.
+void turn_outside_out(MeshPiece& piece, const std::string& what, bool closed, WarningList& warnings) {
+  if (!closed) {
     warnings.add("open surfaces of solid dielectrics",
                  what +
                      " is not closed, so light that enters the solid may never leave it; close it with all "
@@ -110,13 +110,16 @@ MeshFixture sound_mesh(MeshFixture mesh, const Store& store, const std::string& 
   std::size_t count = 0, dropped = 0;
   for (MeshPiece& piece : mesh.pieces) {
     const NamedMaterial& material = store.materials[piece.material.value];
-    if (std::holds_alternative<Dielectric>(material.material))
+    const bool is_solid = std::holds_alternative<Dielectric>(material.material);
+    // A sliver may close a seam, or only lie on a surface that is closed without it.
+    const bool closed_with_slivers = is_solid && is_closed(piece);
+    count += piece.triangles.size();
+    dropped += drop_without_area(piece);
+    if (is_solid && !piece.triangles.empty())
       turn_outside_out(piece,
                        fmt::format("{}: the surface of mesh '{}' made of the solid dielectric '{}'", where,
                                    mesh.id, material.name),
-                       warnings);
-    count += piece.triangles.size();
-    dropped += drop_without_area(piece);
+                       closed_with_slivers || is_closed(piece), warnings);
   }
   std::erase_if(mesh.pieces, [](const MeshPiece& piece) { return piece.triangles.empty(); });
   if (mesh.pieces.empty())
