@@ -159,6 +159,11 @@ TEST_F(BadStore, UnreadableCsv) {
   expect_text_refused(store.dump(), {": labels.csv: the file", "other.csv' does not exist"});
 }
 
+TEST_F(BadStore, TransceiverAboveTheCeiling) {
+  expect_change_refused([](Json& s) { s["transceivers"]["grids"][0]["z"] = 4.2; },
+                        {": transceivers.grids[0]: transceiver 'G1-1-1'", "above the ceiling (4.2 m > 3 m)"});
+}
+
 TEST_F(BadStore, UnreadableMesh) {
   const auto with_mesh = [](const char* file) {
     return [file](Json& s) {
@@ -173,6 +178,11 @@ TEST_F(BadStore, UnreadableMesh) {
   expect_change_refused(with_mesh("noise.obj"),
                         {": fixtures[1].file: the mesh", "noise.obj' cannot be read"});
   expect_change_refused(with_mesh("."), {": fixtures[1].file: the mesh"});
+  folder.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n");
+  expect_change_refused(with_mesh("nan.obj"),
+                        {": fixtures[1].file: line 3 of '", "'nan' is no finite number"});
+  folder.write("mm.obj", "v 0 0 0\nv 900 0 0\nv 0 400 0\nf 1 2 3\n");
+  expect_change_refused(with_mesh("mm.obj"), {": fixtures[1]: mesh 'M' is 900 m across", "\"scale\": 0.001"});
 }
 
 TEST_F(BadStore, MoreThanMemoryHolds) {

@@ -4,10 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "shelfbeam/signal/detail/hdf5_io.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 
 #include "app/program.hpp"
@@ -56,24 +54,16 @@ TEST_F(Workflow, AMatrixForEachNumberOfBounces) {
   expect_silent({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "640", "--max-bounces",
                  "8", "--by-bounce"});
   const SignalMatrix matrix = read_signal_file(folder / "signal.h5");
-  const detail::Hdf5Reader file(folder / "signal.h5");
+  ASSERT_EQ(matrix.by_bounce.size(), 9u);
+  EXPECT_EQ(matrix.by_bounce[0].mean, matrix.direct);
   std::vector<double> sum(matrix.mean.size());
-  std::vector<float> layer;
-  for (int k = 0; k <= 8; ++k) {
-    layer = file.numbers<float>(fmt::format("/bounces/{}/mean", k), {matrix.rows(), matrix.columns()});
-    EXPECT_EQ(
-        file.numbers<float>(fmt::format("/bounces/{}/standard_error", k), {matrix.rows(), matrix.columns()})
-            .size(),
-        sum.size());
-    if (k == 0) {
-      EXPECT_EQ(layer, matrix.direct);
-    }
-    for (std::size_t e = 0; e < sum.size(); ++e) sum[e] += layer[e];
-  }
+  for (const BounceLayer& layer : matrix.by_bounce)
+    for (std::size_t e = 0; e < sum.size(); ++e) sum[e] += layer.mean[e];
   double largest = 0, without_last = 0;
   for (std::size_t e = 0; e < sum.size(); ++e) {
     largest = std::max(largest, std::abs(sum[e] / matrix.mean[e] - 1));
-    without_last = std::max(without_last, std::abs((sum[e] - layer[e]) / matrix.mean[e] - 1));
+    without_last =
+        std::max(without_last, std::abs((sum[e] - matrix.by_bounce[8].mean[e]) / matrix.mean[e] - 1));
   }
   EXPECT_LT(largest, 1e-6);
   EXPECT_GT(without_last, 1e-6);

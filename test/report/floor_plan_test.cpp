@@ -60,6 +60,23 @@ TEST(FloorPlan, DrawsAMountingPointOnce) {
   EXPECT_EQ(crosses(), 3U + 1);
 }
 
+TEST(FloorPlan, ShowsDoors) {
+  Store store = sample_store::kiosk();
+  const auto drawn = [&](const std::string& css_class) {
+    const auto elements = test::read_markup(floor_plan_svg(make_scene(store))).elements;
+    return std::count_if(elements.begin(), elements.end(), [&](const auto& element) {
+      const auto css = element.attributes.find("class");
+      return css != element.attributes.end() && css->second == css_class;
+    });
+  };
+  EXPECT_EQ(drawn("door"), 0);
+  auto& gondola = std::get<Gondola>(store.fixtures[0].value);
+  gondola.doors = gondola.material;
+  // One for each face with boards, in the plan and twice in the elevation.
+  EXPECT_EQ(drawn("door"), 3 * static_cast<std::ptrdiff_t>(gondola.faces.size()));
+  EXPECT_GT(drawn("casing"), 0);
+}
+
 TEST(FloorPlan, EscapesNames) {
   const std::string svg = floor_plan_svg(make_scene(sample_store::kiosk()));
   const test::Markup markup = test::read_markup(svg);

@@ -10,7 +10,7 @@
 
 #include "shelfbeam/base/file.hpp"
 
-#include "scene/sample_store.hpp"
+#include "scene/mesh_files.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
 
@@ -23,17 +23,10 @@ namespace {
 
 using test::expect_input_error;
 using test::Json;
+using test::mesh_store;
 using test::TempFolder;
 
 constexpr double single = 2e-5;
-
-Json mesh_store(const std::string& file, const Json& materials = {{"*", "white"}}) {
-  Json store = test::sample_store();
-  store.erase("room");
-  store["fixtures"] = {
-      {{"type", "mesh"}, {"id", "M"}, {"file", file}, {"at", {0, 0, 0}}, {"materials", materials}}};
-  return store;
-}
 
 // The area of each material.
 std::map<std::string, double> areas(const Scene& scene) {
@@ -230,6 +223,27 @@ TEST(Mesh, EveryMaterialWithoutAMatchIsListed) {
                      "three.obj': glass, red brick, red paint;");
   expect_input_error(read({{"red?paint", "steel"}}), ": glass, red brick;");
   expect_input_error(read(Json::object()), ": glass, red brick, red paint;");
+}
+
+TEST(Mesh, SurfacesWithoutAMaterialTakeTheStar) {
+  const TempFolder folder;
+  Json file = gltf({{{"mesh", 0}}});
+  Json& primitives = file["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives[1].erase("material");
+  folder.write("mixed.gltf", file.dump());
+  const auto read = [&](const Json& materials) {
+    return test::scene_of(mesh_store("mixed.gltf", materials), folder.path());
+  };
+  auto area = areas(read({{"Sheet", "tile"}, {"*", "steel"}}));
+  EXPECT_NEAR(area["tile"], 1, 1e-6);
+  EXPECT_NEAR(area["steel"], 1, 1e-6);
+  expect_input_error(
+      [&] {
+        read({{"D*", "tile"}});
+      },
+      "mixed.gltf': Sheet, nor the surfaces that name none; add an entry for each");
+  expect_input_error([&] { read({{"Sheet", "tile"}}); }, "mixed.gltf' name no material");
 }
 
 TEST(Mesh, NamesThatAreNotUtf8DoNoHarm) {

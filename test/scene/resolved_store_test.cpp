@@ -41,6 +41,13 @@ TEST(ResolvedStore, OfTheSampleIsTheSameScene) {
   expect_same_scene(test::read_text(sample_store().dump()));
 }
 
+TEST(ResolvedStore, KeepsDoors) {
+  Json store = sample_store();
+  store["fixtures"][0]["doors"] = "snow";
+  store["fixtures"][1]["doors"] = "tile";
+  expect_same_scene(test::read_text(store.dump()));
+}
+
 TEST(ResolvedStore, OfListsInFilesIsTheSameScene) {
   const TempFolder folder;
   folder.write("labels.csv",
@@ -200,6 +207,7 @@ TEST(ResolvedStore, ComparisonSeesEveryChange) {
            {"/fixtures/0/rotation_deg", "15.000000000000002"},
            {"/fixtures/0/stocking", "0.61"},
            {"/fixtures/0/goods", "\"steel\""},
+           {"/fixtures/1/doors", "\"tile\""},
            {"/fixtures/0/id", "\"B\""},
            {"/fixtures/0/labels/tilt_deg", "10.000000000000002"},
            {"/fixtures/3/parts/0/vertices/1/0", "1.000000000001"},

@@ -11,19 +11,20 @@
 
 namespace shelfbeam::test {
 
-/// The triangles that one box of a scene is made of.
+/// The triangles that one box or door of a scene is made of.
 struct Solid {
   Part part;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// The boxes of a scene whose only other triangles are the twelve of its room, if it has one.
+/// The boxes and doors of a scene whose only other triangles are the twelve of its room, if it has one.
 inline std::vector<Solid> solids_of(const Scene& scene) {
   std::vector<Solid> solids;
   std::size_t next = scene.room ? 12 : 0;
   for (const Part& part : scene.parts) {
     Solid solid{part, {}};
-    for (int t = 0; t < 12; ++t) solid.triangles.push_back(scene.mesh.triangles.at(next++));
+    const int count = part.kind == PartKind::door ? 2 : 12;
+    for (int t = 0; t < count; ++t) solid.triangles.push_back(scene.mesh.triangles.at(next++));
     solids.push_back(std::move(solid));
   }
   return solids;

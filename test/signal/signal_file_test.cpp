@@ -76,6 +76,20 @@ TEST(SignalFile, KeepsEverythingBitForBit) {
   EXPECT_EQ(read.provenance.estimator, written.provenance.estimator);
 }
 
+TEST(SignalFile, KeepsTheMatricesOfTheBounces) {
+  const TempFolder folder;
+  SignalMatrix written = small_matrix(4, 3);
+  written.by_bounce = {{written.mean, written.direct}, {written.direct, written.standard_error}};
+  write_signal_file(written, folder / "signal.h5");
+  const SignalMatrix read = read_signal_file(folder / "signal.h5");
+  ASSERT_EQ(read.by_bounce.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(read.by_bounce[k].mean, written.by_bounce[k].mean);
+    EXPECT_EQ(read.by_bounce[k].standard_error, written.by_bounce[k].standard_error);
+  }
+  EXPECT_NE(read.by_bounce[0].mean, written.by_bounce[1].mean);
+}
+
 TEST(SignalFile, BytesDependOnTheMatrixAlone) {
   const TempFolder folder;
   // 700 rows of 500 columns are more than one chunk, and the last one reaches beyond the matrix.

@@ -22,6 +22,9 @@ double pdf(const CosineResponse&, const Vec3& d) {
 Vec3 draw(const CosineResponse&, double u1, double u2) {
   return sample_cosine_hemisphere(u1, u2);
 }
+std::string_view type_name(const CosineResponse&) {
+  return "cosine";
+}
 
 detail::CosinePower lobe(const CosinePowerResponse& r) {
   return {r.exponent, std::cos(r.cutoff)};
@@ -38,6 +41,9 @@ double pdf(const CosinePowerResponse& r, const Vec3& d) {
 Vec3 draw(const CosinePowerResponse& r, double u1, double u2) {
   return lobe(r).draw(u1, u2);
 }
+std::string_view type_name(const CosinePowerResponse&) {
+  return "cosine_power";
+}
 
 double response(const ResponseTable& r, double cos_theta) {
   return cos_theta > 0 ? r.response.value(std::acos(std::min(1.0, cos_theta)), 0) : 0;
@@ -49,6 +55,9 @@ double integral(const ResponseTable& r) {
 
 double pdf(const ResponseTable& r, const Vec3& d) {
   return r.response.pdf(d);
+}
+std::string_view type_name(const ResponseTable&) {
+  return "table";
 }
 
 template <class Closed>
@@ -76,6 +85,10 @@ std::optional<DirectionSample> sample(const Responsivity& responsivity, double u
 
 double pdf(const Responsivity& responsivity, const Vec3& direction) {
   return std::visit([&](const auto& r) { return pdf(r, direction); }, responsivity);
+}
+
+std::string_view type_name(const Responsivity& responsivity) {
+  return std::visit([](const auto& r) { return type_name(r); }, responsivity);
 }
 
 }  // namespace shelfbeam

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <variant>
 
 #include "shelfbeam/device/direction_sample.hpp"
@@ -42,5 +43,8 @@ std::optional<DirectionSample> sample(const Responsivity& responsivity, double u
 
 /// The density of `sample` per solid angle.
 double pdf(const Responsivity& responsivity, const Vec3& direction);
+
+/// The name used in the store file.
+std::string_view type_name(const Responsivity& responsivity);
 
 }  // namespace shelfbeam

@@ -3,6 +3,7 @@
 #include "shelfbeam/report/headline.hpp"
 #include "shelfbeam/report/html_table.hpp"
 #include "shelfbeam/report/sections.hpp"
+#include "shelfbeam/transport/coverage.hpp"
 
 namespace shelfbeam {
 
@@ -107,6 +108,13 @@ std::string origin_facts(const ReportData& data) {
 std::string facts_section(const ReportData& data) {
   std::string html = "<div class=\"facts\">\n" + placement_facts(data) + simulation_facts(data) +
                      origin_facts(data) + "</div>\n";
+  if (const auto uncovered = uncovered_light(data.input.scene); !uncovered.empty()) {
+    html +=
+        "<h3>Light that the signals do not have</h3>\n<p>It would come on top; a transceiver type with a "
+        "radius has it.</p>\n<ul>\n";
+    for (const std::string& light : uncovered) html += fmt::format("<li>{}</li>\n", escape(light));
+    html += "</ul>\n";
+  }
   const auto& warnings = data.input.scene.warnings;
   if (!warnings.empty()) {
     html += "<h3>Warnings about the store</h3>\n<ul>\n";

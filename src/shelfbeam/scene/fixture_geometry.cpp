@@ -91,6 +91,16 @@ Vec3 FixtureBuilder::point(const Vec3& local) const {
   return at_ + direction(local);
 }
 
+std::vector<Vec2> FixtureBuilder::footprint(const Vec3& low, const Vec3& high) const {
+  std::vector<Vec2> corners;
+  for (const Vec3& corner :
+       {Vec3{low.x, low.y, 0}, Vec3{high.x, low.y, 0}, Vec3{high.x, high.y, 0}, Vec3{low.x, high.y, 0}}) {
+    const Vec3 p = point(corner);
+    corners.push_back({p.x, p.y});
+  }
+  return corners;
+}
+
 void FixtureBuilder::add_box(PartKind kind, const Vec3& low, const Vec3& high, MaterialId material) {
   TriangleMesh& mesh = scene_.mesh;
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -104,13 +114,19 @@ void FixtureBuilder::add_box(PartKind kind, const Vec3& low, const Vec3& high, M
     mesh.triangles.push_back({first + a, first + c, first + d});
     mesh.materials.insert(mesh.materials.end(), 2, material);
   }
-  Part part{kind, fixture_, material, {}, at_.z + low.z, at_.z + high.z};
-  for (const Vec3& corner :
-       {Vec3{low.x, low.y, 0}, Vec3{high.x, low.y, 0}, Vec3{high.x, high.y, 0}, Vec3{low.x, high.y, 0}}) {
-    const Vec3 p = point(corner);
-    part.footprint.push_back({p.x, p.y});
-  }
-  scene_.parts.push_back(std::move(part));
+  scene_.parts.push_back({kind, fixture_, material, footprint(low, high), at_.z + low.z, at_.z + high.z});
+}
+
+void FixtureBuilder::add_door(const Vec3& low, const Vec3& high, MaterialId material) {
+  TriangleMesh& mesh = scene_.mesh;
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Vec3& corner : {low, Vec3{high.x, low.y, low.z}, high, Vec3{low.x, high.y, high.z}})
+    mesh.vertices.push_back(point(corner));
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first, first + 2, first + 3});
+  mesh.materials.insert(mesh.materials.end(), 2, material);
+  scene_.parts.push_back(
+      {PartKind::door, fixture_, material, footprint(low, high), at_.z + low.z, at_.z + high.z});
 }
 
 void FixtureBuilder::add_mesh(const MeshPiece& piece, double scale) {

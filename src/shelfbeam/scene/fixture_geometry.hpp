@@ -16,8 +16,12 @@ class FixtureBuilder {
 
   Vec3 point(const Vec3& local) const;
   Vec3 direction(const Vec3& local) const;
+  /// The outline in plan of the box between two corners, counter-clockwise.
+  std::vector<Vec2> footprint(const Vec3& low, const Vec3& high) const;
 
   void add_box(PartKind kind, const Vec3& low, const Vec3& high, MaterialId material);
+  /// A rectangle of two triangles; `low` and `high` agree in y or in z.
+  void add_door(const Vec3& low, const Vec3& high, MaterialId material);
   void add_mesh(const MeshPiece& piece, double scale);
   /// Labels in a row along `face` of a block of the given size, 1 cm off it, at height z.
   void add_label_row(const FixtureLabels& labels, Face face, double size_x, double size_y, double z,

@@ -20,6 +20,9 @@ constexpr double facing_width = 0.3;    // of one product
 constexpr double facing_gap = 0.01;     // between neighbours
 constexpr double goods_setback = 0.03;  // behind the board edge
 constexpr double headroom = 0.9;        // full goods take this share of the height between boards
+constexpr double door_distance = 0.05;  // before the board edges
+constexpr double casing_thickness = 0.02;
+constexpr double door_frame = 0.01;  // by which a casing reaches beyond its doors
 constexpr double tub_wall = 0.06;
 constexpr double label_below_rim = 0.05;
 
@@ -50,29 +53,57 @@ void add_goods_row(FixtureBuilder& builder, const Vec3& low, const Vec3& high, d
   }
 }
 
+bool has_face(const Gondola& g, Face face) {
+  return std::find(g.faces.begin(), g.faces.end(), face) != g.faces.end();
+}
+
+// What stands around a gondola with doors, outside its length and depth but for the top, which ends at its
+// height. The panel reaches from `panel` to `panel_end` along the depth, the kick plate up to `deck`.
+void add_casing(Scene& scene, FixtureBuilder& builder, const Gondola& g, double panel, double panel_end,
+                double deck) {
+  constexpr double reach = door_distance + door_frame;
+  const double low_y = has_face(g, Face::front) ? -reach : 0;
+  const double high_y = has_face(g, Face::back) ? g.depth + reach : g.depth;
+  const double top = g.height - casing_thickness;
+  const auto add_wall = [&](double x) {
+    builder.add_box(PartKind::casing, {x, low_y, 0}, {x + casing_thickness, high_y, g.height}, g.material);
+  };
+  add_wall(-casing_thickness);
+  add_wall(g.length);
+  const auto add_front = [&](double door, double top_low, double top_high) {
+    builder.add_box(PartKind::casing, {0, top_low, top}, {g.length, top_high, g.height}, g.material);
+    builder.add_door({0, door, deck}, {g.length, door, top}, *g.doors);
+  };
+  if (has_face(g, Face::front)) add_front(-door_distance, low_y, panel);
+  if (has_face(g, Face::back)) add_front(g.depth + door_distance, panel_end, high_y);
+  scene.fixtures.back().footprint =
+      builder.footprint({-casing_thickness, low_y, 0}, {g.length + casing_thickness, high_y, 0});
+}
+
 }  // namespace
 
 void add_fixture(Scene& scene, const Gondola& g) {
   const auto index = begin_fixture(scene, g, "gondola");
   FixtureBuilder builder(scene, index, {g.at[0], g.at[1], 0}, g.rotation_deg);
 
-  const bool front = std::find(g.faces.begin(), g.faces.end(), Face::front) != g.faces.end();
-  const bool back = std::find(g.faces.begin(), g.faces.end(), Face::back) != g.faces.end();
+  const bool front = has_face(g, Face::front), back = has_face(g, Face::back);
   const double panel = front && back ? (g.depth - panel_thickness) / 2
                        : front       ? g.depth - panel_thickness
                                      : 0;
   builder.add_box(PartKind::panel, {0, panel, 0}, {g.length, panel + panel_thickness, g.height}, g.material);
+  const double lowest = g.shelves.empty() ? g.height : g.shelves.front() - board_thickness / 2;
+  const double deck = std::min(kick_height, lowest);
 
   const auto add_side = [&](Face face, double low_y, double high_y) {
     const bool faces_low = face == Face::front;
-    const double recess = std::min(kick_recess, (high_y - low_y) / 2);
+    // A casing stands on its kick plate; no light comes in from below.
+    const double recess = g.doors ? -door_distance - door_frame : std::min(kick_recess, (high_y - low_y) / 2);
     const double kick_low = faces_low ? low_y + recess : low_y;
     const double kick_high = faces_low ? high_y : high_y - recess;
     const double goods_low = faces_low ? low_y + goods_setback : low_y + facing_gap;
     const double goods_high = faces_low ? high_y - facing_gap : high_y - goods_setback;
-    const double lowest = g.shelves.empty() ? g.height : g.shelves.front() - board_thickness / 2;
-    const double deck = std::min(kick_height, lowest);
-    builder.add_box(PartKind::kick_plate, {0, kick_low, 0}, {g.length, kick_high, deck}, g.material);
+    builder.add_box(g.doors ? PartKind::casing : PartKind::kick_plate, {0, kick_low, 0},
+                    {g.length, kick_high, deck}, g.material);
     for (std::size_t level = 0; level <= g.shelves.size(); ++level) {
       const double floor = level == 0 ? deck : g.shelves[level - 1] + board_thickness / 2;
       const double ceiling = level < g.shelves.size() ? g.shelves[level] - board_thickness / 2 : g.height;
@@ -85,6 +116,7 @@ void add_fixture(Scene& scene, const Gondola& g) {
   };
   if (front) add_side(Face::front, 0, panel);
   if (back) add_side(Face::back, panel + panel_thickness, g.depth);
+  if (g.doors) add_casing(scene, builder, g, panel, panel + panel_thickness, deck);
 
   if (!g.labels) return;
   for (const Face face : g.labels->faces)
@@ -112,6 +144,8 @@ void add_fixture(Scene& scene, const Freezer& f) {
        {std::tuple{tub_wall, middle, "front"}, {middle, d - tub_wall, "back"}})
     add_goods_row(builder, {tub_wall, low + facing_gap, bottom}, {l - tub_wall, high - facing_gap, f.height},
                   f.stocking, f.goods, fmt::format("{}-{}", f.id, side));
+  if (f.doors)
+    builder.add_door({tub_wall, tub_wall, f.height}, {l - tub_wall, d - tub_wall, f.height}, *f.doors);
 
   if (!f.labels) return;
   for (const Face face : f.labels->faces)

@@ -8,19 +8,14 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/scene/fixture_geometry.hpp"
+#include "shelfbeam/scene/misplaced.hpp"
+#include "shelfbeam/scene/sound_mesh.hpp"
 #include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/warning_list.hpp"
 
 namespace shelfbeam {
 
 namespace {
-
-bool inside(const std::vector<Vec2>& polygon, double x, double y) {
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    if ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]) <= 0) return false;
-  }
-  return polygon.size() >= 3;
-}
 
 class SceneMaker {
  public:
@@ -39,7 +34,8 @@ class SceneMaker {
     add_labels();
     add_transceivers();
     mark_installed();
-    warn_of_buried();
+    warn_of_misplaced(scene_, places_, warnings_);
+    scene_.warnings = warnings_.texts();
     return std::move(scene_);
   }
 
@@ -72,26 +68,34 @@ class SceneMaker {
       const std::string& id = std::visit([](const auto& f) -> const std::string& { return f.id; }, fixture);
       if (!ids.insert(id).second)
         throw InputError(where, fmt::format("the fixture id '{}' is used twice", id), "make ids unique");
-      const std::size_t first_vertex = scene_.mesh.vertices.size(), first_label = scene_.labels.size();
-      std::visit([&](const auto& f) { add_fixture(scene_, f); }, fixture);
-      if (scene_.room) {
-        const auto outside =
-            std::any_of(scene_.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex),
-                        scene_.mesh.vertices.end(), [&](const Vec3& p) { return !in_room(p); });
-        if (outside)
-          scene_.warnings.push_back(fmt::format("{}: fixture '{}' reaches outside the room", where, id));
-      }
-      label_places_.resize(first_label);
-      label_places_.resize(scene_.labels.size(), where);
+      expect_panes(fixture, where);
+      const std::size_t first_vertex = scene_.mesh.vertices.size();
+      const auto* mesh = std::get_if<MeshFixture>(&fixture);
+      if (mesh != nullptr)
+        add_fixture(scene_, sound_mesh(*mesh, store_, where, warnings_));
+      else
+        std::visit([&](const auto& f) { add_fixture(scene_, f); }, fixture);
+      const auto is_outside = [&](const Vec3& p) { return !beyond_room(scene_, p).empty(); };
+      if (std::any_of(scene_.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex),
+                      scene_.mesh.vertices.end(), is_outside))
+        warnings_.add("fixtures that reach outside the room",
+                      fmt::format("{}: fixture '{}' reaches outside the room; move it, or correct {}", where,
+                                  id, mesh != nullptr ? "its 'scale'" : "its size or the room's"));
+      places_.labels.resize(scene_.labels.size(), where);
     }
   }
 
-  bool in_room(const Vec3& p) const {
-    constexpr double slack = 1e-6;
-    if (!scene_.room) return true;
-    for (int axis = 0; axis < 3; ++axis)
-      if (p[axis] < -slack || p[axis] > (*scene_.room)[axis] + slack) return false;
-    return true;
+  void expect_panes(const Fixture& fixture, const std::string& where) const {
+    const auto* gondola = std::get_if<Gondola>(&fixture);
+    const auto* freezer = std::get_if<Freezer>(&fixture);
+    const auto doors = gondola != nullptr   ? gondola->doors
+                       : freezer != nullptr ? freezer->doors
+                                            : std::nullopt;
+    if (doors && std::holds_alternative<Dielectric>(store_.materials[doors->value].material))
+      throw InputError(where + ".doors",
+                       fmt::format("'{}' is a solid 'dielectric', but a door has no thickness",
+                                   store_.materials[doors->value].name),
+                       "use a 'thin_dielectric', which is a whole pane");
   }
 
   void find_bounds() {
@@ -106,51 +110,32 @@ class SceneMaker {
 
   void expect_in_room(const std::string& id, const Vec3& p, const std::string& where,
                       const char* what) const {
-    if (!in_room(p))
+    if (const std::string side = beyond_room(scene_, p); !side.empty())
       throw InputError(
           where,
-          fmt::format("{} '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside the room of {:.6g} x {:.6g} x {:.6g} m",
-                      what, id, p.x, p.y, p.z, scene_.room->x, scene_.room->y, scene_.room->z),
+          fmt::format(
+              "{} '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside the room of {:.6g} x {:.6g} x {:.6g} m: {}",
+              what, id, p.x, p.y, p.z, scene_.room->x, scene_.room->y, scene_.room->z, side),
           "move it inside, or correct the room's size");
   }
 
   void add_labels() {
     for (const auto& [label, where] : store_.labels) {
       scene_.labels.push_back(label);
-      label_places_.push_back(where);
+      places_.labels.push_back(where);
     }
     if (scene_.labels.empty()) fail("has no labels", "add 'labels', or 'labels' to a fixture");
     std::unordered_map<std::string, std::string> seen;
     for (std::size_t i = 0; i < scene_.labels.size(); ++i) {
       const Label& label = scene_.labels[i];
-      if (label.id.empty()) throw InputError(label_places_[i], "the label has no id", "give it one");
-      const auto [first, is_new] = seen.emplace(label.id, label_places_[i]);
+      if (label.id.empty()) throw InputError(places_.labels[i], "the label has no id", "give it one");
+      const auto [first, is_new] = seen.emplace(label.id, places_.labels[i]);
       if (!is_new)
-        throw InputError(label_places_[i],
+        throw InputError(places_.labels[i],
                          fmt::format("the label id '{}' is used twice, first in {}", label.id, first->second),
                          "make ids unique");
-      expect_in_room(label.id, label.position, label_places_[i], "label");
+      expect_in_room(label.id, label.position, places_.labels[i], "label");
     }
-  }
-
-  // A mesh is only known by its hull here, which may hold labels that stand free.
-  const std::string* fixture_around(const Vec3& p) const {
-    for (std::size_t f = 0; f < scene_.fixtures.size(); ++f) {
-      if (scene_.fixtures[f].type == "mesh" || !inside(scene_.fixtures[f].footprint, p.x, p.y)) continue;
-      for (const Part& part : scene_.parts)
-        if (part.fixture == f && p.z > part.bottom && p.z < part.top && inside(part.footprint, p.x, p.y))
-          return &scene_.fixtures[f].id;
-    }
-    return nullptr;
-  }
-
-  void warn_of_buried() {
-    const auto warn = [&](const std::string& what, const std::string& id, const Vec3& p) {
-      if (const std::string* fixture = fixture_around(p))
-        scene_.warnings.push_back(fmt::format("{} '{}' lies inside fixture '{}'", what, id, *fixture));
-    };
-    for (const Label& label : scene_.labels) warn("label", label.id, label.position);
-    for (const Transceiver& unit : scene_.transceivers) warn("transceiver", unit.id, unit.position);
   }
 
   bool kept_out(const Vec3& p) const {
@@ -172,6 +157,7 @@ class SceneMaker {
       throw InputError(where, fmt::format("the transceiver id '{}' is used twice", unit.id),
                        "make ids unique");
     scene_.transceivers.push_back(unit);
+    places_.transceivers.push_back(where);
   }
 
   void add_transceivers() {
@@ -231,7 +217,8 @@ class SceneMaker {
 
   const Store& store_;
   Scene scene_;
-  std::vector<std::string> label_places_;
+  DevicePlaces places_;
+  WarningList warnings_;
   std::unordered_map<std::string, std::size_t> unit_index_;
   std::set<std::string> kept_out_ids_;
 };

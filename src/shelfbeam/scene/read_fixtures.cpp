@@ -84,14 +84,16 @@ void read_shelving(const JsonCursor& c, const std::string& id, const StoreNames&
   const auto goods = c.find("goods");
   shelving.goods = goods ? names.material(*goods) : shelving.material;
   shelving.stocking = read_stocking(c);
+  if (const auto doors = c.find("doors")) shelving.doors = names.material(*doors);
 }
 
 Gondola read_gondola(const JsonCursor& c, const std::string& id, const StoreNames& names) {
   c.expect_keys({"type", "id", "at", "length", "depth", "height", "rotation_deg", "material", "goods",
-                 "shelves", "stocking", "faces", "labels"});
+                 "doors", "shelves", "stocking", "faces", "labels"});
   Gondola g;
   read_shelving(c, id, names, g);
   if (g.depth < 0.1) c["depth"].fail("is below 0.1 m", "a back panel and a board need that much");
+  if (g.doors && g.height < 0.3) c["height"].fail("is below 0.3 m", "a gondola with doors needs that much");
   for (const JsonCursor& shelf : c["shelves"].elements()) {
     const double z = read_length(shelf);
     if (z >= g.height)
@@ -114,7 +116,7 @@ Gondola read_gondola(const JsonCursor& c, const std::string& id, const StoreName
 
 Freezer read_freezer(const JsonCursor& c, const std::string& id, const StoreNames& names) {
   c.expect_keys({"type", "id", "at", "length", "depth", "height", "rotation_deg", "material", "goods",
-                 "stocking", "labels"});
+                 "doors", "stocking", "labels"});
   Freezer f;
   read_shelving(c, id, names, f);
   for (const char* key : {"length", "depth", "height"})

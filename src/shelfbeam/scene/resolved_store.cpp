@@ -63,16 +63,18 @@ class Resolver {
   }
 
   Json shelving(const char* type, const Shelving& s) const {
-    return {{"type", type},
-            {"id", s.id},
-            {"at", s.at},
-            {"rotation_deg", s.rotation_deg},
-            {"length", s.length},
-            {"depth", s.depth},
-            {"height", s.height},
-            {"material", name(s.material)},
-            {"goods", name(s.goods)},
-            {"stocking", s.stocking}};
+    Json json{{"type", type},
+              {"id", s.id},
+              {"at", s.at},
+              {"rotation_deg", s.rotation_deg},
+              {"length", s.length},
+              {"depth", s.depth},
+              {"height", s.height},
+              {"material", name(s.material)},
+              {"goods", name(s.goods)},
+              {"stocking", s.stocking}};
+    if (s.doors) json["doors"] = name(*s.doors);
+    return json;
   }
   Json fixture(const Gondola& g) const {
     Json json = shelving("gondola", g);

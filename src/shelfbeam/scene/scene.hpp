@@ -49,10 +49,10 @@ struct TriangleMesh {
   std::vector<MaterialId> materials;  ///< one a triangle
 };
 
-enum class PartKind { shell, panel, board, kick_plate, goods, tub, solid, mesh };
+enum class PartKind { shell, panel, board, kick_plate, goods, tub, casing, door, solid, mesh };
 
 /// A piece of a fixture as drawings need it: an upright prism (for a mesh: around the convex hull of its
-/// plan).
+/// plan; of a door, which is a pane without thickness, in plan or in height nothing).
 struct Part {
   PartKind kind = PartKind::solid;
   std::uint32_t fixture = 0;  ///< index into Scene::fixtures

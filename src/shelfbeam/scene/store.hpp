@@ -35,17 +35,19 @@ struct Shelving {
   double length = 0, depth = 0, height = 0;  ///< m
   MaterialId material;                       ///< of all but the goods
   MaterialId goods;
-  double stocking = 0.8;  ///< share of the facings that hold goods; also how full these are
+  std::optional<MaterialId> doors;  ///< panes that close it; not a solid dielectric
+  double stocking = 0.8;            ///< share of the facings that hold goods; also how full these are
   std::optional<FixtureLabels> labels;
 };
 
-/// A run of shelving: back panel, kick plate with a bottom deck, boards, goods standing on them.
+/// A run of shelving: back panel, kick plate with a bottom deck, boards, goods standing on them. With doors a
+/// cabinet around these: walls at both ends, a top, a pane before each face.
 struct Gondola : Shelving {
   std::vector<double> shelves;  ///< height of each board edge, ascending, m
   std::vector<Face> faces;      ///< sides that carry boards: front, back
 };
 
-/// An open chest: a tub on a kick plate, goods inside, labels below its rim.
+/// A chest: a tub on a kick plate, goods inside, labels below its rim; with doors a pane as its lid.
 struct Freezer : Shelving {};
 
 struct Box {

@@ -25,9 +25,11 @@ void read_labels(const JsonCursor& section, const StoreNames& names, const std::
 void read_transceivers(const JsonCursor& section, const StoreNames& names,
                        const std::filesystem::path& folder, Store& store);
 
-/// Pieces of a mesh file (glTF, GLB, OBJ), nodes placed, materials mapped: the first pattern of `materials`
-/// (pattern -> material) that matches the name in the file counts. Where `y_is_up` is not given, y is up in
-/// glTF, which defines it so, and z in the other formats, which say nothing.
+/// Pieces of a mesh file (glTF, GLB, OBJ, STL, PLY), nodes placed, materials mapped: the first pattern of
+/// `materials` (pattern -> material) that matches the name in the file counts; surfaces that name no
+/// material, as all of STL and PLY, have the empty name. Throws InputError, among others for what is not
+/// finite. Where `y_is_up` is not given, y is up in glTF, which defines it so, and z in the other formats,
+/// which say nothing.
 std::vector<MeshPiece> import_mesh(const std::filesystem::path& file, std::optional<bool> y_is_up,
                                    const std::vector<std::pair<std::string, MaterialId>>& materials,
                                    const std::string& where);

@@ -51,7 +51,10 @@ class MatrixWriter {
     entries("/mean", matrix_.mean);
     entries("/standard_error", matrix_.standard_error);
     entries("/direct", matrix_.direct);
-    if (!matrix_.by_bounce.empty()) file_.group("/bounces");
+    if (!matrix_.by_bounce.empty()) {
+      file_.attribute("bounce_layers", static_cast<std::uint32_t>(matrix_.by_bounce.size()));
+      file_.group("/bounces");
+    }
     for (std::size_t k = 0; k < matrix_.by_bounce.size(); ++k) {
       const std::string group = fmt::format("/bounces/{}", k);
       file_.group(group);
@@ -139,6 +142,10 @@ class MatrixReader {
     matrix.mean = entries("/mean", matrix);
     matrix.standard_error = entries("/standard_error", matrix);
     matrix.direct = entries("/direct", matrix);
+    if (file_.has_attribute("bounce_layers"))
+      for (std::uint32_t k = 0; k < file_.attribute<std::uint32_t>("bounce_layers"); ++k)
+        matrix.by_bounce.push_back({entries(fmt::format("/bounces/{}/mean", k), matrix),
+                                    entries(fmt::format("/bounces/{}/standard_error", k), matrix)});
     return matrix;
   }
 

@@ -1,0 +1,191 @@
+#include "shelfbeam/scene/misplaced.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double rounding = 1e-6;  // m
+constexpr double too_near = 0.05;  // m before a label
+constexpr std::array<const char*, 6> room_sides{"behind the wall x0", "behind the wall x1",
+                                                "behind the wall y0", "behind the wall y1",
+                                                "below the floor",    "above the ceiling"};
+constexpr std::array<const char*, 6> room_surfaces{"the wall x0", "the wall x1", "the wall y0",
+                                                   "the wall y1", "the floor",   "the ceiling"};
+
+/// The stretch of a ray within something convex, in m from its origin.
+struct Stretch {
+  double begin = -std::numeric_limits<double>::infinity(), end = -begin;
+
+  /// Keeps what lies where `distance + t * slope` is positive.
+  void clip(double distance, double slope) {
+    if (std::abs(slope) < 1e-12)
+      end = distance > 1e-9 ? end : begin;
+    else if (slope > 0)
+      begin = std::max(begin, -distance / slope);
+    else
+      end = std::min(end, -distance / slope);
+  }
+  bool is_empty() const { return end - begin < rounding; }
+};
+
+/// Of a part with a convex footprint.
+Stretch stretch_within(const Part& part, const Vec3& p, const Vec3& direction) {
+  Stretch stretch;
+  for (std::size_t k = 0; k < part.footprint.size(); ++k) {
+    const auto &a = part.footprint[k], &b = part.footprint[(k + 1) % part.footprint.size()];
+    const double x = b[0] - a[0], y = b[1] - a[1], edge = std::hypot(x, y);
+    if (edge > 0)
+      stretch.clip((x * (p.y - a[1]) - y * (p.x - a[0])) / edge, (x * direction.y - y * direction.x) / edge);
+  }
+  stretch.clip(p.z - part.bottom, direction.z);
+  stretch.clip(part.top - p.z, -direction.z);
+  return stretch;
+}
+
+/// The blocks of a scene by fixture, so that a device is compared with those of near fixtures only.
+class Blocks {
+ public:
+  explicit Blocks(const Scene& scene) : scene_(scene), fixtures_(scene.fixtures.size()) {
+    for (const Part& part : scene.parts) {
+      if (part.kind == PartKind::mesh) continue;
+      Fixture& fixture = fixtures_[part.fixture];
+      fixture.parts.push_back(&part);
+      for (const auto& [x, y] : part.footprint) {
+        fixture.low = {std::min(fixture.low[0], x), std::min(fixture.low[1], y)};
+        fixture.high = {std::max(fixture.high[0], x), std::max(fixture.high[1], y)};
+      }
+    }
+  }
+
+  struct Hit {
+    const std::string* fixture;
+    double distance;  ///< m; negative from within
+    bool is_within() const { return distance < -rounding; }
+  };
+  /// The first block on the way, at most 5 cm ahead, or the one around the point.
+  std::optional<Hit> next(const Vec3& p, const Vec3& direction) const {
+    std::optional<Hit> nearest;
+    for (std::size_t f = 0; f < fixtures_.size(); ++f) {
+      const Fixture& fixture = fixtures_[f];
+      if (p.x < fixture.low[0] - too_near || p.x > fixture.high[0] + too_near ||
+          p.y < fixture.low[1] - too_near || p.y > fixture.high[1] + too_near)
+        continue;
+      for (const Part* part : fixture.parts) {
+        if (p.z < part->bottom - too_near || p.z > part->top + too_near) continue;
+        const Stretch stretch = stretch_within(*part, p, direction);
+        if (stretch.is_empty() || stretch.end < rounding || stretch.begin > too_near) continue;
+        if (!nearest || stretch.begin < nearest->distance)
+          nearest = Hit{&scene_.fixtures[f].id, stretch.begin};
+      }
+    }
+    return nearest;
+  }
+
+ private:
+  struct Fixture {
+    std::vector<const Part*> parts;
+    std::array<double, 2> low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  };
+  const Scene& scene_;
+  std::vector<Fixture> fixtures_;
+};
+
+/// The surface of the room that the label looks at from less than 5 cm, and from how far.
+std::optional<std::pair<const char*, double>> room_surface_before(const Scene& scene, const Label& label) {
+  if (!scene.room) return std::nullopt;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double slope = label.normal[axis];
+    if (std::abs(slope) < rounding) continue;
+    const double distance = ((slope > 0 ? (*scene.room)[axis] : 0) - label.position[axis]) / slope;
+    if (distance < too_near)
+      return std::pair{room_surfaces[static_cast<std::size_t>(2 * axis + (slope > 0 ? 1 : 0))],
+                       std::max(0.0, distance)};
+  }
+  return std::nullopt;
+}
+
+void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& places,
+                    WarningList& warnings) {
+  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
+    const Label& label = scene.labels[i];
+    const auto looks_at = [&](const std::string& what, double distance) {
+      warnings.add(
+          "labels that look at a surface right in front of them",
+          fmt::format("{}: label '{}' looks at {}, {:.2g} cm in front of it; turn its normal round, or "
+                      "move it to where light reaches it",
+                      places[i], label.id, what, 100 * std::max(0.0, distance)));
+    };
+    const auto hit = blocks.next(label.position, label.normal);
+    if (hit && hit->is_within())
+      warnings.add("labels that lie inside a fixture",
+                   fmt::format("{}: label '{}' lies inside fixture '{}' and hears nothing; move one of them",
+                               places[i], label.id, *hit->fixture));
+    else if (hit)
+      looks_at(fmt::format("fixture '{}'", *hit->fixture), hit->distance);
+    else if (const auto surface = room_surface_before(scene, label))
+      looks_at(surface->first, surface->second);
+  }
+}
+
+bool is_within_bounds(const Scene& scene, const Vec3& p) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (p[axis] < scene.lower[axis] - rounding || p[axis] > scene.upper[axis] + rounding) return false;
+  return true;
+}
+
+void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& places,
+                          WarningList& warnings) {
+  const Vec3 &low = scene.lower, &high = scene.upper;
+  for (std::size_t j = 0; j < scene.transceivers.size(); ++j) {
+    const Transceiver& unit = scene.transceivers[j];
+    const Vec3& p = unit.position;
+    const auto hit = blocks.next(p, unit.axis);
+    if (hit && hit->is_within())
+      warnings.add(
+          "transceivers that lie inside a fixture",
+          fmt::format("{}: transceiver '{}' lies inside fixture '{}', which keeps its light; move it, or "
+                      "cover the place with 'keep_out'",
+                      places[j], unit.id, *hit->fixture));
+    else if (!scene.room && !is_within_bounds(scene, p))
+      warnings.add(
+          "transceivers that lie outside of all surfaces",
+          fmt::format("{}: transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside of all surfaces, which "
+                      "lie from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}); move it, or give "
+                      "the store a 'room'",
+                      places[j], unit.id, p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y, high.z));
+  }
+}
+
+}  // namespace
+
+std::string beyond_room(const Scene& scene, const Vec3& p) {
+  if (!scene.room) return {};
+  for (const int axis : {2, 0, 1}) {
+    const auto side = static_cast<std::size_t>(2 * axis);
+    const double size = (*scene.room)[axis];
+    if (p[axis] < -rounding) return fmt::format("{} ({:.6g} m < 0 m)", room_sides[side], p[axis]);
+    if (p[axis] > size + rounding)
+      return fmt::format("{} ({:.6g} m > {:.6g} m)", room_sides[side + 1], p[axis], size);
+  }
+  return {};
+}
+
+void warn_of_misplaced(const Scene& scene, const DevicePlaces& places, WarningList& warnings) {
+  const Blocks blocks(scene);
+  warn_of_labels(scene, blocks, places.labels, warnings);
+  warn_of_transceivers(scene, blocks, places.transceivers, warnings);
+}
+
+}  // namespace shelfbeam

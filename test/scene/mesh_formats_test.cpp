@@ -1,0 +1,303 @@
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "scene/mesh_files.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+
+// Corners are small whole numbers, which 32 bits hold exactly; areas are sums of a few of their products, to
+// 1e-12.
+
+namespace shelfbeam {
+namespace {
+
+using test::Corner;
+using test::expect_input_error;
+using test::Json;
+using test::mesh_store;
+using test::TempFolder;
+using test::tetrahedron;
+using test::Triangles;
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+// A mesh in each format.
+std::vector<std::pair<std::string, std::string>> files(const Triangles& triangles) {
+  return {{"ascii.stl", test::ascii_stl(triangles)},
+          {"binary.stl", test::binary_stl(triangles)},
+          {"ascii.ply", test::ply(triangles, false)},
+          {"binary.ply", test::ply(triangles, true)},
+          {"mesh.obj", test::obj(triangles)}};
+}
+
+Scene read(const std::string& name, const std::string& content, const Json& materials = {{"*", "white"}}) {
+  const TempFolder folder;
+  folder.write(name, content);
+  return test::scene_of(mesh_store(name, materials), folder.path());
+}
+
+double area(const Scene& scene) {
+  double sum = 0;
+  for (const auto& [a, b, c] : scene.mesh.triangles) {
+    const auto& p = scene.mesh.vertices;
+    sum += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
+  }
+  return sum;
+}
+
+TEST(MeshFormats, AllHoldTheSameSolid) {
+  for (const auto& [name, content] : files(tetrahedron())) {
+    const Scene scene = read(name, content);
+    EXPECT_EQ(scene.mesh.triangles.size(), 4u) << name;
+    EXPECT_NEAR(area(scene), test::tetrahedron_area, 1e-12) << name;
+    EXPECT_EQ(scene.lower, (Vec3{0, 0, 0})) << name;
+    EXPECT_EQ(scene.upper, (Vec3{1, 2, 3})) << name << ": z is up";
+    EXPECT_TRUE(scene.warnings.empty()) << name;
+    double six = 0;
+    for (const auto& [a, b, c] : scene.mesh.triangles)
+      six += dot(scene.mesh.vertices[a], cross(scene.mesh.vertices[b], scene.mesh.vertices[c]));
+    EXPECT_NEAR(six, 6, 1e-12) << name << ": outside out";
+  }
+}
+
+TEST(MeshFormats, WithoutMaterialsTakeTheStar) {
+  for (const auto& [name, content] : files(tetrahedron())) {
+    EXPECT_EQ(read(name, content, {{"paint", "tile"}, {"*", "steel"}}).parts.at(0).material.value, 2u)
+        << name;
+    const std::string& file = name;
+    const std::string& text = content;
+    expect_input_error(
+        [&] {
+          read(file, text, {{"Default*", "steel"}, {"?", "tile"}});
+        },
+        "fixtures[0].file: ", file + "' name no material; give 'materials' an entry \"*\"");
+  }
+}
+
+TEST(MeshFormats, TextsWithoutAFiniteNumberAreRefused) {
+  const std::string good = "1.5";
+  for (const std::string wrong :
+       {"nan", "NaN", "-nan", "inf", "-Infinity", "1e999", "1,5", "x", "0x10", "1.5m"}) {
+    const auto refused = [&](const std::string& name, const std::string& before, const std::string& after,
+                             const std::string& line) {
+      EXPECT_NO_THROW(read(name, before + good + after)) << name;
+      expect_input_error([&] { read(name, before + wrong + after); }, "store.json: fixtures[0].file: " + line,
+                         name + "': the coordinate '" + wrong + "' is no finite number; repair the mesh");
+    };
+    refused("a.obj", "# v x\nv 0 0 0\nv 1 0 0\nv 0 ", " 0 0.1 0.2 0.3\nvn 0 0 1\nf 1 2 3\n", "line 4 of '");
+    refused("a.stl",
+            "solid x\nfacet normal nan nan nan\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n\n  vertex 0 2\t",
+            "\r\nendloop\nendfacet\nendsolid x\n", "line 7 of '");
+    refused("a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "property float quality\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 "
+            "0 nan\n"
+            "1 0 0 1\n0 1 ",
+            " 1\n3 0 1 2\n", "line 13 of '");
+  }
+}
+
+TEST(MeshFormats, CoordinatesMayNotBeMissing) {
+  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n"); }, "line 2 of '",
+                     "a coordinate is missing");
+  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 \xFF 0\nv 0 1 0\nf 1 2 3\n"); }, "line 2 of '",
+                     "a coordinate is no number");
+}
+
+TEST(MeshFormats, BytesThatAreNoFiniteNumberAreRefused) {
+  for (const float wrong : {not_a_number, infinite, -infinite}) {
+    Triangles triangles = tetrahedron();
+    triangles[1][2][0] = wrong;  // the sixth vertex, if each triangle has its own
+    for (const char* name : {"binary.stl", "binary.ply"}) {
+      const std::string content =
+          std::string(name) == "binary.stl" ? test::binary_stl(triangles) : test::ply(triangles, true);
+      expect_input_error([&] { read(name, content); },
+                         "store.json: fixtures[0].file: vertex 5 (counted from 0) ",
+                         std::string(name) + "' is not finite; repair the mesh");
+    }
+  }
+}
+
+TEST(MeshFormats, TrianglesWithoutAreaAreDropped) {
+  Triangles triangles = tetrahedron();
+  const Corner a{1, 2, 3}, b{4, 6, 3}, between{2.5, 4, 3};
+  const Corner off{2.5F, 4, 3 + 2e-7F};  // one rounding off the line
+  triangles.push_back({a, a, a});
+  triangles.push_back({a, b, a});
+  triangles.push_back({a, b, between});
+  triangles.push_back({a, b, off});
+  for (const auto& [name, content] : files(triangles)) {
+    const Scene scene = read(name, content);
+    EXPECT_EQ(scene.mesh.triangles.size(), 4u) << name;
+    EXPECT_NEAR(area(scene), test::tetrahedron_area, 1e-12);
+    ASSERT_EQ(scene.warnings.size(), 1u) << name;
+    EXPECT_EQ(scene.warnings[0], "store.json: fixtures[0]: mesh 'M': dropped 4 of 8 triangles without area");
+  }
+  // Thin, but not by rounding: a needle of 5 m by 0.01 mm stays.
+  triangles = tetrahedron();
+  triangles.push_back({a, b, Corner{2.5F, 4, 3 + 1e-5F}});
+  for (const auto& [name, content] : files(triangles)) {
+    EXPECT_TRUE(read(name, content).warnings.empty()) << name;
+    EXPECT_EQ(read(name, content).mesh.triangles.size(), 5u) << name;
+  }
+  expect_input_error(
+      [&] {
+        read("flat.obj", test::obj({{a, b, between}}));
+      },
+      "store.json: fixtures[0]: no triangle of mesh 'M' has an area");
+}
+
+TEST(MeshFormats, PartsAreCheckedLikeFiles) {
+  Json store = test::changed_store("/fixtures/3/parts/0/faces/0", "[1, 1, 2]");
+  EXPECT_EQ(
+      test::scene_of(store).warnings,
+      std::vector<std::string>{"store.json: fixtures[3]: mesh 'M': dropped 1 of 2 triangles without area"});
+}
+
+TEST(MeshFormats, SizesThatCannotBeMeant) {
+  const auto scaled = [](double scale, bool with_room) {
+    Json store = test::sample_store();
+    store["fixtures"][3]["scale"] = scale;
+    if (!with_room) store.erase("room");
+    return [store] { return test::scene_of(store).warnings; };
+  };
+  // The sample's mesh is 1 unit across, its room 8 m.
+  expect_input_error(scaled(80, true),
+                     "store.json: fixtures[3]: mesh 'M' is 80 m across, ten times the room or more; ",
+                     "\"scale\": 0.001 for millimetres");
+  const auto outside = scaled(79, true)();
+  ASSERT_EQ(outside.size(), 1u);
+  EXPECT_EQ(outside[0],
+            "store.json: fixtures[3]: fixture 'M' reaches outside the room; move it, or correct its 'scale'");
+  expect_input_error(scaled(0.0009, true), "fixtures[3]: mesh 'M' is 0.0009 m across; 'scale' is the metres");
+  EXPECT_TRUE(scaled(0.001, true)().empty());
+  const auto is_told_of = [&](double scale) {
+    const auto warnings = scaled(scale, false)();
+    return std::count(
+        warnings.begin(), warnings.end(),
+        "store.json: fixtures[3]: mesh 'M' is 201 m across; 'scale' is the metres that a unit of the "
+        "file stands for: \"scale\": 0.001 for millimetres");
+  };
+  EXPECT_EQ(is_told_of(201), 1);
+  EXPECT_EQ(is_told_of(200), 0);
+}
+
+class SolidGlass : public testing::Test {
+ protected:
+  // The scene of a store whose material `white` is solid glass.
+  static Scene glass(const Json& json, const std::filesystem::path& folder = {}) {
+    Store store = test::read_text(json.dump(), folder);
+    store.materials[0].material = make_dielectric(1.5);
+    return make_scene(store);
+  }
+  static double volume(const Scene& scene) {
+    double six = 0;
+    for (const auto& [a, b, c] : scene.mesh.triangles)
+      six += dot(scene.mesh.vertices[a], cross(scene.mesh.vertices[b], scene.mesh.vertices[c]));
+    return six / 6;
+  }
+};
+
+TEST_F(SolidGlass, ClosedWithItsOutsideOutIsTaken) {
+  const TempFolder folder;
+  for (const auto& [name, content] : files(tetrahedron())) {
+    folder.write(name, content);
+    const Scene scene = glass(mesh_store(name), folder.path());
+    EXPECT_TRUE(scene.warnings.empty()) << name;
+    EXPECT_NEAR(volume(scene), 1, 1e-12);
+  }
+}
+
+TEST_F(SolidGlass, InsideOutIsTurnedOver) {
+  Triangles inside_out = tetrahedron();
+  for (auto& [a, b, c] : inside_out) std::swap(b, c);
+  const TempFolder folder;
+  for (const auto& [name, content] : files(inside_out)) {
+    folder.write(name, content);
+    const Scene scene = glass(mesh_store(name), folder.path());
+    EXPECT_NEAR(volume(scene), 1, 1e-12) << name;
+    ASSERT_EQ(scene.warnings.size(), 1u) << name;
+    EXPECT_EQ(scene.warnings[0],
+              "store.json: fixtures[0]: the surface of mesh 'M' made of the solid dielectric 'white' was "
+              "inside out "
+              "and is turned over; let its triangles look outwards");
+    // Any other material is taken as it is.
+    const Scene paint = test::scene_of(mesh_store(name), folder.path());
+    EXPECT_NEAR(volume(paint), -1, 1e-12);
+    EXPECT_TRUE(paint.warnings.empty());
+  }
+}
+
+TEST_F(SolidGlass, OpenOneIsTold) {
+  Triangles open = tetrahedron(), twisted = open;
+  open.pop_back();
+  std::swap(twisted[0][0], twisted[0][1]);
+  const TempFolder folder;
+  for (const auto& triangles : {open, twisted})
+    for (const auto& [name, content] : files(triangles)) {
+      folder.write(name, content);
+      const Scene scene = glass(mesh_store(name), folder.path());
+      ASSERT_EQ(scene.warnings.size(), 1u) << name;
+      EXPECT_NE(scene.warnings[0].find("made of the solid dielectric 'white' is not closed"),
+                std::string::npos);
+    }
+}
+
+TEST_F(SolidGlass, HollowOneKeepsItsInside) {
+  Triangles jar;
+  for (auto triangle : tetrahedron()) {
+    jar.push_back(triangle);
+    for (Corner& corner : triangle)
+      for (float& x : corner) x = 0.1F + 0.5F * x;
+    std::swap(triangle[1], triangle[2]);
+    jar.push_back(triangle);
+  }
+  const TempFolder folder;
+  folder.write("jar.stl", test::binary_stl(jar));
+  const Scene scene = glass(mesh_store("jar.stl"), folder.path());
+  EXPECT_TRUE(scene.warnings.empty());
+  EXPECT_NEAR(volume(scene), 1 - 0.125, 1e-6);
+}
+
+TEST_F(SolidGlass, SliversDoNotOpenIt) {
+  // One side as three triangles that meet in a point on its edge: the fourth, without area, closes the seam.
+  Triangles seamed = tetrahedron();
+  const Corner o{0, 0, 0}, x{1, 0, 0}, y{0, 2, 0}, middle{0.5, 0, 0};
+  seamed[0] = {o, y, middle};
+  seamed.push_back({middle, y, x});
+  seamed.push_back({o, middle, x});
+  const TempFolder folder;
+  folder.write("seam.stl", test::binary_stl(seamed));
+  const Scene scene = glass(mesh_store("seam.stl"), folder.path());
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("dropped 1 of 6"), std::string::npos);
+  Triangles strewn = tetrahedron();
+  strewn.push_back({x, middle, o});
+  folder.write("strewn.stl", test::binary_stl(strewn));
+  const auto strewn_warnings = glass(mesh_store("strewn.stl"), folder.path()).warnings;
+  ASSERT_EQ(strewn_warnings.size(), 1u);
+  EXPECT_NE(strewn_warnings[0].find("dropped 1 of 5"), std::string::npos);
+  seamed.pop_back();
+  folder.write("seam.stl", test::binary_stl(seamed));
+  EXPECT_NE(glass(mesh_store("seam.stl"), folder.path()).warnings.at(0).find("is not closed"),
+            std::string::npos);
+}
+
+TEST_F(SolidGlass, WrittenOutIsCheckedToo) {
+  Json store = test::sample_store();
+  store["fixtures"][3]["parts"][0]["faces"] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  const auto warnings = glass(store).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find(
+                "fixtures[3]: the surface of mesh 'M' made of the solid dielectric 'white' was inside"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace shelfbeam
