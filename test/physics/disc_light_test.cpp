@@ -2,6 +2,8 @@
 // Configuration Factors): a Lambertian disc of flux Phi and area A has the radiance Phi / (pi A), so a cosine
 // label reads Phi / A times its factor towards the disc.
 
+#include "disc_light.hpp"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -17,15 +19,8 @@ using test::Way;
 constexpr double flux = 3, radius = 0.4;
 const Vec3 centre{0.2, -0.3, 2.5};
 
-// Irradiance below the disc, which looks down, of an element whose tilted plane leaves all of the disc on its
-// front: the vector sum of the element parallel to the disc and of that perpendicular to it (B-13 and B-14).
-double of_disc(const Vec3& at, const Vec3& normal, double r = radius) {
-  const double h = centre.z - at.z, dx = centre.x - at.x, dy = centre.y - at.y, a = std::hypot(dx, dy);
-  const double s = h * h + a * a + r * r, root = std::sqrt(s * s - 4 * a * a * r * r);
-  const double parallel = (1 - (h * h + a * a - r * r) / root) / 2;
-  const double across = a > 0 ? h / (2 * a) * (s / root - 1) : 0;
-  const double towards = a > 0 ? (normal.x * dx + normal.y * dy) / a : 0;
-  return flux / (pi * r * r) * (normal.z * parallel + towards * across);
+double of_disc(const Vec3& at, const Vec3& normal) {
+  return test::irradiance_of_disc(flux, radius, centre, at, normal);
 }
 
 // Averages over a rectangle by the Gauss-Legendre rule of 5 x 5 points, whose error for these smooth
