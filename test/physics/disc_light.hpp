@@ -20,4 +20,19 @@ inline double irradiance_of_disc(double flux, double radius, const Vec3& centre,
   return flux / (pi * r2) * (normal.z * parallel + towards * across);
 }
 
+/// Irradiance of an element that looks straight at the middle of such a disc at a distance, where
+/// share(cosine) of the light gets through at each angle: 2 pi L times the integral of share cos sin over the
+/// angle, by Simpson's rule.
+template <class Share>
+double irradiance_of_coaxial_disc(double flux, double radius, double distance, const Share& share) {
+  constexpr int intervals = 200;
+  const double step = std::atan(radius / distance) / intervals;
+  double sum = 0;
+  for (int k = 0; k <= intervals; ++k) {
+    const double theta = k * step, weight = k == 0 || k == intervals ? 1 : k % 2 == 1 ? 4 : 2;
+    sum += weight * share(std::cos(theta)) * std::cos(theta) * std::sin(theta);
+  }
+  return 2 * flux / (pi * radius * radius) * sum * step / 3;
+}
+
 }  // namespace shelfbeam::test

@@ -30,6 +30,7 @@ Vec3 place(const Vec3& p) {
 struct Stage {
   test::BareScene bare;
 
+  Stage() = default;
   // A mirror 2 m long and 1 m wide in front of a unit.
   explicit Stage(const Material& mirror, double disc_radius = 0) {
     quad(bare.material(mirror), {-0.5, -0.5, 0}, {2, 0, 0}, {0, 1, 0});
@@ -84,12 +85,14 @@ TEST(PlaneMirror, ShowsTheImagesOfPointsToConnections) {
   stage.unit(units[2]);
   for (const Vec3& p : seeing) stage.label(p);
   for (const Way& way : {test::nee, test::mis}) {
-    const SignalMatrix matrix = way.simulate(stage.bare.scene, 20000);
+    const BounceLayer layer =
+        way.simulate(stage.bare.scene, 20000, 1, {.max_bounces = 2, .by_bounce = true}).by_bounce[1];
     test::Comparison found;
     for (std::size_t i = 0; i < seeing.size(); ++i)
-      for (std::size_t j = 0; j < units.size(); ++j)
-        found.add(matrix.mean[matrix.at(i, j)], image(seeing[i], units[j], gold),
-                  matrix.standard_error[matrix.at(i, j)]);
+      for (std::size_t j = 0; j < units.size(); ++j) {
+        const std::size_t entry = i * units.size() + j;
+        found.add(layer.mean[entry], image(seeing[i], units[j], gold), layer.standard_error[entry]);
+      }
     EXPECT_TRUE(found.agrees(0.001)) << way.name;
     EXPECT_LT(found.precision(), 0.015) << way.name;
     EXPECT_FALSE(found.with_references_times(1.05).agrees(0.001)) << way.name;
@@ -189,6 +192,48 @@ TEST(PlaneMirror, LiesBehindAPane) {
   // The controls: each part counts.
   EXPECT_GT(own, 0.01 * through);
   EXPECT_LT(own, through);
+}
+
+// The same with two coaxial discs above the label. Walks cover all reflections between mirror and pane: the
+// first bounce has the images in both, the third and fifth those of the mirror after one and two trips more.
+// z-test at 0.1 % at relative standard errors below 3.5 %; the control is off by 10 %.
+TEST(PlaneMirror, ShowsDiscsManyTimesBehindAPane) {
+  const ThinDielectric pane{2.5, 0.004, 10};
+  constexpr double height = 0.3, label = 0.6, units[] = {0.8, 1.1}, radii[] = {0.7, 1};
+  Stage stage;
+  stage.quad(stage.bare.material(gold), {-9, -9, 0}, {18, 0, 0}, {0, 18, 0});
+  stage.quad(stage.bare.material(pane), {-9, -9, height}, {18, 0, 0}, {0, 18, 0});
+  stage.label({0, 0, label});
+  for (std::size_t j = 0; j < 2; ++j) stage.unit({0, 0, units[j]}, radii[j]);
+  // After `trips` more between mirror and pane; the pane's own image is bent at its height instead.
+  const auto of_mirror = [&](std::size_t j, int trips) {
+    return test::irradiance_of_coaxial_disc(
+        1, radii[j], units[j] + label + 2 * trips * height, [&](double cosine) {
+          const auto [reflected, transmitted] = pane_shares(pane, cosine);
+          return transmitted * transmitted * std::pow(reflected, trips) *
+                 std::pow(fresnel_conductor(cosine, gold.eta, gold.k), trips + 1);
+        });
+  };
+  const auto of_pane = [&](std::size_t j) {
+    return test::irradiance_of_coaxial_disc(1, radii[j], units[j] + label - 2 * height, [&](double cosine) {
+      return pane_shares(pane, cosine).reflected;
+    });
+  };
+  for (const Way& way : {test::walk, test::mis}) {
+    const SignalMatrix matrix =
+        way.simulate(stage.bare.scene, 200000, 1, {.max_bounces = 5, .by_bounce = true});
+    test::Comparison found;
+    for (std::size_t j = 0; j < 2; ++j)
+      for (int trips = 0; trips < 3; ++trips) {
+        const BounceLayer& layer = matrix.by_bounce[static_cast<std::size_t>(2 * trips + 1)];
+        found.add(layer.mean[j], of_mirror(j, trips) + (trips == 0 ? of_pane(j) : 0),
+                  layer.standard_error[j]);
+      }
+    EXPECT_TRUE(found.agrees(0.001)) << way.name;
+    EXPECT_LT(found.precision(), 0.035) << way.name;
+    EXPECT_FALSE(found.with_references_times(1.1).agrees(0.001)) << way.name;
+    for (const std::size_t k : {0U, 2U, 4U}) EXPECT_EQ(matrix.by_bounce[k].mean[0], 0) << way.name;
+  }
 }
 
 }  // namespace

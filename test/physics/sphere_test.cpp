@@ -16,13 +16,14 @@ using test::Way;
 constexpr double rho = 0.7, radius = 2;
 constexpr std::uint32_t most_bounces = 4;
 
-// Off the centre: an isotropic half sphere, a Lambertian source and, in place of that, a disc. Labels in the
+// Off the centre: an isotropic half sphere and a Lambertian point, or two discs. Labels in the
 // middle of wall triangles.
 test::BareScene sphere(int level, double disc_radius) {
   test::BareScene room;
   room.sphere(room.material(Lambertian{rho}), radius, level);
   if (disc_radius == 0) room.unit({0.5, 0.3, -0.4}, normalized({1, 2, -1}), IsotropicHemisphere{0.25});
   room.unit({-0.7, 0.2, 0.6}, {0, 0, -1}, GeneralizedLambertian{1, 2}, disc_radius);
+  if (disc_radius > 0) room.unit({0.2, 0.6, -0.3}, {1, 0, 0}, SinTwoTheta{1}, disc_radius);
   const TriangleMesh& mesh = room.scene.mesh;
   for (const std::size_t part : {3, 8, 14, 17}) {
     const auto& [a, b, c] = mesh.triangles[part * mesh.triangles.size() / 20];
@@ -60,7 +61,7 @@ double tessellation_error(int level) {
   return std::sqrt(squares / static_cast<double>(first.values.size()));
 }
 
-// z-test of bounces 1 to 4 for all labels and sources at 0.1 %, with relative standard errors up to 1.5 %
+// z-test of bounces 1 to 4 for all labels and sources at 0.1 %, with relative standard errors up to 1.8 %
 // (walks 4.5 %). The control is an albedo 2 % off, 8 % of the fourth bounce (for walks 5 %).
 void expect_uniform(const Way& way, double disc_radius, std::uint64_t samples) {
   const bool walks = way.strategy == Strategy::walk;
@@ -69,7 +70,7 @@ void expect_uniform(const Way& way, double disc_radius, std::uint64_t samples) {
       way.simulate(room.scene, samples, 1, {.max_bounces = most_bounces, .by_bounce = true});
   const auto found = bounces(matrix, room, rho);
   EXPECT_TRUE(found.agrees(0.001)) << way.name;
-  EXPECT_LT(found.precision(), walks ? 0.045 : 0.015) << way.name;
+  EXPECT_LT(found.precision(), walks ? 0.045 : 0.018) << way.name;
   EXPECT_FALSE(bounces(matrix, room, rho * (walks ? 1.05 : 1.02)).agrees(0.001)) << way.name;
 }
 
