@@ -32,9 +32,10 @@ struct BareScene {
 
   void triangle(MaterialId surface, const std::array<Vec3, 3>& corners) {
     const auto first = static_cast<std::uint32_t>(scene.mesh.vertices.size());
+    if (first == 0) scene.lower = scene.upper = corners[0];
     for (const Vec3& p : corners) {
-      scene.lower = first == 0 && p == corners[0] ? p : lowest(scene.lower, p);
-      scene.upper = first == 0 && p == corners[0] ? p : highest(scene.upper, p);
+      scene.lower = lowest(scene.lower, p);
+      scene.upper = highest(scene.upper, p);
       scene.mesh.vertices.push_back(p);
     }
     scene.mesh.triangles.push_back({first, first + 1, first + 2});

@@ -1,6 +1,9 @@
 #pragma once
 
-#include <ostream>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
