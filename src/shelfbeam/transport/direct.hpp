@@ -26,8 +26,9 @@ DirectSignal direct_signal(const World& world, std::size_t i, std::size_t j, con
 bool is_point_to_point(const World& world, std::size_t i, std::size_t j);
 DirectSignal direct_between_points(const World& world, std::size_t i, std::size_t j, const PathRules& rules);
 
-/// The mean over label and source of `direct_signal`, estimated from a grid of `side`^2 strata.
+/// The mean over label and source of `direct_signal`, estimated from a lattice of at least
+/// `at_least`^2 strata.
 DirectSignal sample_direct(const World& world, std::size_t i, std::size_t j, const PathKey& key,
-                           std::uint32_t side, const PathRules& rules);
+                           std::uint32_t at_least, const PathRules& rules);
 
 }  // namespace shelfbeam

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/signal/signal_matrix.hpp"
+#include "shelfbeam/stats/hypothesis.hpp"
+#include "shelfbeam/transport/simulate.hpp"
+
+namespace shelfbeam::test {
+
+/// Values beside what they should be, judged all at once.
+struct Comparison {
+  std::vector<double> values, references, standard_errors;
+
+  void add(double value, double reference, double standard_error) {
+    values.push_back(value);
+    references.push_back(reference);
+    standard_errors.push_back(standard_error);
+  }
+
+  /// Every entry of a column of a matrix against one reference.
+  void add_column(const SignalMatrix& matrix, std::size_t j, double reference) {
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+      add(matrix.mean[matrix.at(i, j)], reference, matrix.standard_error[matrix.at(i, j)]);
+  }
+
+  /// The same with all references wrong by a factor, as a control.
+  Comparison with_references_times(double factor) const {
+    Comparison wrong = *this;
+    for (double& reference : wrong.references) reference *= factor;
+    return wrong;
+  }
+
+  /// The largest relative standard error.
+  double precision() const {
+    double largest = 0;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      largest = std::max(largest, standard_errors[k] / std::abs(references[k]));
+    return largest;
+  }
+
+  ZTest test(double level) const {
+    return z_test(values, references, standard_errors, level, batch_count - 1);
+  }
+
+  /// z-test with the Sidak limit at `level` for all values together.
+  testing::AssertionResult agrees(double level) const {
+    const ZTest z = test(level);
+    if (z.pass) return testing::AssertionSuccess();
+    return testing::AssertionFailure()
+           << "value " << z.worst << " is " << values[z.worst] << " +- " << standard_errors[z.worst]
+           << " instead of " << references[z.worst] << ", |z| = " << z.largest << " > " << z.limit;
+  }
+};
+
+/// The strategies under test, each with its name for messages.
+struct Way {
+  const char* name;
+  Strategy strategy;
+  Heuristic heuristic = Heuristic::balance;
+
+  SignalMatrix simulate(const Scene& scene, std::uint64_t samples, std::uint64_t seed = 1,
+                        SimulationOptions options = {}) const {
+    options.samples = samples;
+    options.seed = seed;
+    options.strategy = strategy;
+    options.heuristic = heuristic;
+    return shelfbeam::simulate(scene, "", options).matrix;
+  }
+};
+inline constexpr Way walk{"walk", Strategy::walk}, nee{"nee", Strategy::nee}, mis{"mis", Strategy::mis},
+    mis_power{"mis, power heuristic", Strategy::mis, Heuristic::power},
+    particle{"particle", Strategy::particle};
+
+}  // namespace shelfbeam::test
