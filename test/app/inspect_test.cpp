@@ -126,7 +126,7 @@ TEST_F(Inspect, ToldAsJson) {
 TEST_F(Inspect, ToldAsText) {
   const std::string text = expect_silent({"inspect", path("store.json"), "-o", path("plan.svg")});
   for (const char* part :
-       {"\n  8.00 x 6.00 x 3.00 m, 940 nm, ", "\n  2 fixtures, 18 labels, 16 candidate transceivers\n",
+       {"\n  8.00 x 6.00 x 3.00 m, 940 nm, ", "\n  2 fixtures, 18 labels, 16 candidate transceivers at ",
         " at 13 mounting points, 2 of them with several options\n", "  reflectance  ", "  transmittance  ",
         "\n  pane      thin_dielectric     13.28          4        0.077  0.155          0.923  0.845\n",
         "\n  wide        cosine_power  100 x 50       1         0.02\n",
