@@ -44,6 +44,10 @@ TEST_F(Workflow, NewThenInspect) {
     EXPECT_NE(text.find("reflectance"), std::string::npos);
     EXPECT_TRUE(bytes("plan.svg").starts_with("<?xml"));
   }
+  const Json chiller = Json::parse(expect_silent({"inspect", path("chiller/store.json"), "--json"}));
+  EXPECT_EQ(chiller["transceiver_types"]["ring"]["file"], "batwing.ies");
+  EXPECT_FALSE(chiller["not_simulated"].empty());
+  EXPECT_TRUE(chiller["warnings"].empty());
   const Json thesis = Json::parse(expect_silent({"inspect", path("thesis/store.json"), "--json"}));
   EXPECT_EQ(thesis["labels"], 390);
   EXPECT_EQ(thesis["transceivers"], 320);
