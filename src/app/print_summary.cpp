@@ -60,10 +60,11 @@ void print_label_types(const StoreSummary& summary) {
 void print_transceiver_types(const StoreSummary& summary) {
   Rows rows{{"transceiver type", "emission", "radius m", "flux W", "peak W/sr", "units", "axes", "cost"}};
   for (const TransceiverTypeSummary& type : summary.transceiver_types)
-    rows.push_back(
-        {type.name, std::string(type.emission), type.radius == 0 ? "point" : fmt::format("{:g}", type.radius),
-         fmt::format("{:.4g}", type.flux), fmt::format("{:.4g}", type.peak), fmt::format("{}", type.units),
-         fmt::format("{}", type.axes), fmt::format("{:g}", type.cost)});
+    rows.push_back({type.name, type.file.empty() ? std::string(type.emission) : type.file,
+                    type.radius == 0 ? "point" : fmt::format("{:g}", type.radius),
+                    fmt::format("{:.4g}", type.flux), fmt::format("{:.4g}", type.peak),
+                    fmt::format("{}", type.units), fmt::format("{}", type.axes),
+                    fmt::format("{:g}", type.cost)});
   print_table(rows, 2);
 }
 

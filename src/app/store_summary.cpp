@@ -56,7 +56,7 @@ double peak_intensity(const Emission& emission) {
 std::vector<TransceiverTypeSummary> transceiver_types(const Scene& scene) {
   std::vector<TransceiverTypeSummary> result;
   for (const TransceiverType& type : scene.transceiver_types)
-    result.push_back({type.name, type_name(type.emission), type.radius, power(type.emission),
+    result.push_back({type.name, type_name(type.emission), type.file, type.radius, power(type.emission),
                       peak_intensity(type.emission), 0, 0, type.cost});
   std::vector<std::set<std::tuple<long, long, long>>> axes(result.size());
   for (const Transceiver& unit : scene.transceivers) {
@@ -113,11 +113,13 @@ nlohmann::ordered_json summary_json(const LoadedStore& store, const StoreSummary
                                       {"size_m", type.size},
                                       {"labels", type.labels},
                                       {"requirement", type.requirement}};
-  for (const TransceiverTypeSummary& type : summary.transceiver_types)
+  for (const TransceiverTypeSummary& type : summary.transceiver_types) {
     json["transceiver_types"][type.name] = {{"emission", type.emission},  {"radius_m", type.radius},
                                             {"flux_w", type.flux},        {"peak_w_per_sr", type.peak},
                                             {"transceivers", type.units}, {"axes", type.axes},
                                             {"cost", type.cost}};
+    if (!type.file.empty()) json["transceiver_types"][type.name]["file"] = type.file;
+  }
   json["not_simulated"] = summary.uncovered;
   json["warnings"] = scene.warnings;
   return json;

@@ -33,6 +33,7 @@ struct LabelTypeSummary {
 struct TransceiverTypeSummary {
   std::string name;
   std::string_view emission;
+  std::string file;   ///< that the emission is from, if any
   double radius = 0;  ///< m
   double flux = 0;    ///< W
   double peak = 0;    ///< W/sr

@@ -31,9 +31,10 @@ class Workflow : public testing::Test {
   Json json(const std::string& name) const { return Json::parse(bytes(name)); }
   TempFolder folder;
 };
+using WorkflowSlow = Workflow;
 
 TEST_F(Workflow, NewThenInspect) {
-  for (const char* name : {"thesis", "grocery"}) {
+  for (const char* name : {"thesis", "grocery", "chiller"}) {
     const std::string out = expect_silent({"new", name, path(name)});
     EXPECT_NE(out.find("shelfbeam plan " + path(name) + "/store.json -o " + path(name) + "/plan"),
               std::string::npos);
@@ -43,6 +44,10 @@ TEST_F(Workflow, NewThenInspect) {
     EXPECT_NE(text.find("reflectance"), std::string::npos);
     EXPECT_TRUE(bytes("plan.svg").starts_with("<?xml"));
   }
+  const Json chiller = Json::parse(expect_silent({"inspect", path("chiller/store.json"), "--json"}));
+  EXPECT_EQ(chiller["transceiver_types"]["ring"]["file"], "batwing.ies");
+  EXPECT_FALSE(chiller["not_simulated"].empty());
+  EXPECT_TRUE(chiller["warnings"].empty());
   const Json thesis = Json::parse(expect_silent({"inspect", path("thesis/store.json"), "--json"}));
   EXPECT_EQ(thesis["labels"], 390);
   EXPECT_EQ(thesis["transceivers"], 320);
@@ -124,6 +129,19 @@ TEST_F(Workflow, OffersSeveralTiltsAtAMountingPoint) {
   std::size_t rows = 0;
   for (std::size_t at = 0; (at = bytes("model.lp").find(" mount_", at)) != std::string::npos; ++at) ++rows;
   EXPECT_EQ(rows, 12u);
+}
+
+// Profiles, meshes, doors and several ways to aim, from the template to the report. Six units is what each of
+// three seeds gave at the default number of samples.
+TEST_F(WorkflowSlow, PlansTheChiller) {
+  expect_silent({"new", "chiller", path("chiller")});
+  const std::string text = expect_silent({"plan", path("chiller/store.json"), "-o", path("plan")});
+  EXPECT_NE(text.find("fewer cannot, proven"), std::string::npos) << text;
+  const Json placement = json("plan/placement.json");
+  EXPECT_EQ(placement["status"], "optimal");
+  EXPECT_NEAR(placement["count"], 6, 1);
+  EXPECT_NE(placement["selected"].dump().find("over-till"), std::string::npos);
+  EXPECT_EQ(names(folder / "plan"), std::set<std::string>(of_a_plan.begin(), of_a_plan.end()));
 }
 
 TEST_F(Workflow, SimulateThenPlaceThenExport) {

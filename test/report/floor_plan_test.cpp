@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/elevation.hpp"
+#include "shelfbeam/report/mesh_silhouette.hpp"
 #include "shelfbeam/report/part_drawing.hpp"
 #include "shelfbeam/report/report.hpp"
 
@@ -58,6 +61,57 @@ TEST(FloorPlan, DrawsAMountingPointOnce) {
   EXPECT_TRUE(has("5 candidate transceivers at 3 mounting points"));
   store.transceivers.back().value.position.x -= 0.01;
   EXPECT_EQ(crosses(), 3U + 1);
+}
+
+TEST(FloorPlan, ShowsWhichWayAUnitLeans) {
+  Store store = sample_store::kiosk();
+  const auto has = [&](const char* text) {
+    return floor_plan_svg(make_scene(store)).find(text) != std::string::npos;
+  };
+  EXPECT_FALSE(has("class=\"aim\"") || has("leaning this way"));
+  store.transceivers[0].value.axis = {0, 0.6, -0.8};
+  EXPECT_TRUE(has("l0 -12\" class=\"aim\"") && has("leaning this way"));  // north is up
+}
+
+// Two blocks in the shape of an L: what the plan fills is the L, not its hull. Each block is seen as its top
+// and its bottom, whose triangles run opposite ways in the mesh.
+TEST(FloorPlan, DrawsAMeshAsItIs) {
+  Store store = sample_store::kiosk();
+  MeshFixture mesh{"L", {0.5, 0.5, 0}, 0, 1, {{"m", {}, {}, {}}}};
+  for (const auto& [x, y] : {std::array{2.0, 0.5}, {0.5, 2.0}}) {
+    const auto first = static_cast<std::uint32_t>(mesh.pieces[0].vertices.size());
+    for (const double z : {0.0, 1.0})
+      for (const Vec3& corner : {Vec3{0, 0, z}, Vec3{x, 0, z}, Vec3{x, y, z}, Vec3{0, y, z}})
+        mesh.pieces[0].vertices.push_back(corner);
+    for (const auto& [a, b, c] : {std::array{0U, 2U, 1U}, {0U, 3U, 2U}, {4U, 5U, 6U}, {4U, 6U, 7U}})
+      mesh.pieces[0].triangles.push_back({first + a, first + b, first + c});
+  }
+  store.fixtures.push_back({mesh, "fixtures"});
+  const Scene scene = make_scene(store);
+  const PlanView view(scene);
+  const std::string data = mesh_silhouette(view, scene, 1U);
+  double area = 0, least = 1;
+  std::size_t triangles = 0;
+  for (std::size_t at = 0; at < data.size(); at = data.find('Z', at) + 1, ++triangles) {
+    std::array<double, 6> p{};
+    std::sscanf(data.c_str() + at, "M%lf %lfL%lf %lfL%lf %lf", &p[0], &p[1], &p[2], &p[3], &p[4], &p[5]);
+    const double one =
+        -((p[2] - p[0]) * (p[5] - p[1]) - (p[3] - p[1]) * (p[4] - p[0])) / 2 / view.scale() / view.scale();
+    area += one;
+    least = std::min(least, one);
+  }
+  EXPECT_EQ(triangles, 8U);
+  EXPECT_GT(least, 0) << "turned another way, it would be a hole";
+  EXPECT_NEAR(area, 2 * 2 * 2 * 0.5, 0.01);  // m^2; a tenth of a unit is below 1 mm here
+  const std::string svg = floor_plan_svg(scene);
+  const auto count = [&](const char* text) {
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = svg.find(text, at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("class=\"mesh\""), 1U);
+  EXPECT_EQ(count("class=\"outline\""), 1U) << "of the gondola; of the mesh it would be the hull";
+  EXPECT_EQ(mesh_silhouette(view, scene, 0U), "");
 }
 
 TEST(FloorPlan, ShowsDoors) {

@@ -147,6 +147,17 @@ TEST(ReportHtml, TellsWhereChosenUnitsLook) {
   looks({std::sqrt(0.75), 0, -0.5}, "60.0° towards 0.0°");
   looks({0, -std::sqrt(0.5), -std::sqrt(0.5)}, "45.0° towards 270.0°");
   looks({0, 0, 1}, "up");
+  const auto noses = [&] {
+    const std::string html = report_html(s.input);
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = html.find("\"k aim\"", at)) != std::string::npos; ++at) ++count;
+    return count - 1;  // the one that legends show
+  };
+  EXPECT_EQ(noses(), 0U);
+  EXPECT_FALSE(pieces(report_html(s.input)).contains("leans this way"));
+  unit.axis = {0.6, 0, -0.8};
+  EXPECT_EQ(noses(), 1U);
+  EXPECT_TRUE(pieces(report_html(s.input)).contains("leans this way"));
   s.scene.transceivers[s.placement.selected.front()].roll_deg = 30;
   looks({0, 1, 0}, "90.0° towards 90.0°, roll 30°");
 }

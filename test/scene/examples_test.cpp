@@ -3,12 +3,15 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/math/places.hpp"
 #include "shelfbeam/scene/store.hpp"
 #include "shelfbeam/scene/templates.hpp"
 
@@ -37,7 +40,7 @@ TEST(Templates, AreTheExamples) {
       EXPECT_TRUE(file.content == read_file(examples / one.name / file.name)) << one.name << '/' << file.name;
     EXPECT_EQ(&find_template(std::string(one.name)), &one);
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"thesis", "grocery"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"thesis", "grocery", "chiller"}));
   test::expect_input_error([] { find_template("grosery"); }, "did you mean 'grocery'?");
 }
 
@@ -105,9 +108,38 @@ TEST(Grocery, LooksLikeOne) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
+// Glass doors and a lid, meshes in two formats, profiles in two, more than one way to aim a unit at a
+// mounting point, a requirement as a range, an installed unit and a place to keep free.
+TEST(Chiller, HasWhatTheOthersHaveNot) {
+  const Store store = read_store(examples / "chiller" / "store.json");
+  const Scene scene = make_scene(store);
+  EXPECT_TRUE(scene.warnings.empty());
+  EXPECT_NEAR(static_cast<double>(scene.labels.size()), 150, 50);
+  EXPECT_NEAR(static_cast<double>(scene.transceivers.size()), 175, 75);
+  std::set<std::size_t> kinds;
+  for (const NamedMaterial& material : scene.materials) kinds.insert(material.material.index());
+  EXPECT_EQ(kinds.size(), std::variant_size_v<Material>);
+  std::map<PartKind, int> parts;
+  for (const Part& part : scene.parts) ++parts[part.kind];
+  EXPECT_EQ(parts[PartKind::door], 2);
+  EXPECT_GE(parts[PartKind::mesh], 2);
+  for (const TransceiverType& type : scene.transceiver_types)
+    EXPECT_EQ(type.file, type.name == "ring" ? "batwing.ies" : "narrow-aisle.ldt");
+  std::map<std::uint32_t, int> options;
+  for (const std::uint32_t place : places_of(positions_of(scene.transceivers)).of) ++options[place];
+  EXPECT_TRUE(std::any_of(options.begin(), options.end(), [](const auto& o) { return o.second >= 3; }));
+  EXPECT_EQ(std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
+                          [](const Transceiver& unit) { return unit.installed; }),
+            1);
+  for (const char* profile : {"batwing.ies", "narrow-aisle.ldt"})
+    EXPECT_TRUE(read_file(examples / "chiller" / profile) ==
+                read_file(fs::path(SHELFBEAM_SOURCE_DIR) / "data" / "photometry" / profile))
+        << profile << " has moved on in one of its two places";
+}
+
 // A label within a part, or behind one that touches it, would hear nothing; that is a slip in the example.
-TEST(Grocery, NoLabelIsBuried) {
-  for (const char* name : {"thesis", "grocery"}) {
+TEST(Templates, BuryNoLabel) {
+  for (const char* name : {"thesis", "grocery", "chiller"}) {
     const Scene scene = example(name);
     const auto inside = [](const Part& part, const Vec3& p) {
       if (p.z <= part.bottom || p.z >= part.top) return false;

@@ -27,8 +27,9 @@ struct LabelType {
 struct TransceiverType {
   std::string name;
   Emission emission;
-  double radius = 0;  ///< of the disc, about the axis, m; 0: a point
-  double cost = 1;    ///< c^T (3.3)
+  double radius = 0;   ///< of the disc, about the axis, m; 0: a point
+  double cost = 1;     ///< c^T (3.3)
+  std::string file{};  ///< name of the photometric file that the emission is from; empty if from none
 };
 
 }  // namespace shelfbeam

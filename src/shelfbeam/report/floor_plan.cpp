@@ -9,6 +9,7 @@
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/report/elevation.hpp"
 #include "shelfbeam/report/fixture_ids.hpp"
+#include "shelfbeam/report/mesh_silhouette.hpp"
 #include "shelfbeam/report/part_drawing.hpp"
 #include "shelfbeam/report/plan_view.hpp"
 #include "shelfbeam/report/report.hpp"
@@ -18,6 +19,20 @@
 namespace shelfbeam {
 
 namespace {
+
+// A mesh is drawn as it is, all else as the upright prisms that it consists of.
+void draw_parts(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  for (const std::uint32_t k : parts_seen_from_above(scene)) {
+    const Part& part = scene.parts[k];
+    if (const std::string silhouette = mesh_silhouette(view, scene, part); !silhouette.empty())
+      canvas.path(silhouette, part_class(part));
+    else
+      canvas.polygon(view.outline(part.footprint), part_class(part));
+  }
+  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f)
+    if (scene.fixtures[f].footprint.size() > 2 && mesh_silhouette(view, scene, f).empty())
+      canvas.polygon(view.outline(scene.fixtures[f].footprint), "outline");
+}
 
 // A dot where the label is and a tick the way it faces; labels above one another give one mark.
 void draw_labels(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
@@ -42,6 +57,10 @@ void draw_transceivers(SvgCanvas& canvas, const PlanView& view, const Scene& sce
   std::vector<bool> installed;
   for (const Transceiver& t : scene.transceivers) installed.push_back(t.installed);
   draw_free_points(canvas, view, positions_of(scene.transceivers), installed);
+  std::string aims;
+  for (const Transceiver& t : scene.transceivers)
+    aims += aim_line(view.at(t.position.x, t.position.y), t.axis);
+  if (!aims.empty()) canvas.path(aims, "aim");
   for (const Transceiver& t : scene.transceivers)
     if (t.installed) {
       const Point at = view.at(t.position.x, t.position.y);
@@ -72,9 +91,13 @@ void draw_key(SvgCanvas& canvas, const Scene& scene, double y) {
   canvas.text({x + 9, y + 1}, "label, facing this way", "t");
   x += 180;
   canvas.path(fmt::format("M{} {}h8m-4 -4v8", x - 4, y - 4), "cand");
-  canvas.text({x + 10, y + 1}, "candidate transceiver", "t");
+  const bool leans = std::any_of(scene.transceivers.begin(), scene.transceivers.end(),
+                                 [](const Transceiver& t) { return !aim_line({}, t.axis).empty(); });
+  if (leans) canvas.path(aim_line({x, y - 4}, {1, 0, 0}), "aim");
+  canvas.text({x + (leans ? 24 : 10), y + 1},
+              leans ? "candidate transceiver, leaning this way" : "candidate transceiver", "t");
   if (!installed) return;
-  x += 180;
+  x += leans ? 312 : 180;
   canvas.rect({x - 6, y - 10}, 12, 12, "old");
   canvas.text({x + 12, y + 1}, "installed", "t");
 }
@@ -86,10 +109,7 @@ std::string floor_plan_svg(const Scene& scene) {
   const PlanView view(scene, heading);
   SvgCanvas canvas;
   view.draw_floor(canvas);
-  for (const std::uint32_t k : parts_seen_from_above(scene))
-    canvas.polygon(view.outline(scene.parts[k].footprint), part_class(scene.parts[k]));
-  for (const FixtureOutline& fixture : scene.fixtures)
-    if (fixture.footprint.size() > 2) canvas.polygon(view.outline(fixture.footprint), "outline");
+  draw_parts(canvas, view, scene);
   draw_labels(canvas, view, scene);
   draw_transceivers(canvas, view, scene);
   draw_fixture_ids(canvas, view, scene);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -37,6 +38,15 @@ std::string key(const std::string& symbol, const std::string& text) {
       "<li><svg class=\"key\" viewBox=\"-14 -14 28 28\" aria-hidden=\"true\"><use "
       "href=\"#{}\"/></svg>{}</li>",
       symbol, escape(text));
+}
+
+// A line out of the unit's disc the way that it leans, if it does.
+std::string nose_of(const TransceiverColumn& unit) {
+  const double lean = std::hypot(unit.axis.x, unit.axis.y);
+  const std::string line =
+      lean > 0 ? aim_line({unit_radius * unit.axis.x / lean, -unit_radius * unit.axis.y / lean}, unit.axis)
+               : "";
+  return line.empty() ? "" : fmt::format("<path class=\"k aim\" d=\"{}\"/>", line);
 }
 
 std::string unit_symbol(const TransceiverColumn& unit) {
@@ -76,6 +86,7 @@ std::string Maps::definitions() const {
       "<g id=\"unit-old\"><rect class=\"k unit\" x=\"-{0}\" y=\"-{0}\" width=\"{1}\" height=\"{1}\" "
       "rx=\"3\"/></g>\n",
       unit_radius, 2 * unit_radius));
+  canvas.raw("<g id=\"unit-aim\"><path class=\"k aim\" d=\"M-10 0h20\"/></g>\n");
   canvas.raw("<g id=\"cross\"><path class=\"cand\" d=\"M-7 0h14m-7 -7v14\"/></g>\n");
   canvas.raw("<g id=\"worst\"><circle class=\"k worst\" r=\"12\"/></g>\n");
 
@@ -93,6 +104,9 @@ std::string Maps::definitions() const {
     for (std::size_t k = 0; k < data_.outcome.units.size(); ++k) {
       const TransceiverColumn& unit = data_.transceiver(data_.outcome.units[k].column);
       const Point at = view_.at(unit.position.x, unit.position.y);
+      if (const std::string nose = nose_of(unit); !nose.empty())
+        canvas.raw(fmt::format("<g transform=\"translate({} {})\">{}</g>\n", coordinate(at.x),
+                               coordinate(at.y), nose));
       canvas.use(unit_symbol(unit), at, fmt::format("Unit {}: {}", k + 1, unit.id));
       canvas.text(at, fmt::format("{}", k + 1), "num");
     }
@@ -176,12 +190,15 @@ std::string Maps::margin_legend(const ShelfLevel& level) const {
 
 std::string Maps::unit_legend() const {
   std::string html;
-  bool fresh = false, old = false;
+  bool fresh = false, old = false, leans = false;
   if (data_.has_selection())
-    for (const UnitOutcome& unit : data_.outcome.units)
+    for (const UnitOutcome& unit : data_.outcome.units) {
       (data_.transceiver(unit.column).installed ? old : fresh) = true;
+      leans |= !nose_of(data_.transceiver(unit.column)).empty();
+    }
   if (fresh) html += key("unit", "chosen unit");
   if (old) html += key("unit-old", "chosen unit, already installed");
+  if (leans) html += key("unit-aim", "leans this way");
   return html + key("cross", data_.has_selection() ? "candidate, not chosen" : "candidate");
 }
 

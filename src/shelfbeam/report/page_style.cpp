@@ -69,6 +69,7 @@ tr>:first-child{position:sticky;left:0;background:var(--card)}
 .facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:16px}
 .facts>div{background:var(--card);border:1px solid var(--line);border-radius:8px;padding:14px 16px;min-width:0}
 .facts dl{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1.2fr);gap:5px 12px;margin:0;font-size:.88rem}
+.facts~h3{margin-top:1.6em}
 .facts dt{color:var(--muted)}
 .facts dd{margin:0;overflow-wrap:anywhere;font-variant-numeric:tabular-nums}
 footer{margin-top:52px;border-top:1px solid var(--line);padding-top:14px;color:var(--muted);font-size:.85rem}
@@ -83,11 +84,13 @@ text{fill:var(--ink);font-family:inherit}
 .num{font-size:var(--num,15px);font-weight:700;fill:var(--unit-ink);text-anchor:middle;dominant-baseline:central;pointer-events:none}
 .floor{fill:var(--floor);stroke:var(--edge);stroke-width:1.6}
 .fx{stroke:var(--fx-line);stroke-width:.8;fill:var(--fx)}.fx-f{fill:var(--fx-f)}.fx-b{fill:var(--fx-b)}
+.fx-m{stroke-width:1.6;stroke-linejoin:round;paint-order:stroke}
 .cand{stroke:var(--cand);stroke-width:1;fill:none}
 .tick,.axis{stroke:var(--edge);stroke-width:1}
 .grid{stroke:var(--line);stroke-width:1}
 .bar-full{fill:var(--edge);stroke:var(--edge)}.bar-empty{fill:none;stroke:var(--edge)}
 .unit{fill:var(--unit);stroke:var(--floor);stroke-width:2.5}
+.aim{stroke:var(--unit);stroke-width:5;stroke-linecap:round}
 .worst{fill:none;stroke:var(--strong);stroke-width:2}
 .m0,.m1{stroke:var(--strong);stroke-width:1.6;stroke-linejoin:round}.m0{fill:var(--m0)}.m1{fill:var(--m1)}
 .m2{fill:var(--m2);stroke:var(--strong);stroke-width:1.4}

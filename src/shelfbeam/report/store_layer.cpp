@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/places.hpp"
+#include "shelfbeam/report/mesh_silhouette.hpp"
 #include "shelfbeam/report/text_format.hpp"
 
 namespace shelfbeam {
@@ -24,10 +25,16 @@ const char* fixture_class(const FixtureOutline& fixture) {
 }  // namespace
 
 void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
-  for (const FixtureOutline& fixture : scene.fixtures)
-    if (fixture.footprint.size() > 2)
-      canvas.polygon(view.outline(fixture.footprint), fixture_class(fixture),
-                     fmt::format("{} ({}, {} m high)", fixture.id, fixture.type, fixed(fixture.height, 2)));
+  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
+    const FixtureOutline& fixture = scene.fixtures[f];
+    if (fixture.footprint.size() < 3) continue;
+    const std::string title =
+        fmt::format("{} ({}, {} m high)", fixture.id, fixture.type, fixed(fixture.height, 2));
+    if (const std::string silhouette = mesh_silhouette(view, scene, f); !silhouette.empty())
+      canvas.path(silhouette, fixture_class(fixture), title);
+    else
+      canvas.polygon(view.outline(fixture.footprint), fixture_class(fixture), title);
+  }
 }
 
 void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> candidates,
@@ -47,6 +54,13 @@ void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const V
     data += fmt::format("M{} {}h{}m-{} -{}v{}", coordinate(p.x - arm), coordinate(p.y), d2, d, d, d2);
   }
   if (!data.empty()) canvas.path(data, "cand");
+}
+
+std::string aim_line(const Point& at, const Vec3& axis) {
+  constexpr double longest = 20, least = 0.05;  // units; sine of the angle
+  if (std::hypot(axis.x, axis.y) < least) return {};
+  return fmt::format("M{} {}l{} {}", coordinate(at.x), coordinate(at.y), coordinate(longest * axis.x),
+                     coordinate(-longest * axis.y));
 }
 
 double label_mark_radius(const PlanView& view, std::span<const Vec3> positions) {

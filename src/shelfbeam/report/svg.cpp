@@ -51,8 +51,9 @@ void SvgCanvas::polygon(std::span<const Point> points, std::string_view css_clas
   close_element("path", title);
 }
 
-void SvgCanvas::path(std::string_view data, std::string_view css_class) {
-  body_ += fmt::format("<path d=\"{}\" class=\"{}\"/>\n", data, css_class);
+void SvgCanvas::path(std::string_view data, std::string_view css_class, std::string_view title) {
+  body_ += fmt::format("<path d=\"{}\" class=\"{}\"", data, css_class);
+  close_element("path", title);
 }
 
 void SvgCanvas::text(const Point& at, std::string_view text, std::string_view css_class, double turn_deg) {

@@ -24,7 +24,7 @@ class SvgCanvas {
   void circle(const Point& centre, double radius, std::string_view css_class);
   void line(const Point& from, const Point& to, std::string_view css_class);
   void polygon(std::span<const Point> points, std::string_view css_class, std::string_view title = {});
-  void path(std::string_view data, std::string_view css_class);
+  void path(std::string_view data, std::string_view css_class, std::string_view title = {});
   void text(const Point& at, std::string_view text, std::string_view css_class, double turn_deg = 0);
   /// A copy of the symbol of that id with its origin at `at`; `title` is the tooltip.
   void use(std::string_view symbol, const Point& at, std::string_view title = {});

@@ -133,7 +133,14 @@ void FixtureBuilder::add_mesh(const MeshPiece& piece, double scale) {
   TriangleMesh& mesh = scene_.mesh;
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   std::vector<Vec2> plan;
-  Part part{PartKind::mesh, fixture_, piece.material, {}, 1e300, -1e300};
+  Part part{PartKind::mesh,
+            fixture_,
+            piece.material,
+            {},
+            1e300,
+            -1e300,
+            static_cast<std::uint32_t>(mesh.triangles.size()),
+            static_cast<std::uint32_t>(piece.triangles.size())};
   for (const Vec3& vertex : piece.vertices) {
     const Vec3 p = point(vertex * scale);
     mesh.vertices.push_back(p);

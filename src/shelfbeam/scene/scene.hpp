@@ -57,8 +57,9 @@ struct Part {
   PartKind kind = PartKind::solid;
   std::uint32_t fixture = 0;  ///< index into Scene::fixtures
   MaterialId material;
-  std::vector<std::array<double, 2>> footprint;  ///< counter-clockwise polygon in plan, m
-  double bottom = 0, top = 0;                    ///< m
+  std::vector<std::array<double, 2>> footprint;          ///< counter-clockwise polygon in plan, m
+  double bottom = 0, top = 0;                            ///< m
+  std::uint32_t first_triangle = 0, triangle_count = 0;  ///< in Scene::mesh, of a mesh; of others no matter
 };
 
 struct FixtureOutline {

@@ -15,15 +15,27 @@ namespace embedded {
 extern const std::string_view thesis_store;
 extern const std::string_view grocery_store;
 extern const std::string_view grocery_checkout;
+extern const std::string_view chiller_store;
+extern const std::string_view chiller_till;
+extern const std::string_view chiller_mirror;
+extern const std::string_view chiller_ring;
+extern const std::string_view chiller_spot;
 }  // namespace embedded
 
 std::span<const StoreTemplate> store_templates() {
   static const std::array thesis{TemplateFile{"store.json", embedded::thesis_store}};
   static const std::array grocery{TemplateFile{"store.json", embedded::grocery_store},
                                   TemplateFile{"checkout.glb", embedded::grocery_checkout}};
+  static const std::array chiller{TemplateFile{"store.json", embedded::chiller_store},
+                                  TemplateFile{"till.glb", embedded::chiller_till},
+                                  TemplateFile{"security-mirror.obj", embedded::chiller_mirror},
+                                  TemplateFile{"batwing.ies", embedded::chiller_ring},
+                                  TemplateFile{"narrow-aisle.ldt", embedded::chiller_spot}};
   static const std::array templates{
       StoreTemplate{"thesis", "the test environment of the paper: 390 labels, 320 candidates", thesis},
-      StoreTemplate{"grocery", "a small grocery with gondolas, freezers and checkouts", grocery}};
+      StoreTemplate{"grocery", "a small grocery with gondolas, freezers and checkouts", grocery},
+      StoreTemplate{"chiller", "a station shop: glass doors, measured profiles, several ways to aim a unit",
+                    chiller}};
   return templates;
 }
 
