@@ -177,7 +177,11 @@ TEST_F(BadStore, UnreadableMesh) {
   expect_change_refused(with_mesh("half.glb"), {": fixtures[1].file: the mesh", "half.glb' cannot be read"});
   expect_change_refused(with_mesh("noise.obj"),
                         {": fixtures[1].file: the mesh", "noise.obj' cannot be read"});
-  expect_change_refused(with_mesh("."), {": fixtures[1].file: the mesh"});
+  expect_change_refused(with_mesh("."), {": fixtures[1].file: '", "is a folder; name a file in it"});
+  folder.write("cut.ply",
+               "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+               "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n1234");
+  expect_change_refused(with_mesh("cut.ply"), {": fixtures[1].file: the mesh", "cut.ply' ends before"});
   folder.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n");
   expect_change_refused(with_mesh("nan.obj"),
                         {": fixtures[1].file: line 3 of '", "'nan' is no finite number"});

@@ -50,15 +50,18 @@ TEST(EmissionReader, LooksForFilesBesideTheStore) {
                      "store.json: transceiver_types.down.emission.file: the file '" +
                          (folder / "a.ies").string() +
                          "' does not exist; paths are relative to the store file");
-  expect_input_error([&] { read(file("ies", "profiles", 1), folder.path()); }, "emission.file: the file");
+  expect_input_error([&] { read(file("ies", "profiles", 1), folder.path()); }, "emission.file: '",
+                     "is a folder; name a file in it");
 }
 
 TEST(EmissionReader, ErrorsOfAFileNameItAndTheLine) {
   const TempFolder folder;
   const std::string text = read_file(profiles / "batwing.ies");
   folder.write("cut.ies", text.substr(0, text.size() / 2));
-  expect_input_error([&] { read(file("ies", "cut.ies", 1), folder.path()); },
-                     (folder / "cut.ies").string() + ": line ", "the file ends where");
+  expect_input_error(
+      [&] { read(file("ies", "cut.ies", 1), folder.path()); },
+      "store.json: transceiver_types.down.emission.file: " + (folder / "cut.ies").string() + ": line ",
+      "the file ends where");
   expect_input_error([&] { read(file("eulumdat", "batwing.ies", 1), profiles); },
                      (profiles / "batwing.ies").string() + ": line ");
 }

@@ -110,6 +110,65 @@ TEST(MeshFormats, CoordinatesMayNotBeMissing) {
                      "a coordinate is no number");
 }
 
+// Wherever a file is cut, but within its last number or its last line's end, it must not be taken for a mesh.
+TEST(MeshFormats, CutFilesAreRefused) {
+  for (const auto& [name, content] : files(tetrahedron())) {
+    const bool is_binary = name.starts_with("binary");
+    const std::size_t keep = is_binary ? content.size() : content.find_last_of(" \n", content.size() - 2);
+    for (std::size_t length = 0; length < keep; ++length) {
+      // An OBJ file does not say how many faces it has.
+      if (name == "mesh.obj" && length > content.find("\nf ")) break;
+      expect_input_error([&] { read(name, content.substr(0, length)); }, "store.json: fixtures[0].file: ");
+    }
+  }
+  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n"); }, "line 5 of '",
+                     "a face has fewer than three corners");
+}
+
+TEST(MeshFormats, PlyHeadersAreNotTrusted) {
+  const std::string good = test::ply(tetrahedron(), false), binary = test::ply(tetrahedron(), true);
+  const auto refused = [](std::string text, const std::string& old, const std::string& wrong,
+                          const std::string& message) {
+    ASSERT_NE(text.find(old), std::string::npos) << old;
+    text.replace(text.find(old), old.size(), wrong);
+    expect_input_error([&] { read("a.ply", text); }, "store.json: fixtures[0].file: ", "a.ply'", message);
+  };
+  for (const std::string& text : {good, binary}) {
+    refused(text, "vertex 12", "vertex 4000000000", "");
+    refused(text, "vertex 12", "vertex 1e300", "line 4 of '");
+    refused(text, "vertex 12", "vertex -1", "line 4 of '");
+    refused(text, "face 4", "face 4000000000", "ends before the last of the elements");
+    refused(text, "face 4", "face 5", "ends before the last of the elements");
+    refused(text, "property float x", "property real x", "line 6 of '");
+    refused(text, "list uchar int", "list float int", "the length of a list is no whole number");
+    refused(text, "format ", "format my_", "has a 'format' that is not known");
+    refused(text, "ply\n", "", "it is no PLY file");
+  }
+  refused(good, "\n3 0 1 2", "\n3 0 1 12", "a face names the vertex 12 of 12, counted from 0");
+  refused(good, "\n3 0 1 2", "\n3 0 1 -1", "a face names the vertex -1 of 12");
+  refused(good, "\n3 0 1 2", "\n3 0 1 0.5", "a face names the vertex 0.5 of 12");
+  refused(good, "\n3 0 1 2", "\n-3 0 1 2", "value 1 is no length of a list");
+  refused(good, "\n3 0 1 2", "\n4 0 1 2", "a number is expected as value 5");
+  const std::string face = test::bytes_of(std::uint8_t{3}) + test::bytes_of(std::int32_t{9});
+  for (const std::int32_t wrong : {12, -1, 1'000'000'000})
+    refused(binary, face, face.substr(0, 1) + test::bytes_of(wrong),
+            fmt::format("is damaged: a face names the vertex {} of 12", wrong));
+  refused(binary, face, "\xFF" + face.substr(1), "");
+}
+
+TEST(MeshFormats, FoldersAndOtherFormatsAreRefused) {
+  const TempFolder folder;
+  folder.write("inner.obj/file", "");
+  expect_input_error(
+      [&] {
+        test::scene_of(mesh_store("inner.obj", {{"*", "white"}}), folder.path());
+      },
+      "store.json: fixtures[0].file: '", "inner.obj' is a folder; name a file in it");
+  for (const char* name : {"a.fbx", "a.dae", "a"})
+    expect_input_error([&] { read(name, test::obj(tetrahedron())); },
+                       "store.json: fixtures[0].file: the name of the mesh", "use glTF (.gltf, .glb), OBJ");
+}
+
 TEST(MeshFormats, BytesThatAreNoFiniteNumberAreRefused) {
   for (const float wrong : {not_a_number, infinite, -infinite}) {
     Triangles triangles = tetrahedron();

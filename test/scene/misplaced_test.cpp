@@ -45,6 +45,27 @@ TEST(Misplaced, WhatLiesInsideAFixture) {
     EXPECT_TRUE(scene_of(changed_store("/labels/0/position", place)).warnings.empty()) << place;
 }
 
+// The room is 8 x 6 x 3 m. A disc of 0.3 m whose axis leans by asin 0.6 stands 0.6 of its radius up.
+TEST(Misplaced, DiscsAndLabelsThatReachOutsideTheRoom) {
+  const auto warnings = [](double z, double label_x) {
+    Json store = sample_store();
+    store["label_types"]["large"]["size"] = {0.4, 0.2};
+    store["labels"].push_back(label("W", {label_x, 0.5, 1}, {0, 1, 0}));
+    store["transceiver_types"]["wide"] = {{"emission", {{"type", "isotropic"}, {"intensity", 1}}},
+                                          {"radius", 0.3}};
+    store["transceivers"]["list"].push_back(
+        {{"id", "D"}, {"position", {4, 3, z}}, {"axis", {0.6, 0, -0.8}}, {"type", "wide"}});
+    return scene_of(store).warnings;
+  };
+  EXPECT_TRUE(warnings(2.8199, 0.2001).empty());
+  EXPECT_EQ(warnings(2.83, 0.15),
+            (std::vector<std::string>{
+                "store.json: labels[1]: label 'W' reaches behind the wall x0 (-0.05 m < 0 m), where no light "
+                "goes in or out; move it inwards, or make it smaller",
+                "store.json: transceivers.list[2]: the disc of transceiver 'D' reaches above the ceiling "
+                "(3.01 m > 3 m), where no light goes in or out; move it inwards, or make it smaller"}));
+}
+
 TEST(Misplaced, GeneratedLabelsNameTheirFixture) {
   Json store = test::freezer_store();
   store["fixtures"].push_back(Json::parse(

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +35,7 @@ class EulumdatReader {
     const double factor = number("the conversion factor");
     if (!(factor > 0)) fail(fmt::format("the conversion factor is {}", factor), "it is positive");
     skip(1, "the tilt during measurement");
-    const std::size_t lamp_sets = whole("the number of sets of lamps", 0, lines_.remaining());
+    const std::size_t lamp_sets = extent("the number of sets of lamps", 0);
     skip(6 * lamp_sets, "the sets of lamps");
     skip(10, "the direct ratios");
 
@@ -72,7 +74,7 @@ class EulumdatReader {
     std::replace(word.begin(), word.end(), ',', '.');
     const auto value = detail::finite_number(word);
     if (!value)
-      fail(fmt::format("'{}' is no number, but {} is expected", detail::quoted(word), what),
+      fail(fmt::format("'{}' is no number, where {} should be", detail::quoted(word), what),
            "each line holds one value: check that none is missing before it");
     return *value;
   }
@@ -86,7 +88,13 @@ class EulumdatReader {
   }
 
   /// A count of values that are still to come, a line each.
-  std::size_t extent(std::string_view what) { return whole(what, 1, lines_.remaining()); }
+  std::size_t extent(std::string_view what, std::size_t least = 1) {
+    const std::size_t count = whole(what, least, std::numeric_limits<std::uint32_t>::max());
+    if (count > lines_.remaining())
+      fail(fmt::format("{} is {}, but only {} lines follow", what, count, lines_.remaining()),
+           "fetch the file again: it is truncated, or its counts are wrong");
+    return count;
+  }
 
   std::vector<double> angles(std::size_t count, double last, std::string_view what) {
     std::vector<double> result;

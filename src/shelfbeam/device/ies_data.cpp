@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -68,7 +70,7 @@ class IesReader {
       const std::string_view word = line.substr(0, line.find_first_of(separators));
       const auto value = finite_number(word);
       if (!value)
-        fail(fmt::format("'{}' is no number, but {} is expected", quoted(word), what),
+        fail(fmt::format("'{}' is no number, where {} should be", quoted(word), what),
              "check that the line is complete and that none is missing before it");
       values.push_back(*value);
       line.remove_prefix(word.size());
@@ -84,7 +86,11 @@ class IesReader {
 
   /// A count of numbers that are still to come: each takes a character.
   std::size_t extent(double value, std::string_view what) const {
-    return whole(value, 1, lines_.characters(), what);
+    const std::size_t count = whole(value, 1, std::numeric_limits<std::uint32_t>::max(), what);
+    if (count > lines_.characters())
+      fail(fmt::format("{} is {}, which is more than the file can hold", what, count),
+           "fetch the file again: it is truncated, or its counts are wrong");
+    return count;
   }
 
   void read_label() {

@@ -43,7 +43,7 @@ void PhotometricLines::fail(std::size_t line, const std::string& problem,
 
 std::string_view PhotometricLines::next(std::string_view what) {
   if (at_end())
-    fail(lines_.size(), fmt::format("the file ends where {} is expected", what),
+    fail(lines_.size(), fmt::format("the file ends where {} should be", what),
          "fetch the file again: it is truncated, or its counts are wrong");
   return lines_[next_++];
 }

@@ -27,8 +27,8 @@ struct Frame {
     return {x, cross(n, x), n};
   }
 
-  /// The frame of a device: `axis` is unit; at roll 0, x is the horizontal part of world +x seen across the
-  /// axis (world +y where the axis runs along x); roll turns it right-handed about the axis.
+  /// The frame of a device: `axis` is unit; at roll 0, x is the part of world +x that lies across the axis
+  /// (of world +y where the axis runs along x); roll turns it right-handed about the axis.
   static Frame of_device(const Vec3& axis, double roll_rad) {
     const Vec3 reference = std::abs(axis.x) < 0.999999 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 u = normalized(reference - axis * dot(reference, axis));

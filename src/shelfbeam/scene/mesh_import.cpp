@@ -89,10 +89,19 @@ MeshPiece take_piece(const aiMesh& mesh, bool y_is_up, const std::filesystem::pa
 std::vector<MeshPiece> import_mesh(const std::filesystem::path& file, std::optional<bool> y_is_up,
                                    const std::vector<std::pair<std::string, MaterialId>>& materials,
                                    const std::string& where) {
+  const std::string extension = mesh_extension(file);
+  const bool is_gltf = extension == ".gltf" || extension == ".glb";
   std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
+    throw InputError(where, fmt::format("'{}' is a folder", file.string()), "name a file in it");
   if (!std::filesystem::is_regular_file(file, ignored))
     throw InputError(where, fmt::format("the mesh '{}' does not exist", file.string()),
                      "paths are relative to the store file");
+  // Assimp has readers of many more formats, which are not checked here.
+  if (!is_gltf && extension != ".obj" && extension != ".stl" && extension != ".ply")
+    throw InputError(where,
+                     fmt::format("the name of the mesh '{}' says of no format that is read", file.string()),
+                     "use glTF (.gltf, .glb), OBJ (.obj), STL (.stl) or PLY (.ply)");
   check_mesh_text(file, where);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(file.string(), 0);
@@ -104,10 +113,8 @@ std::vector<MeshPiece> import_mesh(const std::filesystem::path& file, std::optio
   if (scene == nullptr)
     throw InputError(
         where, fmt::format("the mesh '{}' cannot be read ({})", file.string(), importer.GetErrorString()),
-        "use glTF, GLB, OBJ, STL or PLY");
+        "it is damaged, or of another format than its name says; export it again");
 
-  const std::string extension = mesh_extension(file);
-  const bool is_gltf = extension == ".gltf" || extension == ".glb";
   std::vector<MeshPiece> pieces;
   std::set<std::string> unmatched;
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) {

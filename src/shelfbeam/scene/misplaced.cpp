@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/frame.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -116,6 +118,32 @@ std::optional<std::pair<const char*, double>> room_surface_before(const Scene& s
   return std::nullopt;
 }
 
+// A disc or a rectangle whose middle lies within the room, and whose rim goes `reach` further along each
+// axis.
+void warn_of_overhang(const Scene& scene, const std::string& place, const std::string& what,
+                      const Vec3& middle, const Vec3& reach, WarningList& warnings) {
+  std::string side = beyond_room(scene, middle - reach);
+  if (side.empty()) side = beyond_room(scene, middle + reach);
+  if (!side.empty())
+    warnings.add("devices that reach outside the room",
+                 fmt::format("{}: {} reaches {}, where no light goes in or out; move it inwards, or make it "
+                             "smaller",
+                             place, what, side));
+}
+
+Vec3 reach_of_label(const Vec3& normal, const std::array<double, 2>& size) {
+  const Frame frame = Frame::of_surface(normal);
+  const auto along = [&](int axis) {
+    return (std::abs(frame.x[axis]) * size[0] + std::abs(frame.y[axis]) * size[1]) / 2;
+  };
+  return {along(0), along(1), along(2)};
+}
+
+Vec3 reach_of_disc(const Vec3& axis, double radius) {
+  const auto along = [&](double a) { return radius * std::sqrt(std::max(0.0, 1 - a * a)); };
+  return {along(axis.x), along(axis.y), along(axis.z)};
+}
+
 void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& places,
                     WarningList& warnings) {
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
@@ -136,6 +164,9 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
       looks_at(fmt::format("fixture '{}'", *hit->fixture), hit->distance);
     else if (const auto surface = room_surface_before(scene, label))
       looks_at(surface->first, surface->second);
+    else
+      warn_of_overhang(scene, places[i], fmt::format("label '{}'", label.id), label.position,
+                       reach_of_label(label.normal, scene.label_types[label.type.value].size), warnings);
   }
 }
 
@@ -165,6 +196,9 @@ void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::v
                       "lie from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}); move it, or give "
                       "the store a 'room'",
                       places[j], unit.id, p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y, high.z));
+    else
+      warn_of_overhang(scene, places[j], fmt::format("the disc of transceiver '{}'", unit.id), p,
+                       reach_of_disc(unit.axis, scene.transceiver_types[unit.type.value].radius), warnings);
   }
 }
 

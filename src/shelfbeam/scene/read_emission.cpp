@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/device/photometry.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/read_values.hpp"
@@ -48,7 +49,15 @@ EmissionTable read_photometry(const JsonCursor& cursor, const std::filesystem::p
   cursor.expect_keys({"type", "file", "flux"});
   const std::filesystem::path path = read_path(cursor["file"], folder);
   const JsonCursor flux = cursor["flux"];
-  const DirectionTable table = read(path).with_integral(read_quantity(flux));
+  const double watts = read_quantity(flux);
+  const DirectionTable table = [&] {
+    try {
+      return read(path).with_integral(watts);
+    } catch (const InputError& refused) {
+      // Its place is in the photometric file; the store file that names it may name others.
+      throw InputError(cursor["file"].where(), refused.what());
+    }
+  }();
   const double peak = *std::max_element(table.values().begin(), table.values().end());
   if (peak > largest_amount)
     flux.fail(fmt::format("makes an intensity of {:.3g} W/sr with this profile", peak), "use less");

@@ -118,6 +118,8 @@ std::string read_name(const JsonCursor& cursor) {
 std::filesystem::path read_path(const JsonCursor& cursor, const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / cursor.text();
   std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    cursor.fail(fmt::format("'{}' is a folder", path.string()), "name a file in it");
   if (!std::filesystem::is_regular_file(path, ignored))
     cursor.fail(fmt::format("the file '{}' does not exist", path.string()),
                 "paths are relative to the store file");
