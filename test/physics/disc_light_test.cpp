@@ -111,6 +111,36 @@ TEST(DirectLight, TellsADiscFromASmallerOneOfTheSameFlux) {
   EXPECT_FALSE(compare(test::mis.simulate(space.scene, 40000), cases).agrees(0.001));
 }
 
+// Discs that lie in the planes of ceiling and wall: what a walk meets there is the disc, though the surface
+// is as near, however far from the origin all this stands. The labels are close, where a ray that is moved
+// off its surface meets the plane elsewhere. z-test at 0.1 %, relative standard errors below 2 %; the control
+// is off by 8 %.
+TEST(DirectLight, OfADiscInTheCeilingIsThatOfADisc) {
+  for (const double length : {4.0, 300.0}) {
+    const Vec3 ceiling{length / 2, 2, 3}, wall{length, 2, 1.5};
+    test::BareScene room;
+    room.box(room.material(Lambertian{0}), {0, 0, 0}, {length, 4, 3});
+    room.unit(ceiling, {0, 0, -1}, GeneralizedLambertian{1, flux}, radius);
+    room.unit(wall, {-1, 0, 0}, GeneralizedLambertian{1, flux}, radius);
+    room.label(ceiling + Vec3{0.2, 0.4, -0.3}, {0, 0, 1});
+    room.label(wall + Vec3{-0.3, 0.3, -0.2}, {1, 0, 0});
+    const std::vector<double> expected{
+        test::irradiance_of_disc(flux, radius, ceiling, room.scene.labels[0].position, {0, 0, 1}),
+        test::irradiance_of_disc(flux, radius, {0, 0, 0}, {-0.2, 0.3, -0.3}, {0, 0, 1})};
+    for (const Way& way : {test::walk, test::nee, test::mis, test::mis_power, test::particle}) {
+      const SignalMatrix matrix = way.simulate(room.scene, 40000, 1, {.max_bounces = 0});
+      test::Comparison found;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t entry = matrix.at(i, i);
+        found.add(matrix.mean[entry], expected[i], matrix.standard_error[entry]);
+      }
+      EXPECT_TRUE(found.agrees(0.001)) << way.name << ", " << length << " m";
+      EXPECT_LT(found.precision(), 0.02) << way.name;
+      EXPECT_FALSE(found.with_references_times(1.08).agrees(0.001)) << way.name;
+    }
+  }
+}
+
 // Solid angle and configuration factor (B-4) of a rectangle of a x b at height h above its corner.
 double solid_angle(double a, double b, double h) {
   return std::atan(a * b / (h * std::sqrt(a * a + b * b + h * h)));

@@ -9,6 +9,7 @@
 
 #include "shelfbeam/material/fresnel.hpp"
 #include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/random.hpp"
 
 #include "bare_scene.hpp"
 #include "comparison.hpp"
@@ -166,6 +167,27 @@ TEST(PlaneMirror, ShowsNothingOutsideItsWindow) {
       EXPECT_NEAR(matrix.mean[0] / image(labels[0], {0, 0, 1.2}, ideal), 1, 1e-6) << way.name;
       for (std::size_t i = 1; i < labels.size(); ++i) EXPECT_EQ(matrix.mean[i], 0) << way.name << i;
     }
+}
+
+// A unit that is mounted on the mirror itself, to rounding, and looks away from it has no image. Turned many
+// ways, so that rounding puts it before the plane and behind it. The control stands a little off the plane
+// and shines to all sides of its own.
+TEST(PlaneMirror, ShowsNothingOfAUnitOnIt) {
+  for (std::uint32_t turn = 0; turn < 24; ++turn) {
+    const auto u = philox({turn, 0, 0, 0}, 77);
+    const Frame frame =
+        Frame::about(normalized({to_unit(u[0]) - 0.5, to_unit(u[1]) - 0.5, to_unit(u[2]) - 0.5}));
+    const auto with_unit = [&](double height, const Vec3& axis) {
+      test::BareScene bare;
+      bare.quad(bare.material(ideal), origin - frame.x - frame.y, frame.x * 2, frame.y * 2);
+      bare.unit(origin + frame.to_world({0.1, 0.2, height}), frame.to_world(axis), IsotropicHemisphere{1});
+      bare.label(origin + frame.to_world({0.3, 0, 1}), -frame.z);
+      return test::mis.simulate(bare.scene, 64, 1, {.direct = DirectLight::exact});
+    };
+    const SignalMatrix on = with_unit(0, {0, 0, 1}), off = with_unit(0.01, {1, 0, 0});
+    EXPECT_EQ(on.mean[0], on.direct[0]) << turn;
+    EXPECT_GT(off.mean[0], 1.5F * off.direct[0]) << turn;
+  }
 }
 
 // A mirror that does not fill its bounding box.

@@ -48,14 +48,15 @@ class Emitters {
   /// Calls use(j, light point, distance, radiance towards the ray's origin) for every disc that a ray crosses
   /// between two distances.
   template <class Use>
-  void each_disc(const Vec3& origin, const Vec3& direction, double nearest, double farthest, Use use) const {
+  void each_disc(const RayScene& rays, const Vec3& origin, const Vec3& direction, double nearest,
+                 double farthest, Use use) const {
     for (const std::uint32_t j : discs_) {
       const Unit& unit = units_[j];
       const double along = dot(direction, unit.frame.z);
       const double distance = dot(unit.position - origin, unit.frame.z) / along;
-      if (!(distance > nearest && RayScene::reaches(distance, farthest))) continue;
+      if (!rays.is_met(distance, nearest, farthest)) continue;
       const LightPoint point{origin + direction * distance, unit.frame.z, unit.area};
-      if (length_squared(point.position - unit.position) > unit.radius * unit.radius) continue;
+      if (!(length_squared(point.position - unit.position) <= unit.radius * unit.radius)) continue;
       const double radiance = intensity(j, point, -direction) / (unit.area * std::abs(along));
       if (radiance > 0) use(j, point, distance, radiance);
     }

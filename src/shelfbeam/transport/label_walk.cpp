@@ -56,7 +56,7 @@ class LabelWalk {
     if (!drawn) return false;
     direction_ = receivers.frame(label_).to_world(drawn->direction);
     weight_at_label_ = throughput_ =
-        response(receivers.responsivity(label_), drawn->direction.z) / drawn->pdf;  // pi for a cosine label
+        integral(receivers.responsivity(label_));  // R / p, pi for a cosine label
     pdf_ = drawn->pdf;
     return true;
   }
@@ -88,7 +88,7 @@ class LabelWalk {
     throughput_ *= next->weight;
     from_ = hit.point;
     if (is_pane && next->direction.z * outgoing.z < 0) {
-      passed_ += hit.distance;
+      passed_ = hit.distance(vertex_, direction_);
       pdf_ *= next->pdf;
     } else {
       if (bounces_ == rules_.max_bounces) return false;
@@ -162,14 +162,15 @@ class LabelWalk {
   void score_sources(const std::optional<Hit>& hit) {
     if (rules_.strategy == Strategy::nee && !specular_) return;
     if (bounces_ == 0 && !rules_.samples_direct) return;
-    const double farthest = hit ? passed_ + hit->distance : std::numeric_limits<double>::infinity();
+    const double farthest =
+        hit ? hit->distance(vertex_, direction_) : std::numeric_limits<double>::infinity();
+    const bool shared = rules_.strategy == Strategy::mis && !specular_;
     const auto score = [&](std::size_t j, const LightPoint& light, double radiance) {
-      const double other =
-          rules_.strategy == Strategy::mis && !specular_ ? light_pdf(light, vertex_) / n_ : 0;
-      tally_.add(bounces_, j, throughput_ * radiance * mis_weight(rules_.heuristic, pdf_, other));
+      const double weight = shared ? mis_weight(rules_.heuristic, pdf_, light_pdf(light, vertex_) / n_) : 1;
+      tally_.add(bounces_, j, throughput_ * radiance * weight);
     };
     world_.emitters.each_disc(
-        vertex_, direction_, passed_, farthest,
+        world_.rays, vertex_, direction_, passed_, farthest,
         [&](std::size_t j, const LightPoint& light, double, double radiance) { score(j, light, radiance); });
     if (!hit) return;
     if (const auto j = world_.emitters.surface_of(hit->material))

@@ -61,7 +61,7 @@ class Particle {
     flux_ *= next->weight;
     from_ = hit.point;
     if (is_pane && next->direction.z * incoming.z < 0) {
-      passed_ += hit.distance;
+      passed_ = hit.distance(vertex_, direction_);
     } else {
       if (bounces_ == rules_.max_bounces) return false;
       ++bounces_;
@@ -116,9 +116,10 @@ class Particle {
   // Rectangles that the particle meets after a mirror or refraction, which no connection can reach.
   void score_labels(const std::optional<Hit>& hit) {
     if (!specular_) return;
-    const double farthest = hit ? passed_ + hit->distance : std::numeric_limits<double>::infinity();
+    const double farthest =
+        hit ? hit->distance(vertex_, direction_) : std::numeric_limits<double>::infinity();
     world_.receivers.each_rectangle(
-        vertex_, direction_, passed_, farthest,
+        world_.rays, vertex_, direction_, passed_, farthest,
         [&](std::size_t i, double signal_per_watt) { tally_.add(bounces_, i, flux_ * signal_per_watt); });
   }
 

@@ -91,10 +91,11 @@ std::optional<Bend> PlaneMirrors::bend(std::size_t g, const Vec3& first, const V
   const Vec3 at = first + whole * (a / (a + b));
   for (int axis = 0; axis < 3; ++axis)
     if (at[axis] < mirror.low[axis] || at[axis] > mirror.high[axis]) return std::nullopt;
-  const Vec3 back = at - second;
-  const double squared = length_squared(whole), rest = length(back);
-  if (!(squared > 0) || !(rest > 0)) return std::nullopt;
-  return Bend{at, whole / std::sqrt(squared), back / rest, squared};
+  const double squared = length_squared(whole);
+  if (!(squared > 0)) return std::nullopt;
+  // By the law of reflection, which holds its digits where `second` all but touches the mirror.
+  const Vec3 from_first = whole / std::sqrt(squared);
+  return Bend{from_first, mirror.normal * (2 * dot(mirror.normal, from_first)) - from_first, squared};
 }
 
 double PlaneMirrors::share(std::size_t g, const Bend& bend, const SurfacePoint& first, const Vec3& second,

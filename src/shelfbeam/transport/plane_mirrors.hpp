@@ -16,7 +16,6 @@ bool mirrors_a_share(const Material& material);
 
 /// The way from one point to another over one mirror.
 struct Bend {
-  Vec3 at;           ///< on the mirror's plane
   Vec3 from_first;   ///< unit, from the first point to the mirror
   Vec3 from_second;  ///< unit, from the second point to the mirror
   double length_squared = 0;

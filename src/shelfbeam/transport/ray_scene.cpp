@@ -6,7 +6,7 @@
 #include <embree4/rtcore.h>
 #endif
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -27,6 +27,12 @@ struct Release {
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
 
+// What single precision loses of a coordinate, relative to the largest one.
+constexpr double rounding = 1.0 / (1 << 24);
+// Rays start this many such losses off a surface, and end four times as far before a point, where a surface
+// that it touches may be met at a flat angle. A quarter of either is enough for all that tests have found.
+constexpr double steps = 16, end_steps = 64;
+
 struct Float3 {
   float x, y, z;
 };
@@ -35,20 +41,15 @@ Float3 to_float(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// Moves one coordinate by about 64 units in the last place along the normal, or near zero by a fixed small
-// length, where units in the last place are too small to count for what was computed from larger numbers.
-float offset(float p, float n) {
-  constexpr float near_zero = 1.0F / 32, small_step = 1.0F / 65536;
-  if (std::abs(p) < near_zero) return p + small_step * n;
-  const auto steps = static_cast<std::int32_t>(std::lround(64 * n));
-  const auto bits = std::bit_cast<std::int32_t>(p);
-  return std::bit_cast<float>(bits + (p < 0 ? -steps : steps));
-}
-
-Float3 leave_surface(const SurfacePoint& from, const Vec3& direction) {
-  const Float3 p = to_float(from.position);
-  const Float3 n = to_float(dot(from.normal, direction) < 0 ? -from.normal : from.normal);
-  return {offset(p.x, n.x), offset(p.y, n.y), offset(p.z, n.z)};
+double largest_coordinate(const Scene& scene) {
+  double largest = 0;
+  const auto include = [&](const Vec3& p) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  };
+  for (const Vec3& vertex : scene.mesh.vertices) include(vertex);
+  for (const Label& label : scene.labels) include(label.position);
+  for (const Transceiver& unit : scene.transceivers) include(unit.position);
+  return largest;
 }
 
 #if SHELFBEAM_EMBREE_MAJOR == 3
@@ -123,8 +124,8 @@ struct TriangleSet {
 };
 
 struct Found {
-  const TriangleSet* set = nullptr;
-  RTCRayHit query{};
+  const TriangleSet* set;
+  RTCRayHit query;
 };
 
 }  // namespace
@@ -134,15 +135,19 @@ struct RayScene::Impl {
   TriangleMesh mesh;
   std::vector<std::optional<ThinDielectric>> pane;  // by material
   TriangleSet opaque, panes;                        // `panes` has no scene where there are none
+  double step = 0;                                  // m, how far from a surface rays start
 
-  // The nearest hit of one set before `end`, in multiples of the direction's length.
-  void nearest(const TriangleSet& set, const Float3& origin, const Float3& direction, float end,
-               Found& found) const {
-    RTCRayHit query{};
-    query.ray = make_ray(origin, direction, end);
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    trace(set.scene.get(), query);
-    if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) found = {&set, query};
+  Float3 leave(const SurfacePoint& from, const Vec3& direction) const {
+    return to_float(from.position + from.normal * std::copysign(step, dot(from.normal, direction)));
+  }
+
+  std::optional<Found> nearest(const TriangleSet& set, const RTCRay& ray) const {
+    Found found{&set, {}};
+    found.query.ray = ray;
+    found.query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    trace(set.scene.get(), found.query);
+    if (found.query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return found;
   }
 
   SurfacePoint point(const Found& found) const {
@@ -158,6 +163,9 @@ struct RayScene::Impl {
 RayScene::RayScene(const Scene& scene) {
   auto impl = std::make_unique<Impl>();
   impl->mesh = scene.mesh;
+  const double unit = rounding * largest_coordinate(scene);
+  impl->step = steps * unit;
+  end_ = end_steps * unit;
   for (const NamedMaterial& named : scene.materials) {
     const auto* pane = std::get_if<ThinDielectric>(&named.material);
     impl->pane.push_back(pane != nullptr ? std::optional(*pane) : std::nullopt);
@@ -177,23 +185,27 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 std::optional<Hit> RayScene::intersect(const SurfacePoint& from, const Vec3& direction) const {
-  const Float3 origin = leave_surface(from, direction), d = to_float(direction);
-  Found found;
-  impl_->nearest(impl_->opaque, origin, d, std::numeric_limits<float>::infinity(), found);
+  RTCRay ray =
+      make_ray(impl_->leave(from, direction), to_float(direction), std::numeric_limits<float>::infinity());
+  auto found = impl_->nearest(impl_->opaque, ray);
   if (impl_->panes.scene) {
-    const float end = found.set != nullptr ? found.query.ray.tfar : std::numeric_limits<float>::infinity();
-    impl_->nearest(impl_->panes, origin, d, end, found);
+    if (found) ray.tfar = found->query.ray.tfar;
+    if (const auto pane = impl_->nearest(impl_->panes, ray)) found = pane;
   }
-  if (found.set == nullptr) return std::nullopt;
-  const std::uint32_t triangle = found.set->triangles[found.query.hit.primID];
-  const SurfacePoint point = impl_->point(found);
-  return Hit{point, dot(point.position - from.position, direction), impl_->mesh.materials[triangle],
-             triangle};
+  if (!found) return std::nullopt;
+  const std::uint32_t triangle = found->set->triangles[found->query.hit.primID];
+  return Hit{impl_->point(*found), impl_->mesh.materials[triangle], triangle};
 }
 
 Passage RayScene::passage(const SurfacePoint& from, const Vec3& to) const {
-  const Float3 origin = leave_surface(from, to - from.position), target = to_float(to);
-  RTCRay ray = make_ray(origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z}, shadow_end);
+  const Float3 target = to_float(to);
+  const auto ray_from = [&](const SurfacePoint& at) {
+    const Vec3 way = to - at.position;
+    const Float3 origin = impl_->leave(at, way);
+    return make_ray(origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
+                    static_cast<float>(std::max(0.0, 1 - end_ / length(way))));
+  };
+  RTCRay ray = ray_from(from);
   trace(impl_->opaque.scene.get(), ray);
   Passage passage;
   if (ray.tfar < 0) return {0, 0};
@@ -201,14 +213,11 @@ Passage RayScene::passage(const SurfacePoint& from, const Vec3& to) const {
 
   const Vec3 direction = normalized(to - from.position);
   for (SurfacePoint at = from; passage.share > 0;) {
-    const Float3 start = leave_surface(at, direction);
-    Found found;
-    impl_->nearest(impl_->panes, start, {target.x - start.x, target.y - start.y, target.z - start.z},
-                   shadow_end, found);
-    if (found.set == nullptr) break;
-    at = impl_->point(found);
+    const auto pane = impl_->nearest(impl_->panes, ray_from(at));
+    if (!pane) break;
+    at = impl_->point(*pane);
     if (dot(to - at.position, direction) <= 0) break;
-    const MaterialId material = impl_->mesh.materials[found.set->triangles[found.query.hit.primID]];
+    const MaterialId material = impl_->mesh.materials[pane->set->triangles[pane->query.hit.primID]];
     const auto [reflected, transmitted] =
         pane_shares(*impl_->pane[material.value], dot(at.normal, direction));
     passage.share *= transmitted;

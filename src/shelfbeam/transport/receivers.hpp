@@ -34,14 +34,14 @@ class Receivers {
   /// Calls use(i, signal per watt) for every rectangle that a ray crosses between two distances: a flux along
   /// the ray gives R / (cos A) times itself, averaged over the area.
   template <class Use>
-  void each_rectangle(const Vec3& origin, const Vec3& direction, double nearest, double farthest,
-                      Use use) const {
+  void each_rectangle(const RayScene& rays, const Vec3& origin, const Vec3& direction, double nearest,
+                      double farthest, Use use) const {
     for (const std::uint32_t i : rectangles_) {
       const Sensor& label = labels_[i];
       const double cosine = -dot(direction, label.frame.z);
       if (cosine <= 0) continue;
       const double distance = dot(origin - label.position, label.frame.z) / cosine;
-      if (!(distance > nearest && RayScene::reaches(distance, farthest))) continue;
+      if (!rays.is_met(distance, nearest, farthest)) continue;
       const Vec3 d = origin + direction * distance - label.position;
       if (std::abs(dot(d, label.frame.x)) > label.width / 2 ||
           std::abs(dot(d, label.frame.y)) > label.height / 2)
