@@ -12,7 +12,7 @@ namespace shelfbeam {
 namespace {
 
 double intensity(const SinTwoTheta& e, const Vec3& d) {
-  return d.z > 0 ? 2 * e.peak * d.z * std::hypot(d.x, d.y) : 0;
+  return d.z > 0 ? 2 * e.peak * d.z * std::sqrt(d.x * d.x + d.y * d.y) : 0;
 }
 double power(const SinTwoTheta& e) {
   return 4 * pi / 3 * e.peak;

@@ -1,7 +1,9 @@
 #include "shelfbeam/transport/emitters.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
 
 #include "shelfbeam/math/warp.hpp"
 
@@ -22,9 +24,16 @@ std::array<double, 2> disc_point(double u1, double u2) {
 
 Emitters::Emitters(const Scene& scene) {
   units_.reserve(scene.transceivers.size());
+  std::map<std::array<double, 4>, std::size_t> plane_index;
   for (const Transceiver& unit : scene.transceivers) {
     const TransceiverType& type = scene.type_of(unit);
-    if (type.radius > 0) discs_.push_back(static_cast<std::uint32_t>(units_.size()));
+    if (type.radius > 0) {
+      const Vec3& n = unit.axis;
+      const double offset = dot(n, unit.position);
+      const auto [found, is_new] = plane_index.try_emplace({n.x, n.y, n.z, offset}, disc_planes_.size());
+      if (is_new) disc_planes_.push_back({n, offset, {}});
+      disc_planes_[found->second].discs.push_back(static_cast<std::uint32_t>(units_.size()));
+    }
     units_.push_back({unit.position, Frame::of_device(unit.axis, radians(unit.roll_deg)), type.radius,
                       pi * type.radius * type.radius, &type.emission});
   }

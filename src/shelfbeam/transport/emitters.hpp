@@ -45,20 +45,23 @@ class Emitters {
   /// has no density.
   std::optional<Emitted> emit(std::size_t j, const std::array<double, 4>& u) const;
 
-  /// Calls use(j, light point, distance, radiance towards the ray's origin) for every disc that a ray crosses
-  /// between two distances.
+  /// Calls use(j, light point, radiance towards the ray's origin) for every disc that a ray crosses between
+  /// two distances.
   template <class Use>
   void each_disc(const RayScene& rays, const Vec3& origin, const Vec3& direction, double nearest,
                  double farthest, Use use) const {
-    for (const std::uint32_t j : discs_) {
-      const Unit& unit = units_[j];
-      const double along = dot(direction, unit.frame.z);
-      const double distance = dot(unit.position - origin, unit.frame.z) / along;
+    for (const DiscPlane& plane : disc_planes_) {
+      const double along = dot(direction, plane.normal);
+      const double distance = (plane.offset - dot(origin, plane.normal)) / along;
       if (!rays.is_met(distance, nearest, farthest)) continue;
-      const LightPoint point{origin + direction * distance, unit.frame.z, unit.area};
-      if (!(length_squared(point.position - unit.position) <= unit.radius * unit.radius)) continue;
-      const double radiance = intensity(j, point, -direction) / (unit.area * std::abs(along));
-      if (radiance > 0) use(j, point, distance, radiance);
+      const Vec3 position = origin + direction * distance;
+      for (const std::uint32_t j : plane.discs) {
+        const Unit& unit = units_[j];
+        if (!(length_squared(position - unit.position) <= unit.radius * unit.radius)) continue;
+        const LightPoint point{position, plane.normal, unit.area};
+        const double radiance = intensity(j, point, -direction) / (unit.area * std::abs(along));
+        if (radiance > 0) use(j, point, radiance);
+      }
     }
   }
 
@@ -75,6 +78,11 @@ class Emitters {
     double radius, area;
     const Emission* emission;
   };
+  struct DiscPlane {  ///< discs of a grid lie in one: a ray meets it once for all of them
+    Vec3 normal;
+    double offset;  ///< normal . p of its points
+    std::vector<std::uint32_t> discs;
+  };
   struct Triangle {
     Vec3 corner, edge1, edge2;
   };
@@ -85,7 +93,7 @@ class Emitters {
     std::vector<double> areas;  ///< running sum
   };
   std::vector<Unit> units_;
-  std::vector<std::uint32_t> discs_;
+  std::vector<DiscPlane> disc_planes_;
   std::vector<Surface> surfaces_;
 };
 

@@ -10,12 +10,6 @@ namespace shelfbeam {
 
 namespace {
 
-// What a vertex does with light from a direction: f |cos|, at the label R, and the density with which the
-// walk would have gone there.
-struct Scattering {
-  double value = 0, pdf = 0;
-};
-
 class LabelWalk {
  public:
   LabelWalk(const World& world, std::size_t i, const PathKey& key, const PathRules& rules, Tally& tally)
@@ -49,9 +43,11 @@ class LabelWalk {
     }
     vertex_ = from_.position;
     if (rules_.samples_direct && rules_.strategy != Strategy::walk)
-      connect(from_, random[0], 0, [&](const Vec3& to_source) {
-        return Scattering{receivers.response(label_, to_source), pdf_at_label(to_source)};
-      });
+      connect(
+          from_, random[0], 0, [&](const Vec3& to_source) { return receivers.response(label_, to_source); },
+          [&](const Vec3& to_source) {
+            return pdf(receivers.responsivity(label_), receivers.frame(label_).to_local(to_source));
+          });
     const auto drawn = sample(receivers.responsivity(label_), to_unit(random[1]), to_unit(random[2]));
     if (!drawn) return false;
     direction_ = receivers.frame(label_).to_world(drawn->direction);
@@ -59,10 +55,6 @@ class LabelWalk {
         integral(receivers.responsivity(label_));  // R / p, pi for a cosine label
     pdf_ = drawn->pdf;
     return true;
-  }
-
-  double pdf_at_label(const Vec3& direction) const {
-    return pdf(world_.receivers.responsivity(label_), world_.receivers.frame(label_).to_local(direction));
   }
 
   // Scores the connection and goes on; false where the walk ends.
@@ -75,11 +67,13 @@ class LabelWalk {
     const auto random = key_.draw(step);
 
     if (rules_.strategy != Strategy::walk && !has_only_specular(material))
-      connect(hit.point, random[0], step, [&](const Vec3& to_source) {
-        const Vec3 incoming = frame.to_local(to_source);
-        return Scattering{eval(material, outgoing, incoming) * std::abs(incoming.z),
-                          rules_.strategy == Strategy::mis ? pdf(material, outgoing, incoming) : 0};
-      });
+      connect(
+          hit.point, random[0], step,
+          [&](const Vec3& to_source) {
+            const Vec3 incoming = frame.to_local(to_source);
+            return eval(material, outgoing, incoming) * std::abs(incoming.z);
+          },
+          [&](const Vec3& to_source) { return pdf(material, outgoing, frame.to_local(to_source)); });
 
     // The number that chose the source may choose the lobe, too: connection and continuation are terms of a
     // sum.
@@ -106,9 +100,11 @@ class LabelWalk {
   }
 
   // Next event estimation with one source, and over the mirrors: at a surface the path has one more bounce
-  // than the walk has made so far.
-  template <class Scatter>
-  void connect(const SurfacePoint& at, std::uint32_t choice, std::uint32_t step, const Scatter& scatter) {
+  // than the walk has made so far. For a direction `scatter` gives f |cos|, at the label R, and `density`
+  // that with which the walk would have gone there.
+  template <class Scatter, class Density>
+  void connect(const SurfacePoint& at, std::uint32_t choice, std::uint32_t step, const Scatter& scatter,
+               const Density& density) {
     const std::uint32_t bounces = step == 0 ? 0 : bounces_ + 1;
     if (bounces > rules_.max_bounces) return;
     const Emitters& emitters = world_.emitters;
@@ -127,17 +123,19 @@ class LabelWalk {
     const double squared = length_squared(way);
     if (squared > 0) {
       const Vec3 to_source = way / std::sqrt(squared);
-      const Scattering scattering = scatter(to_source);
-      const double value = scattering.value > 0 ? weight * scattering.value *
-                                                      emitters.intensity(j, light, -to_source) / squared
-                                                : 0;
+      const double scattered = scatter(to_source);
+      const double value =
+          scattered > 0 ? weight * scattered * emitters.intensity(j, light, -to_source) / squared : 0;
       if (value > 0) {
         const Passage passage = world_.rays.passage(at, light.position);
         ++tally_.rays;
+        const bool shared = rules_.strategy == Strategy::mis && !is_point;
         if (passage.share > 0)
           tally_.add(bounces, j,
                      value * passage.share *
-                         connection_weight(light, at.position, scattering.pdf * passage.probability));
+                         (shared ? mis_weight(rules_.heuristic, light_pdf(light, at.position) / n_,
+                                              density(to_source) * passage.probability)
+                                 : 1));
       }
     }
     if (!rules_.uses_images(world_.receivers.is_point(label_), is_point) || bounces == rules_.max_bounces)
@@ -145,17 +143,12 @@ class LabelWalk {
     for (std::size_t g = 0; g < world_.mirrors.size(); ++g) {
       const auto bend = world_.mirrors.bend(g, at.position, light.position);
       if (!bend) continue;
-      const double value = weight * scatter(bend->from_first).value *
+      const double value = weight * scatter(bend->from_first) *
                            emitters.intensity(j, light, bend->from_second) / bend->length_squared;
       if (!(value > 0)) continue;
       tally_.rays += 2;
       tally_.add(bounces + 1, j, value * world_.mirrors.share(g, *bend, at, light.position, world_.rays));
     }
-  }
-
-  double connection_weight(const LightPoint& light, const Vec3& seen_from, double pdf) const {
-    if (rules_.strategy != Strategy::mis || light.area == 0) return 1;
-    return mis_weight(rules_.heuristic, light_pdf(light, seen_from) / n_, pdf);
   }
 
   // Sources that the walk meets on its way to the next surface, and that surface itself where it shines.
@@ -169,9 +162,7 @@ class LabelWalk {
       const double weight = shared ? mis_weight(rules_.heuristic, pdf_, light_pdf(light, vertex_) / n_) : 1;
       tally_.add(bounces_, j, throughput_ * radiance * weight);
     };
-    world_.emitters.each_disc(
-        world_.rays, vertex_, direction_, passed_, farthest,
-        [&](std::size_t j, const LightPoint& light, double, double radiance) { score(j, light, radiance); });
+    world_.emitters.each_disc(world_.rays, vertex_, direction_, passed_, farthest, score);
     if (!hit) return;
     if (const auto j = world_.emitters.surface_of(hit->material))
       score(*j, {hit->point.position, hit->point.normal, world_.emitters.area(*j)},

@@ -72,8 +72,7 @@ void trace(RTCScene scene, RTCRay& ray) {
 }
 #endif
 
-RTCRay make_ray(const Float3& origin, const Float3& direction, float end) {
-  RTCRay ray{};
+void aim(RTCRay& ray, const Float3& origin, const Float3& direction, float end) {
   ray.org_x = origin.x;
   ray.org_y = origin.y;
   ray.org_z = origin.z;
@@ -82,10 +81,44 @@ RTCRay make_ray(const Float3& origin, const Float3& direction, float end) {
   ray.dir_z = direction.z;
   ray.tfar = end;
   ray.mask = std::numeric_limits<unsigned>::max();
-  return ray;
 }
 
-EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, std::span<const std::uint32_t> chosen) {
+struct Triangle {
+  Vec3 corner, edge1, edge2;
+  MaterialId material;
+  std::uint32_t number;  // in the mesh
+
+  // From the barycentric coordinates the point lies in the triangle's plane to rounding, however long the
+  // ray.
+  SurfacePoint point(double u, double v) const {
+    return {corner + edge1 * u + edge2 * v, normalized(cross(edge1, edge2))};
+  }
+};
+
+// Triangles of one kind, in their own Embree scene: Embree's ray masks, which could tell kinds apart, are not
+// built into every package of it.
+struct TriangleSet {
+  std::vector<Triangle> triangles;  // by Embree's number
+  EmbreeScene scene;
+
+  void add(const TriangleMesh& mesh, std::uint32_t number) {
+    const auto& [a, b, c] = mesh.triangles[number];
+    const Vec3 corner = mesh.vertices[a];
+    triangles.push_back(
+        {corner, mesh.vertices[b] - corner, mesh.vertices[c] - corner, mesh.materials[number], number});
+  }
+
+  const Triangle& hit_by(const RTCRayHit& ray) const { return triangles[ray.hit.primID]; }
+
+  // Whether the ray hits one of them; it ends there then.
+  bool cut(RTCRayHit& ray) const {
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    trace(scene.get(), ray);
+    return ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+  }
+};
+
+EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const std::vector<Triangle>& chosen) {
   EmbreeScene scene(rtcNewScene(device));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
@@ -104,8 +137,8 @@ EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, std::span<const st
   }
   auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), chosen.size()));
-  for (const std::uint32_t triangle : chosen)
-    for (const std::uint32_t corner : mesh.triangles[triangle]) *indices++ = corner;
+  for (const Triangle& triangle : chosen)
+    for (const std::uint32_t corner : mesh.triangles[triangle.number]) *indices++ = corner;
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene.get(), geometry);
   rtcReleaseGeometry(geometry);
@@ -116,23 +149,10 @@ EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, std::span<const st
   return scene;
 }
 
-// Triangles of one kind, in their own Embree scene: Embree's ray masks, which could tell kinds apart, are not
-// built into every package of it.
-struct TriangleSet {
-  std::vector<std::uint32_t> triangles;  // of the mesh, by Embree's number
-  EmbreeScene scene;
-};
-
-struct Found {
-  const TriangleSet* set;
-  RTCRayHit query;
-};
-
 }  // namespace
 
 struct RayScene::Impl {
   Device device;
-  TriangleMesh mesh;
   std::vector<std::optional<ThinDielectric>> pane;  // by material
   TriangleSet opaque, panes;                        // `panes` has no scene where there are none
   double step = 0;                                  // m, how far from a surface rays start
@@ -140,29 +160,10 @@ struct RayScene::Impl {
   Float3 leave(const SurfacePoint& from, const Vec3& direction) const {
     return to_float(from.position + from.normal * std::copysign(step, dot(from.normal, direction)));
   }
-
-  std::optional<Found> nearest(const TriangleSet& set, const RTCRay& ray) const {
-    Found found{&set, {}};
-    found.query.ray = ray;
-    found.query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    trace(set.scene.get(), found.query);
-    if (found.query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    return found;
-  }
-
-  SurfacePoint point(const Found& found) const {
-    // From the barycentric coordinates the point lies in the triangle's plane to rounding, however long the
-    // ray.
-    const auto& [a, b, c] = mesh.triangles[found.set->triangles[found.query.hit.primID]];
-    const Vec3 p0 = mesh.vertices[a], e1 = mesh.vertices[b] - p0, e2 = mesh.vertices[c] - p0;
-    return {p0 + e1 * static_cast<double>(found.query.hit.u) + e2 * static_cast<double>(found.query.hit.v),
-            normalized(cross(e1, e2))};
-  }
 };
 
 RayScene::RayScene(const Scene& scene) {
   auto impl = std::make_unique<Impl>();
-  impl->mesh = scene.mesh;
   const double unit = rounding * largest_coordinate(scene);
   impl->step = steps * unit;
   end_ = end_steps * unit;
@@ -173,10 +174,10 @@ RayScene::RayScene(const Scene& scene) {
   impl->device.reset(rtcNewDevice(nullptr));
   if (!impl->device) throw std::runtime_error("Embree could not start a device");
   for (std::uint32_t t = 0; t < scene.mesh.triangles.size(); ++t)
-    (impl->pane[scene.mesh.materials[t].value] ? impl->panes : impl->opaque).triangles.push_back(t);
-  impl->opaque.scene = build(impl->device.get(), impl->mesh, impl->opaque.triangles);
+    (impl->pane[scene.mesh.materials[t].value] ? impl->panes : impl->opaque).add(scene.mesh, t);
+  impl->opaque.scene = build(impl->device.get(), scene.mesh, impl->opaque.triangles);
   if (!impl->panes.triangles.empty())
-    impl->panes.scene = build(impl->device.get(), impl->mesh, impl->panes.triangles);
+    impl->panes.scene = build(impl->device.get(), scene.mesh, impl->panes.triangles);
   impl_ = std::move(impl);
 }
 
@@ -185,41 +186,45 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 std::optional<Hit> RayScene::intersect(const SurfacePoint& from, const Vec3& direction) const {
-  RTCRay ray =
-      make_ray(impl_->leave(from, direction), to_float(direction), std::numeric_limits<float>::infinity());
-  auto found = impl_->nearest(impl_->opaque, ray);
-  if (impl_->panes.scene) {
-    if (found) ray.tfar = found->query.ray.tfar;
-    if (const auto pane = impl_->nearest(impl_->panes, ray)) found = pane;
+  RTCRayHit ray{};
+  aim(ray.ray, impl_->leave(from, direction), to_float(direction), std::numeric_limits<float>::infinity());
+  const Triangle* triangle = impl_->opaque.cut(ray) ? &impl_->opaque.hit_by(ray) : nullptr;
+  float u = ray.hit.u, v = ray.hit.v;
+  if (impl_->panes.scene && impl_->panes.cut(ray)) {
+    triangle = &impl_->panes.hit_by(ray);
+    u = ray.hit.u;
+    v = ray.hit.v;
   }
-  if (!found) return std::nullopt;
-  const std::uint32_t triangle = found->set->triangles[found->query.hit.primID];
-  return Hit{impl_->point(*found), impl_->mesh.materials[triangle], triangle};
+  if (triangle == nullptr) return std::nullopt;
+  return Hit{triangle->point(static_cast<double>(u), static_cast<double>(v)), triangle->material,
+             triangle->number};
 }
 
 Passage RayScene::passage(const SurfacePoint& from, const Vec3& to) const {
   const Float3 target = to_float(to);
-  const auto ray_from = [&](const SurfacePoint& at) {
+  const auto aim_from = [&](const SurfacePoint& at, RTCRay& ray) {
     const Vec3 way = to - at.position;
     const Float3 origin = impl_->leave(at, way);
-    return make_ray(origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
-                    static_cast<float>(std::max(0.0, 1 - end_ / length(way))));
+    aim(ray, origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
+        static_cast<float>(std::max(0.0, 1 - end_ / length(way))));
   };
-  RTCRay ray = ray_from(from);
-  trace(impl_->opaque.scene.get(), ray);
+  RTCRay shadow{};
+  aim_from(from, shadow);
+  trace(impl_->opaque.scene.get(), shadow);
   Passage passage;
-  if (ray.tfar < 0) return {0, 0};
+  if (shadow.tfar < 0) return {0, 0};
   if (!impl_->panes.scene) return passage;
 
   const Vec3 direction = normalized(to - from.position);
   for (SurfacePoint at = from; passage.share > 0;) {
-    const auto pane = impl_->nearest(impl_->panes, ray_from(at));
-    if (!pane) break;
-    at = impl_->point(*pane);
+    RTCRayHit ray{};
+    aim_from(at, ray.ray);
+    if (!impl_->panes.cut(ray)) break;
+    const Triangle& pane = impl_->panes.hit_by(ray);
+    at = pane.point(static_cast<double>(ray.hit.u), static_cast<double>(ray.hit.v));
     if (dot(to - at.position, direction) <= 0) break;
-    const MaterialId material = impl_->mesh.materials[pane->set->triangles[pane->query.hit.primID]];
     const auto [reflected, transmitted] =
-        pane_shares(*impl_->pane[material.value], dot(at.normal, direction));
+        pane_shares(*impl_->pane[pane.material.value], dot(at.normal, direction));
     passage.share *= transmitted;
     passage.probability *= transmitted > 0 ? transmitted / (reflected + transmitted) : 0;
   }
