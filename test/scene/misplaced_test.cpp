@@ -164,6 +164,31 @@ TEST(Misplaced, ManyOfAKindAreCounted) {
   EXPECT_EQ(warnings[11], "and 123 more labels that look at a surface right in front of them");
 }
 
+// The column C reaches from (7, 0, 0) to (7.5, 0.5, 3).
+TEST(Misplaced, PartsInsideAFixture) {
+  Json store = sample_store();
+  store["label_types"]["large"]["size"] = {0.4, 0.2};
+  store["transceiver_types"]["wide"]["radius"] = 0.3;
+  const auto warnings = [&](const std::vector<double>& position, const std::vector<double>& normal,
+                            const std::vector<double>& unit) {
+    Json changed = store;
+    changed["fixtures"][1].erase("labels");
+    changed["labels"] = {label("W", position, normal)};
+    changed["transceivers"]["list"] = {{{"id", "U"}, {"position", unit}, {"type", "wide"}}};
+    changed["transceivers"].erase("installed");
+    return scene_of(changed).warnings;
+  };
+  // Upright and 1 cm off the column, a disc flush with the ceiling, both as near to a side as they fit.
+  EXPECT_EQ(warnings({6.99, 0.3, 1}, {-1, 0, 0}, {7.2, 0.81, 3}), std::vector<std::string>{});
+  EXPECT_EQ(
+      warnings({6.99, 0.3, 1}, {-1, 0, 0.3}, {7.2, 0.79, 2.9}),
+      (std::vector<std::string>{
+          "store.json: labels[0]: part of label 'W' lies inside fixture 'C' and hears nothing; move it, turn "
+          "it, or give its type another 'size'",
+          "store.json: transceivers.list[0]: part of transceiver 'U' lies inside fixture 'C', which keeps "
+          "its light; move it, or give its type another 'radius'"}));
+}
+
 TEST(Misplaced, BeyondTheRoomSaysWhere) {
   const auto moved = [](const char* pointer, const char* position) {
     return [=] { scene_of(changed_store(pointer, position)); };

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
 
@@ -104,6 +105,37 @@ class Blocks {
   std::vector<Fixture> fixtures_;
 };
 
+/// The corners of a label that has a size.
+std::vector<Vec3> outline(const Scene& scene, const Label& label) {
+  const auto& [width, height] = scene.type_of(label).size;
+  if (width == 0) return {};
+  const Frame frame = Frame::of_surface(label.normal);
+  const Vec3 right = frame.x * (width / 2), up = frame.y * (height / 2);
+  const Vec3& p = label.position;
+  return {p - right - up, p + right - up, p + right + up, p - right + up};
+}
+
+/// Eight points on the edge of a disc.
+std::vector<Vec3> outline(const Scene& scene, const Transceiver& unit) {
+  const double radius = scene.type_of(unit).radius;
+  if (radius == 0) return {};
+  const Frame frame = Frame::about(unit.axis);
+  std::vector<Vec3> points;
+  for (int k = 0; k < 8; ++k)
+    points.push_back(unit.position +
+                     frame.to_world({radius * std::cos(k * pi / 4), radius * std::sin(k * pi / 4), 0}));
+  return points;
+}
+
+/// The fixture that a part of the device lies in.
+template <class Device>
+const std::string* around_a_part(const Scene& scene, const Blocks& blocks, const Device& device,
+                                 const Vec3& normal) {
+  for (const Vec3& p : outline(scene, device))
+    if (const auto hit = blocks.next(p, normal); hit && hit->is_within()) return hit->fixture;
+  return nullptr;
+}
+
 /// The surface of the room that the label looks at from less than 5 cm, and from how far.
 std::optional<std::pair<const char*, double>> room_surface_before(const Scene& scene, const Label& label) {
   if (!scene.room) return std::nullopt;
@@ -112,7 +144,7 @@ std::optional<std::pair<const char*, double>> room_surface_before(const Scene& s
     if (std::abs(slope) < rounding) continue;
     const double distance = ((slope > 0 ? (*scene.room)[axis] : 0) - label.position[axis]) / slope;
     if (distance < too_near)
-      return std::pair{room_surfaces[static_cast<std::size_t>(2 * axis + (slope > 0 ? 1 : 0))],
+      return std::pair{room_surfaces[2 * static_cast<std::size_t>(axis) + (slope > 0 ? 1 : 0)],
                        std::max(0.0, distance)};
   }
   return std::nullopt;
@@ -164,6 +196,13 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
       looks_at(fmt::format("fixture '{}'", *hit->fixture), hit->distance);
     else if (const auto surface = room_surface_before(scene, label))
       looks_at(surface->first, surface->second);
+    else if (const std::string* fixture = around_a_part(scene, blocks, label, label.normal))
+      warnings.add(
+          "labels of which a part is hidden",
+          fmt::format(
+              "{}: part of label '{}' lies inside fixture '{}' and hears nothing; move it, turn it, or give "
+              "its type another 'size'",
+              places[i], label.id, *fixture));
     else
       warn_of_overhang(scene, places[i], fmt::format("label '{}'", label.id), label.position,
                        reach_of_label(label.normal, scene.label_types[label.type.value].size), warnings);
@@ -196,6 +235,13 @@ void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::v
                       "lie from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}); move it, or give "
                       "the store a 'room'",
                       places[j], unit.id, p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y, high.z));
+    else if (const std::string* fixture = around_a_part(scene, blocks, unit, unit.axis))
+      warnings.add(
+          "transceivers of which a part is hidden",
+          fmt::format(
+              "{}: part of transceiver '{}' lies inside fixture '{}', which keeps its light; move it, or "
+              "give its type another 'radius'",
+              places[j], unit.id, *fixture));
     else
       warn_of_overhang(scene, places[j], fmt::format("the disc of transceiver '{}'", unit.id), p,
                        reach_of_disc(unit.axis, scene.transceiver_types[unit.type.value].radius), warnings);
@@ -207,7 +253,7 @@ void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::v
 std::string beyond_room(const Scene& scene, const Vec3& p) {
   if (!scene.room) return {};
   for (const int axis : {2, 0, 1}) {
-    const auto side = static_cast<std::size_t>(2 * axis);
+    const auto side = 2 * static_cast<std::size_t>(axis);
     const double size = (*scene.room)[axis];
     if (p[axis] < -rounding) return fmt::format("{} ({:.6g} m < 0 m)", room_sides[side], p[axis]);
     if (p[axis] > size + rounding)

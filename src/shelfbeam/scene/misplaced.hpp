@@ -18,10 +18,10 @@ struct DevicePlaces {
 /// within, or there is no room.
 std::string beyond_room(const Scene& scene, const Vec3& p);
 
-/// Adds warnings of labels and transceivers in places that can hardly be meant: inside a fixture; labels that
-/// look at one, or at a wall, from less than 5 cm; without a room, transceivers outside of all surfaces.
-/// Meshes are left out: they are only known by their hull here, which may hold devices that stand free. So
-/// are panes.
+/// Adds warnings of labels and transceivers in places that can hardly be meant: inside a fixture, with a
+/// corner or edge in one or outside the room; labels that look at a fixture or wall from less than 5 cm;
+/// without a room, transceivers outside of all surfaces. Meshes are left out: they are only known by their
+/// hull here, which may hold devices that stand free. So are panes.
 void warn_of_misplaced(const Scene& scene, const DevicePlaces& places, WarningList& warnings);
 
 }  // namespace shelfbeam
