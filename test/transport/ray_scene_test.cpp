@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -126,6 +127,32 @@ TEST(RayScene, AskewHallsNeitherShadowNorHitThemselves) {
       }
       EXPECT_EQ(controls, 20000);
     }
+}
+
+// A sheet 1.5 mm thick far from the origin in a hall of 200 m is opaque, from its own faces and from afar,
+// for what touches the other face, too. The control passes beside it.
+TEST(RayScene, ThinSheetsBlockInAHall) {
+  Scene scene = empty_room(200, 140, 6);
+  const Vec3 low{180.3, 120.2, 1}, high{180.3015, 121.2, 2};
+  const auto first = static_cast<std::uint32_t>(scene.mesh.vertices.size());
+  for (const double x : {low.x, high.x}) {
+    for (const auto& [y, z] : {std::pair(low.y, low.z), {high.y, low.z}, {high.y, high.z}, {low.y, high.z}})
+      scene.mesh.vertices.push_back({x, y, z});
+    const std::uint32_t a = x == low.x ? first : first + 4;
+    for (const std::uint32_t k : {1U, 2U}) {
+      scene.mesh.triangles.push_back({a, a + k, a + k + 1});
+      scene.mesh.materials.push_back(MaterialId{0});
+    }
+  }
+  const RayScene rays(scene);
+  for (std::uint32_t k = 0; k < 2000; ++k) {
+    const auto u = philox({k, 0, 0, 0}, 5);
+    const double y = 120.3 + 0.8 * to_unit(u[0]), z = 1.1 + 0.8 * to_unit(u[1]);
+    const Vec3 beyond{high.x, 120.3 + 0.8 * to_unit(u[2]), 1.1 + 0.8 * to_unit(u[3])};
+    EXPECT_EQ(rays.passage({{low.x, y, z}, {-1, 0, 0}}, beyond + Vec3{0.3, 0, 0}).share, 0);
+    EXPECT_EQ(rays.passage({{178, y, z}, {1, 0, 0}}, beyond + Vec3{0.0005, 0, 0}).share, 0);
+    EXPECT_EQ(rays.passage({{178, y, z}, {1, 0, 0}}, beyond + Vec3{0.3, 0, 4}).share, 1);
+  }
 }
 
 TEST(RayScene, FixturesBlock) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -85,6 +86,10 @@ TEST(Simulate, RefusesWhatCannotBe) {
   options = {};
   options.by_bounce = true;
   test::expect_input_error([&] { simulate(scene, "", options); }, "--by-bounce", "--max-bounces");
+  Scene shining = scene;
+  shining.materials.push_back({"unused", make_lambertian(0)});
+  shining.emitting_surfaces = {{"S", MaterialId{static_cast<std::uint32_t>(scene.materials.size())}, 1}};
+  EXPECT_THROW(simulate(shining, "", {}), std::invalid_argument);
 }
 
 TEST(Simulate, PermutedLabelsPermuteTheRowsToTheBit) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <stdexcept>
 
 #include "shelfbeam/math/warp.hpp"
 
@@ -48,6 +49,7 @@ Emitters::Emitters(const Scene& scene) {
       area += length(cross(surface.triangles.back().edge1, surface.triangles.back().edge2)) / 2;
       surface.areas.push_back(area);
     }
+    if (!(area > 0)) throw std::invalid_argument("emitting surface '" + source.id + "' has no area");
     surfaces_.push_back(std::move(surface));
   }
 }

@@ -29,6 +29,7 @@ struct Emitted {
 /// emitting surfaces.
 class Emitters {
  public:
+  /// Throws std::invalid_argument for an emitting surface without area.
   explicit Emitters(const Scene& scene);
 
   std::size_t size() const { return units_.size() + surfaces_.size(); }
