@@ -120,10 +120,11 @@ std::vector<Vec3> outline(const Scene& scene, const Transceiver& unit) {
   const double radius = scene.type_of(unit).radius;
   if (radius == 0) return {};
   const Frame frame = Frame::about(unit.axis);
-  std::vector<Vec3> points;
-  for (int k = 0; k < 8; ++k)
-    points.push_back(unit.position +
-                     frame.to_world({radius * std::cos(k * pi / 4), radius * std::sin(k * pi / 4), 0}));
+  std::vector<Vec3> points(8);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double phi = static_cast<double>(k) * pi / 4;
+    points[k] = unit.position + frame.to_world({radius * std::cos(phi), radius * std::sin(phi), 0});
+  }
   return points;
 }
 

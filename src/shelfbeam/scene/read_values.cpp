@@ -116,7 +116,7 @@ std::string read_name(const JsonCursor& cursor) {
 }
 
 std::filesystem::path read_path(const JsonCursor& cursor, const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / cursor.text();
+  std::filesystem::path path = folder / cursor.text();
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     cursor.fail(fmt::format("'{}' is a folder", path.string()), "name a file in it");
