@@ -50,7 +50,7 @@ TEST(Misplaced, DiscsAndLabelsThatReachOutsideTheRoom) {
   const auto warnings = [](double z, double label_x) {
     Json store = sample_store();
     store["label_types"]["large"]["size"] = {0.4, 0.2};
-    store["labels"].push_back(label("W", {label_x, 0.5, 1}, {0, 1, 0}));
+    store["labels"] = {label("W", {label_x, 0.5, 1}, {0, 1, 0})};
     store["transceiver_types"]["wide"] = {{"emission", {{"type", "isotropic"}, {"intensity", 1}}},
                                           {"radius", 0.3}};
     store["transceivers"]["list"].push_back(
@@ -60,7 +60,7 @@ TEST(Misplaced, DiscsAndLabelsThatReachOutsideTheRoom) {
   EXPECT_TRUE(warnings(2.8199, 0.2001).empty());
   EXPECT_EQ(warnings(2.83, 0.15),
             (std::vector<std::string>{
-                "store.json: labels[1]: label 'W' reaches behind the wall x0 (-0.05 m < 0 m), where no light "
+                "store.json: labels[0]: label 'W' reaches behind the wall x0 (-0.05 m < 0 m), where no light "
                 "goes in or out; move it inwards, or make it smaller",
                 "store.json: transceivers.list[2]: the disc of transceiver 'D' reaches above the ceiling "
                 "(3.01 m > 3 m), where no light goes in or out; move it inwards, or make it smaller"}));
