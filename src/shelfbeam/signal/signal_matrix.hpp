@@ -43,9 +43,9 @@ struct BounceLayer {
 struct SignalMatrix {
   std::vector<LabelRow> labels;
   std::vector<TransceiverColumn> transceivers;
-  std::vector<float> mean;            ///< m n entries: the signal of label i from transceiver j alone
-  std::vector<float> standard_error;  ///< m n entries: of `mean`, from independent batches
-  std::vector<float> direct;          ///< m n entries: the part of `mean` without any reflection
+  std::vector<float> mean;             ///< m n entries: the signal of label i from transceiver j alone
+  std::vector<float> standard_error;   ///< m n entries: of `mean`, from independent batches
+  std::vector<float> direct;           ///< m n entries: the part of `mean` without any reflection
   std::vector<BounceLayer> by_bounce;  ///< layer k: k bounces; none unless asked for
   double wavelength_nm = 940;
   Provenance provenance;
