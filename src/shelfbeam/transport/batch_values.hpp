@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace shelfbeam {
+
+/// What one batch of one item gives: means over its samples, of the entries that are not zero.
+struct BatchValues {
+  struct Value {
+    std::uint32_t entry = 0;  ///< within the item's block; each entry at most once
+    double total = 0;         ///< the signal
+    double direct = 0;        ///< the part of it without any reflection
+  };
+  struct LayerValue {
+    std::uint32_t layer = 0;  ///< number of bounces
+    std::uint32_t entry = 0;
+    double value = 0;
+  };
+
+  void clear() {
+    values.clear();
+    layers.clear();
+  }
+
+  std::vector<Value> values;
+  std::vector<LayerValue> layers;  ///< only of estimators that tell bounces apart
+  std::uint64_t rays = 0;          ///< traced in all; not cleared
+};
+
+}  // namespace shelfbeam
