@@ -28,28 +28,10 @@ DirectSignal& DirectSignal::operator+=(const DirectSignal& other) {
 
 DirectSignal direct_signal(const World& world, std::size_t i, std::size_t j, const SurfacePoint& label,
                            const LightPoint& light, const PathRules& rules) {
-  DirectSignal signal;
-  const Vec3 way = light.position - label.position;
-  const double squared = length_squared(way);
-  if (!(squared > 0)) return signal;
-  const Vec3 to_source = way / std::sqrt(squared);
-  const double response = world.receivers.response(i, to_source);
-  const double value = response > 0 ? response * world.emitters.intensity(j, light, -to_source) / squared : 0;
-  if (value > 0) {
-    ++signal.rays;
-    signal.straight = value * world.rays.passage(label, light.position).share;
-  }
-  if (!rules.uses_images(world.receivers.is_point(i), world.emitters.is_point(j))) return signal;
-  for (std::size_t g = 0; g < world.mirrors.size(); ++g) {
-    const auto bend = world.mirrors.bend(g, label.position, light.position);
-    if (!bend) continue;
-    const double mirrored = world.receivers.response(i, bend->from_first) *
-                            world.emitters.intensity(j, light, bend->from_second) / bend->length_squared;
-    if (!(mirrored > 0)) continue;
-    signal.rays += 2;
-    signal.mirrored += mirrored * world.mirrors.share(g, *bend, label, light.position, world.rays);
-  }
-  return signal;
+  return light_from(
+      world, j, light, label, rules.uses_images(world.receivers.is_point(i), world.emitters.is_point(j)),
+      [&](const Vec3& direction) { return world.receivers.response(i, direction); },
+      [&] { return world.rays.passage(label, light.position).share; });
 }
 
 bool is_point_to_point(const World& world, std::size_t i, std::size_t j) {

@@ -63,12 +63,24 @@ void trace(RTCScene scene, RTCRay& ray) {
   rtcInitIntersectContext(&context);
   rtcOccluded1(scene, &context, &ray);
 }
+void trace(RTCScene scene, const int* valid, RTCRay16& rays) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcOccluded16(valid, scene, &context, &rays);
+}
 #else
 void trace(RTCScene scene, RTCRayHit& ray) {
   rtcIntersect1(scene, &ray);
 }
 void trace(RTCScene scene, RTCRay& ray) {
   rtcOccluded1(scene, &ray);
+}
+void trace(RTCScene scene, const int* valid, RTCRay16& rays) {
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcOccluded16(valid, scene, &rays, &arguments);
 }
 #endif
 
@@ -202,23 +214,69 @@ std::optional<Hit> RayScene::intersect(const SurfacePoint& from, const Vec3& dir
 
 Passage RayScene::passage(const SurfacePoint& from, const Vec3& to) const {
   const Float3 target = to_float(to);
-  const auto aim_from = [&](const SurfacePoint& at, RTCRay& ray) {
+  const Vec3 way = to - from.position;
+  const Float3 origin = impl_->leave(from, way);
+  RTCRay shadow{};
+  aim(shadow, origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
+      static_cast<float>(std::max(0.0, 1 - end_ / length(way))));
+  trace(impl_->opaque.scene.get(), shadow);
+  if (shadow.tfar < 0) return {0, 0};
+  return impl_->panes.scene ? through_panes(from, to) : Passage{};
+}
+
+void RayScene::shares(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const {
+  visibility(from, to, false, result);
+  if (!impl_->panes.scene) return;
+  for (std::size_t k = 0; k < to.size(); ++k)
+    if (result[k] > 0) result[k] = static_cast<float>(through_panes(from, to[k]).share);
+}
+
+void RayScene::in_sight(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const {
+  visibility(from, to, true, result);
+}
+
+void RayScene::visibility(const SurfacePoint& from, std::span<const Vec3> to, bool panes_block,
+                          std::span<float> result) const {
+  constexpr std::size_t width = 16;
+  for (std::size_t first = 0; first < to.size(); first += width) {
+    const std::size_t count = std::min(width, to.size() - first);
+    alignas(64) RTCRay16 rays{};
+    alignas(64) int valid[width];
+    for (std::size_t k = 0; k < width; ++k) {
+      valid[k] = k < count ? -1 : 0;
+      const Vec3& end = to[first + std::min(k, count - 1)];
+      const Float3 target = to_float(end);
+      const Vec3 way = end - from.position;
+      const Float3 origin = impl_->leave(from, way);
+      rays.org_x[k] = origin.x;
+      rays.org_y[k] = origin.y;
+      rays.org_z[k] = origin.z;
+      rays.dir_x[k] = target.x - origin.x;
+      rays.dir_y[k] = target.y - origin.y;
+      rays.dir_z[k] = target.z - origin.z;
+      rays.tfar[k] = static_cast<float>(std::max(0.0, 1 - end_ / length(way)));
+      rays.mask[k] = std::numeric_limits<unsigned>::max();
+    }
+    trace(impl_->opaque.scene.get(), valid, rays);
+    if (panes_block && impl_->panes.scene) {
+      for (std::size_t k = 0; k < count; ++k)
+        if (rays.tfar[k] < 0) valid[k] = 0;
+      trace(impl_->panes.scene.get(), valid, rays);
+    }
+    for (std::size_t k = 0; k < count; ++k) result[first + k] = rays.tfar[k] < 0 ? 0.0F : 1.0F;
+  }
+}
+
+Passage RayScene::through_panes(const SurfacePoint& from, const Vec3& to) const {
+  const Float3 target = to_float(to);
+  const Vec3 direction = normalized(to - from.position);
+  Passage passage;
+  for (SurfacePoint at = from; passage.share > 0;) {
     const Vec3 way = to - at.position;
     const Float3 origin = impl_->leave(at, way);
-    aim(ray, origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
-        static_cast<float>(std::max(0.0, 1 - end_ / length(way))));
-  };
-  RTCRay shadow{};
-  aim_from(from, shadow);
-  trace(impl_->opaque.scene.get(), shadow);
-  Passage passage;
-  if (shadow.tfar < 0) return {0, 0};
-  if (!impl_->panes.scene) return passage;
-
-  const Vec3 direction = normalized(to - from.position);
-  for (SurfacePoint at = from; passage.share > 0;) {
     RTCRayHit ray{};
-    aim_from(at, ray.ray);
+    aim(ray.ray, origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
+        static_cast<float>(std::max(0.0, 1 - end_ / length(way))));
     if (!impl_->panes.cut(ray)) break;
     const Triangle& pane = impl_->panes.hit_by(ray);
     at = pane.point(static_cast<double>(ray.hit.u), static_cast<double>(ray.hit.v));

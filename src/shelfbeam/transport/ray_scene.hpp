@@ -56,6 +56,12 @@ class RayScene {
   /// solid glass included, blocks.
   Passage passage(const SurfacePoint& from, const Vec3& to) const;
 
+  /// The shares of the passages from one point to many, sixteen rays at a time.
+  void shares(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const;
+
+  /// 1 for points that a ray from `from` would meet with nothing before them, not even a pane, else 0.
+  void in_sight(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const;
+
   /// Whether a ray meets a point at `distance` between surfaces at these distances. Rays to a point do not
   /// look for obstacles near their end, so a point that touches a surface from behind is met before it, and
   /// once.
@@ -64,6 +70,10 @@ class RayScene {
   }
 
  private:
+  void visibility(const SurfacePoint& from, std::span<const Vec3> to, bool panes_block,
+                  std::span<float> result) const;
+  Passage through_panes(const SurfacePoint& from, const Vec3& to) const;
+
   struct Impl;
   std::unique_ptr<const Impl> impl_;
   double end_ = 0;  ///< m, how far before a point rays end

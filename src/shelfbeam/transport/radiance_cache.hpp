@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/transport/lane_kernels.hpp"
+#include "shelfbeam/transport/unit_groups.hpp"
+
+namespace shelfbeam {
+
+/// A rough solution of the whole transport, fixed before the first batch, for every unit at once: surfaces in
+/// cells of half a metre and six facings, each with the share of every unit's light that reaches it and the
+/// irradiance over further bounces. It is the control variate of the reuse estimator: whatever it gives is
+/// subtracted again where paths are sampled, so its errors cost variance and never bias.
+class RadianceCache {
+ public:
+  /// Units that give less than `least` W/m^2 to a cell are left out of it, sixteen at a time.
+  RadianceCache(const World& world, const UnitGroups& groups, float least, std::uint64_t seed);
+
+  /// The groups that a cell holds, ascending, a row of lanes each.
+  struct Row {
+    const std::uint16_t* groups = nullptr;
+    std::size_t count = 0;
+    const float* share = nullptr;     ///< of UnitGroups::irradiance that arrives
+    const float* indirect = nullptr;  ///< irradiance over one or more further bounces, W/m^2
+  };
+  /// Of the cell around a point; empty where nothing is known. The point's normal is on the side meant.
+  Row row(const SurfacePoint& point) const;
+
+  /// Radiance per irradiance that the solution takes a material to have, in every direction.
+  float radiance_factor(MaterialId material) const { return factors_[material.value]; }
+
+  std::size_t cells() const { return begin_.size() - 1; }
+  std::size_t entries() const { return groups_.size() * lanes; }
+  std::size_t bytes() const;
+  std::uint64_t rays() const { return rays_; }
+
+ private:
+  std::uint32_t find(std::uint64_t key) const;
+
+  std::vector<float> factors_;              // by material
+  std::vector<std::uint64_t> slot_keys_;    // open addressing
+  std::vector<std::uint32_t> slot_cells_;
+  std::vector<std::size_t> begin_;          // by cell: first of its groups
+  std::vector<std::uint16_t> groups_;
+  std::vector<float> share_, indirect_;     // `lanes` for each of groups_
+  std::uint64_t rays_ = 0;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,256 @@
+#include "shelfbeam/transport/residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "shelfbeam/math/sobol.hpp"
+#include "shelfbeam/transport/direct.hpp"
+
+namespace shelfbeam {
+
+PathVertex::PathVertex(const World& world, const RadianceCache& cache, const ChainEnd& where)
+    : end(where), row(cache.row(where.point)), factor(cache.radiance_factor(where.material)) {
+  const Material& material = world.scene.materials[where.material.value].material;
+  if (const auto* lambertian = std::get_if<Lambertian>(&material)) {
+    is_diffuse = true;
+    reflectance = lambertian->reflectance;
+  }
+}
+
+// f |cos| towards a source, with the label's side known.
+double Residual::reflected(const PathVertex& vertex, const Vec3& to_source) const {
+  if (vertex.is_diffuse) return vertex.reflectance / pi * std::max(0.0, dot(vertex.end.point.normal, to_source));
+  const Frame frame = Frame::of_surface(vertex.end.outside);
+  const Vec3 incoming = frame.to_local(to_source);
+  return eval(world_.scene.materials[vertex.end.material.value].material, frame.to_local(vertex.end.outgoing),
+              incoming) *
+         std::abs(incoming.z);
+}
+
+void Residual::add_direct(const PathVertex& vertex, double shadow_rays, RandomStream& random,
+                          Scratch& scratch, LaneRow& row, std::uint64_t& rays) const {
+  const std::size_t n_units = world_.scene.transceivers.size();
+  const LanePoint point(vertex.end.point);
+  const std::uint16_t* list = vertex.row.groups;
+  const float* share = vertex.row.share;
+  std::size_t count = vertex.row.count;
+  if (count == 0) {  // where the cache is blank, everything is at stake
+    if (scratch.all_groups.empty())
+      for (std::size_t g = 0; g < units_.size(); ++g) scratch.all_groups.push_back(static_cast<std::uint16_t>(g));
+    scratch.zeros.resize(units_.size() * lanes);
+    list = scratch.all_groups.data();
+    share = scratch.zeros.data();
+    count = units_.size();
+  }
+  scratch.irradiance.resize(units_.size() * lanes);
+  scratch.importance.resize(units_.size() * lanes);
+  float largest = 0;
+  if (!vertex.is_diffuse || world_.mirrors.size() > 0 || units_.any_loose())
+    for (std::size_t c = 0; c < count; ++c) largest = std::max(largest, units_.bound(list[c], point));
+  const float floor = 0.002F * largest;
+  const float total = LaneKernels::importance(units_, list, count, point, share, floor,
+                                              scratch.irradiance.data(), scratch.importance.data());
+  scratch.places.clear();
+  scratch.lights.clear();
+  scratch.targets.clear();
+  scratch.inverse_probability.clear();
+  scratch.known.clear();
+  if (total > 0) {
+    const double scale = shadow_rays / static_cast<double>(total);
+    double sum = random.unit();
+    double chosen = 0;  // those below `sum` so far
+    for (std::size_t c = 0; c < count; ++c) {
+      const std::size_t width = units_.count(list[c]);
+      for (std::size_t k = 0; k < width; ++k) {
+        const double probability = std::min(1.0, scale * static_cast<double>(scratch.importance[c * lanes + k]));
+        sum += probability;
+        if (sum < chosen + 1) continue;
+        chosen += 1;
+        const std::uint32_t j = units_.column(list[c], k);
+        if (j >= n_units) continue;
+        LightPoint light = world_.emitters.is_point(j) ? world_.emitters.point(j, 0, 0) : LightPoint{};
+        if (!world_.emitters.is_point(j)) {
+          const double u1 = random.unit(), u2 = random.unit();
+          light = world_.emitters.point(j, u1, u2);
+        }
+        scratch.places.push_back(static_cast<std::uint32_t>(list[c] * lanes + k));
+        scratch.lights.push_back(light);
+        scratch.targets.push_back(light.position);
+        scratch.inverse_probability.push_back(1 / probability);
+        scratch.known.push_back(vertex.factor * scratch.irradiance[c * lanes + k] * share[c * lanes + k]);
+      }
+    }
+  }
+  // Surfaces that shine are few, and the cache does not know them.
+  for (std::size_t j = n_units; j < world_.emitters.size(); ++j) {
+    const double u1 = random.unit(), u2 = random.unit();
+    scratch.places.push_back(units_.place(j));
+    scratch.lights.push_back(world_.emitters.point(j, u1, u2));
+    scratch.targets.push_back(scratch.lights.back().position);
+    scratch.inverse_probability.push_back(1);
+    scratch.known.push_back(0);
+  }
+  scratch.shares.resize(scratch.targets.size());
+  world_.rays.shares(vertex.end.point, scratch.targets, scratch.shares);
+  rays += scratch.targets.size();
+  for (std::size_t t = 0; t < scratch.targets.size(); ++t) {
+    const std::size_t j = units_.column(scratch.places[t] / lanes, scratch.places[t] % lanes);
+    const DirectSignal light = light_from(
+        world_, j, scratch.lights[t], vertex.end.point, world_.emitters.is_point(j),
+        [&](const Vec3& to_source) { return reflected(vertex, to_source); },
+        [&] { return static_cast<double>(scratch.shares[t]); });
+    rays += light.rays > 1 ? light.rays - 1 : 0;
+    row.add(scratch.places[t], scratch.inverse_probability[t] *
+                                   (light.straight + light.mirrored - static_cast<double>(scratch.known[t])));
+  }
+}
+
+// One of the units that the cache leaves out here, near ones more likely.
+void Residual::add_far(const PathVertex& vertex, RandomStream& random, LaneRow& row,
+                       std::uint64_t& rays) const {
+  if (vertex.row.count == 0 || vertex.row.count == units_.size()) return;
+  const LanePoint point(vertex.end.point);
+  const auto weight = [&](std::size_t g, std::size_t& next) {
+    if (next < vertex.row.count && vertex.row.groups[next] == g) {
+      ++next;
+      return 0.0;
+    }
+    return static_cast<double>(units_.bound(g, point)) * static_cast<double>(units_.count(g));
+  };
+  double total = 0;
+  for (std::size_t g = 0, next = 0; g < units_.size(); ++g) total += weight(g, next);
+  if (!(total > 0)) return;
+  double left = random.unit() * total;
+  for (std::size_t g = 0, next = 0; g < units_.size(); ++g) {
+    const double own = weight(g, next);
+    if (own <= left) {
+      left -= own;
+      continue;
+    }
+    const std::size_t count = units_.count(g);
+    const std::size_t k = to_index(random.bits(), static_cast<std::uint32_t>(count));
+    const std::uint32_t j = units_.column(g, k);
+    const double u1 = random.unit(), u2 = random.unit();
+    const LightPoint light = world_.emitters.point(j, u1, u2);
+    const DirectSignal signal = light_from(
+        world_, j, light, vertex.end.point, world_.emitters.is_point(j),
+        [&](const Vec3& to_source) { return reflected(vertex, to_source); },
+        [&] { return world_.rays.passage(vertex.end.point, light.position).share; });
+    rays += signal.rays;
+    row.add(static_cast<std::uint32_t>(g * lanes + k),
+            (signal.straight + signal.mirrored) * total * static_cast<double>(count) / own);
+    return;
+  }
+}
+
+void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
+                        Scratch& scratch, std::span<LaneRow> rows, std::uint64_t& rays) const {
+  while (scratch.generations.size() <= generation) scratch.generations.emplace_back();
+  Scratch::Generation& next = scratch.generations[generation];
+  next.vertices.clear();
+  struct Continuation {
+    std::size_t parent;
+    double weight;
+    bool is_shared;
+  };
+  std::vector<Continuation> continuations;
+  const std::uint32_t tails = generation == 0 ? effort_.tails : effort_.later_tails;
+  const double shadow_rays = generation == 0 ? effort_.shadow_rays : effort_.later_shadow_rays;
+
+  for (std::size_t a = 0; a < vertices.size(); ++a) {
+    const PathVertex& vertex = vertices[a];
+    LaneRow& row = rows[a];
+    const auto place = static_cast<std::uint32_t>(a);
+    RandomStream random(key.stream, key.batch, key.group, generation * 64 + place);
+    const ScrambledSobol square(mix_key(mix_key(key.stream, (std::uint64_t{key.batch} << 32) | key.group),
+                                        generation * 64 + place));
+    add_direct(vertex, shadow_rays, random, scratch, row, rays);
+    add_far(vertex, random, row, rays);
+
+    row.use(vertex.row.groups, vertex.row.count);
+    LaneKernels::add_listed(vertex.row.groups, vertex.row.count, -vertex.factor, vertex.row.indirect,
+                            row.mutable_values());
+    const bool goes_on = random.unit() < effort_.survival;
+    const Frame side = Frame::about(vertex.end.point.normal), frame = Frame::of_surface(vertex.end.outside);
+    const Vec3 outgoing = frame.to_local(vertex.end.outgoing);
+    for (std::uint32_t t = 0; t < tails; ++t) {
+      const auto [u1, u2] = square.point(t);
+      Vec3 direction;
+      double weight = vertex.reflectance;
+      bool is_specular = false;
+      if (vertex.is_diffuse) {
+        direction = side.to_world(sample_cosine_hemisphere(u1, u2));
+      } else {
+        const auto drawn =
+            sample(world_.scene.materials[vertex.end.material.value].material, outgoing, random.unit(), u1, u2);
+        if (!drawn) continue;
+        direction = frame.to_world(drawn->direction);
+        weight = drawn->weight;
+        is_specular = drawn->specular;
+      }
+      const auto end = follow_chain(world_, vertex.end.point, direction, is_specular, random, rays, [&](std::size_t j, double value) {
+                                      row.add(units_.place(j), weight * value / tails);
+                                    });
+      if (!end) continue;
+      const PathVertex found(world_, cache_, *end);
+      const double through = weight * end->throughput;
+      row.use(found.row.groups, found.row.count);
+      LaneKernels::add_irradiance(units_, found.row.groups, found.row.count, LanePoint(end->point),
+                                  static_cast<float>(through / tails) * found.factor, found.row.share,
+                                  found.row.indirect, row.mutable_values());
+      if (t == 0 && goes_on) {
+        next.vertices.push_back(found);
+        continuations.push_back({a, through, vertex.is_diffuse && end->is_unbroken && found.is_diffuse});
+      }
+    }
+  }
+  if (next.vertices.empty()) return;
+
+  while (next.rows.size() < vertices.size()) next.rows.emplace_back(units_.size());
+  for (LaneRow& row : next.rows) row.clear();
+  estimate(next.vertices, key, generation + 1, scratch,
+           std::span(next.rows).first(next.vertices.size()), rays);
+
+  std::vector<double> density(vertices.size());
+  for (std::size_t b = 0; b < continuations.size(); ++b) {
+    const Continuation& from = continuations[b];
+    const LaneRow& carried = next.rows[b];
+    if (!from.is_shared) {
+      rows[from.parent].add(carried, from.weight / effort_.survival);
+      continue;
+    }
+    const SurfacePoint& there = next.vertices[b].end.point;
+    scratch.sharers.clear();
+    scratch.targets.clear();
+    double sum = 0;
+    for (std::size_t c = 0; c < vertices.size(); ++c) {
+      if (!vertices[c].is_diffuse) continue;
+      const Vec3 way = there.position - vertices[c].end.point.position;
+      const double squared = length_squared(way);
+      const double cosines = std::max(0.0, dot(way, vertices[c].end.point.normal)) *
+                             std::max(0.0, -dot(way, there.normal));
+      density[c] = squared > 0 ? cosines / (squared * squared) : 0;
+      if (c == from.parent) {
+        sum += density[c];
+      } else if (density[c] > 0) {
+        scratch.sharers.push_back(static_cast<std::uint32_t>(c));
+        scratch.targets.push_back(vertices[c].end.point.position);
+      }
+    }
+    if (!(sum > 0)) continue;
+    scratch.shares.resize(scratch.targets.size());
+    world_.rays.in_sight(there, scratch.targets, scratch.shares);
+    rays += scratch.targets.size();
+    for (std::size_t t = 0; t < scratch.sharers.size(); ++t)
+      if (scratch.shares[t] > 0) sum += density[scratch.sharers[t]];
+    const double scale = 1 / (sum * effort_.survival);
+    rows[from.parent].add(carried, vertices[from.parent].reflectance * density[from.parent] * scale);
+    for (std::size_t t = 0; t < scratch.sharers.size(); ++t) {
+      const std::uint32_t c = scratch.sharers[t];
+      if (scratch.shares[t] > 0) rows[c].add(carried, vertices[c].reflectance * density[c] * scale);
+    }
+  }
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/transport/lane_row.hpp"
+#include "shelfbeam/transport/radiance_cache.hpp"
+#include "shelfbeam/transport/specular_chain.hpp"
+#include "shelfbeam/transport/unit_groups.hpp"
+
+namespace shelfbeam {
+
+/// A vertex at which paths scatter, and what is known of it.
+struct PathVertex {
+  PathVertex(const World& world, const RadianceCache& cache, const ChainEnd& where);
+
+  ChainEnd end;
+  RadianceCache::Row row;
+  float factor = 0;        ///< the cache's radiance per irradiance
+  bool is_diffuse = false; ///< Lambertian: looks the same from everywhere, so that others may use it, too
+  double reflectance = 0;  ///< of a Lambertian surface
+};
+
+/// How much is spent where on paths.
+struct ReuseEffort {
+  std::uint32_t lookups = 128;       ///< rays a label and batch that only look the cache up
+  std::uint32_t points = 2;          ///< first hits a label and batch from which paths start
+  double shadow_rays = 32;           ///< at such a point, about
+  double later_shadow_rays = 16;     ///< at later vertices
+  std::uint32_t tails = 8;           ///< rays that look the cache up at such a point,
+  std::uint32_t later_tails = 4;     ///< and at later vertices
+  std::size_t group = 32;            ///< vertices that share their continuations
+  double survival = 0.7;             ///< chance of every continuation; it must exceed the square of the albedo
+};
+
+/// The difference between the radiance that leaves vertices and what the cache says, L - h, for all units at
+/// once, without bias: shadow rays to units chosen by what is at stake, several rays that look up the cache
+/// for what comes over further bounces, and one that goes on to where the same is asked of it. Vertices of a
+/// group share those that go on (path reuse with the balance heuristic, Bekaert et al. 2002): each is weighted
+/// by the densities with which all of the group would have sent it.
+class Residual {
+ public:
+  Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, const ReuseEffort& effort)
+      : world_(world), units_(units), cache_(cache), effort_(effort) {}
+
+  /// Identifies the paths of a group.
+  struct Key {
+    std::uint64_t stream = 0;
+    std::uint32_t batch = 0, group = 0;
+  };
+
+  /// Memory that one thread works in.
+  struct Scratch {
+    struct Generation {
+      std::vector<PathVertex> vertices;
+      std::vector<LaneRow> rows;
+    };
+    std::deque<Generation> generations;
+    std::vector<float> irradiance, importance, shares, zeros;
+    std::vector<std::uint16_t> all_groups;
+    std::vector<Vec3> targets;
+    std::vector<std::uint32_t> places, sharers;
+    std::vector<double> inverse_probability, density;
+    std::vector<float> known;
+    std::vector<LightPoint> lights;
+  };
+
+  /// Puts the differences into the rows, which are clear, one a vertex.
+  void estimate(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
+                Scratch& scratch, std::span<LaneRow> rows, std::uint64_t& rays) const;
+
+ private:
+  void add_direct(const PathVertex& vertex, double shadow_rays, RandomStream& random, Scratch& scratch,
+                  LaneRow& row, std::uint64_t& rays) const;
+  void add_far(const PathVertex& vertex, RandomStream& random, LaneRow& row, std::uint64_t& rays) const;
+  double reflected(const PathVertex& vertex, const Vec3& to_source) const;
+
+  const World& world_;
+  const UnitGroups& units_;
+  const RadianceCache& cache_;
+  ReuseEffort effort_;
+};
+
+}  // namespace shelfbeam

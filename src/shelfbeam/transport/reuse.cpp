@@ -1,0 +1,274 @@
+#include "shelfbeam/transport/reuse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/math/sobol.hpp"
+#include "shelfbeam/transport/direct.hpp"
+#include "shelfbeam/transport/label_clusters.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr std::size_t largest_cluster = 96;
+// The cache keeps what is above this share of the smallest requirement.
+constexpr double least_share = 0.005;
+
+float least_irradiance(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Label& label : scene.labels) {
+    const double requirement = scene.type_of(label).requirement();
+    if (requirement > 0) smallest = std::min(smallest, requirement);
+  }
+  return std::isfinite(smallest) ? static_cast<float>(least_share * smallest) : 1e-6F;
+}
+
+}  // namespace
+
+struct ReuseEstimator::Impl {
+  struct Workspace {
+    Residual::Scratch residual;
+    std::vector<LaneRow> labels, points;
+    std::vector<SurfacePoint> at;
+    std::vector<PathVertex> vertices;
+    std::vector<std::uint32_t> owner;
+    std::vector<double> weight;
+    std::vector<bool> is_shared;
+    std::vector<double> density;
+    std::vector<std::uint32_t> sharers;
+    std::vector<Vec3> targets;
+    std::vector<float> seen;
+    std::vector<double> direct;
+  };
+
+  Impl(const World& w, std::uint64_t s, const ReuseEffort& e)
+      : world(w),
+        seed(s),
+        effort(e),
+        units(w),
+        cache(w, units, least_irradiance(w.scene), mix_key(s, hash64("radiance cache"))),
+        residual(w, units, cache, e) {
+    std::vector<std::uint32_t> columns(w.emitters.size());
+    std::iota(columns.begin(), columns.end(), 0U);
+    for (LabelCluster& cluster : cluster_labels(w, largest_cluster)) {
+      // A cluster is known by its first label.
+      keys.push_back(mix_key(s, hash64(w.scene.labels[cluster.front()].id)));
+      blocks.push_back({std::move(cluster), columns});
+    }
+  }
+
+  void look_up(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
+               std::uint64_t& rays) const;
+  void add_residual(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
+                    std::uint64_t& rays) const;
+  void share_points(const Block& block, Workspace& work, std::uint64_t& rays) const;
+  double pdf_of(std::uint32_t label, const SurfacePoint& at, const SurfacePoint& there) const;
+
+  const World& world;
+  std::uint64_t seed;
+  ReuseEffort effort;
+  UnitGroups units;
+  RadianceCache cache;
+  Residual residual;
+  std::vector<Block> blocks;
+  std::vector<std::uint64_t> keys;
+  mutable tbb::enumerable_thread_specific<Workspace> workspaces;
+};
+
+// The cache's light on every label, by many rays that only look it up.
+void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::uint32_t batch,
+                                   Workspace& work, std::uint64_t& rays) const {
+  for (std::size_t c = 0; c < block.rows.size(); ++c) {
+    const std::uint32_t i = block.rows[c];
+    LaneRow& row = work.labels[c];
+    const Responsivity& responsivity = world.receivers.responsivity(i);
+    const double weight = integral(responsivity) / effort.lookups;
+    RandomStream random(key, batch, static_cast<std::uint32_t>(c), 1);
+    const ScrambledSobol square(mix_key(mix_key(key, batch), 2 * c));
+    const bool is_point = world.receivers.is_point(i);
+    for (std::uint32_t s = 0; s < effort.lookups; ++s) {
+      const auto [u1, u2] = square.point(s);
+      const auto drawn = shelfbeam::sample(responsivity, u1, u2);
+      if (!drawn) continue;
+      SurfacePoint from = work.at[c];
+      if (!is_point) {
+        const double u3 = random.unit(), u4 = random.unit();
+        from = world.receivers.point(i, u3, u4);
+      }
+      const auto end = follow_chain(world, from, world.receivers.frame(i).to_world(drawn->direction), false,
+                                    random, rays, [](std::size_t, double) {});
+      if (!end) continue;
+      const RadianceCache::Row found = cache.row(end->point);
+      row.use(found.groups, found.count);
+      LaneKernels::add_irradiance(
+          units, found.groups, found.count, LanePoint(end->point),
+          static_cast<float>(weight * end->throughput) * cache.radiance_factor(end->material), found.share,
+          found.indirect, row.mutable_values());
+    }
+  }
+}
+
+// Density per area with which a label's rays hit a point, but for what stands between.
+double ReuseEstimator::Impl::pdf_of(std::uint32_t label, const SurfacePoint& at,
+                                    const SurfacePoint& there) const {
+  const Vec3 way = there.position - at.position;
+  const double squared = length_squared(way);
+  if (!(squared > 0)) return 0;
+  const Vec3 direction = way / std::sqrt(squared);
+  const double facing = -dot(direction, there.normal);
+  if (facing <= 0) return 0;
+  return pdf(world.receivers.responsivity(label), world.receivers.frame(label).to_local(direction)) * facing /
+         squared;
+}
+
+// What the cache misses, at some points for each label.
+void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, std::uint32_t batch,
+                                        Workspace& work, std::uint64_t& rays) const {
+  std::uint32_t group = 0;
+  const auto flush = [&] {
+    if (work.vertices.empty()) return;
+    while (work.points.size() < work.vertices.size()) work.points.emplace_back(units.size());
+    for (LaneRow& row : work.points) row.clear();
+    residual.estimate(work.vertices, {mix_key(key, 0x9E51D), batch, group++}, 0, work.residual,
+                      std::span(work.points).first(work.vertices.size()), rays);
+    share_points(block, work, rays);
+    work.vertices.clear();
+    work.owner.clear();
+    work.weight.clear();
+    work.is_shared.clear();
+  };
+  for (std::uint32_t s = 0; s < effort.points; ++s)
+    for (std::size_t c = 0; c < block.rows.size(); ++c) {
+      const std::uint32_t i = block.rows[c];
+      const Responsivity& responsivity = world.receivers.responsivity(i);
+      const auto [u1, u2] = ScrambledSobol(mix_key(mix_key(key, batch), 2 * c + 1)).point(s);
+      RandomStream random(key, batch, static_cast<std::uint32_t>(c), 2 + s);
+      const auto drawn = shelfbeam::sample(responsivity, u1, u2);
+      if (!drawn) continue;
+      const double weight = integral(responsivity) / effort.points;
+      const auto end = follow_chain(
+          world, work.at[c], world.receivers.frame(i).to_world(drawn->direction), false, random, rays,
+          [&](std::size_t j, double value) { work.labels[c].add(units.place(j), weight * value); });
+      if (!end) continue;
+      work.vertices.emplace_back(world, cache, *end);
+      work.owner.push_back(static_cast<std::uint32_t>(c));
+      work.weight.push_back(weight * end->throughput);
+      work.is_shared.push_back(end->is_unbroken && work.vertices.back().is_diffuse);
+      if (work.vertices.size() == effort.group) flush();
+    }
+  flush();
+}
+
+// Every label of the cluster takes every point that it sees, weighted by the densities with which all of them
+// would have found it (equation and proof in docs/methods/reuse.md).
+void ReuseEstimator::Impl::share_points(const Block& block, Workspace& work, std::uint64_t& rays) const {
+  work.density.resize(block.rows.size());
+  for (std::size_t b = 0; b < work.vertices.size(); ++b) {
+    const std::uint32_t owner = work.owner[b];
+    if (!work.is_shared[b]) {
+      work.labels[owner].add(work.points[b], work.weight[b]);
+      continue;
+    }
+    const SurfacePoint& there = work.vertices[b].end.point;
+    work.sharers.clear();
+    work.targets.clear();
+    double sum = 0;
+    for (std::uint32_t c = 0; c < block.rows.size(); ++c) {
+      work.density[c] = pdf_of(block.rows[c], work.at[c], there);
+      if (c == owner) {
+        sum += work.density[c];
+      } else if (work.density[c] > 0) {
+        work.sharers.push_back(c);
+        work.targets.push_back(work.at[c].position);
+      }
+    }
+    if (!(sum > 0)) continue;
+    work.seen.resize(work.targets.size());
+    world.rays.in_sight(there, work.targets, work.seen);
+    rays += work.targets.size();
+    for (std::size_t t = 0; t < work.sharers.size(); ++t)
+      if (work.seen[t] > 0) sum += work.density[work.sharers[t]];
+    const auto give = [&](std::uint32_t c) {
+      work.labels[c].add(work.points[b], integral(world.receivers.responsivity(block.rows[c])) / effort.points *
+                                             work.density[c] / sum);
+    };
+    give(owner);
+    for (std::size_t t = 0; t < work.sharers.size(); ++t)
+      if (work.seen[t] > 0) give(work.sharers[t]);
+  }
+}
+
+ReuseEstimator::ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort)
+    : impl_(std::make_unique<Impl>(world, seed, effort)) {}
+ReuseEstimator::~ReuseEstimator() = default;
+
+std::size_t ReuseEstimator::items() const {
+  return impl_->blocks.size();
+}
+const Estimator::Block& ReuseEstimator::block(std::size_t item) const {
+  return impl_->blocks[item];
+}
+std::uint64_t ReuseEstimator::samples_per_batch() const {
+  return impl_->effort.lookups + impl_->effort.points;
+}
+std::string ReuseEstimator::name() const {
+  return "reuse";
+}
+const RadianceCache& ReuseEstimator::cache() const {
+  return impl_->cache;
+}
+
+bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
+                            BatchValues& values) const {
+  const Block& block = impl_->blocks[item];
+  const std::uint64_t key = impl_->keys[item];
+  const World& world = impl_->world;
+  Impl::Workspace& work = impl_->workspaces.local();
+  while (work.labels.size() < block.rows.size()) work.labels.emplace_back(impl_->units.size());
+  for (LaneRow& row : work.labels) row.clear();
+  work.at.clear();
+  for (std::size_t c = 0; c < block.rows.size(); ++c) {
+    RandomStream random(key, batch, static_cast<std::uint32_t>(c), 0);
+    const double u1 = random.unit(), u2 = random.unit();
+    work.at.push_back(world.receivers.point(block.rows[c], u1, u2));
+  }
+  impl_->look_up(block, key, batch, work, values.rays);
+  if (cancel != nullptr && cancel->requested()) return false;
+  impl_->add_residual(block, key, batch, work, values.rays);
+  if (cancel != nullptr && cancel->requested()) return false;
+
+  const std::size_t n = block.columns.size();
+  for (std::size_t c = 0; c < block.rows.size(); ++c) {
+    const std::uint32_t i = block.rows[c];
+    const LaneRow& row = work.labels[c];
+    const bool has_areas = !world.receivers.is_point(i) || impl_->units.any_loose();
+    work.direct.assign(has_areas ? n : 0, 0);
+    for (std::size_t j = 0; j < work.direct.size(); ++j) {
+      if (is_point_to_point(world, i, j)) continue;
+      const DirectSignal signal = sample_direct(
+          world, i, j, {mix_key(mix_key(key, i), j), batch, 0}, 2, PathRules{.samples_direct = false});
+      values.rays += signal.rays;
+      work.direct[j] = signal.straight + signal.mirrored;
+      if (work.direct[j] > 0) {
+        values.values.push_back({static_cast<std::uint32_t>(c * n + j), work.direct[j], signal.straight});
+      }
+    }
+    for (const std::uint16_t g : row.groups())
+      for (std::size_t k = 0; k < impl_->units.count(g); ++k) {
+        const float value = row.values()[g * lanes + k];
+        if (value == 0) continue;
+        const std::uint32_t j = impl_->units.column(g, k);
+        values.values.push_back({static_cast<std::uint32_t>(c * n + j), static_cast<double>(value), 0});
+      }
+  }
+  return true;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "shelfbeam/transport/random_stream.hpp"
+#include "shelfbeam/transport/world.hpp"
+
+namespace shelfbeam {
+
+/// Where a ray ends that is led on by mirrors, panes and smooth glass: at the first surface that scatters.
+struct ChainEnd {
+  SurfacePoint point;  ///< its normal on the side from which the ray came
+  Vec3 outside;        ///< the triangle's own normal, which materials go by
+  Vec3 outgoing;       ///< unit, back along the ray
+  MaterialId material;
+  double throughput = 1;
+  bool is_unbroken = true;  ///< nothing was met on the way
+};
+
+/// Follows a ray from `from`. Sources that it meets are scored, use(j, throughput x radiance), where no
+/// connection could have found them: after a specular lobe, be it that which sent the ray (`is_specular`) or
+/// one on the way. Straight on through panes does not count: connections pass them, too.
+template <class Use>
+std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3 direction, bool is_specular,
+                                     RandomStream& random, std::uint64_t& rays, const Use& use) {
+  Vec3 vertex = from.position;  // the last point that is not a pane gone straight through,
+  double passed = 0;            // and how far from it the ray starts
+  ChainEnd end;
+  for (int step = 0;; ++step) {
+    const auto hit = world.rays.intersect(from, direction);
+    ++rays;
+    if (is_specular) {
+      const double farthest = hit ? hit->distance(vertex, direction) : std::numeric_limits<double>::infinity();
+      world.emitters.each_disc(world.rays, vertex, direction, passed, farthest,
+                               [&](std::size_t j, const LightPoint&, double radiance) {
+                                 use(j, end.throughput * radiance);
+                               });
+      if (hit)
+        if (const auto j = world.emitters.surface_of(hit->material))
+          use(*j, end.throughput * world.emitters.radiance(*j));
+    }
+    if (!hit) return std::nullopt;
+    const Material& material = world.material(*hit);
+    if (!has_only_specular(material)) {
+      end.point = hit->point;
+      end.outside = hit->point.normal;
+      if (dot(end.point.normal, direction) > 0) end.point.normal = -end.point.normal;
+      end.outgoing = -direction;
+      end.material = hit->material;
+      return end;
+    }
+    end.is_unbroken = false;
+    const Frame frame = Frame::of_surface(hit->point.normal);
+    const Vec3 outgoing = frame.to_local(-direction);
+    const double u_lobe = random.unit(), u1 = random.unit(), u2 = random.unit();
+    const auto next = sample(material, outgoing, u_lobe, u1, u2);
+    if (!next) return std::nullopt;
+    end.throughput *= next->weight;
+    from = hit->point;
+    if (std::holds_alternative<ThinDielectric>(material) && next->direction.z * outgoing.z < 0) {
+      passed = hit->distance(vertex, direction);
+    } else {
+      vertex = hit->point.position;
+      passed = 0;
+      direction = frame.to_world(next->direction);
+      is_specular = true;
+    }
+    // Between two mirrors a ray would never end.
+    if (step >= 8) {
+      constexpr double survival = 0.75;
+      if (random.unit() >= survival) return std::nullopt;
+      end.throughput /= survival;
+    }
+  }
+}
+
+}  // namespace shelfbeam
