@@ -91,7 +91,7 @@ void LaneKernels::irradiance(const UnitGroups& groups, std::size_t g, const Lane
 
 SHELFBEAM_FOR_EACH_CPU
 void LaneKernels::add_irradiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
-                                 const LanePoint& point, float weight, const float* share,
+                                 const LanePoint& point, bool is_capped, float weight, const float* share,
                                  const float* indirect, float* sums) {
   for (std::size_t c = 0; c < count; ++c) {
     const auto& group = groups.groups_[list[c]];
@@ -101,14 +101,16 @@ void LaneKernels::add_irradiance(const UnitGroups& groups, const std::uint16_t* 
     float* sum = sums + list[c] * lanes;
     const float* s = share + c * lanes;
     const float* d = indirect + c * lanes;
+    if (is_capped)
+      for (std::size_t k = 0; k < lanes; ++k) e[k] = e[k] < group.cap[k] ? e[k] : group.cap[k];
     for (std::size_t k = 0; k < lanes; ++k) sum[k] += weight * (e[k] * s[k] + d[k]);
   }
 }
 
 SHELFBEAM_FOR_EACH_CPU
 float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
-                              const LanePoint& point, const float* share, float floor, float* irradiance,
-                              float* importance) {
+                              const LanePoint& point, bool is_capped, const float* share, float floor,
+                              float* irradiance, float* importance) {
   alignas(64) float total[lanes] = {};
   for (std::size_t c = 0; c < count; ++c) {
     const auto& group = groups.groups_[list[c]];
@@ -118,7 +120,8 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
     const float* s = share + c * lanes;
     for (std::size_t k = 0; k < lanes; ++k) {
       irradiance[c * lanes + k] = e[k];
-      const float at_stake = e[k] * (std::sqrt(std::abs(s[k] * (1 - s[k]))) + 0.1F) + floor;
+      const float used = is_capped && e[k] > group.cap[k] ? group.cap[k] : e[k];
+      const float at_stake = used * (std::sqrt(std::abs(s[k] * (1 - s[k]))) + 0.1F) + floor;
       importance[c * lanes + k] = at_stake;
       total[k] += at_stake;
     }

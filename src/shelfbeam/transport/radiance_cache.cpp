@@ -25,18 +25,28 @@ constexpr std::uint32_t gather_rays = 64;  // a cell
 constexpr int rounds = 8;
 constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
-std::uint64_t key_of(const SurfacePoint& point) {
-  const auto coordinate = [](double x) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor((x + cell_shift) / cell_size)) &
-                                      0xFFFFF);
-  };
-  const Vec3& n = point.normal;
+using Cell = std::array<std::int64_t, 3>;
+
+Vec3 in_cells(const Vec3& p) {
+  return {(p.x + cell_shift) / cell_size, (p.y + cell_shift) / cell_size, (p.z + cell_shift) / cell_size};
+}
+
+Cell cell_of(const Vec3& scaled) {
+  return {static_cast<std::int64_t>(std::floor(scaled.x)), static_cast<std::int64_t>(std::floor(scaled.y)),
+          static_cast<std::int64_t>(std::floor(scaled.z))};
+}
+
+std::uint64_t key_of(const Cell& cell, const Vec3& n) {
+  const auto bits = [](std::int64_t c) { return static_cast<std::uint64_t>(c & 0xFFFFF); };
   const double ax = std::abs(n.x), ay = std::abs(n.y), az = std::abs(n.z);
   const std::uint64_t facing = az >= ax && az >= ay ? (n.z > 0 ? 0U : 1U)
                                : ax >= ay           ? (n.x > 0 ? 2U : 3U)
                                                     : (n.y > 0 ? 4U : 5U);
-  return (coordinate(point.position.x) << 43) | (coordinate(point.position.y) << 23) |
-         (coordinate(point.position.z) << 3) | facing;
+  return (bits(cell[0]) << 43) | (bits(cell[1]) << 23) | (bits(cell[2]) << 3) | facing;
+}
+
+std::uint64_t key_of(const SurfacePoint& point) {
+  return key_of(cell_of(in_cells(point.position)), point.normal);
 }
 
 std::uint64_t scattered(std::uint64_t key) {
@@ -306,7 +316,27 @@ std::uint32_t RadianceCache::find(std::uint64_t key) const {
 }
 
 RadianceCache::Row RadianceCache::row(const SurfacePoint& point) const {
-  const std::uint32_t cell = find(key_of(point));
+  const Vec3 scaled = in_cells(point.position);
+  Cell at = cell_of(scaled);
+  std::uint32_t cell = find(key_of(at, point.normal));
+  // The walks have missed this one, most likely a sliver between the edge of a surface and the next cell: a
+  // neighbour across the nearest border is as good.
+  for (int tries = 0; tries < 2 && cell == nowhere; ++tries) {
+    double least = 1;
+    int nearest = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double within = scaled[axis] - static_cast<double>(at[static_cast<std::size_t>(axis)]);
+      const double border = std::min(within, 1 - within);
+      if (within >= 0 && within < 1 && border < least && std::abs(point.normal[axis]) < 0.5) {
+        least = border;
+        nearest = axis;
+      }
+    }
+    if (nearest < 0) break;
+    const auto axis = static_cast<std::size_t>(nearest);
+    at[axis] += scaled[nearest] - static_cast<double>(at[axis]) < 0.5 ? -1 : 1;
+    cell = find(key_of(at, point.normal));
+  }
   if (cell == nowhere) return {};
   const std::size_t begin = begin_[cell];
   return {groups_.data() + begin, begin_[cell + 1] - begin, share_.data() + begin * lanes,

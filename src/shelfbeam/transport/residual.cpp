@@ -32,53 +32,65 @@ void Residual::add_direct(const PathVertex& vertex, double shadow_rays, RandomSt
                           Scratch& scratch, LaneRow& row, std::uint64_t& rays) const {
   const std::size_t n_units = world_.scene.transceivers.size();
   const LanePoint point(vertex.end.point);
-  const std::uint16_t* list = vertex.row.groups;
-  const float* share = vertex.row.share;
-  std::size_t count = vertex.row.count;
-  if (count == 0) {  // where the cache is blank, everything is at stake
-    if (scratch.all_groups.empty())
-      for (std::size_t g = 0; g < units_.size(); ++g) scratch.all_groups.push_back(static_cast<std::uint16_t>(g));
-    scratch.zeros.resize(units_.size() * lanes);
-    list = scratch.all_groups.data();
-    share = scratch.zeros.data();
-    count = units_.size();
+  // The cell's groups first, then others in reach, of which the cache says nothing.
+  std::vector<std::uint16_t>& list = scratch.list;
+  list.assign(vertex.row.groups, vertex.row.groups + vertex.row.count);
+  for (std::size_t g = 0, next = 0; g < units_.size(); ++g) {
+    if (next < vertex.row.count && vertex.row.groups[next] == g)
+      ++next;
+    else if (units_.bound(g, point) >= reach_)
+      list.push_back(static_cast<std::uint16_t>(g));
   }
+  scratch.zeros.resize(units_.size() * lanes);
   scratch.irradiance.resize(units_.size() * lanes);
   scratch.importance.resize(units_.size() * lanes);
-  float largest = 0;
-  if (!vertex.is_diffuse || world_.mirrors.size() > 0 || units_.any_loose())
-    for (std::size_t c = 0; c < count; ++c) largest = std::max(largest, units_.bound(list[c], point));
-  const float floor = 0.002F * largest;
-  const float total = LaneKernels::importance(units_, list, count, point, share, floor,
-                                              scratch.irradiance.data(), scratch.importance.data());
+  float floor = 0;
+  if (!vertex.is_diffuse || world_.mirrors.size() > 0 || any_loose_)
+    for (const std::uint16_t g : list) floor = std::max(floor, 0.002F * units_.bound(g, point));
+  const std::size_t known = vertex.row.count * lanes;
+  const float total =
+      LaneKernels::importance(units_, list.data(), vertex.row.count, point, vertex.is_capped,
+                              vertex.row.share, floor, scratch.irradiance.data(), scratch.importance.data()) +
+      LaneKernels::importance(units_, list.data() + vertex.row.count, list.size() - vertex.row.count, point,
+                              vertex.is_capped, scratch.zeros.data(), floor,
+                              scratch.irradiance.data() + known, scratch.importance.data() + known);
   scratch.places.clear();
   scratch.lights.clear();
   scratch.targets.clear();
   scratch.inverse_probability.clear();
   scratch.known.clear();
+  scratch.taken.clear();
   if (total > 0) {
+    // Systematic sampling: a comb with teeth at whole numbers over the running sum of the probabilities.
     const double scale = shadow_rays / static_cast<double>(total);
     double sum = random.unit();
-    double chosen = 0;  // those below `sum` so far
-    for (std::size_t c = 0; c < count; ++c) {
+    double tooth = 1;
+    for (std::size_t c = 0; c < list.size(); ++c) {
       const std::size_t width = units_.count(list[c]);
       for (std::size_t k = 0; k < width; ++k) {
-        const double probability = std::min(1.0, scale * static_cast<double>(scratch.importance[c * lanes + k]));
+        const std::size_t lane = c * lanes + k;
+        const double probability = std::min(1.0, scale * static_cast<double>(scratch.importance[lane]));
         sum += probability;
-        if (sum < chosen + 1) continue;
-        chosen += 1;
+        if (sum < tooth) continue;
+        tooth += 1;
         const std::uint32_t j = units_.column(list[c], k);
         if (j >= n_units) continue;
-        LightPoint light = world_.emitters.is_point(j) ? world_.emitters.point(j, 0, 0) : LightPoint{};
-        if (!world_.emitters.is_point(j)) {
+        LightPoint light;
+        if (world_.emitters.is_point(j)) {
+          light = world_.emitters.point(j, 0, 0);
+        } else {
           const double u1 = random.unit(), u2 = random.unit();
           light = world_.emitters.point(j, u1, u2);
         }
+        const float whole = scratch.irradiance[lane], cap = units_.cap(list[c], k);
+        const float used = vertex.is_capped && whole > cap ? cap : whole;
+        const float share = lane < known ? vertex.row.share[lane] : 0;
         scratch.places.push_back(static_cast<std::uint32_t>(list[c] * lanes + k));
         scratch.lights.push_back(light);
         scratch.targets.push_back(light.position);
         scratch.inverse_probability.push_back(1 / probability);
-        scratch.known.push_back(vertex.factor * scratch.irradiance[c * lanes + k] * share[c * lanes + k]);
+        scratch.taken.push_back(used < whole ? static_cast<double>(used / whole) : 1);
+        scratch.known.push_back(static_cast<double>(vertex.factor * used * share));
       }
     }
   }
@@ -90,6 +102,7 @@ void Residual::add_direct(const PathVertex& vertex, double shadow_rays, RandomSt
     scratch.targets.push_back(scratch.lights.back().position);
     scratch.inverse_probability.push_back(1);
     scratch.known.push_back(0);
+    scratch.taken.push_back(1);
   }
   scratch.shares.resize(scratch.targets.size());
   world_.rays.shares(vertex.end.point, scratch.targets, scratch.shares);
@@ -101,22 +114,24 @@ void Residual::add_direct(const PathVertex& vertex, double shadow_rays, RandomSt
         [&](const Vec3& to_source) { return reflected(vertex, to_source); },
         [&] { return static_cast<double>(scratch.shares[t]); });
     rays += light.rays > 1 ? light.rays - 1 : 0;
-    row.add(scratch.places[t], scratch.inverse_probability[t] *
-                                   (light.straight + light.mirrored - static_cast<double>(scratch.known[t])));
+    row.add(scratch.places[t],
+            scratch.inverse_probability[t] *
+                (light.straight * scratch.taken[t] + light.mirrored - scratch.known[t]));
   }
 }
 
-// One of the units that the cache leaves out here, near ones more likely.
+// One of the units out of reach that the cache leaves out, too; near ones are likelier.
 void Residual::add_far(const PathVertex& vertex, RandomStream& random, LaneRow& row,
                        std::uint64_t& rays) const {
-  if (vertex.row.count == 0 || vertex.row.count == units_.size()) return;
+  if (vertex.row.count == units_.size()) return;
   const LanePoint point(vertex.end.point);
   const auto weight = [&](std::size_t g, std::size_t& next) {
     if (next < vertex.row.count && vertex.row.groups[next] == g) {
       ++next;
       return 0.0;
     }
-    return static_cast<double>(units_.bound(g, point)) * static_cast<double>(units_.count(g));
+    const float bound = units_.bound(g, point);
+    return bound >= reach_ ? 0.0 : static_cast<double>(bound) * static_cast<double>(units_.count(g));
   };
   double total = 0;
   for (std::size_t g = 0, next = 0; g < units_.size(); ++g) total += weight(g, next);
@@ -196,7 +211,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
       const PathVertex found(world_, cache_, *end);
       const double through = weight * end->throughput;
       row.use(found.row.groups, found.row.count);
-      LaneKernels::add_irradiance(units_, found.row.groups, found.row.count, LanePoint(end->point),
+      LaneKernels::add_irradiance(units_, found.row.groups, found.row.count, LanePoint(end->point), false,
                                   static_cast<float>(through / tails) * found.factor, found.row.share,
                                   found.row.indirect, row.mutable_values());
       if (t == 0 && goes_on) {

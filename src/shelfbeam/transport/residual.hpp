@@ -20,6 +20,7 @@ struct PathVertex {
   ChainEnd end;
   RadianceCache::Row row;
   float factor = 0;        ///< the cache's radiance per irradiance
+  bool is_capped = false;  ///< the light of bright spots is not asked for (BrightSpots)
   bool is_diffuse = false; ///< Lambertian: looks the same from everywhere, so that others may use it, too
   double reflectance = 0;  ///< of a Lambertian surface
 };
@@ -33,6 +34,7 @@ struct ReuseEffort {
   std::uint32_t tails = 8;           ///< rays that look the cache up at such a point,
   std::uint32_t later_tails = 4;     ///< and at later vertices
   std::size_t group = 32;            ///< vertices that share their continuations
+  std::uint32_t spot_rays = 4;       ///< from every unit beside a surface, for a cluster and batch
   double survival = 0.7;             ///< chance of every continuation; it must exceed the square of the albedo
 };
 
@@ -43,8 +45,15 @@ struct ReuseEffort {
 /// by the densities with which all of the group would have sent it.
 class Residual {
  public:
-  Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, const ReuseEffort& effort)
-      : world_(world), units_(units), cache_(cache), effort_(effort) {}
+  /// `reach`: units that may give more than this many W/m^2 to a vertex are all considered there.
+  Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, float reach,
+           const ReuseEffort& effort)
+      : world_(world),
+        units_(units),
+        cache_(cache),
+        reach_(reach),
+        effort_(effort),
+        any_loose_(units.any_loose()) {}
 
   /// Identifies the paths of a group.
   struct Key {
@@ -60,11 +69,11 @@ class Residual {
     };
     std::deque<Generation> generations;
     std::vector<float> irradiance, importance, shares, zeros;
-    std::vector<std::uint16_t> all_groups;
+    std::vector<std::uint16_t> list;
     std::vector<Vec3> targets;
     std::vector<std::uint32_t> places, sharers;
     std::vector<double> inverse_probability, density;
-    std::vector<float> known;
+    std::vector<double> known, taken;
     std::vector<LightPoint> lights;
   };
 
@@ -81,7 +90,9 @@ class Residual {
   const World& world_;
   const UnitGroups& units_;
   const RadianceCache& cache_;
+  float reach_;
   ReuseEffort effort_;
+  bool any_loose_;
 };
 
 }  // namespace shelfbeam

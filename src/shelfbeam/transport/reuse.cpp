@@ -10,6 +10,7 @@
 
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/sobol.hpp"
+#include "shelfbeam/transport/bright_spots.hpp"
 #include "shelfbeam/transport/direct.hpp"
 #include "shelfbeam/transport/label_clusters.hpp"
 
@@ -51,10 +52,12 @@ struct ReuseEstimator::Impl {
   Impl(const World& w, std::uint64_t s, const ReuseEffort& e)
       : world(w),
         seed(s),
+        relevant(10 * static_cast<double>(least_irradiance(w.scene))),
         effort(e),
         units(w),
         cache(w, units, least_irradiance(w.scene), mix_key(s, hash64("radiance cache"))),
-        residual(w, units, cache, e) {
+        residual(w, units, cache, 10 * least_irradiance(w.scene), e),
+        spots(w, units, mix_key(s, hash64("bright spots"))) {
     std::vector<std::uint32_t> columns(w.emitters.size());
     std::iota(columns.begin(), columns.end(), 0U);
     for (LabelCluster& cluster : cluster_labels(w, largest_cluster)) {
@@ -73,10 +76,12 @@ struct ReuseEstimator::Impl {
 
   const World& world;
   std::uint64_t seed;
+  double relevant;
   ReuseEffort effort;
   UnitGroups units;
   RadianceCache cache;
   Residual residual;
+  BrightSpots spots;
   std::vector<Block> blocks;
   std::vector<std::uint64_t> keys;
   mutable tbb::enumerable_thread_specific<Workspace> workspaces;
@@ -108,7 +113,7 @@ void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::u
       const RadianceCache::Row found = cache.row(end->point);
       row.use(found.groups, found.count);
       LaneKernels::add_irradiance(
-          units, found.groups, found.count, LanePoint(end->point),
+          units, found.groups, found.count, LanePoint(end->point), end->is_unbroken,
           static_cast<float>(weight * end->throughput) * cache.radiance_factor(end->material), found.share,
           found.indirect, row.mutable_values());
     }
@@ -158,6 +163,7 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
           [&](std::size_t j, double value) { work.labels[c].add(units.place(j), weight * value); });
       if (!end) continue;
       work.vertices.emplace_back(world, cache, *end);
+      work.vertices.back().is_capped = end->is_unbroken;
       work.owner.push_back(static_cast<std::uint32_t>(c));
       work.weight.push_back(weight * end->throughput);
       work.is_shared.push_back(end->is_unbroken && work.vertices.back().is_diffuse);
@@ -241,6 +247,8 @@ bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelT
   }
   impl_->look_up(block, key, batch, work, values.rays);
   if (cancel != nullptr && cancel->requested()) return false;
+  impl_->spots.add(block.rows, work.at, impl_->relevant, impl_->effort.spot_rays, mix_key(key, 0x5B075), batch,
+                   work.labels, values.rays);
   impl_->add_residual(block, key, batch, work, values.rays);
   if (cancel != nullptr && cancel->requested()) return false;
 

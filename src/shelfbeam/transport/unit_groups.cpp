@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "shelfbeam/transport/lane_kernels.hpp"
@@ -112,10 +113,15 @@ UnitGroups::UnitGroups(const World& world) {
     group.nearest = 1;
     groups_.push_back(group);
   }
+  for (Group& group : groups_) group.cap.fill(std::numeric_limits<float>::max());
   places_.resize(world.emitters.size());
   for (std::size_t g = 0; g < groups_.size(); ++g)
     for (std::size_t k = 0; k < groups_[g].count; ++k)
       places_[groups_[g].columns[k]] = static_cast<std::uint32_t>(g * lanes + k);
+}
+
+void UnitGroups::set_cap(std::size_t column, float cap) {
+  groups_[places_[column] / lanes].cap[places_[column] % lanes] = cap;
 }
 
 void UnitGroups::irradiance(std::size_t g, const LanePoint& point, LaneValues& result) const {

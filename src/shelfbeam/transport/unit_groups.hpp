@@ -52,6 +52,13 @@ class UnitGroups {
   /// Irradiance in W/m^2 that each unit of a group would give with nothing in between.
   void irradiance(std::size_t g, const LanePoint& point, LaneValues& result) const;
 
+  /// What estimators that look at surfaces from afar take of a unit's irradiance at most; the rest, in the
+  /// bright spots on surfaces right beside it, they must leave to rays from the unit. No limit unless set.
+  float cap(std::size_t g, std::size_t lane) const { return groups_[g].cap[lane]; }
+  void set_cap(std::size_t column, float cap);
+  /// Largest radiant intensity, W/sr.
+  float peak(std::size_t g) const { return groups_[g].peak; }
+
   /// Largest irradiance that a unit of the group could give anywhere at this distance, and more than nothing.
   float bound(std::size_t g, const LanePoint& point) const {
     const Group& group = groups_[g];
@@ -64,7 +71,7 @@ class UnitGroups {
   friend struct LaneKernels;
   enum class Profile { sine, isotropic, lambertian, table };
   struct Group {
-    alignas(64) LaneValues x{}, y{}, z{}, ax{}, ay{}, az{}, scale{};
+    alignas(64) LaneValues x{}, y{}, z{}, ax{}, ay{}, az{}, scale{}, cap{};
     std::array<std::uint32_t, lanes> columns{};
     std::size_t count = 0;
     Profile profile = Profile::table;
