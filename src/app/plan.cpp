@@ -56,7 +56,7 @@ int run_plan(const Options& options) {
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
     plan = make_plan(store.scene, store.hash,
                      {simulation, options.question.question(), options.solver.options()}, control);
-  } catch (const Interrupted&) {
+  } catch (...) {  // stopped too early, or refused
     std::error_code not_empty;
     if (is_new) std::filesystem::remove(options.folder, not_empty);
     throw;

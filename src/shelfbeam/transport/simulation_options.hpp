@@ -20,8 +20,8 @@ enum class DirectLight {
 
 /// Where a simulation keeps what it has while it works (docs/formats/checkpoint.md).
 struct CheckpointOptions {
-  std::filesystem::path path;  ///< empty: nothing is kept
-  bool resume = false;         ///< begin with what the file has, if there is one
+  std::filesystem::path path = {};  ///< empty: nothing is kept
+  bool resume = false;              ///< begin with what the file has, if there is one
   /// Least time between two checkpoints; they also take no more than some 5 % of the time. 0: one after every
   /// batch, whatever it takes.
   double interval_s = 10;
@@ -39,10 +39,10 @@ struct SimulationOptions {
   bool by_bounce = false;  ///< fill SignalMatrix::by_bounce; needs max_bounces
 
   EstimatorKind estimator = EstimatorKind::uniform;
-  std::optional<RelativeError> relative_error;  ///< ends when this is reached
-  std::optional<double> time_s;                 ///< ends before this is over, but not before `least_batches`
-  std::size_t memory = 0;                       ///< bytes that may be used; 0: any number
-  CheckpointOptions checkpoint;
+  std::optional<RelativeError> relative_error = {};  ///< ends when this is reached
+  std::optional<double> time_s = {};  ///< ends before this is over, but not before `least_batches`
+  std::size_t memory = 0;             ///< bytes that may be used; 0: any number
+  CheckpointOptions checkpoint = {};
 
   PathRules rules() const { return {strategy, heuristic, max_bounces, direct == DirectLight::sampled}; }
   bool has_fixed_samples() const { return !relative_error && !time_s; }
