@@ -53,6 +53,7 @@ Engine::Engine(const World& world, const Estimator& estimator, const SimulationO
       known_(world, options.rules(), control),
       limit_(options.has_fixed_samples() ? batches_for(estimator, options)
                                          : std::numeric_limits<std::uint32_t>::max()),
+      survey_(world, estimator, sums_, known_),
       paused_(estimator.items()),
       precision_(estimator.items()) {
   sums_.reserve(estimator.items());
@@ -136,55 +137,14 @@ void Engine::sample(const std::vector<std::uint32_t>& items) {
   last_batch_s_ = seconds() - begun;
 }
 
-// Calls use(label, means, standard errors) for the rows of an item.
-template <class Use>
-void Engine::each_row(std::size_t item, Use use) const {
-  const auto& [rows, columns] = estimator_.block(item);
-  std::vector<double> means(columns.size()), errors(columns.size());
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      const std::size_t entry = r * columns.size() + c;
-      means[c] = sums_[item].mean(entry) + known_.straight(rows[r], columns[c]) +
-                 known_.mirrored(rows[r], columns[c]);
-      errors[c] = sums_[item].standard_error(entry);
-    }
-    use(rows[r], means, errors);
-  }
-}
-
-double Engine::requirement(std::size_t label) const {
-  return world_.scene.type_of(world_.scene.labels[label]).requirement();
-}
-
 void Engine::judge(const std::vector<std::uint32_t>& items) {
   for_parts(items.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
-      Precision found;
-      each_row(items[k], [&](std::size_t label, const auto& means, const auto& errors) {
-        found += count_precise(means, errors, requirement(label), *options_.relative_error);
-      });
-      precision_[items[k]] = found;
-      paused_[items[k]] = found.is_enough();
+      const std::uint32_t item = items[k];
+      precision_[item] = survey_.precision(item, *options_.relative_error);
+      paused_[item] = precision_[item].is_enough();
     }
   });
-}
-
-LogHistogram Engine::relative_errors(double above) const {
-  tbb::enumerable_thread_specific<LogHistogram> parts;
-  for_parts(sums_.size(), [&](std::size_t first, std::size_t last) {
-    LogHistogram& histogram = parts.local();
-    for (std::size_t item = first; item < last; ++item) {
-      if (sums_[item].batches < 2) continue;
-      each_row(item, [&](std::size_t label, const auto& means, const auto& errors) {
-        const double limit = relevance_limit(means, requirement(label), above);
-        for (std::size_t c = 0; c < means.size(); ++c)
-          if (means[c] > limit) histogram.add(errors[c] / means[c]);
-      });
-    }
-  });
-  LogHistogram all;
-  for (const LogHistogram& part : parts) all.merge(part);
-  return all;
 }
 
 std::uint32_t Engine::fewest_batches() const {
@@ -250,7 +210,7 @@ void Engine::foresee() {
   const auto all = static_cast<double>(done_before_ + done_);
   if (most == 2 || most == 4 || most == 8 || is_stopping_point(most)) {
     const double share = options_.relative_error ? options_.relative_error->above : 0.3;
-    const double error = relative_errors(share).quantile(0.99);
+    const double error = survey_.relative_errors(share).quantile(0.99);
     const std::scoped_lock lock(report_mutex_);
     error_text_ = fmt::format(", error {:.1f} %", 100 * error);
     if (options_.relative_error)

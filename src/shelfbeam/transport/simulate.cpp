@@ -32,7 +32,7 @@ SimulationSummary summarise(const SignalMatrix& head, const detail::Engine& engi
   summary.rays = engine.rays();
   summary.seconds_to_halve = engine.seconds_to_halve();
   for (ErrorQuantiles& errors : summary.errors) {
-    const LogHistogram histogram = engine.relative_errors(errors.above);
+    const LogHistogram histogram = engine.survey().relative_errors(errors.above);
     errors.entries = histogram.count();
     errors.median = histogram.quantile(0.5);
     errors.p90 = histogram.quantile(0.9);

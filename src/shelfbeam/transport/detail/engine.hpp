@@ -14,7 +14,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/signal/checkpoint.hpp"
-#include "shelfbeam/stats/log_histogram.hpp"
+#include "shelfbeam/transport/detail/error_survey.hpp"
 #include "shelfbeam/transport/detail/item_sums.hpp"
 #include "shelfbeam/transport/detail/known_light.hpp"
 #include "shelfbeam/transport/estimator.hpp"
@@ -48,8 +48,7 @@ class Engine {
   /// Predicted until the errors are half as large.
   double seconds_to_halve() const;
 
-  /// Relative errors of the entries above a share of their label's requirement.
-  LogHistogram relative_errors(double above) const;
+  const ErrorSurvey& survey() const { return survey_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -63,9 +62,6 @@ class Engine {
   bool is_done(std::uint32_t round);
   void sample(const std::vector<std::uint32_t>& items);
   void judge(const std::vector<std::uint32_t>& items);
-  template <class Use>
-  void each_row(std::size_t item, Use use) const;
-  double requirement(std::size_t label) const;
   void foresee();
   void report();
   double seconds() const;
@@ -77,6 +73,7 @@ class Engine {
   KnownLight known_;
   std::uint32_t limit_;  ///< batches an item
   std::vector<ItemSums> sums_;
+  ErrorSurvey survey_;
   std::vector<char> paused_;
   std::vector<Precision> precision_;  ///< of each item, where it was last looked at
   tbb::enumerable_thread_specific<BatchValues> values_;
