@@ -88,26 +88,18 @@ TEST(Engine, StopsWithinItsTimeButNotBeforeSixteenBatches) {
   EXPECT_LT(more.seconds, 3);
 }
 
-// Every label keeps batches of the same numbers, so a fixed number of samples and an open one agree to the
-// bit where they have the same batches.
-TEST(Engine, StoppingChangesNoBatch) {
+// Whatever ends a simulation after 16 batches, they are the same.
+TEST(Engine, WhatStopsItChangesNoBatch) {
   const Scene scene = test::SmallStore{}.scene();
-  SimulationOptions fixed;
-  fixed.samples = batch_count * open_samples_per_batch;
-  fixed.direct = DirectLight::exact;
-  const SignalMatrix all = simulate(scene, "hash", fixed).matrix;
-  double error = 0;
-  for (std::size_t e = 0; e < all.mean.size(); ++e)
-    if (all.mean[e] > 0) error = std::max<double>(error, all.standard_error[e] / all.mean[e]);
-  const SignalMatrix open = simulate(scene, "hash", to_relative_error(1.2 * error)).matrix;
-  std::size_t same = 0;
-  for (std::size_t i = 0; i < all.rows(); ++i)
-    if (open.labels[i].batches == batch_count) {
-      ++same;
-      EXPECT_TRUE(std::equal(all.mean_row(i).begin(), all.mean_row(i).end(), open.mean_row(i).begin()));
-    }
-  for (const LabelRow& row : open.labels) EXPECT_LE(row.batches, batch_count + 8);
-  SUCCEED() << same;
+  SimulationOptions timed;
+  timed.direct = DirectLight::exact;
+  timed.time_s = 1e-6;
+  const SignalMatrix by_time = simulate(scene, "hash", timed).matrix;
+  const SignalMatrix by_error = simulate(scene, "hash", to_relative_error(100)).matrix;
+  for (const LabelRow& row : by_error.labels) EXPECT_EQ(row.batches, least_batches);
+  EXPECT_EQ(by_time.mean, by_error.mean);
+  EXPECT_EQ(by_time.standard_error, by_error.standard_error);
+  EXPECT_NE(by_time.mean, simulate(scene, "hash", to_relative_error(0.03)).matrix.mean);
 }
 
 TEST(Engine, WritesTheFileThatTheMatrixWouldGive) {
