@@ -9,6 +9,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/placement/placement_file.hpp"
+#include "shelfbeam/signal/checkpoint.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
@@ -45,36 +46,41 @@ void keep_store(const std::filesystem::path& folder, const std::filesystem::path
 int run_plan(const Options& options) {
   const LoadedStore store = load_store(options.store);
   keep_store(options.folder, options.store, store);
-  const SimulationOptions simulation = options.simulation.options(options.common.seed);
-  expect_memory_for(store.scene, simulation, options.store);
+  const SimulationOptions simulation =
+      options.simulation.options(options.common.seed, options.folder / signal_name);
   const bool is_new = !std::filesystem::exists(options.folder);
   prepare_plan_folder(options.folder);
   Plan plan;
   try {
     TerminalProgress progress(options.common.quiet);
-    const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
+    const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
     plan = make_plan(store.scene, store.hash,
                      {simulation, options.question.question(), options.solver.options()}, control);
-  } catch (const Interrupted&) {
+  } catch (...) {  // stopped too early, or refused
     std::error_code not_empty;
     if (is_new) std::filesystem::remove(options.folder, not_empty);
     throw;
   }
   const SignalMatrix& matrix = plan.simulation.matrix;
+  const SimulationSummary& summary = plan.simulation.summary;
   const SignalTable table = make_signal_table(matrix);
   const std::string answer = placement_json(plan.placement, table);
   write_file(options.folder / store_name, store.resolved);
   write_signal_file(matrix, options.folder / signal_name);
   write_file(options.folder / placement_name, answer);
   write_report(options.folder, {store.scene, matrix, plan.placement});
+  if (summary.complete) remove_checkpoint(simulation.checkpoint.path);
 
   if (options.common.json)
     fmt::print("{}", answer);
   else if (!options.common.quiet)
-    fmt::print("{}\n{}report: {}\n", describe(plan.simulation), describe(plan.placement, table),
+    fmt::print("{}\n{}report: {}\n", describe(summary), describe(plan.placement, table),
                (options.folder / report_name).string());
-  if (plan.simulation.complete) return exit_code(plan.placement);
-  if (!options.common.quiet) fmt::print(stderr, "stopped early: the plan rests on the samples so far\n");
+  if (summary.complete) return exit_code(plan.placement);
+  if (!options.common.quiet)
+    fmt::print(
+        stderr,
+        "stopped early: the plan rests on the samples so far; the same command with '--resume' goes on\n");
   return stopped_early;
 }
 

@@ -1,11 +1,10 @@
+#include "shelfbeam/transport/simulate.hpp"
+
 #include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include "shelfbeam/base/file.hpp"
-#include "shelfbeam/signal/signal_file.hpp"
 
 #include "arguments.hpp"
 #include "loaded_store.hpp"
@@ -27,30 +26,27 @@ struct Options {
 int run_simulate(const Options& options) {
   keep_input(options.output, options.store);
   const LoadedStore store = load_store(options.store);
-  const SimulationOptions simulation = options.simulation.options(options.common.seed);
-  expect_memory_for(store.scene, simulation, options.store);
+  const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   expect_writable(options.output);
-  SimulationResult result;
+  SimulationSummary summary;
   {
     TerminalProgress progress(options.common.quiet);
-    const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
-    result = simulate(store.scene, store.hash, simulation, control);
+    const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
+    summary = simulate_to_file(store.scene, store.hash, simulation, options.output, control);
   }
-  write_signal_file(result.matrix, options.output);
   if (options.common.json) {
-    const nlohmann::ordered_json json{{"signal", options.output.string()},
-                                      {"labels", result.matrix.rows()},
-                                      {"transceivers", result.matrix.columns()},
-                                      {"complete", result.complete},
-                                      {"rays", result.rays},
-                                      {"seconds", result.seconds}};
+    nlohmann::ordered_json json{{"signal", options.output.string()}};
+    json.update(to_json(summary));
     print_json(json);
   } else if (!options.common.quiet) {
-    fmt::print("{}\n{}\n", describe(result), options.output.string());
+    fmt::print("{}\n{}\n", describe(summary), options.output.string());
   }
-  if (!result.complete && !options.common.json && !options.common.quiet)
-    fmt::print(stderr, "stopped early: the file holds the samples so far\n");
-  return result.complete ? done : stopped_early;
+  if (summary.complete) return done;
+  if (!options.common.json && !options.common.quiet)
+    fmt::print(stderr,
+               "stopped early: the file holds the samples so far; the same command with '--resume' "
+               "goes on\n");
+  return stopped_early;
 }
 
 }  // namespace
@@ -68,7 +64,8 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   verb->footer(
       "Examples:\n"
       "  shelfbeam simulate store.json -o signal.h5 --samples 100000\n"
-      "  shelfbeam simulate store.json -o signal.h5 --direct exact --threads 2 --seed 7");
+      "  shelfbeam simulate store.json -o signal.h5 --direct exact --relative-error 0.05\n"
+      "  shelfbeam simulate store.json -o signal.h5 --direct exact --relative-error 0.05 --resume");
   verb->callback([options, &chosen] { chosen = [options] { return run_simulate(*options); }; });
 }
 

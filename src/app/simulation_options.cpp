@@ -3,12 +3,23 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "shelfbeam/base/error.hpp"
-#include "shelfbeam/report/sampling.hpp"
+#include "shelfbeam/signal/checkpoint.hpp"
+
+#include "arguments.hpp"
 
 namespace shelfbeam::app {
 
-SimulationOptions SimulationFlags::options(std::uint64_t seed) const {
+namespace {
+
+// What the machine has, but for what others need.
+std::size_t most_of_the_memory() {
+  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) / 10 * 8 *
+         static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesystem::path& output) const {
   SimulationOptions options;
   options.samples = samples;
   options.direct = direct == "sampled" ? DirectLight::sampled : DirectLight::exact;
@@ -20,6 +31,10 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed) const {
   options.heuristic = heuristic == "balance" ? Heuristic::balance : Heuristic::power;
   options.max_bounces = max_bounces.value_or(PathRules::no_limit);
   options.by_bounce = by_bounce;
+  if (relative_error) options.relative_error = RelativeError{*relative_error, above};
+  options.time_s = time_s;
+  options.memory = memory == 0 ? most_of_the_memory() : memory;
+  options.checkpoint = {checkpoint_path(output), resume, checkpoint_interval_s};
   return options;
 }
 
@@ -33,10 +48,23 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
                   "Direct light: sampled by the walk, as in the paper, or exact in closed form")
       ->check(CLI::IsMember({"sampled", "exact"}))
       ->capture_default_str();
-  verb.add_option("--samples", flags.samples,
-                  "First rays a label (particles a transceiver), dealt out over 32 batches")
-      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
+  auto* samples = verb.add_option("--samples", flags.samples, "First rays a label (particles a transceiver)")
+                      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
+                      ->capture_default_str();
+  auto* error = verb.add_option("--relative-error", flags.relative_error,
+                                "Instead of --samples: stop when 99 % of the entries that matter have this "
+                                "relative standard error")
+                    ->check(positive_number())
+                    ->excludes(samples);
+  verb.add_option("--above", flags.above,
+                  "Entries matter from this share of their label's requirement on, for --relative-error")
+      ->check(positive_number())
+      ->needs(error)
       ->capture_default_str();
+  verb.add_option("--time", flags.time_s, "Instead of --samples: seconds to simulate")
+      ->check(positive_number())
+      ->excludes(samples)
+      ->excludes(error);
   verb.add_option("--strategy", flags.strategy,
                   "How paths are found: walk (until a transceiver of some size is met), nee (next event "
                   "estimation), mis (both, weighted), particle (from the transceivers)")
@@ -47,6 +75,15 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
       ->capture_default_str();
   verb.add_option("--max-bounces", flags.max_bounces, "Longest paths: reflections and refractions")
       ->check(CLI::Range(0, 1000));
+  verb.add_option("--memory", flags.memory,
+                  "Memory that may be used, e.g. 4G or 500M (default: 80 % of what the machine has)")
+      ->transform(CLI::AsSizeValue(true))
+      ->check(positive_number());
+  verb.add_flag("--resume", flags.resume, "Go on from the checkpoint of an interrupted run, if there is one");
+  verb.add_option("--checkpoint-interval", flags.checkpoint_interval_s,
+                  "Seconds between checkpoints, at least; 0 is one after every batch")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
 }
 
 void add_by_bounce(CLI::App& verb, SimulationFlags& flags) {
@@ -54,36 +91,41 @@ void add_by_bounce(CLI::App& verb, SimulationFlags& flags) {
       ->needs("--max-bounces");
 }
 
-void expect_memory_for(const Scene& scene, const SimulationOptions& options,
-                       const std::filesystem::path& store) {
-  // An entry is summed up in three doubles and written as three floats; a layer of bounces is two of either.
-  const double layers = options.by_bounce ? options.max_bounces + 1.0 : 0;
-  const double bytes_per_entry = (3 + 2 * layers) * (sizeof(double) + sizeof(float));
-  const double needed = bytes_per_entry * static_cast<double>(scene.labels.size()) *
-                        static_cast<double>(scene.transceivers.size());
-  const double present =
-      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-  if (needed > present)
-    throw InputError(
-        store.string(),
-        fmt::format(
-            "has {} labels and {} candidates, whose matrix takes {:.1f} GB; this machine has {:.1f} GB",
-            scene.labels.size(), scene.transceivers.size(), needed / 1e9, present / 1e9),
-        "use a wider grid of candidates");
+std::string describe(const SimulationSummary& summary) {
+  const std::string samples = summary.least_samples == summary.most_samples
+                                  ? fmt::format("{}", summary.least_samples)
+                                  : fmt::format("{} to {}", summary.least_samples, summary.most_samples);
+  std::string text =
+      fmt::format("{} labels x {} candidates, {} samples a label in {:.1f} s ({:.2f} million rays a second)",
+                  summary.labels, summary.candidates, samples, summary.seconds,
+                  static_cast<double>(summary.rays) / summary.seconds / 1e6);
+  for (const ErrorQuantiles& errors : summary.errors) {
+    if (errors.entries == 0)
+      text += fmt::format("\nno entry exceeds {} of its requirement", errors.above);
+    else
+      text += fmt::format(
+          "\nrelative standard error of the {} entries above {} of the requirement: median {:.1f} %, "
+          "90 % below {:.1f} %, 99 % below {:.1f} %",
+          errors.entries, errors.above, 100 * errors.median, 100 * errors.p90, 100 * errors.p99);
+  }
+  return text + fmt::format("\nhalf these errors would take another {:.0f} s", summary.seconds_to_halve);
 }
 
-std::string describe(const SimulationResult& result) {
-  const SamplingSummary sampling = sampling_summary(result.matrix);
-  std::string text = fmt::format(
-      "{} labels x {} candidates, {} samples a label in {:.1f} s ({:.2f} million rays a second)\n",
-      result.matrix.rows(), result.matrix.columns(), sampling.least_samples, result.seconds,
-      static_cast<double>(result.rays) / result.seconds / 1e6);
-  if (sampling.relevant == 0)
-    return text + fmt::format("no entry reaches {} of its requirement", relevant_share);
-  return text + fmt::format(
-                    "relative standard error of the {} entries above {} of the requirement: "
-                    "median {:.1f} %, 99 % below {:.1f} %",
-                    sampling.relevant, relevant_share, 100 * sampling.median, 100 * sampling.p99);
+nlohmann::ordered_json to_json(const SimulationSummary& summary) {
+  nlohmann::ordered_json errors = nlohmann::ordered_json::array();
+  for (const ErrorQuantiles& e : summary.errors)
+    errors.push_back(
+        {{"above", e.above}, {"entries", e.entries}, {"median", e.median}, {"p90", e.p90}, {"p99", e.p99}});
+  return {{"labels", summary.labels},
+          {"transceivers", summary.candidates},
+          {"complete", summary.complete},
+          {"samples", {summary.least_samples, summary.most_samples}},
+          {"batches", {summary.least_batches, summary.most_batches}},
+          {"rays", summary.rays},
+          {"seconds", summary.seconds},
+          {"rays_per_second", static_cast<double>(summary.rays) / summary.seconds},
+          {"relative_errors", errors},
+          {"seconds_to_halve_the_errors", summary.seconds_to_halve}};
 }
 
 }  // namespace shelfbeam::app

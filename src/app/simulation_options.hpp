@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "shelfbeam/transport/simulate.hpp"
 
@@ -16,11 +18,17 @@ struct SimulationFlags {
   std::string estimator = "uniform";
   std::string direct;
   std::uint64_t samples = 10000;
+  std::optional<double> relative_error, time_s;
+  double above = 0.3;
   std::string strategy = "mis", heuristic = "balance";
   std::optional<std::uint32_t> max_bounces;
   bool by_bounce = false;
+  std::size_t memory = 0;  ///< bytes; 0: most of what the machine has
+  bool resume = false;
+  double checkpoint_interval_s = 10;
 
-  SimulationOptions options(std::uint64_t seed) const;
+  /// `output` is what the checkpoint lies beside.
+  SimulationOptions options(std::uint64_t seed, const std::filesystem::path& output) const;
 };
 
 void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::string& default_direct);
@@ -28,11 +36,8 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
 /// --by-bounce, which only a verb that leaves a signal file has.
 void add_by_bounce(CLI::App& verb, SimulationFlags& flags);
 
-/// Throws InputError naming the store file when the matrix would not fit into this machine's memory.
-void expect_memory_for(const Scene& scene, const SimulationOptions& options,
-                       const std::filesystem::path& store);
-
-/// One line about what was simulated and how good it is.
-std::string describe(const SimulationResult& result);
+/// Some lines about what was simulated and how good it is.
+std::string describe(const SimulationSummary& summary);
+nlohmann::ordered_json to_json(const SimulationSummary& summary);
 
 }  // namespace shelfbeam::app

@@ -1,5 +1,6 @@
 #include "terminal.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 
@@ -25,6 +26,7 @@ void TerminalProgress::report(std::string_view task, double fraction, std::strin
   if (task != task_) {
     task_ = task;
     started_ = now;
+    first_ = std::max(0.0, fraction);
   } else if (now - last_ < std::chrono::milliseconds(100)) {
     return;
   }
@@ -37,7 +39,9 @@ void TerminalProgress::report(std::string_view task, double fraction, std::strin
     constexpr int width = 30;
     const int filled = static_cast<int>(fraction * width);
     const std::string left =
-        fraction > 0.01 ? fmt::format("{:.0f} s left", elapsed / fraction - elapsed) : "";
+        fraction - first_ > 0.01
+            ? fmt::format("{:.0f} s left", elapsed * (1 - fraction) / (fraction - first_))
+            : "";
     fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {}  {}", task, "", filled, "", width - filled,
                fraction * 100, left, detail);
   }

@@ -13,6 +13,8 @@ class TerminalProgress : public ProgressSink {
  public:
   explicit TerminalProgress(bool quiet);
   ~TerminalProgress() override;
+  /// Itself, or nothing where nobody watches.
+  ProgressSink* sink() { return active_ ? this : nullptr; }
   void report(std::string_view task, double fraction, std::string_view detail) override;
 
  private:
@@ -21,6 +23,7 @@ class TerminalProgress : public ProgressSink {
 
   bool active_;
   bool drawn_ = false;
+  double first_ = 0;  ///< the fraction that the task began with
   std::string task_;
   Clock::time_point started_, last_;
 };

@@ -197,9 +197,19 @@ TEST_F(BadStore, MoreThanMemoryHolds) {
   store["fixtures"][0]["labels"]["spacing"] = 0.02;
   store["transceivers"]["grids"][0].update(Json{{"max", {999, 999}}, {"spacing", 3.2}});
   folder.write("store.json", store.dump());
-  expect_refused(
-      folder, {"simulate", path("store.json"), "-o", path("new.h5")},
-      {"store.json: has 100001 labels and 97969 candidates, whose matrix takes", "this machine has"});
+  for (const char* verb : {"simulate", "plan"})
+    expect_refused(
+        folder, {verb, path("store.json"), "-o", path("new")},
+        {"--memory: 100001 labels and 97969 candidates need ", " GB, ", "may be used; allow more"});
+}
+
+TEST_F(BadStore, MoreThanTheMemoryAllowed) {
+  folder.write("store.json", small_store().dump());
+  // 17 x 12 entries with three sums in double and a column index each, and what an item takes.
+  expect_refused(folder, {"simulate", path("store.json"), "-o", path("new.h5"), "--memory", "6K"},
+                 {"--memory: 17 labels and 12 candidates need ", "6e-06 GB may be used"});
+  test::expect_silent({"simulate", path("store.json"), "-o", path("new.h5"), "--quiet", "--memory", "12K",
+                       "--samples", "64"});
 }
 
 class BadOutput : public BadStore {

@@ -32,8 +32,7 @@ TEST(Help, TellsOnlyWhatWorks) {
   for (const auto& command : commands) {
     std::string help = expect_silent(command);
     std::transform(help.begin(), help.end(), help.begin(), [](unsigned char c) { return std::tolower(c); });
-    for (const char* later :
-         {"search", "reuse", "resume", "memory", "verify", "certif", "refine", "supermarket", "ies"}) {
+    for (const char* later : {"search", "reuse", "verify", "certif", "refine", "supermarket", "ies"}) {
       const auto at = help.find(later);
       const bool is_word = at != std::string::npos && (at == 0 || std::isalpha(help[at - 1]) == 0);
       EXPECT_FALSE(is_word) << command[0] << ": " << later;
@@ -139,7 +138,14 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"place", matrix, "--threshold", "2", "--solver", "search"}, "--solver"},
       {{"place", matrix, "--threshold", "2", "--backend", "cplex"}, "--backend"},
       {{"place", matrix, "--threshold", "2", "--weighted", "--lexicographic"}, "excludes"},
-      {{"plan", store, "-o", out, "--resume"}, "--resume"},
+      {{"plan", store, "-o", out, "--relative-error", "0"}, "--relative-error"},
+      {{"plan", store, "-o", out, "--relative-error", "0.1", "--samples", "100"}, "excludes"},
+      {{"plan", store, "-o", out, "--relative-error", "0.1", "--time", "9"}, "excludes"},
+      {{"plan", store, "-o", out, "--above", "0.1"}, "--above"},
+      {{"plan", store, "-o", out, "--time", "-1"}, "--time"},
+      {{"plan", store, "-o", out, "--memory", "4X"}, "--memory"},
+      {{"plan", store, "-o", out, "--memory", "0"}, "--memory"},
+      {{"plan", store, "-o", out, "--checkpoint-interval", "-1"}, "--checkpoint-interval"},
       {{"export", matrix, "-o", path("model.xml")}, "model.xml: '.xml' says nothing about the format"},
       {{"export", matrix, "-o", path("model")}, "end the name in .mps, .lp, .csv or .npy"},
       {{"export", path("signal.h5"), "-o", path("a.csv"), "--what", "variance"}, "--what"},

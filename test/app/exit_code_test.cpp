@@ -150,11 +150,12 @@ TEST_F(ExitCode, ThreeWhenASimulationIsInterrupted) {
         << outcome.exit_code << outcome.err;
     delay *= outcome.exit_code == 0 ? 0.5 : 1.7;
     std::filesystem::remove(folder / "signal.h5");
+    std::filesystem::remove(folder / "signal.h5.checkpoint");
   }
   ASSERT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(Json::parse(outcome.out)["complete"], false);
-  EXPECT_EQ(names(folder.path()), (std::set<std::string>{"signal.h5", "store.json"}));
+  EXPECT_EQ(names(folder.path()), (std::set<std::string>{"signal.h5", "signal.h5.checkpoint", "store.json"}));
   const SignalMatrix matrix = read_signal_file(folder / "signal.h5");
   std::uint32_t fewest = 32;
   for (const LabelRow& label : matrix.labels) {

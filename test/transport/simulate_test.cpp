@@ -212,7 +212,7 @@ TEST(Simulate, KeepsWhatItHasWhenCancelled) {
   CancelAfter half(token, 0.5);
   const SimulationResult result =
       simulate(scene, "hash", {6400, DirectLight::sampled, 1}, {1, &token, &half});
-  EXPECT_FALSE(result.complete);
+  EXPECT_FALSE(result.summary.complete);
   for (const LabelRow& row : result.matrix.labels) {
     EXPECT_GE(row.batches, 2U);
     EXPECT_LT(row.batches, batch_count);

@@ -1,6 +1,7 @@
 #include "shelfbeam/signal/detail/hdf5_io.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -103,14 +104,17 @@ struct Hdf5Writer::File {
   }
 
   // Matrices are chunked by whole rows, about 1 MB a chunk, so that readers can take some of the rows.
+  static std::array<hsize_t, 2> chunk_of(const Shape& shape, std::size_t element_size) {
+    const std::size_t columns = std::min<std::size_t>(shape[1], 1 << 18);
+    return {std::clamp<std::size_t>((1 << 20) / (columns * element_size), 1, shape[0]), columns};
+  }
+
   static Handle layout(const Shape& shape, std::size_t element_size) {
     Handle plan(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_obj_track_times(plan, false);
     if (shape.size() == 2) {
-      const std::size_t columns = std::min<std::size_t>(shape[1], 1 << 18);
-      const std::size_t rows = std::clamp<std::size_t>((1 << 20) / (columns * element_size), 1, shape[0]);
-      const hsize_t chunk[] = {rows, columns};
-      H5Pset_chunk(plan, 2, chunk);
+      const auto chunk = chunk_of(shape, element_size);
+      H5Pset_chunk(plan, 2, chunk.data());
       // What a chunk at the edge has beyond the matrix must not be left to chance.
       const std::uint64_t zero = 0;
       H5Pset_fill_value(plan, H5T_STD_U64LE, &zero);
@@ -119,12 +123,19 @@ struct Hdf5Writer::File {
     return plan;
   }
 
+  static Handle space_of(const Shape& shape) {
+    const std::vector<hsize_t> extents(shape.begin(), shape.end());
+    return {H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose};
+  }
+
+  Handle create(const std::string& path, hid_t in_file, const Shape& shape) const {
+    const Handle plan = layout(shape, H5Tget_size(in_file));
+    return {H5Dcreate2(id, path.c_str(), in_file, space_of(shape), H5P_DEFAULT, plan, H5P_DEFAULT), H5Dclose};
+  }
+
   void write(const std::string& path, hid_t in_memory, hid_t in_file, const Shape& shape,
              const void* data) const {
-    const std::vector<hsize_t> extents(shape.begin(), shape.end());
-    const Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
-    const Handle plan = layout(shape, H5Tget_size(in_file));
-    Handle set(H5Dcreate2(id, path.c_str(), in_file, space, H5P_DEFAULT, plan, H5P_DEFAULT), H5Dclose);
+    Handle set = create(path, in_file, shape);
     check(set && H5Dwrite(set, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0 && set.release(), path);
   }
 
@@ -158,6 +169,26 @@ void Hdf5Writer::group(const std::string& path) {
 template <Hdf5Number T>
 void Hdf5Writer::numbers(const std::string& path, std::span<const T> values, const Shape& shape) {
   file_->write(path, memory_type<T>(), file_type<T>(), shape, values.data());
+}
+
+void Hdf5Writer::rows(const std::string& path, const Shape& shape,
+                      const std::function<void(std::size_t, std::span<float>)>& fill) {
+  Handle set = file_->create(path, file_type<float>(), shape);
+  file_->check(bool(set), path);
+  const Handle space = File::space_of(shape);
+  const std::size_t columns = shape[1], at_once = File::chunk_of(shape, sizeof(float))[0];
+  std::vector<float> values;
+  for (std::size_t first = 0; first < shape[0]; first += at_once) {
+    const std::size_t count = std::min(at_once, shape[0] - first);
+    values.resize(count * columns);
+    for (std::size_t k = 0; k < count; ++k) fill(first + k, std::span(values).subspan(k * columns, columns));
+    const hsize_t start[] = {first, 0}, extents[] = {count, columns};
+    const Handle part(H5Screate_simple(2, extents, nullptr), H5Sclose);
+    file_->check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, extents, nullptr) >= 0 &&
+                     H5Dwrite(set, memory_type<float>(), part, space, H5P_DEFAULT, values.data()) >= 0,
+                 path);
+  }
+  file_->check(set.release(), path);
 }
 
 void Hdf5Writer::texts(const std::string& path, std::span<const std::string> values) {

@@ -1,5 +1,6 @@
 #include "shelfbeam/signal/signal_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -14,6 +15,8 @@
 namespace shelfbeam {
 
 namespace {
+
+using Quantity = SignalRows::Quantity;
 
 constexpr std::uint32_t format_version = 1;
 
@@ -37,7 +40,8 @@ std::vector<double> gather(const std::vector<Row>& rows, Vec3 Row::*member) {
 
 class MatrixWriter {
  public:
-  MatrixWriter(const SignalMatrix& matrix, detail::Hdf5Writer& file) : matrix_(matrix), file_(file) {}
+  MatrixWriter(const SignalMatrix& head, const SignalRows& rows, detail::Hdf5Writer& file)
+      : matrix_(head), rows_(rows), file_(file) {}
 
   void write() {
     const Provenance& provenance = matrix_.provenance;
@@ -48,18 +52,18 @@ class MatrixWriter {
     file_.attribute("estimator", provenance.estimator);
     file_.attribute("wavelength_nm", matrix_.wavelength_nm);
 
-    entries("/mean", matrix_.mean);
-    entries("/standard_error", matrix_.standard_error);
-    entries("/direct", matrix_.direct);
-    if (!matrix_.by_bounce.empty()) {
-      file_.attribute("bounce_layers", static_cast<std::uint32_t>(matrix_.by_bounce.size()));
+    entries("/mean", Quantity::mean);
+    entries("/standard_error", Quantity::standard_error);
+    entries("/direct", Quantity::direct);
+    if (rows_.layers() > 0) {
+      file_.attribute("bounce_layers", static_cast<std::uint32_t>(rows_.layers()));
       file_.group("/bounces");
     }
-    for (std::size_t k = 0; k < matrix_.by_bounce.size(); ++k) {
+    for (std::size_t k = 0; k < rows_.layers(); ++k) {
       const std::string group = fmt::format("/bounces/{}", k);
       file_.group(group);
-      entries(group + "/mean", matrix_.by_bounce[k].mean);
-      entries(group + "/standard_error", matrix_.by_bounce[k].standard_error);
+      layer(group + "/mean", k, Quantity::mean);
+      layer(group + "/standard_error", k, Quantity::standard_error);
     }
 
     const auto& labels = matrix_.labels;
@@ -92,12 +96,45 @@ class MatrixWriter {
   void vectors(const std::string& path, const std::vector<double>& values) {
     file_.numbers(path, std::span(values), {values.size() / 3, 3});
   }
-  void entries(const std::string& path, const std::vector<float>& values) {
-    file_.numbers(path, std::span(values), {matrix_.rows(), matrix_.columns()});
+  void entries(const std::string& path, Quantity quantity) {
+    file_.rows(path, {matrix_.rows(), matrix_.columns()},
+               [&](std::size_t row, std::span<float> values) { rows_.fill(quantity, row, values); });
+  }
+  void layer(const std::string& path, std::size_t k, Quantity quantity) {
+    file_.rows(path, {matrix_.rows(), matrix_.columns()},
+               [&](std::size_t row, std::span<float> values) { rows_.fill_layer(k, quantity, row, values); });
   }
 
   const SignalMatrix& matrix_;
+  const SignalRows& rows_;
   detail::Hdf5Writer& file_;
+};
+
+// The rows of a matrix that has them.
+class OwnRows : public SignalRows {
+ public:
+  explicit OwnRows(const SignalMatrix& matrix) : matrix_(matrix) {}
+
+  void fill(Quantity quantity, std::size_t row, std::span<float> values) const override {
+    copy(quantity == Quantity::mean     ? matrix_.mean
+         : quantity == Quantity::direct ? matrix_.direct
+                                        : matrix_.standard_error,
+         row, values);
+  }
+  void fill_layer(std::size_t bounces, Quantity quantity, std::size_t row,
+                  std::span<float> values) const override {
+    const BounceLayer& layer = matrix_.by_bounce[bounces];
+    copy(quantity == Quantity::mean ? layer.mean : layer.standard_error, row, values);
+  }
+  std::size_t layers() const override { return matrix_.by_bounce.size(); }
+
+ private:
+  static void copy(const std::vector<float>& from, std::size_t row, std::span<float> values) {
+    const auto part = std::span(from).subspan(row * values.size(), values.size());
+    std::copy(part.begin(), part.end(), values.begin());
+  }
+
+  const SignalMatrix& matrix_;
 };
 
 class MatrixReader {
@@ -199,9 +236,13 @@ void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& 
       matrix.direct.size() != size)
     throw std::invalid_argument(
         "write_signal_file: a matrix without entries or with arrays of different sizes");
+  write_signal_file(matrix, OwnRows(matrix), path);
+}
+
+void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const std::filesystem::path& path) {
   AtomicFile target(path);
   detail::Hdf5Writer file(target.temporary(), path.string());
-  MatrixWriter(matrix, file).write();
+  MatrixWriter(head, rows, file).write();
   file.close();
   target.commit();
 }

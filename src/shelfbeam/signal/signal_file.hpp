@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "shelfbeam/signal/signal_matrix.hpp"
+#include "shelfbeam/signal/signal_rows.hpp"
 
 namespace shelfbeam {
 
@@ -10,6 +11,9 @@ namespace shelfbeam {
 /// depends on the matrix alone: no time stamps. Throws InputError when it cannot be written, and
 /// std::invalid_argument for a matrix that is empty or whose arrays are not all of m n entries.
 void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path);
+
+/// The same with the entries from elsewhere, a few rows at a time; those of `head` are not used.
+void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const std::filesystem::path& path);
 
 /// Throws InputError for a file that is not HDF5 (or in its old format without checksums), is truncated, is
 /// of an unknown format version, lacks a data set or has one of another shape, or holds NaN, infinite or

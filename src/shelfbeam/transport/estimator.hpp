@@ -39,6 +39,9 @@ class Estimator {
   /// The name and settings that a signal file carries.
   virtual std::string name() const = 0;
 
+  /// Memory for its own tables, in bytes.
+  virtual std::size_t bytes() const { return 0; }
+
   /// Fills `values` (cleared before) with the batch's mean of every entry of the block that is not zero.
   /// False: cancelled on the way; the batch does not count.
   virtual bool sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,6 +31,9 @@ class Hdf5Writer {
   void group(const std::string& path);
   template <Hdf5Number T>
   void numbers(const std::string& path, std::span<const T> values, const Shape& shape);
+  /// A matrix row by row, of which a few are in memory at a time.
+  void rows(const std::string& path, const Shape& shape,
+            const std::function<void(std::size_t row, std::span<float> values)>& fill);
   void texts(const std::string& path, std::span<const std::string> values);  ///< one-dimensional
 
   template <Hdf5Number T>

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "shelfbeam/stats/log_histogram.hpp"
+#include "shelfbeam/transport/detail/item_sums.hpp"
+#include "shelfbeam/transport/detail/known_light.hpp"
+#include "shelfbeam/transport/estimator.hpp"
+#include "shelfbeam/transport/stopping.hpp"
+#include "shelfbeam/transport/world.hpp"
+
+namespace shelfbeam::detail {
+
+/// Looks at the errors that the items have so far.
+class ErrorSurvey {
+ public:
+  ErrorSurvey(const World& world, const Estimator& estimator, const std::vector<ItemSums>& sums,
+              const KnownLight& known)
+      : world_(world), estimator_(estimator), sums_(sums), known_(known) {}
+
+  Precision precision(std::size_t item, const RelativeError& wanted) const;
+
+  /// Relative errors of the entries above a share of their label's requirement, of all items with two
+  /// batches or more; on the threads of the present arena.
+  LogHistogram relative_errors(double above) const;
+
+ private:
+  template <class Use>
+  void each_row(std::size_t item, Use use) const;
+
+  const World& world_;
+  const Estimator& estimator_;
+  const std::vector<ItemSums>& sums_;
+  const KnownLight& known_;
+};
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <stdexcept>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace shelfbeam::detail {
+
+/// Calls body(first, last) for parts of 0 ... count - 1, each on some thread of the present arena.
+///
+/// What came before the loop is seen by every body, and what the bodies did is seen after it. oneTBB sees to
+/// that, too, but inside its prebuilt library, where the thread sanitizer cannot follow.
+template <class Body>
+void for_parts(std::size_t count, Body body) {
+  std::atomic<bool> begun{false};
+  std::atomic<std::size_t> ended{0};
+  begun.store(true, std::memory_order_release);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
+    if (!begun.load(std::memory_order_acquire)) return;
+    body(range.begin(), range.end());
+    ended.fetch_add(range.size(), std::memory_order_acq_rel);
+  });
+  if (ended.load(std::memory_order_acquire) != count) throw std::logic_error("parts of a loop were left out");
+}
+
+}  // namespace shelfbeam::detail

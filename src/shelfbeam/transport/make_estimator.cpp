@@ -1,0 +1,51 @@
+#include "shelfbeam/transport/make_estimator.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/uniform.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+void expect_possible(const Scene& scene, const SimulationOptions& options) {
+  if (options.by_bounce && options.max_bounces == PathRules::no_limit)
+    throw InputError("--by-bounce", "needs to know the largest number of bounces", "add --max-bounces");
+  if (options.strategy != Strategy::walk) return;
+  for (const Transceiver& unit : scene.transceivers)
+    if (scene.type_of(unit).radius == 0)
+      throw InputError("--strategy walk",
+                       fmt::format("never meets transceiver '{}': its type '{}' is a point", unit.id,
+                                   scene.type_of(unit).name),
+                       "give the type a radius, or use another strategy");
+}
+
+}  // namespace
+
+std::uint64_t samples_per_batch(std::uint64_t samples) {
+  return std::max<std::uint64_t>(1, (samples + batch_count - 1) / batch_count);
+}
+
+std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options) {
+  switch (options.estimator) {
+    case EstimatorKind::uniform:
+      break;
+  }
+  expect_possible(world.scene, options);
+  return std::make_unique<UniformEstimator>(
+      world, options.rules(), options.seed,
+      options.has_fixed_samples() ? samples_per_batch(options.samples) : open_samples_per_batch,
+      options.by_bounce);
+}
+
+std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& options) {
+  if (options.estimator == EstimatorKind::uniform) return batch_count;
+  const std::uint64_t each = estimator.samples_per_batch();
+  return std::max(least_batches, static_cast<std::uint32_t>((options.samples + each - 1) / each));
+}
+
+}  // namespace shelfbeam

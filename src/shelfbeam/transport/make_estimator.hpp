@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "shelfbeam/transport/estimator.hpp"
+#include "shelfbeam/transport/simulation_options.hpp"
+#include "shelfbeam/transport/world.hpp"
+
+namespace shelfbeam {
+
+/// The estimator that the options ask for. Throws InputError where they do not fit the scene.
+std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options);
+
+/// The batches that give the samples asked for, at least `least_batches` for their spread.
+std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& options);
+
+}  // namespace shelfbeam

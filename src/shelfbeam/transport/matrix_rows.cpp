@@ -1,0 +1,78 @@
+#include "shelfbeam/transport/detail/matrix_rows.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace shelfbeam::detail {
+
+MatrixRows::MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums, const KnownLight& known,
+                       std::size_t rows, std::size_t layers)
+    : estimator_(estimator), sums_(sums), known_(known), layers_(layers), starts_(rows + 1) {
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t item = 0; item < estimator.items(); ++item) {
+    const bool is_tall = estimator.block(item).rows.size() == rows;
+    (is_tall ? tall_ : others).push_back(item);
+  }
+  for (const std::uint32_t item : others)
+    for (const std::uint32_t row : estimator.block(item).rows) ++starts_[row + 1];
+  for (std::size_t row = 0; row < rows; ++row) starts_[row + 1] += starts_[row];
+  parts_.resize(starts_.back());
+  std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+  for (const std::uint32_t item : others) {
+    const auto& of_item = estimator.block(item).rows;
+    for (std::uint32_t r = 0; r < of_item.size(); ++r) parts_[next[of_item[r]]++] = {item, r};
+  }
+}
+
+void MatrixRows::fill(Quantity quantity, std::size_t row, std::span<float> values) const {
+  const auto known = [&](std::size_t j) {
+    switch (quantity) {
+      case Quantity::mean:
+        return known_.straight(row, j) + known_.mirrored(row, j);
+      case Quantity::direct:
+        return known_.straight(row, j);
+      case Quantity::standard_error:
+        break;
+    }
+    return 0.0;
+  };
+  for (std::size_t j = 0; j < values.size(); ++j) values[j] = static_cast<float>(known(j));
+  each_item(row, [&](std::size_t item, std::size_t r) {
+    const auto& columns = estimator_.block(item).columns;
+    const ItemSums& sums = sums_[item];
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const std::size_t entry = r * columns.size() + c, j = columns[c];
+      const double sampled = quantity == Quantity::mean     ? sums.mean(entry)
+                             : quantity == Quantity::direct ? sums.direct(entry)
+                                                            : sums.standard_error(entry);
+      values[j] = static_cast<float>(sampled + known(j));
+    }
+  });
+}
+
+void MatrixRows::fill_layer(std::size_t bounces, Quantity quantity, std::size_t row,
+                            std::span<float> values) const {
+  const bool is_mean = quantity == Quantity::mean;
+  const auto known = [&](std::size_t j) {
+    if (!is_mean || bounces > 1) return 0.0;
+    return bounces == 0 ? known_.straight(row, j) : known_.mirrored(row, j);
+  };
+  for (std::size_t j = 0; j < values.size(); ++j) values[j] = static_cast<float>(known(j));
+  each_item(row, [&](std::size_t item, std::size_t r) {
+    const auto& columns = estimator_.block(item).columns;
+    const ItemSums& sums = sums_[item];
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const std::size_t entry = r * columns.size() + c, j = columns[c];
+      values[j] = static_cast<float>(is_mean ? sums.layer_mean(bounces, entry) + known(j)
+                                             : sums.layer_standard_error(bounces, entry));
+    }
+  });
+}
+
+std::uint32_t MatrixRows::batches(std::size_t row) const {
+  std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
+  each_item(row, [&](std::size_t item, std::size_t) { fewest = std::min(fewest, sums_[item].batches); });
+  return fewest == std::numeric_limits<std::uint32_t>::max() ? 0 : fewest;
+}
+
+}  // namespace shelfbeam::detail

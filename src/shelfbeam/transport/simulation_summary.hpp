@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace shelfbeam {
+
+/// Relative standard errors of the entries above a share of their label's requirement, good to 1 %.
+struct ErrorQuantiles {
+  double above = 0;
+  std::uint64_t entries = 0;
+  double median = 0, p90 = 0, p99 = 0;
+};
+
+/// What a simulation did and how good its matrix is.
+struct SimulationSummary {
+  bool complete = true;  ///< false: cancelled; the rows say how many batches each label got
+  std::size_t labels = 0, candidates = 0;
+  std::uint64_t least_samples = 0, most_samples = 0;  ///< first rays a label
+  std::uint32_t least_batches = 0, most_batches = 0;
+  std::uint64_t rays = 0;       ///< traced in this run, not before a resumption
+  double seconds = 0;           ///< of this run
+  double seconds_to_halve = 0;  ///< predicted from there on, until the errors are half as large
+  std::array<ErrorQuantiles, 2> errors = {{{0.3}, {0.02}}};
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,31 @@
+#include "shelfbeam/transport/stopping.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace shelfbeam {
+
+bool is_stopping_point(std::uint32_t batches) {
+  std::uint64_t point = least_batches;
+  while (point < batches) point += point / 16;
+  return point == batches;
+}
+
+double relevance_limit(std::span<const double> means, double requirement, double share) {
+  if (requirement > 0) return share * requirement;
+  return means.empty() ? 0 : share * *std::max_element(means.begin(), means.end());
+}
+
+Precision count_precise(std::span<const double> means, std::span<const double> standard_errors,
+                        double requirement, const RelativeError& wanted) {
+  const double limit = relevance_limit(means, requirement, wanted.above);
+  Precision result;
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    if (!(means[k] > limit)) continue;
+    ++result.relevant;
+    if (standard_errors[k] <= wanted.error * means[k]) ++result.precise;
+  }
+  return result;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/signal/signal_file.hpp"
+#include "shelfbeam/transport/simulate.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/small_store.hpp"
+#include "support/temp_folder.hpp"
+
+namespace shelfbeam {
+namespace {
+
+SimulationOptions to_relative_error(double error) {
+  SimulationOptions options;
+  options.direct = DirectLight::exact;
+  options.relative_error = RelativeError{error, 0.3};
+  return options;
+}
+
+Precision precision(const SignalMatrix& matrix, double error) {
+  Precision all;
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    std::vector<double> means, errors;
+    for (std::size_t j = 0; j < matrix.columns(); ++j) {
+      means.push_back(matrix.mean[matrix.at(i, j)]);
+      errors.push_back(matrix.standard_error[matrix.at(i, j)]);
+    }
+    all += count_precise(means, errors, matrix.labels[i].requirement, {error, 0.3});
+  }
+  return all;
+}
+
+// The control: a tenth less was not reached.
+TEST(Engine, StopsWhenTheRelativeErrorIsReached) {
+  const Scene scene = test::SmallStore{}.scene();
+  const SimulationResult result = simulate(scene, "hash", to_relative_error(0.02));
+  EXPECT_TRUE(result.summary.complete);
+  EXPECT_GT(precision(result.matrix, 0.02).relevant, 10u);
+  EXPECT_TRUE(precision(result.matrix, 0.02 * (1 + 1e-6)).is_enough());
+  EXPECT_FALSE(precision(result.matrix, 0.018).is_enough());
+  // Labels that were precise enough before the others have paused.
+  EXPECT_GE(result.summary.least_batches, least_batches);
+  EXPECT_LT(result.summary.least_batches, result.summary.most_batches);
+  for (const LabelRow& row : result.matrix.labels) {
+    EXPECT_TRUE(is_stopping_point(row.batches));
+    EXPECT_EQ(row.samples, row.batches * open_samples_per_batch);
+  }
+  const ErrorQuantiles& errors = result.summary.errors[0];
+  EXPECT_EQ(errors.entries, precision(result.matrix, 1).relevant);
+  EXPECT_LE(errors.median, errors.p90);
+  EXPECT_LE(errors.p90, errors.p99);
+  EXPECT_LE(errors.p99, 0.02 * 1.01);
+  EXPECT_GT(result.summary.seconds_to_halve, 0);
+}
+
+TEST(Engine, StopsAtTheSamePlaceWithAnyNumberOfThreads) {
+  const Scene scene = test::SmallStore{}.scene();
+  for (const Strategy strategy : {Strategy::mis, Strategy::particle}) {
+    SimulationOptions options = to_relative_error(strategy == Strategy::mis ? 0.04 : 0.02);
+    options.strategy = strategy;
+    const SignalMatrix one = simulate(scene, "hash", options, {1}).matrix;
+    for (const unsigned threads : {2U, 5U}) {
+      const SignalMatrix many = simulate(scene, "hash", options, {threads}).matrix;
+      EXPECT_EQ(one.mean, many.mean);
+      EXPECT_EQ(one.standard_error, many.standard_error);
+      EXPECT_EQ(one.direct, many.direct);
+      for (std::size_t i = 0; i < one.rows(); ++i) EXPECT_EQ(one.labels[i].batches, many.labels[i].batches);
+    }
+  }
+}
+
+TEST(Engine, StopsWithinItsTimeButNotBeforeSixteenBatches) {
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions options;
+  options.time_s = 1e-6;
+  const SimulationSummary least = simulate(scene, "hash", options).summary;
+  EXPECT_TRUE(least.complete);
+  EXPECT_EQ(least.least_batches, least_batches);
+  EXPECT_EQ(least.most_batches, least_batches);
+  options.time_s = 0.3;
+  const SimulationSummary more = simulate(scene, "hash", options).summary;
+  EXPECT_GT(more.least_batches, least_batches);
+  EXPECT_LT(more.seconds, 3);
+}
+
+// Whatever ends a simulation after 16 batches, they are the same.
+TEST(Engine, WhatStopsItChangesNoBatch) {
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions timed;
+  timed.direct = DirectLight::exact;
+  timed.time_s = 1e-6;
+  const SignalMatrix by_time = simulate(scene, "hash", timed).matrix;
+  const SignalMatrix by_error = simulate(scene, "hash", to_relative_error(100)).matrix;
+  for (const LabelRow& row : by_error.labels) EXPECT_EQ(row.batches, least_batches);
+  EXPECT_EQ(by_time.mean, by_error.mean);
+  EXPECT_EQ(by_time.standard_error, by_error.standard_error);
+  EXPECT_NE(by_time.mean, simulate(scene, "hash", to_relative_error(0.03)).matrix.mean);
+}
+
+TEST(Engine, WritesTheFileThatTheMatrixWouldGive) {
+  const test::TempFolder folder;
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions options;
+  options.samples = 320;
+  options.max_bounces = 2;
+  options.by_bounce = true;
+  simulate_to_file(scene, "hash", options, folder / "a.h5");
+  write_signal_file(simulate(scene, "hash", options).matrix, folder / "b.h5");
+  EXPECT_TRUE(read_file(folder / "a.h5") == read_file(folder / "b.h5"));
+  EXPECT_EQ(folder.count(), 2);
+}
+
+TEST(Engine, RefusesWhatDoesNotFitAndSaysHowMuchItNeeds) {
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions options;
+  options.samples = 64;
+  options.memory = 100;
+  const std::string message = test::input_error([&] { simulate(scene, "hash", options); });
+  EXPECT_NE(message.find("--memory: "), std::string::npos) << message;
+  EXPECT_NE(message.find("1e-07 GB may be used"), std::string::npos) << message;
+  // What is enough is enough: some 3 kB for ten labels and four units.
+  options.memory = 10000;
+  simulate(scene, "hash", options);
+}
+
+}  // namespace
+}  // namespace shelfbeam
