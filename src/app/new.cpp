@@ -45,7 +45,7 @@ void add_new(CLI::App& app, ChosenVerb& chosen) {
   auto options = std::make_shared<Options>();
   std::string names;
   for (const StoreTemplate& t : store_templates())
-    names += fmt::format("\n  {:<10} {}", t.name, t.description);
+    names += fmt::format("\n  {:<11} {}", t.name, t.description);
   verb->add_option("TEMPLATE", options->name, "One of:" + names)->required();
   verb->add_option("DIR", options->folder, "Folder for the store file and what it needs")
       ->required()

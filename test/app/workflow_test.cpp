@@ -34,7 +34,7 @@ class Workflow : public testing::Test {
 using WorkflowSlow = Workflow;
 
 TEST_F(Workflow, NewThenInspect) {
-  for (const char* name : {"thesis", "grocery", "chiller"}) {
+  for (const char* name : {"thesis", "grocery", "chiller", "supermarket", "hypermarket"}) {
     const std::string out = expect_silent({"new", name, path(name)});
     EXPECT_NE(out.find("shelfbeam plan " + path(name) + "/store.json -o " + path(name) + "/plan"),
               std::string::npos);

@@ -20,9 +20,9 @@ struct Drawn {
   }
 };
 
-// Square pillars of half a metre, too small for their ids, at these corners in a room of 25 x 18 m.
-Drawn draw(const std::vector<Vec2>& corners, const Vec3& label = {1, 1, 1}) {
-  Store store = sample_store::empty_store("Pillars", {25, 18, 4});
+// Square pillars of half a metre, too small for their ids, at these corners in a room, usually of 25 x 18 m.
+Drawn draw(const std::vector<Vec2>& corners, const Vec3& label = {1, 1, 1}, const Vec3& room = {25, 18, 4}) {
+  Store store = sample_store::empty_store("Pillars", room);
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const auto& [x, y] = corners[k];
     store.fixtures.push_back(
@@ -73,6 +73,23 @@ TEST(FixtureIds, AreJoinedByALineWhereNothingNearIsFree) {
   const Drawn drawn = draw(crowd);
   EXPECT_EQ(drawn.count("text"), 9U);
   EXPECT_GE(drawn.count("line"), 1U);
+}
+
+// Neighbours 3 m apart in a hall of 120 m: ids of the usual size would lie over one another.
+TEST(FixtureIds, AreSmallerWhereAMetreIs) {
+  std::vector<Vec2> row;
+  for (int k = 0; k < 9; ++k) row.push_back({40.0 + 3 * k, 8});
+  const Drawn hall = draw(row, {1, 1, 1}, {120, 18, 4});
+  EXPECT_NEAR(hall.view.mark_share(), 1000.0 / 120 / 16, 1e-9);
+  EXPECT_EQ(draw(row, {1, 1, 1}, {62, 18, 4}).view.mark_share(), 1);
+  std::size_t groups = 0;
+  for (const auto& element : hall.elements)
+    if (element.name == "g") {
+      ++groups;
+      EXPECT_NE(element.attributes.at("style").find(",5.7px)"), std::string::npos)
+          << element.attributes.at("style");
+    }
+  EXPECT_EQ(groups, 9U);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -40,7 +41,7 @@ TEST(Templates, AreTheExamples) {
       EXPECT_TRUE(file.content == read_file(examples / one.name / file.name)) << one.name << '/' << file.name;
     EXPECT_EQ(&find_template(std::string(one.name)), &one);
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"thesis", "grocery", "chiller"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"thesis", "grocery", "chiller", "supermarket", "hypermarket"}));
   test::expect_input_error([] { find_template("grosery"); }, "did you mean 'grocery'?");
 }
 
@@ -135,6 +136,69 @@ TEST(Chiller, HasWhatTheOthersHaveNot) {
     EXPECT_TRUE(read_file(examples / "chiller" / profile) ==
                 read_file(fs::path(SHELFBEAM_SOURCE_DIR) / "data" / "photometry" / profile))
         << profile << " has moved on in one of its two places";
+}
+
+struct Market {
+  const char* name;
+  std::size_t labels, candidates;
+};
+constexpr std::array markets{Market{"supermarket", 5000, 600}, Market{"hypermarket", 40000, 2000}};
+
+TEST(Markets, AreWhatTheScriptWrites) {
+  EXPECT_EQ(std::system("python3 '" SHELFBEAM_SOURCE_DIR "/scripts/make-large-examples' --check"), 0);
+}
+
+TEST(Markets, HaveTheirCountsAndNoWarnings) {
+  for (const auto& [name, labels, candidates] : markets) {
+    const Scene scene = example(name);
+    EXPECT_EQ(scene.labels.size(), labels) << name;
+    EXPECT_EQ(scene.transceivers.size(), candidates) << name;
+    EXPECT_TRUE(scene.warnings.empty()) << name << ": " << scene.warnings.front();
+    std::set<double> heights;
+    for (const FixtureOutline& fixture : scene.fixtures)
+      if (fixture.type == "gondola") heights.insert(fixture.height);
+    EXPECT_GE(heights.size(), 5u);
+    EXPECT_TRUE(std::any_of(scene.parts.begin(), scene.parts.end(),
+                            [](const Part& part) { return part.kind == PartKind::door; }));
+  }
+}
+
+// What lies between two points of the floor, or around some.
+struct Extent {
+  std::array<double, 2> low{1e9, 1e9}, high{-1e9, -1e9};
+  void include(double x, double y) {
+    low = {std::min(low[0], x), std::min(low[1], y)};
+    high = {std::max(high[0], x), std::max(high[1], y)};
+  }
+  bool meets(const Extent& o) const {
+    return low[0] < o.high[0] && o.low[0] < high[0] && low[1] < o.high[1] && o.low[1] < high[1];
+  }
+};
+
+// Customers pass before every label. All fixtures stand along x or y, so their extents are what they cover.
+TEST(Markets, LabelsFaceAisles) {
+  for (const Market& market : markets) {
+    const Scene scene = example(market.name);
+    std::vector<Extent> fixtures(scene.fixtures.size());
+    for (std::size_t k = 0; k < fixtures.size(); ++k)
+      for (const auto& [x, y] : scene.fixtures[k].footprint) fixtures[k].include(x, y);
+    const auto blocked = [&](double width) {
+      std::vector<std::string> ids;
+      for (const Label& label : scene.labels) {
+        Extent way;
+        const double level = std::hypot(label.normal.x, label.normal.y);
+        for (const double off : {0.1, width})  // a door stands 6 cm before the boards
+          way.include(label.position.x + off * label.normal.x / level,
+                      label.position.y + off * label.normal.y / level);
+        if (way.low[0] < 0 || way.low[1] < 0 || way.high[0] > scene.room->x || way.high[1] > scene.room->y ||
+            std::any_of(fixtures.begin(), fixtures.end(), [&](const Extent& f) { return f.meets(way); }))
+          ids.push_back(label.id);
+      }
+      return ids;
+    };
+    EXPECT_EQ(blocked(1), std::vector<std::string>{}) << market.name;
+    EXPECT_GT(blocked(2.5).size(), market.labels / 2) << "the check must find the other side of the aisles";
+  }
 }
 
 // A label within a part, or behind one that touches it, would hear nothing; that is a slip in the example.

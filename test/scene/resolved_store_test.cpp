@@ -32,7 +32,7 @@ void expect_same_scene(const Store& store) {
 }
 
 TEST(ResolvedStore, OfTheExamplesIsTheSameScene) {
-  for (const char* name : {"thesis", "grocery", "chiller"})
+  for (const char* name : {"thesis", "grocery", "chiller", "supermarket"})
     expect_same_scene(
         read_store(std::filesystem::path(SHELFBEAM_SOURCE_DIR) / "examples" / name / "store.json"));
 }

@@ -126,7 +126,7 @@ void draw_leader(SvgCanvas& canvas, const Rectangle& text, const Rectangle& own)
 }  // namespace
 
 void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
-  constexpr double largest = 24, smallest = 9, outside = 11;  // units
+  const double largest = 24, smallest = 9 * view.mark_share(), outside = 11 * view.mark_share();  // units
   std::vector<Rectangle> obstacles = obstacles_of(view, scene);
   for (std::size_t k = 0; k < scene.fixtures.size(); ++k) {
     const FixtureOutline& fixture = scene.fixtures[k];

@@ -36,7 +36,7 @@ void draw_parts(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
 
 // A dot where the label is and a tick the way it faces; labels above one another give one mark.
 void draw_labels(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
-  constexpr double tick = 6, dot = 1.8;
+  const double tick = 6 * view.mark_share(), dot = 1.8 * view.mark_share();
   std::set<std::pair<std::string, std::string>> drawn;
   std::string ticks, dots;
   for (const Label& label : scene.labels) {

@@ -102,7 +102,7 @@ text{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","Lib
 .casing{fill:#87919a;fill-opacity:.15;stroke:#59636c;stroke-width:.7}.door{fill:none;stroke:#6fa8cf;stroke-width:1.2}
 .outline{fill:none;stroke:#4b555e;stroke-width:1.2}
 .halo{stroke:#fff;stroke-width:3.5px;stroke-opacity:.85;paint-order:stroke;stroke-linejoin:round}
-.fid{font-size:inherit;font-weight:700;stroke:#fff;stroke-width:3px;stroke-opacity:.8;paint-order:stroke;stroke-linejoin:round}
+.fid{font-size:inherit;font-weight:700;stroke:#fff;stroke-width:.22em;stroke-opacity:.8;paint-order:stroke;stroke-linejoin:round}
 .label{stroke:#0a4d91;stroke-width:1.4;fill:none}.dot{fill:#0a4d91}
 .cand,.aim{stroke:#8a4b00;stroke-width:1;fill:none;stroke-opacity:.75}
 .old{fill:#14191e;stroke:#fff;stroke-width:1.5}

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
@@ -19,6 +20,9 @@ class PlanView {
   double width() const { return width_; }
   double height() const { return height_; }
   double scale() const { return scale_; }  ///< units per metre
+  /// The share of their usual size that marks and ids keep where a metre is small: 1 up to rooms of about 60
+  /// m.
+  double mark_share() const { return std::min(1.0, scale_ / 16); }
   Point at(double x, double y) const {
     return {left + (x - low_x_) * scale_, bottom_ - (y - low_y_) * scale_};
   }

@@ -44,7 +44,7 @@ void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const V
   for (std::size_t j = 0; j < candidates.size(); ++j)
     if (taken[j]) done[places.of[j]] = true;
 
-  constexpr double arm = 4;
+  const double arm = 4 * view.mark_share();
   const std::string d = coordinate(arm), d2 = coordinate(2 * arm);
   std::string data;
   for (std::size_t j = 0; j < candidates.size(); ++j) {

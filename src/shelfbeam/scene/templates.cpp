@@ -20,6 +20,8 @@ extern const std::string_view chiller_till;
 extern const std::string_view chiller_mirror;
 extern const std::string_view chiller_ring;
 extern const std::string_view chiller_spot;
+extern const std::string_view supermarket_store;
+extern const std::string_view hypermarket_store;
 }  // namespace embedded
 
 std::span<const StoreTemplate> store_templates() {
@@ -31,11 +33,15 @@ std::span<const StoreTemplate> store_templates() {
                                   TemplateFile{"security-mirror.obj", embedded::chiller_mirror},
                                   TemplateFile{"batwing.ies", embedded::chiller_ring},
                                   TemplateFile{"narrow-aisle.ldt", embedded::chiller_spot}};
+  static const std::array supermarket{TemplateFile{"store.json", embedded::supermarket_store}};
+  static const std::array hypermarket{TemplateFile{"store.json", embedded::hypermarket_store}};
   static const std::array templates{
       StoreTemplate{"thesis", "the test environment of the paper: 390 labels, 320 candidates", thesis},
       StoreTemplate{"grocery", "a small grocery with gondolas, freezers and checkouts", grocery},
       StoreTemplate{"chiller", "a station shop: glass doors, measured profiles, several ways to aim a unit",
-                    chiller}};
+                    chiller},
+      StoreTemplate{"supermarket", "50 x 40 m: 5,000 labels, 600 candidates", supermarket},
+      StoreTemplate{"hypermarket", "110 x 85 m: 40,000 labels, 2,000 candidates", hypermarket}};
   return templates;
 }
 
