@@ -6,125 +6,134 @@
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define SHELFBEAM_FOR_EACH_CPU __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
-#define SHELFBEAM_INLINE __attribute__((always_inline)) inline
+#define SHELFBEAM_INLINE __attribute__((always_inline))
 #else
 #define SHELFBEAM_FOR_EACH_CPU
-#define SHELFBEAM_INLINE inline
+#define SHELFBEAM_INLINE
+#endif
+// Unrolled whole, loops over lanes would no longer be turned into vectors.
+#if defined(__GNUC__) && !defined(__clang__)
+#define SHELFBEAM_VECTORIZE _Pragma("GCC ivdep") _Pragma("GCC unroll 1")
+#else
+#define SHELFBEAM_VECTORIZE
 #endif
 
 namespace shelfbeam {
 
 namespace {
 
-struct Lanes {
-  float at_unit[lanes];   // distance times the cosine at the unit, at the point the same with its cosine
-  float at_point[lanes];  // times the unit's scale
-  float squared[lanes], inverse[lanes];  // squared distance
-};
-
 // A unit nearer than this gives what it would from there: only a guide is wanted.
 constexpr float least_squared_distance = 1e-6F;
 
+enum class Shape { sine, isotropic, lambertian, table };
+
+// I(theta) cos / d^2 in one lane, with as few roots and divisions as each profile allows.
+template <Shape shape, class Group>
+SHELFBEAM_INLINE inline float in_lane(const Group& group, const float* table, int steps, const LanePoint& p,
+                                      std::size_t k) {
+  const float dx = group.x[k] - p.x, dy = group.y[k] - p.y, dz = group.z[k] - p.z;
+  const float whole = dx * dx + dy * dy + dz * dz;
+  const float squared = whole > least_squared_distance ? whole : least_squared_distance;
+  const float inverse = 1 / squared;
+  const float facing = p.nx * dx + p.ny * dy + p.nz * dz;  // distance times the cosine at the point,
+  const float at_point = (facing > 0 ? facing : 0) * group.scale[k];
+  const float along = -(group.ax[k] * dx + group.ay[k] * dy + group.az[k] * dz);  // and at the unit
+  const float at_unit = along > 0 ? along : 0;
+  if constexpr (shape == Shape::sine) {
+    const float across = squared - at_unit * at_unit;
+    return 2 * at_unit * at_point * std::sqrt((across > 0 ? across : 0) * inverse) * inverse * inverse;
+  } else if constexpr (shape == Shape::isotropic) {
+    return (along > 0 ? at_point : 0) * inverse * std::sqrt(inverse);
+  } else if constexpr (shape == Shape::lambertian) {
+    return at_unit * at_point * inverse * inverse;
+  } else {
+    const float root = std::sqrt(inverse);
+    const float cosine = along * root;
+    const float c = cosine < -1 ? -1 : cosine > 1 ? 1 : cosine;
+    const float place = (1 + c) / 2 * static_cast<float>(steps);
+    const int at = static_cast<int>(place);
+    const int below = at < steps ? at : steps - 1;
+    const float part = place - static_cast<float>(below);
+    return at_point * inverse * root * (table[below] + part * (table[below + 1] - table[below]));
+  }
+}
+
+template <Shape shape, class Group, class Use>
+SHELFBEAM_INLINE inline void in_lanes(const Group& group, const float* table, int steps, const LanePoint& p,
+                                      const Use& use) {
+  SHELFBEAM_VECTORIZE
+  for (std::size_t k = 0; k < lanes; ++k) use(k, in_lane<shape>(group, table, steps, p, k));
+}
+
+template <class Group, class Use>
+SHELFBEAM_INLINE inline void for_lanes(const Group& group, int profile, const float* table, int steps,
+                                       const LanePoint& p, const Use& use) {
+  switch (static_cast<Shape>(profile)) {
+    case Shape::sine:
+      in_lanes<Shape::sine>(group, table, steps, p, use);
+      break;
+    case Shape::isotropic:
+      in_lanes<Shape::isotropic>(group, table, steps, p, use);
+      break;
+    case Shape::lambertian:
+      in_lanes<Shape::lambertian>(group, table, steps, p, use);
+      break;
+    case Shape::table:
+      in_lanes<Shape::table>(group, table, steps, p, use);
+  }
+}
+
 }  // namespace
-
-// A friend's inner part, so that it may see a group.
-struct LaneLoops {
-  template <class Group>
-  static SHELFBEAM_INLINE void aim(const Group& group, const LanePoint& p, Lanes& out) {
-    for (std::size_t k = 0; k < lanes; ++k) {
-      const float dx = group.x[k] - p.x, dy = group.y[k] - p.y, dz = group.z[k] - p.z;
-      const float squared = dx * dx + dy * dy + dz * dz;
-      out.squared[k] = squared > least_squared_distance ? squared : least_squared_distance;
-      out.inverse[k] = 1 / out.squared[k];
-      const float at_point = p.nx * dx + p.ny * dy + p.nz * dz;
-      out.at_point[k] = (at_point > 0 ? at_point : 0) * group.scale[k];
-      out.at_unit[k] = -(group.ax[k] * dx + group.ay[k] * dy + group.az[k] * dz);
-    }
-  }
-
-  // I(theta) cos / d^2 with as few roots and divisions as each profile allows.
-  template <class Group>
-  static SHELFBEAM_INLINE void irradiance(const Group& group, int profile, const float* table, int steps,
-                                          const LanePoint& p, float* result) {
-    Lanes at;
-    aim(group, p, at);
-    switch (profile) {
-      case 0:
-        for (std::size_t k = 0; k < lanes; ++k) {
-          const float c = at.at_unit[k] > 0 ? at.at_unit[k] : 0;
-          const float across = at.squared[k] - c * c;
-          result[k] = 2 * c * at.at_point[k] * std::sqrt((across > 0 ? across : 0) * at.inverse[k]) *
-                      at.inverse[k] * at.inverse[k];
-        }
-        break;
-      case 1:
-        for (std::size_t k = 0; k < lanes; ++k)
-          result[k] = at.at_unit[k] > 0 ? at.at_point[k] * at.inverse[k] * std::sqrt(at.inverse[k]) : 0;
-        break;
-      case 2:
-        for (std::size_t k = 0; k < lanes; ++k)
-          result[k] = at.at_point[k] * (at.at_unit[k] > 0 ? at.at_unit[k] : 0) * at.inverse[k] * at.inverse[k];
-        break;
-      default:
-        for (std::size_t k = 0; k < lanes; ++k) {
-          const float root = std::sqrt(at.inverse[k]);
-          const float cosine = at.at_unit[k] * root;
-          const float c = cosine < -1 ? -1 : cosine > 1 ? 1 : cosine;
-          const float place = (1 + c) / 2 * static_cast<float>(steps);
-          int below = static_cast<int>(place);
-          below = below < steps ? below : steps - 1;
-          const float part = place - static_cast<float>(below);
-          result[k] = at.at_point[k] * at.inverse[k] * root *
-                      (table[below] + part * (table[below + 1] - table[below]));
-        }
-    }
-  }
-};
 
 SHELFBEAM_FOR_EACH_CPU
 void LaneKernels::irradiance(const UnitGroups& groups, std::size_t g, const LanePoint& point,
                              LaneValues& result) {
   const auto& group = groups.groups_[g];
-  LaneLoops::irradiance(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
-                        UnitGroups::table_steps, point, result.data());
+  const LanePoint p = point;
+  float* const to = result.data();
+  for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
+            UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE { to[k] = e; });
 }
 
 SHELFBEAM_FOR_EACH_CPU
 void LaneKernels::add_irradiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
-                                 const LanePoint& point, bool is_capped, float weight, const float* share,
-                                 const float* indirect, float* sums) {
+                                 const LanePoint& point, bool is_capped, float weight,
+                                 const std::uint8_t* share, const std::uint16_t* indirect, float* sums) {
+  const LanePoint p = point;
   for (std::size_t c = 0; c < count; ++c) {
     const auto& group = groups.groups_[list[c]];
-    alignas(64) float e[lanes];
-    LaneLoops::irradiance(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
-                          UnitGroups::table_steps, point, e);
-    float* sum = sums + list[c] * lanes;
-    const float* s = share + c * lanes;
-    const float* d = indirect + c * lanes;
-    if (is_capped)
-      for (std::size_t k = 0; k < lanes; ++k) e[k] = e[k] < group.cap[k] ? e[k] : group.cap[k];
-    for (std::size_t k = 0; k < lanes; ++k) sum[k] += weight * (e[k] * s[k] + d[k]);
+    float* const sum = sums + list[c] * lanes;
+    const std::uint8_t* const s = share + c * lanes;
+    const std::uint16_t* const d = indirect + c * lanes;
+    const float* const cap = is_capped ? group.cap.data() : groups.no_cap_.data();
+    for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
+              UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
+                sum[k] += weight * ((e < cap[k] ? e : cap[k]) * PackedLane::share(s[k]) + PackedLane::value(d[k]));
+              });
   }
 }
 
 SHELFBEAM_FOR_EACH_CPU
 float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
-                              const LanePoint& point, bool is_capped, const float* share, float floor,
-                              float* irradiance, float* importance) {
+                              const LanePoint& point, bool is_capped, const std::uint8_t* share,
+                              float floor, float* irradiance, float* importance) {
+  const LanePoint p = point;
   alignas(64) float total[lanes] = {};
   for (std::size_t c = 0; c < count; ++c) {
     const auto& group = groups.groups_[list[c]];
-    alignas(64) float e[lanes];
-    LaneLoops::irradiance(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
-                          UnitGroups::table_steps, point, e);
-    const float* s = share + c * lanes;
-    for (std::size_t k = 0; k < lanes; ++k) {
-      irradiance[c * lanes + k] = e[k];
-      const float used = is_capped && e[k] > group.cap[k] ? group.cap[k] : e[k];
-      const float at_stake = used * (std::sqrt(std::abs(s[k] * (1 - s[k]))) + 0.1F) + floor;
-      importance[c * lanes + k] = at_stake;
-      total[k] += at_stake;
-    }
+    const std::uint8_t* const s = share + c * lanes;
+    const float* const cap = is_capped ? group.cap.data() : groups.no_cap_.data();
+    float* const whole = irradiance + c * lanes;
+    float* const at_stake = importance + c * lanes;
+    for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
+              UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
+                whole[k] = e;
+                const float used = e < cap[k] ? e : cap[k];
+                const float part = PackedLane::share(s[k]);
+                const float value = used * (std::sqrt(std::abs(part * (1 - part))) + 0.1F) + floor;
+                at_stake[k] = value;
+                total[k] += value;
+              });
   }
   float sum = 0;
   for (std::size_t k = 0; k < lanes; ++k) sum += total[k];
@@ -132,12 +141,13 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
 }
 
 SHELFBEAM_FOR_EACH_CPU
-void LaneKernels::add_listed(const std::uint16_t* list, std::size_t count, float weight, const float* values,
-                             float* sums) {
+void LaneKernels::add_listed(const std::uint16_t* list, std::size_t count, float weight,
+                             const std::uint16_t* values, float* sums) {
   for (std::size_t c = 0; c < count; ++c) {
-    const float* from = values + c * lanes;
-    float* to = sums + list[c] * lanes;
-    for (std::size_t k = 0; k < lanes; ++k) to[k] += weight * from[k];
+    const std::uint16_t* const from = values + c * lanes;
+    float* const to = sums + list[c] * lanes;
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) to[k] += weight * PackedLane::value(from[k]);
   }
 }
 
@@ -145,8 +155,9 @@ SHELFBEAM_FOR_EACH_CPU
 void LaneKernels::add(const std::uint16_t* list, std::size_t count, float weight, const float* values,
                       float* sums) {
   for (std::size_t c = 0; c < count; ++c) {
-    const float* from = values + list[c] * lanes;
-    float* to = sums + list[c] * lanes;
+    const float* const from = values + list[c] * lanes;
+    float* const to = sums + list[c] * lanes;
+    SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < lanes; ++k) to[k] += weight * from[k];
   }
 }

@@ -1,11 +1,29 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 #include "shelfbeam/transport/unit_groups.hpp"
 
 namespace shelfbeam {
+
+/// What a radiance cache keeps of a lane, in three bytes: there are tens of millions.
+struct PackedLane {
+  static std::uint8_t pack_share(float share) {
+    return static_cast<std::uint8_t>(std::lround(std::min(share, 1.99F) * 128));
+  }
+  static float share(std::uint8_t packed) { return static_cast<float>(packed) * (1.0F / 128); }
+  /// The upper half of a float.
+  static std::uint16_t pack(float value) {
+    return static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(value) + 0x8000) >> 16);
+  }
+  static float value(std::uint16_t packed) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(packed) << 16);
+  }
+};
 
 /// The inner loops over lanes, compiled for several kinds of processor.
 struct LaneKernels {
@@ -15,19 +33,19 @@ struct LaneKernels {
   /// sums[g][k] += weight (e_k share_k + indirect_k) for `count` groups, e being the irradiance, up to its cap
   /// if asked; share and indirect have a row of lanes for each of them, sums one for each group of all.
   static void add_irradiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
-                             const LanePoint& point, bool is_capped, float weight, const float* share,
-                             const float* indirect, float* sums);
+                             const LanePoint& point, bool is_capped, float weight,
+                             const std::uint8_t* share, const std::uint16_t* indirect, float* sums);
 
   /// How much the sampling of shadow rays should care for each lane of a row: e (sqrt |share (1 - share)| +
   /// 0.1) + floor, e up to its cap if asked. Keeps the whole e in `irradiance`, the result in `importance`;
   /// returns its sum.
   static float importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
-                          const LanePoint& point, bool is_capped, const float* share, float floor,
+                          const LanePoint& point, bool is_capped, const std::uint8_t* share, float floor,
                           float* irradiance, float* importance);
 
-  /// sums[list[c]][k] += weight values[c][k] for the rows of lanes of a list.
-  static void add_listed(const std::uint16_t* list, std::size_t count, float weight, const float* values,
-                         float* sums);
+  /// sums[list[c]][k] += weight values[c][k] for the packed rows of lanes of a list.
+  static void add_listed(const std::uint16_t* list, std::size_t count, float weight,
+                         const std::uint16_t* values, float* sums);
 
   /// sums[g][k] += weight values[g][k] for the listed groups.
   static void add(const std::uint16_t* list, std::size_t count, float weight, const float* values,

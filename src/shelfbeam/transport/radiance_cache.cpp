@@ -20,7 +20,7 @@ namespace {
 constexpr double cell_size = 0.5;  // m
 // Cells do not end where shelves and floors do, so that rounding does not throw points into the next.
 constexpr double cell_shift = 0.1370;
-constexpr std::size_t places_per_cell = 2;
+constexpr std::size_t places_per_cell = 4;
 constexpr std::uint32_t gather_rays = 64;  // a cell
 constexpr int rounds = 8;
 constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
@@ -164,6 +164,7 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
     std::vector<Vec3> targets;
     std::vector<std::size_t> which;
     std::vector<float> shares;
+    std::vector<std::uint8_t> seen(n_groups * lanes), hidden(n_groups * lanes), tested(n_groups * lanes);
     for (std::size_t k = 0; k < places; ++k) {
       const SurfacePoint& at = found[first[p] + k].point;
       const LanePoint point(at);
@@ -175,6 +176,10 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
         units.irradiance(g, point, e);
         for (std::size_t lane = 0; lane < units.count(g); ++lane) {
           if (e[lane] < 0.1F * least) continue;
+          // Where the first two places agree, the others need not be asked.
+          const bool is_mixed = seen[g * lanes + lane] != 0 && hidden[g * lanes + lane] != 0;
+          if (k >= 2 && !is_mixed) continue;
+          ++tested[g * lanes + lane];
           open[g * lanes + lane] += e[lane];
           which.push_back(g * lanes + lane);
           targets.push_back(world.scene.transceivers[units.column(g, lane)].position);
@@ -184,6 +189,7 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
       world.rays.shares(at, targets, shares);
       traced += targets.size();
       for (std::size_t t = 0; t < targets.size(); ++t) {
+        (shares[t] > 0 ? seen : hidden)[which[t]] = 1;
         if (shares[t] == 0) continue;
         const std::size_t g = which[t] / lanes;
         LaneValues e;
@@ -204,14 +210,14 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
     for (std::size_t g = 0; g < n_groups; ++g) {
       float most = 0;
       for (std::size_t lane = 0; lane < lanes; ++lane)
-        most = std::max(most, arrived[g * lanes + lane] / static_cast<float>(places));
+        most = std::max(most, arrived[g * lanes + lane] / static_cast<float>(std::max<int>(1, tested[g * lanes + lane])));
       largest[p * n_groups + g] = most;
       if (most == 0) continue;
       own.groups.push_back(static_cast<std::uint16_t>(g));
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const float in_open = open[g * lanes + lane], value = arrived[g * lanes + lane];
-        own.share.push_back(in_open > 0 ? std::min(4.0F, value / in_open) : 0);
-        own.mean.push_back(value / static_cast<float>(places));
+        own.share.push_back(in_open > 0 ? value / in_open : 0);
+        own.mean.push_back(value / static_cast<float>(std::max<int>(1, tested[g * lanes + lane])));
       }
     }
 
@@ -267,7 +273,7 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
   next = {};
   largest = {};
 
-  // Radiosity by Jacobi's rounds, all units at once.
+  // Radiosity by Jacobi's rounds, all units at once: total irradiance from the direct one.
   share_.assign(groups_.size() * lanes, 0);
   std::vector<float> mean(groups_.size() * lanes);
   in_parallel(count, [&](std::size_t p) {
@@ -275,16 +281,19 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
     for (std::size_t a = begin_[p], b = 0; a < begin_[p + 1]; ++a) {
       while (b < own.groups.size() && own.groups[b] < groups_[a]) ++b;
       if (b == own.groups.size() || own.groups[b] != groups_[a]) continue;
-      std::copy_n(own.share.data() + b * lanes, lanes, share_.data() + a * lanes);
-      std::copy_n(own.mean.data() + b * lanes, lanes, mean.data() + a * lanes);
+      for (std::size_t k = 0; k < lanes; ++k) {
+        share_[a * lanes + k] = PackedLane::pack_share(own.share[b * lanes + k]);
+        mean[a * lanes + k] = own.mean[b * lanes + k];
+      }
     }
   });
   direct = {};
-  indirect_.assign(groups_.size() * lanes, 0);
-  std::vector<float> fresh(indirect_.size());
+  std::vector<float> total = mean, fresh(mean.size());
   for (int round = 0; round < rounds; ++round) {
     in_parallel(count, [&](std::size_t p) {
-      std::fill(fresh.data() + begin_[p] * lanes, fresh.data() + begin_[p + 1] * lanes, 0.0F);
+      std::copy(mean.begin() + static_cast<std::ptrdiff_t>(begin_[p] * lanes),
+                mean.begin() + static_cast<std::ptrdiff_t>(begin_[p + 1] * lanes),
+                fresh.begin() + static_cast<std::ptrdiff_t>(begin_[p] * lanes));
       for (const Link& link : links[p]) {
         for (std::size_t a = begin_[p], b = begin_[link.cell];
              a < begin_[p + 1] && b < begin_[link.cell + 1];) {
@@ -293,18 +302,19 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
           } else if (groups_[b] < groups_[a]) {
             ++b;
           } else {
-            float* to = fresh.data() + a * lanes;
-            const float* from = indirect_.data() + b * lanes;
-            const float* from_mean = mean.data() + b * lanes;
-            for (std::size_t k = 0; k < lanes; ++k) to[k] += link.weight * (from[k] + from_mean[k]);
+            float* const to = fresh.data() + a * lanes;
+            const float* const from = total.data() + b * lanes;
+            for (std::size_t k = 0; k < lanes; ++k) to[k] += link.weight * from[k];
             ++a;
             ++b;
           }
         }
       }
     });
-    indirect_.swap(fresh);
+    total.swap(fresh);
   }
+  indirect_.resize(total.size());
+  for (std::size_t k = 0; k < total.size(); ++k) indirect_[k] = PackedLane::pack(total[k] - mean[k]);
   rays_ = rays;
 }
 
@@ -345,7 +355,7 @@ RadianceCache::Row RadianceCache::row(const SurfacePoint& point) const {
 
 std::size_t RadianceCache::bytes() const {
   return slot_keys_.size() * 12 + begin_.size() * sizeof(begin_[0]) + groups_.size() * 2 +
-         (share_.size() + indirect_.size()) * sizeof(float);
+         share_.size() + 2 * indirect_.size();
 }
 
 }  // namespace shelfbeam

@@ -23,8 +23,8 @@ class RadianceCache {
   struct Row {
     const std::uint16_t* groups = nullptr;
     std::size_t count = 0;
-    const float* share = nullptr;     ///< of UnitGroups::irradiance that arrives
-    const float* indirect = nullptr;  ///< irradiance over one or more further bounces, W/m^2
+    const std::uint8_t* share = nullptr;      ///< of UnitGroups::irradiance that arrives, packed
+    const std::uint16_t* indirect = nullptr;  ///< irradiance over one or more further bounces, W/m^2, packed
   };
   /// Of the cell around a point; empty where nothing is known. The point's normal is on the side meant.
   Row row(const SurfacePoint& point) const;
@@ -45,7 +45,8 @@ class RadianceCache {
   std::vector<std::uint32_t> slot_cells_;
   std::vector<std::size_t> begin_;          // by cell: first of its groups
   std::vector<std::uint16_t> groups_;
-  std::vector<float> share_, indirect_;     // `lanes` for each of groups_
+  std::vector<std::uint8_t> share_;         // `lanes` for each of groups_,
+  std::vector<std::uint16_t> indirect_;     // and here
   std::uint64_t rays_ = 0;
 };
 

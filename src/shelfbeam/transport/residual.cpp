@@ -84,7 +84,7 @@ void Residual::add_direct(const PathVertex& vertex, double shadow_rays, RandomSt
         }
         const float whole = scratch.irradiance[lane], cap = units_.cap(list[c], k);
         const float used = vertex.is_capped && whole > cap ? cap : whole;
-        const float share = lane < known ? vertex.row.share[lane] : 0;
+        const float share = lane < known ? PackedLane::share(vertex.row.share[lane]) : 0;
         scratch.places.push_back(static_cast<std::uint32_t>(list[c] * lanes + k));
         scratch.lights.push_back(light);
         scratch.targets.push_back(light.position);

@@ -68,7 +68,8 @@ class Residual {
       std::vector<LaneRow> rows;
     };
     std::deque<Generation> generations;
-    std::vector<float> irradiance, importance, shares, zeros;
+    std::vector<float> irradiance, importance, shares;
+    std::vector<std::uint8_t> zeros;
     std::vector<std::uint16_t> list;
     std::vector<Vec3> targets;
     std::vector<std::uint32_t> places, sharers;

@@ -113,7 +113,8 @@ UnitGroups::UnitGroups(const World& world) {
     group.nearest = 1;
     groups_.push_back(group);
   }
-  for (Group& group : groups_) group.cap.fill(std::numeric_limits<float>::max());
+  no_cap_.fill(std::numeric_limits<float>::max());
+  for (Group& group : groups_) group.cap = no_cap_;
   places_.resize(world.emitters.size());
   for (std::size_t g = 0; g < groups_.size(); ++g)
     for (std::size_t k = 0; k < groups_[g].count; ++k)

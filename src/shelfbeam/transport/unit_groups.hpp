@@ -81,6 +81,7 @@ class UnitGroups {
     float radius = 0, nearest = 0, peak = 0;
   };
   std::vector<Group> groups_;
+  LaneValues no_cap_{};
   std::vector<std::uint32_t> places_;
   std::vector<float> tables_;  ///< intensity by (1 + cos theta) / 2, `table_steps` + 1 values each
   static constexpr int table_steps = 512;
