@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/signal/checkpoint.hpp"
 
 #include "arguments.hpp"
@@ -10,6 +11,9 @@
 namespace shelfbeam::app {
 
 namespace {
+
+// What reuse aims at unless told otherwise.
+constexpr double default_error = 0.02, default_above = 0.3;
 
 // What the machine has, but for what others need.
 std::size_t most_of_the_memory() {
@@ -21,59 +25,84 @@ std::size_t most_of_the_memory() {
 
 SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesystem::path& output) const {
   SimulationOptions options;
-  options.samples = samples;
-  options.direct = direct == "sampled" ? DirectLight::sampled : DirectLight::exact;
+  options.estimator = kind();
   options.seed = seed;
-  options.strategy = strategy == "walk"  ? Strategy::walk
-                     : strategy == "nee" ? Strategy::nee
-                     : strategy == "mis" ? Strategy::mis
-                                         : Strategy::particle;
-  options.heuristic = heuristic == "balance" ? Heuristic::balance : Heuristic::power;
-  options.max_bounces = max_bounces.value_or(PathRules::no_limit);
-  options.by_bounce = by_bounce;
-  if (relative_error) options.relative_error = RelativeError{*relative_error, above};
   options.time_s = time_s;
+  if (relative_error) options.relative_error = RelativeError{*relative_error, above.value_or(default_above)};
+  if (samples) options.samples = *samples;
+  if (options.estimator == EstimatorKind::reuse) {
+    options.direct = DirectLight::exact;
+    if (!samples && !time_s && !relative_error)
+      options.relative_error = RelativeError{default_error, above.value_or(default_above)};
+  } else {
+    options.direct =
+        direct.value_or(default_direct) == "sampled" ? DirectLight::sampled : DirectLight::exact;
+    const std::string named = strategy.value_or("mis");
+    options.strategy = named == "walk"  ? Strategy::walk
+                       : named == "nee" ? Strategy::nee
+                       : named == "mis" ? Strategy::mis
+                                        : Strategy::particle;
+    options.heuristic = heuristic.value_or("balance") == "balance" ? Heuristic::balance : Heuristic::power;
+    options.max_bounces = max_bounces.value_or(PathRules::no_limit);
+    options.by_bounce = by_bounce;
+  }
   options.memory = memory == 0 ? most_of_the_memory() : memory;
   options.checkpoint = {checkpoint_path(output), resume, checkpoint_interval_s};
   return options;
 }
 
+// What only the uniform estimator knows asks for it.
+EstimatorKind SimulationFlags::kind() const {
+  const char* of_uniform = strategy      ? "--strategy"
+                           : heuristic   ? "--heuristic"
+                           : max_bounces ? "--max-bounces"
+                           : direct      ? "--direct"
+                                         : nullptr;
+  if (!estimator) return of_uniform != nullptr ? EstimatorKind::uniform : EstimatorKind::reuse;
+  if (*estimator == "uniform") return EstimatorKind::uniform;
+  if (of_uniform != nullptr && (strategy || heuristic || max_bounces || *direct == "sampled"))
+    throw InputError(of_uniform, "is not for the estimator reuse", "leave it out, or use '--estimator uniform'");
+  return EstimatorKind::reuse;
+}
+
 void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::string& default_direct) {
-  flags.direct = default_direct;
+  flags.default_direct = default_direct;
   verb.add_option("--estimator", flags.estimator,
-                  "uniform: the paper's random walk with one uniformly chosen transceiver a vertex")
-      ->check(CLI::IsMember({"uniform"}))
-      ->capture_default_str();
-  verb.add_option("--direct", flags.direct,
-                  "Direct light: sampled by the walk, as in the paper, or exact in closed form")
-      ->check(CLI::IsMember({"sampled", "exact"}))
-      ->capture_default_str();
-  auto* samples = verb.add_option("--samples", flags.samples, "First rays a label (particles a transceiver)")
-                      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
-                      ->capture_default_str();
+                  "reuse (default): paths shared by neighbouring labels, all transceivers at once; uniform: the "
+                  "paper's random walk with one uniformly chosen transceiver a vertex")
+      ->check(CLI::IsMember({"reuse", "uniform"}));
   auto* error = verb.add_option("--relative-error", flags.relative_error,
-                                "Instead of --samples: stop when 99 % of the entries that matter have this "
-                                "relative standard error")
-                    ->check(positive_number())
-                    ->excludes(samples);
+                                fmt::format("Stop when 99 % of the entries that matter have this relative "
+                                            "standard error (reuse: {} unless told otherwise)",
+                                            default_error))
+                    ->check(positive_number());
   verb.add_option("--above", flags.above,
-                  "Entries matter from this share of their label's requirement on, for --relative-error")
-      ->check(positive_number())
-      ->needs(error)
-      ->capture_default_str();
-  verb.add_option("--time", flags.time_s, "Instead of --samples: seconds to simulate")
+                  fmt::format("Entries matter from this share of their label's requirement on ({}), for "
+                              "--relative-error",
+                              default_above))
+      ->check(positive_number());
+  auto* samples = verb.add_option("--samples", flags.samples,
+                                  "Instead of --relative-error: first rays a label (particles a transceiver; "
+                                  "uniform: 10000 unless told otherwise)")
+                      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
+                      ->excludes(error);
+  verb.add_option("--time", flags.time_s, "Instead of either: seconds to simulate")
       ->check(positive_number())
       ->excludes(samples)
       ->excludes(error);
+  verb.add_option("--direct", flags.direct,
+                  fmt::format("Direct light of uniform: sampled by the walk, as in the paper, or exact in closed "
+                              "form ({})",
+                              default_direct))
+      ->check(CLI::IsMember({"sampled", "exact"}));
   verb.add_option("--strategy", flags.strategy,
-                  "How paths are found: walk (until a transceiver of some size is met), nee (next event "
+                  "How uniform finds paths are found: walk (until a transceiver of some size is met), nee (next event "
                   "estimation), mis (both, weighted), particle (from the transceivers)")
-      ->check(CLI::IsMember({"walk", "nee", "mis", "particle"}))
-      ->capture_default_str();
+      ->check(CLI::IsMember({"walk", "nee", "mis", "particle"}));
   verb.add_option("--heuristic", flags.heuristic, "Weights of mis")
-      ->check(CLI::IsMember({"balance", "power"}))
-      ->capture_default_str();
-  verb.add_option("--max-bounces", flags.max_bounces, "Longest paths: reflections and refractions")
+      ->check(CLI::IsMember({"balance", "power"}));
+  verb.add_option("--max-bounces", flags.max_bounces,
+                  "Longest paths of uniform: reflections and refractions")
       ->check(CLI::Range(0, 1000));
   verb.add_option("--memory", flags.memory,
                   "Memory that may be used, e.g. 4G or 500M (default: 80 % of what the machine has)")

@@ -15,12 +15,13 @@ namespace shelfbeam::app {
 
 /// The options of `simulate`, which `plan` takes too.
 struct SimulationFlags {
-  std::string estimator = "uniform";
-  std::string direct;
-  std::uint64_t samples = 10000;
+  std::optional<std::string> estimator;
+  std::optional<std::string> direct;
+  std::string default_direct;
+  std::optional<std::uint64_t> samples;
   std::optional<double> relative_error, time_s;
-  double above = 0.3;
-  std::string strategy = "mis", heuristic = "balance";
+  std::optional<double> above;
+  std::optional<std::string> strategy, heuristic;
   std::optional<std::uint32_t> max_bounces;
   bool by_bounce = false;
   std::size_t memory = 0;  ///< bytes; 0: most of what the machine has
@@ -28,6 +29,7 @@ struct SimulationFlags {
   double checkpoint_interval_s = 10;
 
   /// `output` is what the checkpoint lies beside.
+  EstimatorKind kind() const;
   SimulationOptions options(std::uint64_t seed, const std::filesystem::path& output) const;
 };
 

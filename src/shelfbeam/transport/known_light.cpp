@@ -1,6 +1,7 @@
 #include "shelfbeam/transport/detail/known_light.hpp"
 
 #include <atomic>
+#include <vector>
 
 #include "shelfbeam/transport/detail/parallel.hpp"
 #include "shelfbeam/transport/direct.hpp"
@@ -36,6 +37,11 @@ KnownLight::KnownLight(const World& world, const PathRules& rules, const RunCont
         return;
       }
       std::uint64_t of_row = 0;
+      if (mirrored_.empty() && world.receivers.is_point(i)) {
+        of_row = fill_row(world, i);
+        rays.fetch_add(of_row, std::memory_order_relaxed);
+        continue;
+      }
       for (std::size_t j = 0; j < columns_; ++j) {
         if (!is_point_to_point(world, i, j)) continue;
         const DirectSignal signal = direct_between_points(world, i, j, rules);
@@ -48,6 +54,30 @@ KnownLight::KnownLight(const World& world, const PathRules& rules, const RunCont
   });
   rays_ = rays;
   complete_ = !cancelled;
+}
+
+// Straight ways only: many rays from one point.
+std::uint64_t KnownLight::fill_row(const World& world, std::size_t i) {
+  const SurfacePoint at = world.receivers.point(i, 0, 0);
+  std::vector<std::size_t> columns;
+  std::vector<double> values;
+  std::vector<Vec3> targets;
+  for (std::size_t j = 0; j < columns_; ++j) {
+    if (!world.emitters.is_point(j)) continue;
+    const LightPoint light = world.emitters.point(j, 0, 0);
+    const DirectSignal open = light_from(
+        world, j, light, at, false, [&](const Vec3& d) { return world.receivers.response(i, d); },
+        [] { return 1.0; });
+    if (open.straight == 0) continue;
+    columns.push_back(j);
+    values.push_back(open.straight);
+    targets.push_back(light.position);
+  }
+  std::vector<float> shares(targets.size());
+  world.rays.shares(at, targets, shares);
+  for (std::size_t t = 0; t < columns.size(); ++t)
+    straight_[i * columns_ + columns[t]] = static_cast<float>(values[t] * static_cast<double>(shares[t]));
+  return targets.size();
 }
 
 }  // namespace shelfbeam::detail

@@ -125,12 +125,13 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
     const float* const cap = is_capped ? group.cap.data() : groups.no_cap_.data();
     float* const whole = irradiance + c * lanes;
     float* const at_stake = importance + c * lanes;
+    const float least = floor > 0 ? floor * groups.bound(list[c], p) : 0;
     for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
               UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
                 whole[k] = e;
                 const float used = e < cap[k] ? e : cap[k];
                 const float part = PackedLane::share(s[k]);
-                const float value = used * (std::sqrt(std::abs(part * (1 - part))) + 0.1F) + floor;
+                const float value = used * (std::sqrt(std::abs(part * (1 - part))) + 0.1F) + least;
                 at_stake[k] = value;
                 total[k] += value;
               });
@@ -148,6 +149,16 @@ void LaneKernels::add_listed(const std::uint16_t* list, std::size_t count, float
     float* const to = sums + list[c] * lanes;
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < lanes; ++k) to[k] += weight * PackedLane::value(from[k]);
+  }
+}
+
+SHELFBEAM_FOR_EACH_CPU
+void LaneKernels::add_rows(std::size_t count, float weight, const float* from, float* to) {
+  for (std::size_t c = 0; c < count; ++c) {
+    const float* const a = from + c * lanes;
+    float* const b = to + c * lanes;
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) b[k] += weight * a[k];
   }
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/transport/reuse.hpp"
 #include "shelfbeam/transport/simulate.hpp"
 #include "shelfbeam/transport/uniform.hpp"
 
@@ -34,6 +35,8 @@ std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOp
   switch (options.estimator) {
     case EstimatorKind::uniform:
       break;
+    case EstimatorKind::reuse:
+      return std::make_unique<ReuseEstimator>(world, options.seed);
   }
   expect_possible(world.scene, options);
   return std::make_unique<UniformEstimator>(

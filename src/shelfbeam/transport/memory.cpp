@@ -34,11 +34,12 @@ void expect_at_most(double needed, std::size_t labels, std::size_t sources,
 void expect_room(const Scene& scene, const SimulationOptions& options, bool keeps_matrix) {
   const std::size_t sources = scene.transceivers.size() + scene.emitting_surfaces.size();
   const double entries = static_cast<double>(scene.labels.size()) * static_cast<double>(sources);
-  double each = options.direct == DirectLight::exact ? sizeof(float) : 0;
+  double each = options.rules().samples_direct ? 0 : sizeof(float);
   // Every entry has its sums, and a column index.
   if (options.estimator == EstimatorKind::uniform)
     each += sizeof(double) * (2 + (options.direct == DirectLight::sampled ? 1 : 0) + 2 * layers_of(options)) +
             sizeof(std::uint32_t);
+  if (options.estimator == EstimatorKind::reuse) each += 2 * sizeof(double);
   expect_at_most(entries * each + result_bytes(entries, options, keeps_matrix), scene.labels.size(), sources,
                  options);
 }

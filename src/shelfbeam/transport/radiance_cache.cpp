@@ -22,7 +22,7 @@ constexpr double cell_size = 0.5;  // m
 constexpr double cell_shift = 0.1370;
 constexpr std::size_t places_per_cell = 4;
 constexpr std::uint32_t gather_rays = 64;  // a cell
-constexpr int rounds = 8;
+constexpr int rounds = 6;
 constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 using Cell = std::array<std::int64_t, 3>;
@@ -302,11 +302,12 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
           } else if (groups_[b] < groups_[a]) {
             ++b;
           } else {
-            float* const to = fresh.data() + a * lanes;
-            const float* const from = total.data() + b * lanes;
-            for (std::size_t k = 0; k < lanes; ++k) to[k] += link.weight * from[k];
-            ++a;
-            ++b;
+            std::size_t run = 1;  // most cells hold the same groups as their neighbours
+            while (a + run < begin_[p + 1] && b + run < begin_[link.cell + 1] && groups_[a + run] == groups_[b + run])
+              ++run;
+            LaneKernels::add_rows(run, link.weight, total.data() + b * lanes, fresh.data() + a * lanes);
+            a += run;
+            b += run;
           }
         }
       }

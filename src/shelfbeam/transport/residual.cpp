@@ -28,7 +28,7 @@ double Residual::reflected(const PathVertex& vertex, const Vec3& to_source) cons
          std::abs(incoming.z);
 }
 
-void Residual::add_direct(const PathVertex& vertex, double shadow_rays, RandomStream& random,
+void Residual::add_direct(const PathVertex& vertex, double stake, RandomStream& random,
                           Scratch& scratch, LaneRow& row, std::uint64_t& rays) const {
   const std::size_t n_units = world_.scene.transceivers.size();
   const LanePoint point(vertex.end.point);
@@ -44,9 +44,8 @@ void Residual::add_direct(const PathVertex& vertex, double shadow_rays, RandomSt
   scratch.zeros.resize(units_.size() * lanes);
   scratch.irradiance.resize(units_.size() * lanes);
   scratch.importance.resize(units_.size() * lanes);
-  float floor = 0;
-  if (!vertex.is_diffuse || world_.mirrors.size() > 0 || any_loose_)
-    for (const std::uint16_t g : list) floor = std::max(floor, 0.002F * units_.bound(g, point));
+  // Where light may come that `irradiance` does not know of.
+  const float floor = !vertex.is_diffuse || world_.mirrors.size() > 0 || any_loose_ ? 0.002F : 0;
   const std::size_t known = vertex.row.count * lanes;
   const float total =
       LaneKernels::importance(units_, list.data(), vertex.row.count, point, vertex.is_capped,
@@ -62,7 +61,7 @@ void Residual::add_direct(const PathVertex& vertex, double shadow_rays, RandomSt
   scratch.taken.clear();
   if (total > 0) {
     // Systematic sampling: a comb with teeth at whole numbers over the running sum of the probabilities.
-    const double scale = shadow_rays / static_cast<double>(total);
+    const double scale = 1 / (stake * requirement_);
     double sum = random.unit();
     double tooth = 1;
     for (std::size_t c = 0; c < list.size(); ++c) {
@@ -171,7 +170,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
   };
   std::vector<Continuation> continuations;
   const std::uint32_t tails = generation == 0 ? effort_.tails : effort_.later_tails;
-  const double shadow_rays = generation == 0 ? effort_.shadow_rays : effort_.later_shadow_rays;
+  const double stake = generation == 0 ? effort_.stake : effort_.later_stake;
 
   for (std::size_t a = 0; a < vertices.size(); ++a) {
     const PathVertex& vertex = vertices[a];
@@ -180,7 +179,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
     RandomStream random(key.stream, key.batch, key.group, generation * 64 + place);
     const ScrambledSobol square(mix_key(mix_key(key.stream, (std::uint64_t{key.batch} << 32) | key.group),
                                         generation * 64 + place));
-    add_direct(vertex, shadow_rays, random, scratch, row, rays);
+    add_direct(vertex, stake, random, scratch, row, rays);
     add_far(vertex, random, row, rays);
 
     row.use(vertex.row.groups, vertex.row.count);

@@ -27,12 +27,12 @@ struct PathVertex {
 
 /// How much is spent where on paths.
 struct ReuseEffort {
-  std::uint32_t lookups = 128;       ///< rays a label and batch that only look the cache up
-  std::uint32_t points = 2;          ///< first hits a label and batch from which paths start
-  double shadow_rays = 32;           ///< at such a point, about
-  double later_shadow_rays = 16;     ///< at later vertices
+  std::uint32_t lookups = 64;        ///< rays a label and batch that only look the cache up
+  std::uint32_t points = 3;          ///< first hits a label and batch from which paths start
+  double stake = 0.05;               ///< of the requirement: units with more at stake get a shadow ray, others
+  double later_stake = 0.05;         ///< one in proportion; the second at later vertices
   std::uint32_t tails = 8;           ///< rays that look the cache up at such a point,
-  std::uint32_t later_tails = 4;     ///< and at later vertices
+  std::uint32_t later_tails = 24;    ///< and at later vertices
   std::size_t group = 32;            ///< vertices that share their continuations
   std::uint32_t spot_rays = 4;       ///< from every unit beside a surface, for a cluster and batch
   double survival = 0.7;             ///< chance of every continuation; it must exceed the square of the albedo
@@ -45,13 +45,15 @@ struct ReuseEffort {
 /// by the densities with which all of the group would have sent it.
 class Residual {
  public:
-  /// `reach`: units that may give more than this many W/m^2 to a vertex are all considered there.
-  Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, float reach,
+  /// `requirement`: the smallest signal that matters. Units that may give a twentieth of it to a vertex are all
+  /// considered there.
+  Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, double requirement,
            const ReuseEffort& effort)
       : world_(world),
         units_(units),
         cache_(cache),
-        reach_(reach),
+        requirement_(requirement),
+        reach_(static_cast<float>(0.05 * requirement)),
         effort_(effort),
         any_loose_(units.any_loose()) {}
 
@@ -83,7 +85,7 @@ class Residual {
                 Scratch& scratch, std::span<LaneRow> rows, std::uint64_t& rays) const;
 
  private:
-  void add_direct(const PathVertex& vertex, double shadow_rays, RandomStream& random, Scratch& scratch,
+  void add_direct(const PathVertex& vertex, double stake, RandomStream& random, Scratch& scratch,
                   LaneRow& row, std::uint64_t& rays) const;
   void add_far(const PathVertex& vertex, RandomStream& random, LaneRow& row, std::uint64_t& rays) const;
   double reflected(const PathVertex& vertex, const Vec3& to_source) const;
@@ -91,6 +93,7 @@ class Residual {
   const World& world_;
   const UnitGroups& units_;
   const RadianceCache& cache_;
+  double requirement_;
   float reach_;
   ReuseEffort effort_;
   bool any_loose_;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
 #include "shelfbeam/base/provenance.hpp"
@@ -22,13 +23,13 @@ constexpr std::size_t largest_cluster = 96;
 // The cache keeps what is above this share of the smallest requirement.
 constexpr double least_share = 0.005;
 
-float least_irradiance(const Scene& scene) {
+double smallest_requirement(const Scene& scene) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Label& label : scene.labels) {
     const double requirement = scene.type_of(label).requirement();
     if (requirement > 0) smallest = std::min(smallest, requirement);
   }
-  return std::isfinite(smallest) ? static_cast<float>(least_share * smallest) : 1e-6F;
+  return std::isfinite(smallest) ? smallest : 1e-3;
 }
 
 }  // namespace
@@ -52,11 +53,11 @@ struct ReuseEstimator::Impl {
   Impl(const World& w, std::uint64_t s, const ReuseEffort& e)
       : world(w),
         seed(s),
-        relevant(10 * static_cast<double>(least_irradiance(w.scene))),
+        requirement(smallest_requirement(w.scene)),
         effort(e),
         units(w),
-        cache(w, units, least_irradiance(w.scene), mix_key(s, hash64("radiance cache"))),
-        residual(w, units, cache, 10 * least_irradiance(w.scene), e),
+        cache(w, units, static_cast<float>(least_share * requirement), mix_key(s, hash64("radiance cache"))),
+        residual(w, units, cache, requirement, e),
         spots(w, units, mix_key(s, hash64("bright spots"))) {
     std::vector<std::uint32_t> columns(w.emitters.size());
     std::iota(columns.begin(), columns.end(), 0U);
@@ -76,7 +77,7 @@ struct ReuseEstimator::Impl {
 
   const World& world;
   std::uint64_t seed;
-  double relevant;
+  double requirement;
   ReuseEffort effort;
   UnitGroups units;
   RadianceCache cache;
@@ -226,7 +227,10 @@ std::uint64_t ReuseEstimator::samples_per_batch() const {
   return impl_->effort.lookups + impl_->effort.points;
 }
 std::string ReuseEstimator::name() const {
-  return "reuse";
+  return fmt::format("reuse, {} + {} first rays a batch", impl_->effort.lookups, impl_->effort.points);
+}
+std::size_t ReuseEstimator::bytes() const {
+  return impl_->cache.bytes();
 }
 const RadianceCache& ReuseEstimator::cache() const {
   return impl_->cache;
@@ -248,7 +252,7 @@ bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelT
   }
   impl_->look_up(block, key, batch, work, values.rays);
   if (cancel != nullptr && cancel->requested()) return false;
-  impl_->spots.add(block.rows, work.at, impl_->relevant, impl_->effort.spot_rays, mix_key(key, 0x5B075), batch,
+  impl_->spots.add(block.rows, work.at, 0.05 * impl_->requirement, impl_->effort.spot_rays, mix_key(key, 0x5B075), batch,
                    work.labels, values.rays);
   impl_->add_residual(block, key, batch, work, values.rays);
   if (cancel != nullptr && cancel->requested()) return false;

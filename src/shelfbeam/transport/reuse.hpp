@@ -23,6 +23,7 @@ class ReuseEstimator : public Estimator {
   std::uint64_t samples_per_batch() const override;
   bool samples_direct() const override { return false; }
   std::string name() const override;
+  std::size_t bytes() const override;
   bool sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
               BatchValues& values) const override;
 

@@ -11,7 +11,10 @@
 namespace shelfbeam {
 
 /// To add an estimator: a name here, a case in make_estimator.cpp, a name in the command line's options.
-enum class EstimatorKind { uniform };
+enum class EstimatorKind {
+  uniform,  ///< the paper's, with its strategies
+  reuse     ///< path reuse (docs/methods/reuse.md); strategy, heuristic and bounces do not apply
+};
 
 enum class DirectLight {
   sampled,  ///< by the paths' first connection, as in the paper
@@ -44,7 +47,10 @@ struct SimulationOptions {
   std::size_t memory = 0;             ///< bytes that may be used; 0: any number
   CheckpointOptions checkpoint = {};
 
-  PathRules rules() const { return {strategy, heuristic, max_bounces, direct == DirectLight::sampled}; }
+  PathRules rules() const {
+    if (estimator == EstimatorKind::reuse) return {.strategy = Strategy::nee, .samples_direct = false};
+    return {strategy, heuristic, max_bounces, direct == DirectLight::sampled};
+  }
   bool has_fixed_samples() const { return !relative_error && !time_s; }
 };
 

@@ -30,6 +30,8 @@ class KnownLight {
     return values.empty() ? 0 : static_cast<double>(values[i * columns_ + j]);
   }
 
+  std::uint64_t fill_row(const World& world, std::size_t i);
+
   std::size_t columns_;
   std::vector<float> straight_, mirrored_;  ///< empty: all 0
   std::uint64_t rays_ = 0;
