@@ -82,7 +82,8 @@ struct ReuseEstimator::Impl {
   mutable tbb::enumerable_thread_specific<Workspace> workspaces;
 };
 
-// The cache's light on every label, by many rays that only look it up.
+// The cache's light on every label, by many rays that only look it up, and that of sources which they meet
+// over mirrors.
 void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::uint32_t batch,
                                    Workspace& work, std::uint64_t& rays) const {
   for (std::size_t c = 0; c < block.rows.size(); ++c) {
@@ -102,8 +103,9 @@ void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::u
         const double u3 = random.unit(), u4 = random.unit();
         from = world.receivers.point(i, u3, u4);
       }
-      const auto end = follow_chain(world, from, world.receivers.frame(i).to_world(drawn->direction), false,
-                                    random, rays, [](std::size_t, double) {});
+      const auto end =
+          follow_chain(world, from, world.receivers.frame(i).to_world(drawn->direction), false, random, rays,
+                       [&](std::size_t j, double value) { row.add(units.place(j), weight * value); });
       if (!end) continue;
       const RadianceCache::Row found = cache.row(end->point);
       row.use(found.groups, found.count);
@@ -153,9 +155,8 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
       const auto drawn = shelfbeam::sample(responsivity, u1, u2);
       if (!drawn) continue;
       const double weight = integral(responsivity) / effort.points;
-      const auto end = follow_chain(
-          world, work.at[c], world.receivers.frame(i).to_world(drawn->direction), false, random, rays,
-          [&](std::size_t j, double value) { work.labels[c].add(units.place(j), weight * value); });
+      const auto end = follow_chain(world, work.at[c], world.receivers.frame(i).to_world(drawn->direction), false,
+                                    random, rays, [](std::size_t, double) {});
       if (!end) continue;
       work.vertices.emplace_back(world, cache, *end);
       work.owner.push_back(static_cast<std::uint32_t>(c));
