@@ -248,25 +248,26 @@ bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelT
   const std::size_t n = block.columns.size();
   for (std::size_t c = 0; c < block.rows.size(); ++c) {
     const std::uint32_t i = block.rows[c];
-    const LaneRow& row = work.labels[c];
-    const bool has_areas = !world.receivers.is_point(i) || impl_->units.any_loose();
+    LaneRow& row = work.labels[c];
+    const bool has_areas = !world.receivers.is_point(i) || impl_->units.any_loose() ||
+                           world.emitters.size() > world.scene.transceivers.size();
     work.direct.assign(has_areas ? n : 0, 0);
     for (std::size_t j = 0; j < work.direct.size(); ++j) {
       if (is_point_to_point(world, i, j)) continue;
       const DirectSignal signal = sample_direct(
           world, i, j, {mix_key(mix_key(key, i), j), batch, 0}, 2, PathRules{.samples_direct = false});
       values.rays += signal.rays;
-      work.direct[j] = signal.straight + signal.mirrored;
-      if (work.direct[j] > 0) {
-        values.values.push_back({static_cast<std::uint32_t>(c * n + j), work.direct[j], signal.straight});
-      }
+      if (signal.straight + signal.mirrored == 0) continue;
+      work.direct[j] = signal.straight;
+      row.add(impl_->units.place(j), signal.straight + signal.mirrored);
     }
     for (const std::uint16_t g : row.groups())
       for (std::size_t k = 0; k < impl_->units.count(g); ++k) {
         const float value = row.values()[g * lanes + k];
         if (value == 0) continue;
         const std::uint32_t j = impl_->units.column(g, k);
-        values.values.push_back({static_cast<std::uint32_t>(c * n + j), static_cast<double>(value), 0});
+        values.values.push_back({static_cast<std::uint32_t>(c * n + j), static_cast<double>(value),
+                                 has_areas ? work.direct[j] : 0});
       }
   }
   return true;
