@@ -39,22 +39,5 @@ TEST(LaneRow, AddsOnlyWhatIsUsedAndForgetsItAll) {
   EXPECT_EQ(values(row, groups), values(other, groups));
 }
 
-TEST(LaneRow, ListedGroupsTakeRowsOfAList) {
-  constexpr std::size_t groups = 4;
-  LaneRow row(groups);
-  const std::vector<std::uint16_t> list{1, 3};
-  std::vector<float> rows(2 * lanes), expected(groups * lanes);
-  for (std::size_t k = 0; k < lanes; ++k) {
-    rows[k] = static_cast<float>(k);
-    rows[lanes + k] = 100;
-    expected[lanes + k] = -2 * static_cast<float>(k);
-    expected[3 * lanes + k] = -200;
-  }
-  row.use(list.data(), list.size());
-  LaneKernels::add_listed(list.data(), list.size(), -2, rows.data(), row.mutable_values());
-  EXPECT_EQ(values(row, groups), expected);
-  EXPECT_EQ(row.groups(), list);
-}
-
 }  // namespace
 }  // namespace shelfbeam
