@@ -1,0 +1,176 @@
+// Path reuse against the strategies that share no sampling code with it, entry by entry.
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "bare_scene.hpp"
+#include "comparison.hpp"
+#include "reuse_matrix.hpp"
+#include "strategy_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+// How much is sampled by either side, in multiples of what the fast tests do.
+struct Effort {
+  std::uint32_t reuse = 1;
+  std::uint64_t samples = 100000;
+};
+
+// Root mean square of the relative errors.
+double error_of(const test::Comparison& entries) {
+  double squares = 0;
+  for (std::size_t k = 0; k < entries.values.size(); ++k)
+    squares += std::pow(entries.standard_errors[k] / entries.references[k], 2);
+  return std::sqrt(squares / static_cast<double>(entries.values.size()));
+}
+
+// All entries at once at 0.1 %. `largest_error` is of the differences, root mean square of all entries;
+// `wrong` times the reference is the control.
+void expect_agreement(const Scene& scene, const test::Way& way, const Effort& effort, double largest_error,
+                      double wrong) {
+  const SignalMatrix reference = way.simulate(scene, effort.samples, 77, {.direct = DirectLight::exact});
+  const test::Comparison entries = test::compare(test::reuse(scene, effort.reuse), reference);
+  EXPECT_TRUE(entries.agrees(0.001)) << way.name;
+  EXPECT_LT(error_of(entries), largest_error) << way.name;
+  EXPECT_FALSE(entries.with_references_times(wrong).agrees(0.001)) << way.name;
+}
+
+Scene glossy() {
+  test::StrategyStore store;
+  store.add_glossy();
+  return store.scene();
+}
+
+// Mirror, pane and glass block, discs of 0.4 m and labels of 0.6 x 0.4 m; or points.
+Scene glass(bool areas) {
+  test::StrategyStore store;
+  store.add_glossy();
+  store.add_glass();
+  if (areas) {
+    store.radius = 0.4;
+    store.label_size = {0.6, 0.4};
+  }
+  return store.scene();
+}
+
+void put(test::BareScene& room, const std::vector<std::pair<Vec3, Vec3>>& labels,
+         const std::vector<Responsivity>& responses) {
+  for (std::size_t k = 0; k < labels.size(); ++k)
+    room.label(labels[k].first, normalized(labels[k].second), responses[k % responses.size()]);
+}
+const std::vector<std::pair<Vec3, Vec3>> places{
+    {{1.8, 0.799, 1.0}, {0, -1, 0}},  {{2.4, 0.799, 0.6}, {0, -1, 0}}, {{1.2, 1.401, 1.2}, {0, 1, 0}},
+    {{3.8, 3.599, 0.9}, {0, -1, 0}},  {{5, 1, 0.01}, {0, 0, 1}},       {{0.01, 2.8, 1.5}, {1, 0, 0}},
+    {{4.2, 2, 1.4}, {-0.6, 0.2, 0.8}}};
+
+// A table that depends on phi, on tilted and rolled units; rough glass, coated plastic and brushed metal.
+Scene lopsided() {
+  test::BareScene room;
+  const MaterialId paper = room.material(Lambertian{0.6}), floor = room.material(Lambertian{0.3});
+  room.box({floor, paper, paper}, {0, 0, 0}, {6, 5, 3});
+  room.box(room.material(make_conductor(0.4, 4, make_microfacets(FacetDistribution::ggx, 0.2, 0.5))),
+           {0.8, 0.8, 0}, {2.8, 1.4, 1.6});
+  room.box(room.material(make_plastic(1.5, 0.5, make_microfacets(FacetDistribution::beckmann, 0.3, 0.3))),
+           {3.2, 3.6, 0}, {5.4, 4.2, 1.8});
+  room.box(room.material(make_dielectric(1.5, make_microfacets(FacetDistribution::ggx, 0.4, 0.4))),
+           {3.4, 1.6, 0.2}, {3.9, 2.6, 1.7});
+  put(room, places, {CosineResponse{}});
+  const double right = pi / 2;
+  const DirectionTable table({0, right / 3, 2 * right / 3, 1.1 * right}, {0, right, 2 * right, 4 * right},
+                             {1, 2, 3, 0, 1, 0.5, 0, 0, 1, 1, 0.2, 0.1, 1, 2, 3, 0});
+  room.unit({1.2, 1.8, 2.8}, normalized({0.5, 0.3, -1}), EmissionTable{table});
+  room.unit({4.6, 2.4, 2.9}, normalized({-0.3, 0.8, -0.6}), EmissionTable{table});
+  room.unit({3, 4.5, 2.6}, {0, 0, -1}, SinTwoTheta{1});
+  room.scene.transceivers[0].roll_deg = 70;
+  room.scene.transceivers[1].roll_deg = -25;
+  return room.scene;
+}
+
+Scene other_devices() {
+  test::BareScene room;
+  const MaterialId paper = room.material(Lambertian{0.7}), floor = room.material(Lambertian{0.4});
+  room.box({floor, paper, paper}, {0, 0, 0}, {6, 5, 3});
+  room.box(paper, {0.8, 0.8, 0}, {2.8, 1.4, 1.6});
+  room.box(floor, {3.2, 3.6, 0}, {5.4, 4.2, 1.8});
+  put(room, places,
+      {CosinePowerResponse{2.5, 60 * pi / 180}, ResponseTable{{{0, 0.3, 0.7, 1.3}, {0}, {1, 0.9, 0.3, 0.1}}},
+       CosineResponse{}});
+  room.unit({1.2, 1.8, 2.8}, {0, 0, -1}, GeneralizedLambertian{2, 3});
+  room.unit({4.6, 2.4, 2.9}, normalized({-0.3, 0.4, -0.6}), IsotropicHemisphere{0.6});
+  room.unit({3, 4.5, 2.6}, {0, 0, -1}, GeneralizedLambertian{1, 3});
+  room.unit({5, 0.5, 2.6}, {0, 0, -1}, IsotropicHemisphere{0.3});
+  return room.scene;
+}
+
+// A shining board that hangs in the room, and perhaps units, points or discs, beside it.
+Scene lamp(bool units, double radius) {
+  test::BareScene room;
+  const MaterialId paper = room.material(Lambertian{0.7}), floor = room.material(Lambertian{0.4});
+  room.box({floor, paper, paper}, {0, 0, 0}, {6, 5, 3});
+  room.box(room.material(Conductor{0.2, 6, {}}), {0.8, 0.8, 0}, {2.8, 1.4, 1.6});
+  room.box(room.material(make_plastic(1.5, 0.5, make_microfacets(FacetDistribution::ggx, 0.4, 0.4))),
+           {3.2, 3.6, 0}, {5.4, 4.2, 1.8});
+  const MaterialId board = room.material(Lambertian{0.5});
+  room.quad(board, {2.5, 2, 2.3}, {1.2, 0, 0}, {0, 0.6, 0});
+  room.shines(board, 2);
+  put(room, places, {CosineResponse{}});
+  room.label({3, 1.1, 2.0}, {0, 0, -1}, CosineResponse{}, {0.5, 0.3});
+  if (!units) room.scene.labels.pop_back();
+  if (units) {
+    room.unit({1.2, 1.8, 2.8}, {0, 0, -1}, SinTwoTheta{1}, radius);
+    room.unit({4.6, 2.4, 2.9}, normalized({-0.3, 0.4, -0.6}), IsotropicHemisphere{0.3}, radius);
+  }
+  return room.scene;
+}
+
+// Errors of 2 to 7 % for the typical entry; the controls are far outside for the best ones.
+TEST(ReuseAgreement, DiffuseAndGlossy) {
+  expect_agreement(glossy(), test::nee, {8, 40000}, 0.03, 1.03);
+}
+TEST(ReuseAgreement, MirrorPaneAndGlassWithPoints) {
+  expect_agreement(glass(false), test::nee, {8, 30000}, 0.04, 1.04);
+}
+TEST(ReuseAgreement, MirrorPaneAndGlassWithDiscsAndRectangles) {
+  expect_agreement(glass(true), test::mis, {8, 25000}, 0.09, 1.08);
+}
+TEST(ReuseAgreement, LopsidedUnitsAndRoughThings) {
+  expect_agreement(lopsided(), test::nee, {32, 100000}, 0.08, 1.06);
+}
+TEST(ReuseAgreement, OtherUnitsAndResponses) {
+  expect_agreement(other_devices(), test::nee, {16, 100000}, 0.03, 1.03);
+}
+TEST(ReuseAgreement, ShiningBoard) {
+  expect_agreement(lamp(false, 0), test::mis, {16, 30000}, 0.045, 1.08);
+  expect_agreement(lamp(true, 0), test::mis, {16, 50000}, 0.045, 1.05);
+  expect_agreement(lamp(true, 0.3), test::mis, {16, 50000}, 0.05, 1.08);
+}
+
+// Errors of 0.7 to 2 %.
+TEST(ReuseAgreementSlow, DiffuseAndGlossy) {
+  expect_agreement(glossy(), test::nee, {80, 500000}, 0.01, 1.01);
+}
+TEST(ReuseAgreementSlow, MirrorPaneAndGlassWithPoints) {
+  expect_agreement(glass(false), test::nee, {80, 300000}, 0.015, 1.01);
+}
+TEST(ReuseAgreementSlow, MirrorPaneAndGlassWithDiscsAndRectangles) {
+  expect_agreement(glass(true), test::mis, {80, 300000}, 0.03, 1.03);
+}
+TEST(ReuseAgreementSlow, LopsidedUnitsAndRoughThings) {
+  expect_agreement(lopsided(), test::nee, {320, 1200000}, 0.025, 1.02);
+}
+TEST(ReuseAgreementSlow, OtherUnitsAndResponses) {
+  expect_agreement(other_devices(), test::nee, {160, 1200000}, 0.01, 1.01);
+}
+TEST(ReuseAgreementSlow, ShiningBoard) {
+  expect_agreement(lamp(false, 0), test::mis, {160, 400000}, 0.015, 1.03);
+  expect_agreement(lamp(true, 0), test::mis, {160, 600000}, 0.015, 1.02);
+  expect_agreement(lamp(true, 0.3), test::mis, {160, 600000}, 0.02, 1.02);
+}
+
+}  // namespace
+}  // namespace shelfbeam
