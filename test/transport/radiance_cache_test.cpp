@@ -35,7 +35,8 @@ double cached(const RadianceCache& cache, const UnitGroups& groups, const Surfac
     LaneValues e;
     groups.irradiance(row.groups[c], LanePoint(at), e);
     const std::size_t k = groups.place(j) % lanes;
-    sum += static_cast<double>(e[k] * row.share[c * lanes + k] + row.indirect[c * lanes + k]);
+    sum += static_cast<double>(e[k] * PackedLane::share(row.share[c * lanes + k]) +
+                               PackedLane::value(row.indirect[c * lanes + k]));
   }
   return sum;
 }

@@ -152,8 +152,14 @@ void Residual::add_far(const PathVertex& vertex, RandomStream& random, LaneRow& 
         [&](const Vec3& to_source) { return reflected(vertex, to_source); },
         [&] { return world_.rays.passage(vertex.end.point, light.position).share; });
     rays += signal.rays;
+    double taken = 1;  // of its light: not that of bright spots
+    if (vertex.is_capped) {
+      LaneValues irradiance;
+      units_.irradiance(g, point, irradiance);
+      if (irradiance[k] > units_.cap(g, k)) taken = static_cast<double>(units_.cap(g, k) / irradiance[k]);
+    }
     row.add(static_cast<std::uint32_t>(g * lanes + k),
-            (signal.straight + signal.mirrored) * total * static_cast<double>(count) / own);
+            (signal.straight * taken + signal.mirrored) * total * static_cast<double>(count) / own);
     return;
   }
 }
