@@ -39,8 +39,8 @@ void check_efforts(std::uint32_t factor) {
   const SignalMatrix reference = test::reuse(scene, 8 * factor, 1000);
   const ReuseEffort least{.lookups = 4,
                           .points = 1,
-                          .shadow_rays = 1,
-                          .later_shadow_rays = 0.5,
+                          .stake = 4,
+                          .later_stake = 10,
                           .tails = 1,
                           .later_tails = 1,
                           .group = 1,
@@ -54,7 +54,7 @@ void check_efforts(std::uint32_t factor) {
       {"long paths", {.survival = 1.0 - 1.0 / 16}},
       {"one point", {.points = 1}},
       {"many points", {.points = 7}},
-      {"few shadow rays", {.shadow_rays = 1, .later_shadow_rays = 0.3}},
+      {"few shadow rays", {.stake = 4, .later_shadow_rays = 0.3}},
       {"few lookups", {.lookups = 2}},
       {"little of all", least}};
   std::uint64_t seed = 1;

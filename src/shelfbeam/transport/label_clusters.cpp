@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace shelfbeam {
 
@@ -9,35 +10,8 @@ namespace {
 
 // What a label looks upon lies before it: its point for all comparisons stands this far out, in metres.
 constexpr double step_out = 0.8;
-
-using Iterator = std::vector<std::uint32_t>::iterator;
-
-void split(const std::vector<Vec3>& eyes, Iterator first, Iterator last, std::size_t most,
-           std::vector<LabelCluster>& leaves) {
-  const auto count = static_cast<std::size_t>(last - first);
-  if (count == 0) return;
-  if (count <= most) {
-    leaves.emplace_back(first, last);
-    return;
-  }
-  int widest = 0;
-  double width = -1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::minmax_element(
-        first, last, [&](std::uint32_t a, std::uint32_t b) { return eyes[a][axis] < eyes[b][axis]; });
-    if (eyes[*high][axis] - eyes[*low][axis] > width) {
-      width = eyes[*high][axis] - eyes[*low][axis];
-      widest = axis;
-    }
-  }
-  std::stable_sort(first, last,
-                   [&](std::uint32_t a, std::uint32_t b) { return eyes[a][widest] < eyes[b][widest]; });
-  // Into equal parts of as few clusters as it takes.
-  const std::size_t parts = (count + most - 1) / most;
-  const auto middle = first + static_cast<std::ptrdiff_t>(count * (parts / 2) / parts);
-  split(eyes, first, middle, most, leaves);
-  split(eyes, middle, last, most, leaves);
-}
+// How many times as many neighbours are asked as a cluster holds.
+constexpr std::size_t candidates = 4;
 
 }  // namespace
 
@@ -51,29 +25,39 @@ std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most) {
     const double room = hit ? hit->distance(at.position, at.normal) : 2 * step_out;
     eyes[i] = at.position + at.normal * std::min(step_out, room / 2);
   }
-  std::vector<std::uint32_t> all(m);
-  std::iota(all.begin(), all.end(), 0U);
-  std::vector<LabelCluster> leaves;
-  split(eyes, all.begin(), all.end(), most, leaves);
 
+  // From one end of the store to the other: the nearest labels that the first one left sees, from eye to eye.
+  std::vector<std::uint32_t> left(m);
+  std::iota(left.begin(), left.end(), 0U);
+  std::stable_sort(left.begin(), left.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return eyes[a].x + eyes[a].y < eyes[b].x + eyes[b].y;
+  });
   std::vector<LabelCluster> clusters;
+  std::vector<std::pair<double, std::uint32_t>> near;
   std::vector<Vec3> targets;
   std::vector<float> seen;
-  for (LabelCluster& leaf : leaves) {
-    while (!leaf.empty()) {
-      // In open air no side of a point matters.
-      const SurfacePoint eye{eyes[leaf.front()], world.receivers.frame(leaf.front()).z};
-      targets.clear();
-      for (const std::uint32_t i : leaf) targets.push_back(eyes[i]);
-      seen.assign(leaf.size(), 0);
-      world.rays.in_sight(eye, targets, seen);
-      seen[0] = 1;
-      LabelCluster together, apart;
-      for (std::size_t k = 0; k < leaf.size(); ++k) (seen[k] > 0 ? together : apart).push_back(leaf[k]);
-      std::sort(together.begin(), together.end());
-      clusters.push_back(std::move(together));
-      leaf = std::move(apart);
-    }
+  std::vector<bool> is_taken(m);
+  while (!left.empty()) {
+    const std::uint32_t first = left.front();
+    near.clear();
+    for (const std::uint32_t i : left)
+      if (i != first) near.emplace_back(length_squared(eyes[i] - eyes[first]), i);
+    const std::size_t asked = std::min(near.size(), candidates * most);
+    std::nth_element(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(asked), near.end());
+    near.resize(asked);
+    std::sort(near.begin(), near.end());
+    targets.clear();
+    for (const auto& [distance, i] : near) targets.push_back(eyes[i]);
+    seen.assign(asked, 0);
+    // In open air no side of a point matters.
+    world.rays.in_sight({eyes[first], world.receivers.frame(first).z}, targets, seen);
+    LabelCluster cluster{first};
+    for (std::size_t k = 0; k < asked && cluster.size() < most; ++k)
+      if (seen[k] > 0) cluster.push_back(near[k].second);
+    for (const std::uint32_t i : cluster) is_taken[i] = true;
+    left.erase(std::remove_if(left.begin(), left.end(), [&](std::uint32_t i) { return is_taken[i]; }), left.end());
+    std::sort(cluster.begin(), cluster.end());
+    clusters.push_back(std::move(cluster));
   }
   return clusters;
 }

@@ -182,9 +182,9 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
     const PathVertex& vertex = vertices[a];
     LaneRow& row = rows[a];
     const auto place = static_cast<std::uint32_t>(a);
-    RandomStream random(key.stream, key.batch, key.group, generation * 64 + place);
+    RandomStream random(key.stream, key.batch, key.group, (generation << 16) + place);
     const ScrambledSobol square(mix_key(mix_key(key.stream, (std::uint64_t{key.batch} << 32) | key.group),
-                                        generation * 64 + place));
+                                        (generation << 16) + place));
     add_direct(vertex, stake, random, scratch, row, rays);
     add_far(vertex, random, row, rays);
 

@@ -27,13 +27,13 @@ struct PathVertex {
 
 /// How much is spent where on paths.
 struct ReuseEffort {
-  std::uint32_t lookups = 64;        ///< rays a label and batch that only look the cache up
-  std::uint32_t points = 3;          ///< first hits a label and batch from which paths start
+  std::uint32_t lookups = 128;       ///< rays a label and batch that only look the cache up
+  std::uint32_t points = 2;          ///< first hits a label and batch from which paths start
   double stake = 0.05;               ///< of the requirement: units with more at stake get a shadow ray, others
   double later_stake = 0.05;         ///< one in proportion; the second at later vertices
-  std::uint32_t tails = 8;           ///< rays that look the cache up at such a point,
+  std::uint32_t tails = 24;          ///< rays that look the cache up at such a point,
   std::uint32_t later_tails = 24;    ///< and at later vertices
-  std::size_t group = 32;            ///< vertices that share their continuations
+  std::size_t group = 64;            ///< vertices that share their continuations
   std::uint32_t spot_rays = 4;       ///< from every unit beside a surface, for a cluster and batch
   double survival = 0.7;             ///< chance of every continuation; it must exceed the square of the albedo
 };
