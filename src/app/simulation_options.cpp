@@ -35,8 +35,7 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
     if (!samples && !time_s && !relative_error)
       options.relative_error = RelativeError{default_error, above.value_or(default_above)};
   } else {
-    options.direct =
-        direct.value_or(default_direct) == "sampled" ? DirectLight::sampled : DirectLight::exact;
+    options.direct = direct.value_or(default_direct) == "sampled" ? DirectLight::sampled : DirectLight::exact;
     const std::string named = strategy.value_or("mis");
     options.strategy = named == "walk"  ? Strategy::walk
                        : named == "nee" ? Strategy::nee
@@ -61,15 +60,17 @@ EstimatorKind SimulationFlags::kind() const {
   if (!estimator) return of_uniform != nullptr ? EstimatorKind::uniform : EstimatorKind::reuse;
   if (*estimator == "uniform") return EstimatorKind::uniform;
   if (of_uniform != nullptr && (strategy || heuristic || max_bounces || *direct == "sampled"))
-    throw InputError(of_uniform, "is not for the estimator reuse", "leave it out, or use '--estimator uniform'");
+    throw InputError(of_uniform, "is not for the estimator reuse",
+                     "leave it out, or use '--estimator uniform'");
   return EstimatorKind::reuse;
 }
 
 void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::string& default_direct) {
   flags.default_direct = default_direct;
-  verb.add_option("--estimator", flags.estimator,
-                  "reuse (default): paths shared by neighbouring labels, all transceivers at once; uniform: the "
-                  "paper's random walk with one uniformly chosen transceiver a vertex")
+  verb.add_option(
+          "--estimator", flags.estimator,
+          "reuse (default): paths shared by neighbouring labels, all transceivers at once; uniform: the "
+          "paper's random walk with one uniformly chosen transceiver a vertex")
       ->check(CLI::IsMember({"reuse", "uniform"}));
   auto* error = verb.add_option("--relative-error", flags.relative_error,
                                 fmt::format("Stop when 99 % of the entries that matter have this relative "
@@ -90,19 +91,20 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
       ->check(positive_number())
       ->excludes(samples)
       ->excludes(error);
-  verb.add_option("--direct", flags.direct,
-                  fmt::format("Direct light of uniform: sampled by the walk, as in the paper, or exact in closed "
-                              "form ({})",
-                              default_direct))
+  verb.add_option(
+          "--direct", flags.direct,
+          fmt::format("Direct light of uniform: sampled by the walk, as in the paper, or exact in closed "
+                      "form ({})",
+                      default_direct))
       ->check(CLI::IsMember({"sampled", "exact"}));
   verb.add_option("--strategy", flags.strategy,
-                  "How uniform finds paths are found: walk (until a transceiver of some size is met), nee (next event "
+                  "How uniform finds paths are found: walk (until a transceiver of some size is met), nee "
+                  "(next event "
                   "estimation), mis (both, weighted), particle (from the transceivers)")
       ->check(CLI::IsMember({"walk", "nee", "mis", "particle"}));
   verb.add_option("--heuristic", flags.heuristic, "Weights of mis")
       ->check(CLI::IsMember({"balance", "power"}));
-  verb.add_option("--max-bounces", flags.max_bounces,
-                  "Longest paths of uniform: reflections and refractions")
+  verb.add_option("--max-bounces", flags.max_bounces, "Longest paths of uniform: reflections and refractions")
       ->check(CLI::Range(0, 1000));
   verb.add_option("--memory", flags.memory,
                   "Memory that may be used, e.g. 4G or 500M (default: 80 % of what the machine has)")

@@ -8,9 +8,9 @@
 namespace shelfbeam {
 
 /// The first two dimensions of Sobol's sequence, scrambled as Owen has it by hashing (Laine and Karras 2011,
-/// with the constants of Burley, "Practical hash-based Owen scrambling", JCGT 2020). Every point is uniform on
-/// the unit square; any 2^k points from a multiple of 2^k on have one point in each of the 2^k boxes that any
-/// way of halving the sides gives. Different keys give scramblings independent of each other.
+/// with the constants of Burley, "Practical hash-based Owen scrambling", JCGT 2020). Every point is uniform
+/// on the unit square; any 2^k points from a multiple of 2^k on have one point in each of the 2^k boxes that
+/// any way of halving the sides gives. Different keys give scramblings independent of each other.
 class ScrambledSobol {
  public:
   explicit constexpr ScrambledSobol(std::uint64_t key)

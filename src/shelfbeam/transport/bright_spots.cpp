@@ -25,8 +25,8 @@ struct Arrival {
   double flux, excess;  // of the unit, and the share of the irradiance here that lies above the cap
 };
 
-std::optional<Arrival> shine(const World& world, const UnitGroups& units, std::uint32_t j, float cap, double u1,
-                             double u2, RandomStream& random, std::uint64_t& rays) {
+std::optional<Arrival> shine(const World& world, const UnitGroups& units, std::uint32_t j, float cap,
+                             double u1, double u2, RandomStream& random, std::uint64_t& rays) {
   const double u3 = random.unit(), u4 = random.unit();
   const auto emitted = world.emitters.emit(j, {u1, u2, u3, u4});
   if (!emitted) return std::nullopt;

@@ -11,8 +11,8 @@
 namespace shelfbeam {
 
 /// The light of bright spots: on a wall or shelf right beside a unit the irradiance is so high that few of a
-/// label's rays find most of its light. It is split at a cap: labels' rays take what lies below, rays from the
-/// unit the excess, e - cap, of which every label of a cluster that sees the spot takes its part.
+/// label's rays find most of its light. It is split at a cap: labels' rays take what lies below, rays from
+/// the unit the excess, e - cap, of which every label of a cluster that sees the spot takes its part.
 class BrightSpots {
  public:
   /// Finds the units that have such spots, by some rays from each, and sets their caps. A spot that is missed

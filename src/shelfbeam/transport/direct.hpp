@@ -18,8 +18,8 @@ struct DirectSignal {
   DirectSignal& operator+=(const DirectSignal& other);
 };
 
-/// Light from a point of source j to a point, in closed form but for visibility: over every way (straight, and
-/// over plane mirrors where `images`) weight(unit direction) I_j(omega) / d^2 times the share that gets
+/// Light from a point of source j to a point, in closed form but for visibility: over every way (straight,
+/// and over plane mirrors where `images`) weight(unit direction) I_j(omega) / d^2 times the share that gets
 /// through. `share_of` gives the share of the straight way, and is asked only if it matters.
 template <class Weight, class Share>
 DirectSignal light_from(const World& world, std::size_t j, const LightPoint& light, const SurfacePoint& at,

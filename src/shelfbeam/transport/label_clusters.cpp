@@ -55,7 +55,8 @@ std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most) {
     for (std::size_t k = 0; k < asked && cluster.size() < most; ++k)
       if (seen[k] > 0) cluster.push_back(near[k].second);
     for (const std::uint32_t i : cluster) is_taken[i] = true;
-    left.erase(std::remove_if(left.begin(), left.end(), [&](std::uint32_t i) { return is_taken[i]; }), left.end());
+    left.erase(std::remove_if(left.begin(), left.end(), [&](std::uint32_t i) { return is_taken[i]; }),
+               left.end());
     std::sort(cluster.begin(), cluster.end());
     clusters.push_back(std::move(cluster));
   }

@@ -108,15 +108,16 @@ void LaneKernels::add_irradiance(const UnitGroups& groups, const std::uint16_t* 
     const float* const cap = is_capped ? group.cap.data() : groups.no_cap_.data();
     for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
               UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
-                sum[k] += weight * ((e < cap[k] ? e : cap[k]) * PackedLane::share(s[k]) + PackedLane::value(d[k]));
+                sum[k] +=
+                    weight * ((e < cap[k] ? e : cap[k]) * PackedLane::share(s[k]) + PackedLane::value(d[k]));
               });
   }
 }
 
 SHELFBEAM_FOR_EACH_CPU
 float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
-                              const LanePoint& point, bool is_capped, const std::uint8_t* share,
-                              float floor, float* irradiance, float* importance) {
+                              const LanePoint& point, bool is_capped, const std::uint8_t* share, float floor,
+                              float* irradiance, float* importance) {
   const LanePoint p = point;
   alignas(64) float total[lanes] = {};
   for (std::size_t c = 0; c < count; ++c) {

@@ -30,15 +30,15 @@ struct LaneKernels {
   /// UnitGroups::irradiance.
   static void irradiance(const UnitGroups& groups, std::size_t g, const LanePoint& point, LaneValues& result);
 
-  /// sums[g][k] += weight (e_k share_k + indirect_k) for `count` groups, e being the irradiance, up to its cap
-  /// if asked; share and indirect have a row of lanes for each of them, sums one for each group of all.
+  /// sums[g][k] += weight (e_k share_k + indirect_k) for `count` groups, e being the irradiance, up to its
+  /// cap if asked; share and indirect have a row of lanes for each of them, sums one for each group of all.
   static void add_irradiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
-                             const LanePoint& point, bool is_capped, float weight,
-                             const std::uint8_t* share, const std::uint16_t* indirect, float* sums);
+                             const LanePoint& point, bool is_capped, float weight, const std::uint8_t* share,
+                             const std::uint16_t* indirect, float* sums);
 
   /// How much the sampling of shadow rays should care for each lane of a row: e (sqrt |share (1 - share)| +
-  /// 0.1) + floor x bound, e up to its cap if asked. Keeps the whole e in `irradiance`, the result in `importance`;
-  /// returns its sum.
+  /// 0.1) + floor x bound, e up to its cap if asked. Keeps the whole e in `irradiance`, the result in
+  /// `importance`; returns its sum.
   static float importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
                           const LanePoint& point, bool is_capped, const std::uint8_t* share, float floor,
                           float* irradiance, float* importance);

@@ -59,9 +59,7 @@ struct Found {
   std::uint32_t rank;
   SurfacePoint point;
 
-  bool operator<(const Found& other) const {
-    return key != other.key ? key < other.key : rank < other.rank;
-  }
+  bool operator<(const Found& other) const { return key != other.key ? key < other.key : rank < other.rank; }
 };
 
 template <class Body>
@@ -74,7 +72,8 @@ void in_parallel(std::size_t count, const Body& body) {
 // Walks from all labels that scatter like white paint; what they meet is what labels hear from.
 std::vector<Found> explore(const World& world, std::uint64_t seed, std::atomic<std::uint64_t>& rays) {
   const std::size_t m = world.receivers.size();
-  const auto walks = static_cast<std::uint32_t>(std::clamp<std::size_t>(100000 / std::max<std::size_t>(1, m), 8, 128));
+  const auto walks =
+      static_cast<std::uint32_t>(std::clamp<std::size_t>(100000 / std::max<std::size_t>(1, m), 8, 128));
   constexpr std::uint32_t bounces = 4;
   std::vector<std::vector<Found>> by_label(m);
   in_parallel(m, [&](std::size_t i) {
@@ -89,7 +88,8 @@ std::vector<Found> explore(const World& world, std::uint64_t seed, std::atomic<s
       if (!first) continue;
       Vec3 direction = world.receivers.frame(i).to_world(first->direction);
       for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
-        const auto end = follow_chain(world, from, direction, false, random, traced, [](std::size_t, double) {});
+        const auto end =
+            follow_chain(world, from, direction, false, random, traced, [](std::size_t, double) {});
         if (!end) break;
         by_label[i].push_back({key_of(end->point), random.bits(), end->point});
         from = end->point;
@@ -210,7 +210,8 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
     for (std::size_t g = 0; g < n_groups; ++g) {
       float most = 0;
       for (std::size_t lane = 0; lane < lanes; ++lane)
-        most = std::max(most, arrived[g * lanes + lane] / static_cast<float>(std::max<int>(1, tested[g * lanes + lane])));
+        most = std::max(
+            most, arrived[g * lanes + lane] / static_cast<float>(std::max<int>(1, tested[g * lanes + lane])));
       largest[p * n_groups + g] = most;
       if (most == 0) continue;
       own.groups.push_back(static_cast<std::uint16_t>(g));
@@ -227,8 +228,9 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
       const SurfacePoint& at = found[first[p] + r % places].point;
       const auto [u1, u2] = square.point(r);
       RandomStream random(mix_key(seed, keys[p]), r, 1, 0xCAC4E);
-      const auto end = follow_chain(world, at, Frame::about(at.normal).to_world(sample_cosine_hemisphere(u1, u2)),
-                                    false, random, traced, [](std::size_t, double) {});
+      const auto end =
+          follow_chain(world, at, Frame::about(at.normal).to_world(sample_cosine_hemisphere(u1, u2)), false,
+                       random, traced, [](std::size_t, double) {});
       if (!end) continue;
       const std::uint32_t cell = find(key_of(end->point));
       if (cell == nowhere) continue;
@@ -303,7 +305,8 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
             ++b;
           } else {
             std::size_t run = 1;  // most cells hold the same groups as their neighbours
-            while (a + run < begin_[p + 1] && b + run < begin_[link.cell + 1] && groups_[a + run] == groups_[b + run])
+            while (a + run < begin_[p + 1] && b + run < begin_[link.cell + 1] &&
+                   groups_[a + run] == groups_[b + run])
               ++run;
             LaneKernels::add_rows(run, link.weight, total.data() + b * lanes, fresh.data() + a * lanes);
             a += run;
@@ -355,8 +358,8 @@ RadianceCache::Row RadianceCache::row(const SurfacePoint& point) const {
 }
 
 std::size_t RadianceCache::bytes() const {
-  return slot_keys_.size() * 12 + begin_.size() * sizeof(begin_[0]) + groups_.size() * 2 +
-         share_.size() + 2 * indirect_.size();
+  return slot_keys_.size() * 12 + begin_.size() * sizeof(begin_[0]) + groups_.size() * 2 + share_.size() +
+         2 * indirect_.size();
 }
 
 }  // namespace shelfbeam

@@ -40,13 +40,13 @@ class RadianceCache {
  private:
   std::uint32_t find(std::uint64_t key) const;
 
-  std::vector<float> factors_;              // by material
-  std::vector<std::uint64_t> slot_keys_;    // open addressing
+  std::vector<float> factors_;            // by material
+  std::vector<std::uint64_t> slot_keys_;  // open addressing
   std::vector<std::uint32_t> slot_cells_;
-  std::vector<std::size_t> begin_;          // by cell: first of its groups
+  std::vector<std::size_t> begin_;  // by cell: first of its groups
   std::vector<std::uint16_t> groups_;
-  std::vector<std::uint8_t> share_;         // `lanes` for each of groups_,
-  std::vector<std::uint16_t> indirect_;     // and here
+  std::vector<std::uint8_t> share_;      // `lanes` for each of groups_,
+  std::vector<std::uint16_t> indirect_;  // and here
   std::uint64_t rays_ = 0;
 };
 

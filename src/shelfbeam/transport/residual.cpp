@@ -20,7 +20,8 @@ PathVertex::PathVertex(const World& world, const RadianceCache& cache, const Cha
 
 // f |cos| towards a source, with the label's side known.
 double Residual::reflected(const PathVertex& vertex, const Vec3& to_source) const {
-  if (vertex.is_diffuse) return vertex.reflectance / pi * std::max(0.0, dot(vertex.end.point.normal, to_source));
+  if (vertex.is_diffuse)
+    return vertex.reflectance / pi * std::max(0.0, dot(vertex.end.point.normal, to_source));
   const Frame frame = Frame::of_surface(vertex.end.outside);
   const Vec3 incoming = frame.to_local(to_source);
   return eval(world_.scene.materials[vertex.end.material.value].material, frame.to_local(vertex.end.outgoing),
@@ -28,8 +29,8 @@ double Residual::reflected(const PathVertex& vertex, const Vec3& to_source) cons
          std::abs(incoming.z);
 }
 
-void Residual::add_direct(const PathVertex& vertex, double stake, RandomStream& random,
-                          Scratch& scratch, LaneRow& row, std::uint64_t& rays) const {
+void Residual::add_direct(const PathVertex& vertex, double stake, RandomStream& random, Scratch& scratch,
+                          LaneRow& row, std::uint64_t& rays) const {
   const std::size_t n_units = world_.scene.transceivers.size();
   const LanePoint point(vertex.end.point);
   // The cell's groups first, then others in reach, of which the cache says nothing.
@@ -106,16 +107,19 @@ void Residual::add_direct(const PathVertex& vertex, double stake, RandomStream& 
   scratch.shares.resize(scratch.targets.size());
   world_.rays.shares(vertex.end.point, scratch.targets, scratch.shares);
   rays += scratch.targets.size();
+  // Over mirrors comes little light for many rays: it is asked for at some vertices only.
+  constexpr double mirror_chance = 0.25;
+  const bool has_images = world_.mirrors.size() > 0 && random.unit() < mirror_chance;
   for (std::size_t t = 0; t < scratch.targets.size(); ++t) {
     const std::size_t j = units_.column(scratch.places[t] / lanes, scratch.places[t] % lanes);
     const DirectSignal light = light_from(
-        world_, j, scratch.lights[t], vertex.end.point, world_.emitters.is_point(j),
+        world_, j, scratch.lights[t], vertex.end.point, has_images && world_.emitters.is_point(j),
         [&](const Vec3& to_source) { return reflected(vertex, to_source); },
         [&] { return static_cast<double>(scratch.shares[t]); });
     rays += light.rays > 1 ? light.rays - 1 : 0;
     row.add(scratch.places[t],
             scratch.inverse_probability[t] *
-                (light.straight * scratch.taken[t] + light.mirrored - scratch.known[t]));
+                (light.straight * scratch.taken[t] + light.mirrored / mirror_chance - scratch.known[t]));
   }
 }
 
@@ -202,16 +206,16 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
       if (vertex.is_diffuse) {
         direction = side.to_world(sample_cosine_hemisphere(u1, u2));
       } else {
-        const auto drawn =
-            sample(world_.scene.materials[vertex.end.material.value].material, outgoing, random.unit(), u1, u2);
+        const auto drawn = sample(world_.scene.materials[vertex.end.material.value].material, outgoing,
+                                  random.unit(), u1, u2);
         if (!drawn) continue;
         direction = frame.to_world(drawn->direction);
         weight = drawn->weight;
         is_specular = drawn->specular;
       }
-      const auto end = follow_chain(world_, vertex.end.point, direction, is_specular, random, rays, [&](std::size_t j, double value) {
-                                      row.add(units_.place(j), weight * value / tails);
-                                    });
+      const auto end = follow_chain(
+          world_, vertex.end.point, direction, is_specular, random, rays,
+          [&](std::size_t j, double value) { row.add(units_.place(j), weight * value / tails); });
       if (!end) continue;
       const PathVertex found(world_, cache_, *end);
       const double through = weight * end->throughput;
@@ -229,8 +233,8 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
 
   while (next.rows.size() < vertices.size()) next.rows.emplace_back(units_.size());
   for (LaneRow& row : next.rows) row.clear();
-  estimate(next.vertices, key, generation + 1, scratch,
-           std::span(next.rows).first(next.vertices.size()), rays);
+  estimate(next.vertices, key, generation + 1, scratch, std::span(next.rows).first(next.vertices.size()),
+           rays);
 
   std::vector<double> density(vertices.size());
   for (std::size_t b = 0; b < continuations.size(); ++b) {
@@ -248,8 +252,8 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
       if (!vertices[c].is_diffuse) continue;
       const Vec3 way = there.position - vertices[c].end.point.position;
       const double squared = length_squared(way);
-      const double cosines = std::max(0.0, dot(way, vertices[c].end.point.normal)) *
-                             std::max(0.0, -dot(way, there.normal));
+      const double cosines =
+          std::max(0.0, dot(way, vertices[c].end.point.normal)) * std::max(0.0, -dot(way, there.normal));
       density[c] = squared > 0 ? cosines / (squared * squared) : 0;
       if (c == from.parent) {
         sum += density[c];

@@ -19,34 +19,34 @@ struct PathVertex {
 
   ChainEnd end;
   RadianceCache::Row row;
-  float factor = 0;        ///< the cache's radiance per irradiance
-  bool is_capped = false;  ///< the light of bright spots is not asked for (BrightSpots)
-  bool is_diffuse = false; ///< Lambertian: looks the same from everywhere, so that others may use it, too
-  double reflectance = 0;  ///< of a Lambertian surface
+  float factor = 0;         ///< the cache's radiance per irradiance
+  bool is_capped = false;   ///< the light of bright spots is not asked for (BrightSpots)
+  bool is_diffuse = false;  ///< Lambertian: looks the same from everywhere, so that others may use it, too
+  double reflectance = 0;   ///< of a Lambertian surface
 };
 
 /// How much is spent where on paths.
 struct ReuseEffort {
-  std::uint32_t lookups = 128;       ///< rays a label and batch that only look the cache up
-  std::uint32_t points = 2;          ///< first hits a label and batch from which paths start
-  double stake = 0.05;               ///< of the requirement: units with more at stake get a shadow ray, others
-  double later_stake = 0.05;         ///< one in proportion; the second at later vertices
-  std::uint32_t tails = 24;          ///< rays that look the cache up at such a point,
-  std::uint32_t later_tails = 24;    ///< and at later vertices
-  std::size_t group = 64;            ///< vertices that share their continuations
-  std::uint32_t spot_rays = 4;       ///< from every unit beside a surface, for a cluster and batch
-  double survival = 0.7;             ///< chance of every continuation; it must exceed the square of the albedo
+  std::uint32_t lookups = 128;     ///< rays a label and batch that only look the cache up
+  std::uint32_t points = 2;        ///< first hits a label and batch from which paths start
+  double stake = 0.05;             ///< of the requirement: units with more at stake get a shadow ray, others
+  double later_stake = 0.05;       ///< one in proportion; the second at later vertices
+  std::uint32_t tails = 24;        ///< rays that look the cache up at such a point,
+  std::uint32_t later_tails = 24;  ///< and at later vertices
+  std::size_t group = 64;          ///< vertices that share their continuations
+  std::uint32_t spot_rays = 4;     ///< from every unit beside a surface, for a cluster and batch
+  double survival = 0.7;           ///< chance of every continuation; it must exceed the square of the albedo
 };
 
 /// The difference between the radiance that leaves vertices and what the cache says, L - h, for all units at
 /// once, without bias: shadow rays to units chosen by what is at stake, several rays that look up the cache
 /// for what comes over further bounces, and one that goes on to where the same is asked of it. Vertices of a
-/// group share those that go on (path reuse with the balance heuristic, Bekaert et al. 2002): each is weighted
-/// by the densities with which all of the group would have sent it.
+/// group share those that go on (path reuse with the balance heuristic, Bekaert et al. 2002): each is
+/// weighted by the densities with which all of the group would have sent it.
 class Residual {
  public:
-  /// `requirement`: the smallest signal that matters. Units that may give a twentieth of it to a vertex are all
-  /// considered there.
+  /// `requirement`: the smallest signal that matters. Units that may give a twentieth of it to a vertex are
+  /// all considered there.
   Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, double requirement,
            const ReuseEffort& effort)
       : world_(world),

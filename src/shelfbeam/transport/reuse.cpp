@@ -73,9 +73,12 @@ struct ReuseEstimator::Impl {
   void add_residual(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
                     std::uint64_t& rays) const;
   void share_points(const Block& block, Workspace& work, std::uint64_t& rays) const;
+  bool looks_large(std::size_t i, std::size_t j) const;
+  double direct_chance(std::size_t i, std::size_t j) const;
   double pdf_of(std::uint32_t label, const SurfacePoint& at, const SurfacePoint& there) const;
 
   const World& world;
+  const PathRules rules{.strategy = Strategy::nee, .samples_direct = false};
   std::uint64_t seed;
   double requirement;
   ReuseEffort effort;
@@ -123,6 +126,25 @@ void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::u
   }
 }
 
+// Whether a label or source is large for its distance, so that a batch's direct light takes several samples.
+bool ReuseEstimator::Impl::looks_large(std::size_t i, std::size_t j) const {
+  constexpr double much = 0.1;
+  if (j >= world.scene.transceivers.size()) return true;
+  const auto& size = world.scene.type_of(world.scene.labels[i]).size;
+  const Transceiver& unit = world.scene.transceivers[j];
+  const double extent = size[0] + size[1] + 2 * world.scene.type_of(unit).radius;
+  return extent > much * length(unit.position - world.scene.labels[i].position);
+}
+
+// Units too far or too weak to matter are asked for their direct light in some batches only.
+double ReuseEstimator::Impl::direct_chance(std::size_t i, std::size_t j) const {
+  constexpr double seldom = 0.125, little = 0.01;
+  if (j >= world.scene.transceivers.size()) return 1;
+  const double away = length(world.scene.transceivers[j].position - world.scene.labels[i].position);
+  const double most = static_cast<double>(units.peak(units.place(j) / lanes)) / (away * away);
+  return most > little * world.scene.type_of(world.scene.labels[i]).requirement() ? 1 : seldom;
+}
+
 // Density per area with which a label's rays hit a point, but for what stands between.
 double ReuseEstimator::Impl::pdf_of(std::uint32_t label, const SurfacePoint& at,
                                     const SurfacePoint& there) const {
@@ -161,8 +183,8 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
       const auto drawn = shelfbeam::sample(responsivity, u1, u2);
       if (!drawn) continue;
       const double weight = integral(responsivity) / effort.points;
-      const auto end = follow_chain(world, work.at[c], world.receivers.frame(i).to_world(drawn->direction), false,
-                                    random, rays, [](std::size_t, double) {});
+      const auto end = follow_chain(world, work.at[c], world.receivers.frame(i).to_world(drawn->direction),
+                                    false, random, rays, [](std::size_t, double) {});
       if (!end) continue;
       work.vertices.emplace_back(world, cache, *end);
       work.vertices.back().is_capped = end->is_unbroken;
@@ -204,8 +226,8 @@ void ReuseEstimator::Impl::share_points(const Block& block, Workspace& work, std
     for (std::size_t t = 0; t < work.sharers.size(); ++t)
       if (work.seen[t] > 0) sum += work.density[work.sharers[t]];
     const auto give = [&](std::uint32_t c) {
-      work.labels[c].add(work.points[b], integral(world.receivers.responsivity(block.rows[c])) / effort.points *
-                                             work.density[c] / sum);
+      work.labels[c].add(work.points[b], integral(world.receivers.responsivity(block.rows[c])) /
+                                             effort.points * work.density[c] / sum);
     };
     give(owner);
     for (std::size_t t = 0; t < work.sharers.size(); ++t)
@@ -252,8 +274,8 @@ bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelT
   }
   impl_->look_up(block, key, batch, work, values.rays);
   if (cancel != nullptr && cancel->requested()) return false;
-  impl_->spots.add(block.rows, work.at, 0.05 * impl_->requirement, impl_->effort.spot_rays, mix_key(key, 0x5B075), batch,
-                   work.labels, values.rays);
+  impl_->spots.add(block.rows, work.at, 0.05 * impl_->requirement, impl_->effort.spot_rays,
+                   mix_key(key, 0x5B075), batch, work.labels, values.rays);
   impl_->add_residual(block, key, batch, work, values.rays);
   if (cancel != nullptr && cancel->requested()) return false;
 
@@ -266,12 +288,15 @@ bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelT
     work.direct.assign(has_areas ? n : 0, 0);
     for (std::size_t j = 0; j < work.direct.size(); ++j) {
       if (is_point_to_point(world, i, j)) continue;
-      const DirectSignal signal = sample_direct(
-          world, i, j, {mix_key(mix_key(key, i), j), batch, 0}, 2, PathRules{.samples_direct = false});
+      const PathKey path{mix_key(mix_key(key, i), j), batch, 0};
+      const double chance = impl_->direct_chance(i, j);
+      if (to_unit(path.draw(0, 1)[0]) >= chance) continue;
+      const DirectSignal signal =
+          sample_direct(world, i, j, path, impl_->looks_large(i, j) ? 3 : 1, impl_->rules);
       values.rays += signal.rays;
       if (signal.straight + signal.mirrored == 0) continue;
-      work.direct[j] = signal.straight;
-      row.add(impl_->units.place(j), signal.straight + signal.mirrored);
+      work.direct[j] = signal.straight / chance;
+      row.add(impl_->units.place(j), (signal.straight + signal.mirrored) / chance);
     }
     for (const std::uint16_t g : row.groups())
       for (std::size_t k = 0; k < impl_->units.count(g); ++k) {

@@ -31,11 +31,11 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
     const auto hit = world.rays.intersect(from, direction);
     ++rays;
     if (is_specular) {
-      const double farthest = hit ? hit->distance(vertex, direction) : std::numeric_limits<double>::infinity();
-      world.emitters.each_disc(world.rays, vertex, direction, passed, farthest,
-                               [&](std::size_t j, const LightPoint&, double radiance) {
-                                 use(j, end.throughput * radiance);
-                               });
+      const double farthest =
+          hit ? hit->distance(vertex, direction) : std::numeric_limits<double>::infinity();
+      world.emitters.each_disc(
+          world.rays, vertex, direction, passed, farthest,
+          [&](std::size_t j, const LightPoint&, double radiance) { use(j, end.throughput * radiance); });
       if (hit)
         if (const auto j = world.emitters.surface_of(hit->material))
           use(*j, end.throughput * world.emitters.radiance(*j));

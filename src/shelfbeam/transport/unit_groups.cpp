@@ -98,7 +98,8 @@ UnitGroups::UnitGroups(const World& world) {
       for (const std::uint32_t j : leaf)
         group.radius =
             std::max(group.radius, static_cast<float>(length(scene.transceivers[j].position - centre)));
-      group.centre = {static_cast<float>(centre.x), static_cast<float>(centre.y), static_cast<float>(centre.z)};
+      group.centre = {static_cast<float>(centre.x), static_cast<float>(centre.y),
+                      static_cast<float>(centre.z)};
       group.nearest = std::max(0.5F, group.radius / 2);
       groups_.push_back(group);
     }

@@ -62,7 +62,8 @@ class UnitGroups {
   /// Largest irradiance that a unit of the group could give anywhere at this distance, and more than nothing.
   float bound(std::size_t g, const LanePoint& point) const {
     const Group& group = groups_[g];
-    const float dx = point.x - group.centre[0], dy = point.y - group.centre[1], dz = point.z - group.centre[2];
+    const float dx = point.x - group.centre[0], dy = point.y - group.centre[1],
+                dz = point.z - group.centre[2];
     const float away = std::max(group.nearest, std::sqrt(dx * dx + dy * dy + dz * dz) - group.radius);
     return group.peak / (away * away);
   }
