@@ -30,6 +30,8 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
   options.time_s = time_s;
   if (relative_error) options.relative_error = RelativeError{*relative_error, above.value_or(default_above)};
   if (samples) options.samples = *samples;
+  if (options.estimator == EstimatorKind::uniform && above && !relative_error)
+    throw InputError("--above", "says nothing without '--relative-error'", "add that");
   if (options.estimator == EstimatorKind::reuse) {
     options.direct = DirectLight::exact;
     if (!samples && !time_s && !relative_error)
@@ -77,20 +79,23 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
                                             "standard error (reuse: {} unless told otherwise)",
                                             default_error))
                     ->check(positive_number());
-  verb.add_option("--above", flags.above,
-                  fmt::format("Entries matter from this share of their label's requirement on ({}), for "
-                              "--relative-error",
-                              default_above))
-      ->check(positive_number());
+  auto* share =
+      verb.add_option("--above", flags.above,
+                      fmt::format("Entries matter from this share of their label's requirement on ({}), for "
+                                  "--relative-error",
+                                  default_above))
+          ->check(positive_number());
   auto* samples = verb.add_option("--samples", flags.samples,
                                   "Instead of --relative-error: first rays a label (particles a transceiver; "
                                   "uniform: 10000 unless told otherwise)")
                       ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
-                      ->excludes(error);
+                      ->excludes(error)
+                      ->excludes(share);
   verb.add_option("--time", flags.time_s, "Instead of either: seconds to simulate")
       ->check(positive_number())
       ->excludes(samples)
-      ->excludes(error);
+      ->excludes(error)
+      ->excludes(share);
   verb.add_option(
           "--direct", flags.direct,
           fmt::format("Direct light of uniform: sampled by the walk, as in the paper, or exact in closed "

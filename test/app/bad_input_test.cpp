@@ -206,10 +206,12 @@ TEST_F(BadStore, MoreThanMemoryHolds) {
 TEST_F(BadStore, MoreThanTheMemoryAllowed) {
   folder.write("store.json", small_store().dump());
   // 17 x 12 entries with three sums in double and a column index each, and what an item takes.
-  expect_refused(folder, {"simulate", path("store.json"), "-o", path("new.h5"), "--memory", "6K"},
-                 {"--memory: 17 labels and 12 candidates need ", "6e-06 GB may be used"});
+  expect_refused(
+      folder,
+      {"simulate", path("store.json"), "-o", path("new.h5"), "--estimator", "uniform", "--memory", "6K"},
+      {"--memory: 17 labels and 12 candidates need ", "6e-06 GB may be used"});
   test::expect_silent({"simulate", path("store.json"), "-o", path("new.h5"), "--quiet", "--memory", "12K",
-                       "--samples", "64"});
+                       "--samples", "64", "--estimator", "uniform"});
 }
 
 class BadOutput : public BadStore {

@@ -143,7 +143,7 @@ TEST_F(ExitCode, ThreeWhenASimulationIsInterrupted) {
   test::Outcome outcome;
   for (int attempt = 0; attempt < 12; ++attempt) {
     outcome = interrupted({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "400000",
-                           "--threads", "1", "--json"},
+                           "--estimator", "uniform", "--threads", "1", "--json"},
                           delay);
     if (outcome.exit_code == 3 && std::filesystem::exists(folder / "signal.h5")) break;
     ASSERT_TRUE(outcome.exit_code == 3 || outcome.exit_code == 0 || outcome.exit_code == 128 + SIGINT)
@@ -175,8 +175,8 @@ TEST_F(ExitCode, ThreeWithoutAFileBeforeThereIsAnything) {
     const std::string output = path(std::string(verb) == "plan" ? "plan" : "signal.h5");
     const auto before = test::contents(folder.path());
     // A batch of 2 billion samples a label never ends.
-    const test::Outcome outcome =
-        interrupted_at_work({verb, path("store.json"), "-o", output, "--samples", "60000000000"});
+    const test::Outcome outcome = interrupted_at_work(
+        {verb, path("store.json"), "-o", output, "--samples", "60000000000", "--estimator", "uniform"});
     EXPECT_EQ(outcome.exit_code, 3) << verb;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err, "stopped: the simulation was stopped before it had two batches of samples\n");

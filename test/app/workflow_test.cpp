@@ -208,8 +208,7 @@ TEST_F(Workflow, PlanLeavesEveryFileOfTheContract) {
   EXPECT_TRUE(bytes("plan/placement.csv").starts_with("id,x,y,z,ax,ay,az,roll_deg,type,"));
 
   // It is what simulate and place give for the same seed.
-  expect_silent(
-      {"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "2000", "--direct", "exact"});
+  expect_silent({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "2000"});
   EXPECT_TRUE(bytes("signal.h5") == bytes("plan/signal.h5"));
   expect_silent({"place", path("signal.h5"), "-o", path("placement.json")});
   EXPECT_EQ(json("placement.json")["selected"], json("plan/placement.json")["selected"]);

@@ -39,22 +39,22 @@ void check_efforts(std::uint32_t factor) {
   const SignalMatrix reference = test::reuse(scene, 8 * factor, 1000);
   const ReuseEffort least{.lookups = 4,
                           .points = 1,
-                          .stake = 4,
-                          .later_stake = 10,
+                          .stake = 1,
+                          .later_stake = 2,
                           .tails = 1,
                           .later_tails = 1,
                           .group = 1,
-                          .survival = 0.5};
+                          .survival = 0.6};
   const std::vector<std::pair<const char*, ReuseEffort>> efforts{
       {"few tails", {.tails = 1, .later_tails = 1}},
       {"no groups", {.group = 1}},
       {"tiny groups", {.group = 3}},
-      {"large groups", {.group = 64}},
-      {"short paths", {.survival = 0.5}},
+      {"large groups", {.group = 128}},
+      {"short paths", {.survival = 0.6}},
       {"long paths", {.survival = 1.0 - 1.0 / 16}},
       {"one point", {.points = 1}},
       {"many points", {.points = 7}},
-      {"few shadow rays", {.stake = 4, .later_shadow_rays = 0.3}},
+      {"few shadow rays", {.stake = 1, .later_stake = 2}},
       {"few lookups", {.lookups = 2}},
       {"little of all", least}};
   std::uint64_t seed = 1;

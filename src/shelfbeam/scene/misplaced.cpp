@@ -64,11 +64,11 @@ class Blocks {
     for (const Part& part : scene.parts) {
       if (part.kind == PartKind::mesh) continue;
       Fixture& fixture = fixtures_[part.fixture];
-      fixture.parts.push_back(&part);
-      for (const auto& [x, y] : part.footprint) {
-        fixture.low = {std::min(fixture.low[0], x), std::min(fixture.low[1], y)};
-        fixture.high = {std::max(fixture.high[0], x), std::max(fixture.high[1], y)};
-      }
+      Box box;
+      for (const auto& [x, y] : part.footprint) box.include({x, y});
+      fixture.box.include(box.low);
+      fixture.box.include(box.high);
+      fixture.parts.emplace_back(box, &part);
     }
   }
 
@@ -82,10 +82,9 @@ class Blocks {
     std::optional<Hit> nearest;
     for (std::size_t f = 0; f < fixtures_.size(); ++f) {
       const Fixture& fixture = fixtures_[f];
-      if (p.x < fixture.low[0] - too_near || p.x > fixture.high[0] + too_near ||
-          p.y < fixture.low[1] - too_near || p.y > fixture.high[1] + too_near)
-        continue;
-      for (const Part* part : fixture.parts) {
+      if (!fixture.box.is_near(p)) continue;
+      for (const auto& [box, part] : fixture.parts) {
+        if (!box.is_near(p)) continue;
         if (p.z < part->bottom - too_near || p.z > part->top + too_near) continue;
         const Stretch stretch = stretch_within(*part, p, direction);
         if (stretch.is_empty() || stretch.end < rounding || stretch.begin > too_near) continue;
@@ -97,9 +96,21 @@ class Blocks {
   }
 
  private:
-  struct Fixture {
-    std::vector<const Part*> parts;
+  struct Box {  // in plan
     std::array<double, 2> low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+
+    void include(const std::array<double, 2>& q) {
+      low = {std::min(low[0], q[0]), std::min(low[1], q[1])};
+      high = {std::max(high[0], q[0]), std::max(high[1], q[1])};
+    }
+    bool is_near(const Vec3& p) const {
+      return p.x > low[0] - too_near && p.x < high[0] + too_near && p.y > low[1] - too_near &&
+             p.y < high[1] + too_near;
+    }
+  };
+  struct Fixture {
+    std::vector<std::pair<Box, const Part*>> parts;
+    Box box;
   };
   const Scene& scene_;
   std::vector<Fixture> fixtures_;
