@@ -37,12 +37,12 @@ void expect_same(const SignalMatrix& found, const SignalMatrix& reference, const
 void check_efforts(std::uint32_t factor) {
   const Scene scene = store();
   const SignalMatrix reference = test::reuse(scene, 8 * factor, 1000);
-  const ReuseEffort least{.lookups = 4,
+  const ReuseEffort least{.lookups = 8,
                           .points = 1,
-                          .stake = 1,
-                          .later_stake = 2,
-                          .tails = 1,
-                          .later_tails = 1,
+                          .stake = 0.3,
+                          .later_stake = 0.3,
+                          .tails = 3,
+                          .later_tails = 2,
                           .group = 1,
                           .survival = 0.6};
   const std::vector<std::pair<const char*, ReuseEffort>> efforts{
@@ -50,11 +50,11 @@ void check_efforts(std::uint32_t factor) {
       {"no groups", {.group = 1}},
       {"tiny groups", {.group = 3}},
       {"large groups", {.group = 128}},
-      {"short paths", {.survival = 0.6}},
+      {"short paths", {.survival = 0.66}},
       {"long paths", {.survival = 1.0 - 1.0 / 16}},
       {"one point", {.points = 1}},
       {"many points", {.points = 7}},
-      {"few shadow rays", {.stake = 1, .later_stake = 2}},
+      {"few shadow rays", {.stake = 0.3, .later_stake = 2}},
       {"few lookups", {.lookups = 2}},
       {"little of all", least}};
   std::uint64_t seed = 1;
