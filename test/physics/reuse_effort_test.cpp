@@ -17,10 +17,10 @@ namespace {
 
 // Diffuse and glossy surfaces, mirror, pane and glass block. The cache leaves out what is less than 0.5 % of
 // the requirement, and units of either type apart.
-Scene store(double requirement_factor = 1) {
+Scene store(double requirement_factor = 1, bool with_glass = true) {
   test::StrategyStore store;
   store.add_glossy();
-  store.add_glass();
+  if (with_glass) store.add_glass();
   Scene scene = store.scene();
   for (LabelType& type : scene.label_types) type.threshold *= requirement_factor;
   return scene;
@@ -35,7 +35,8 @@ void expect_same(const SignalMatrix& found, const SignalMatrix& reference, const
 }
 
 void check_efforts(std::uint32_t factor) {
-  const Scene scene = store();
+  // Few batches do not meet the rare light over mirrors.
+  const Scene scene = store(1, factor > 1);
   const SignalMatrix reference = test::reuse(scene, 8 * factor, 1000);
   const ReuseEffort least{.lookups = 8,
                           .points = 1,
@@ -44,19 +45,20 @@ void check_efforts(std::uint32_t factor) {
                           .tails = 3,
                           .later_tails = 2,
                           .group = 1,
-                          .survival = 0.6};
-  const std::vector<std::pair<const char*, ReuseEffort>> efforts{
+                          .survival = 0.5};
+  std::vector<std::pair<const char*, ReuseEffort>> efforts{
       {"few tails", {.tails = 1, .later_tails = 1}},
       {"no groups", {.group = 1}},
       {"tiny groups", {.group = 3}},
       {"large groups", {.group = 128}},
-      {"short paths", {.survival = 0.66}},
-      {"long paths", {.survival = 1.0 - 1.0 / 16}},
+      {"long paths", {.survival = 0.94}},
       {"one point", {.points = 1}},
       {"many points", {.points = 7}},
       {"few shadow rays", {.stake = 0.3, .later_stake = 2}},
       {"few lookups", {.lookups = 2}},
       {"little of all", least}};
+  // Many batches hold none of the long paths that such short ones stand for.
+  if (factor > 1) efforts.push_back({"shorter paths", {.survival = 0.3}});
   std::uint64_t seed = 1;
   for (const auto& [name, effort] : efforts)
     expect_same(test::reuse(scene, factor, ++seed, effort), reference, name);

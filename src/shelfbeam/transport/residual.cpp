@@ -9,6 +9,12 @@
 
 namespace shelfbeam {
 
+namespace {
+
+constexpr double most_survival = 0.95;
+
+}  // namespace
+
 PathVertex::PathVertex(const World& world, const RadianceCache& cache, const ChainEnd& where)
     : end(where), row(cache.row(where.point)), factor(cache.radiance_factor(where.material)) {
   const Material& material = world.scene.materials[where.material.value].material;
@@ -175,7 +181,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
   next.vertices.clear();
   struct Continuation {
     std::size_t parent;
-    double weight;
+    double weight, survival;
     bool is_shared;
   };
   std::vector<Continuation> continuations;
@@ -195,7 +201,10 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
     row.use(vertex.row.groups, vertex.row.count);
     LaneKernels::add_listed(vertex.row.groups, vertex.row.count, -vertex.factor, vertex.row.indirect,
                             row.mutable_values());
-    const bool goes_on = random.unit() < effort_.survival;
+    // As bright as the surface, the chance keeps the variance finite: a generation multiplies it by albedo^2
+    // over the chance.
+    const double survival = std::clamp(static_cast<double>(vertex.factor) * pi, effort_.survival, most_survival);
+    const bool goes_on = random.unit() < survival;
     const Frame side = Frame::about(vertex.end.point.normal), frame = Frame::of_surface(vertex.end.outside);
     const Vec3 outgoing = frame.to_local(vertex.end.outgoing);
     for (std::uint32_t t = 0; t < tails; ++t) {
@@ -225,7 +234,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
                                   found.row.indirect, row.mutable_values());
       if (t == 0 && goes_on) {
         next.vertices.push_back(found);
-        continuations.push_back({a, through, vertex.is_diffuse && end->is_unbroken && found.is_diffuse});
+        continuations.push_back({a, through, survival, vertex.is_diffuse && end->is_unbroken && found.is_diffuse});
       }
     }
   }
@@ -241,7 +250,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
     const Continuation& from = continuations[b];
     const LaneRow& carried = next.rows[b];
     if (!from.is_shared) {
-      rows[from.parent].add(carried, from.weight / effort_.survival);
+      rows[from.parent].add(carried, from.weight / from.survival);
       continue;
     }
     const SurfacePoint& there = next.vertices[b].end.point;
@@ -268,7 +277,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
     rays += scratch.targets.size();
     for (std::size_t t = 0; t < scratch.sharers.size(); ++t)
       if (scratch.shares[t] > 0) sum += density[scratch.sharers[t]];
-    const double scale = 1 / (sum * effort_.survival);
+    const double scale = 1 / (sum * from.survival);
     rows[from.parent].add(carried, vertices[from.parent].reflectance * density[from.parent] * scale);
     for (std::size_t t = 0; t < scratch.sharers.size(); ++t) {
       const std::uint32_t c = scratch.sharers[t];
