@@ -43,6 +43,8 @@ class Entrant {
   void prepare_known_light(const PathRules& rules);
   /// Adds a batch to matrix(), which has the known light.
   virtual void sample(std::uint32_t batch) = 0;
+  /// What of a batch's time goes into what the benchmark alone wants to know, in s.
+  virtual double overhead() { return 0; }
 
   const World& world_;
   const Selection& selection_;
@@ -62,6 +64,8 @@ class UniformEntrant : public Entrant {
 
  private:
   void sample(std::uint32_t batch) override;
+  double overhead() override;
+  void collect(std::size_t position);
   void sample_direct_light(std::size_t position, std::uint32_t batch);
 
   PathRules rules_;

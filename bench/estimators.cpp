@@ -2,8 +2,9 @@
 // in one process, a batch of each in turn, on one thread unless said otherwise.
 //
 //   build/release/bench_estimators [STORE...] [--quick] [--walks N] [--batches N] [--labels N]
+//   build/release/bench_estimators --growth [STORE...]
 //
-// STORE: a folder of examples/ or a store file (default: thesis grocery).
+// STORE: a folder of examples/ or a store file (default: thesis grocery; for --growth the large ones, too).
 
 #include <cmath>
 #include <cstdint>
@@ -18,6 +19,8 @@
 #include <tbb/global_control.h>
 
 #include "comparison.hpp"
+#include "ray_kinds.hpp"
+#include "scaling.hpp"
 #include "support.hpp"
 
 namespace {
@@ -31,7 +34,8 @@ struct Settings {
   std::vector<std::string> stores;
   std::uint64_t walks = 64000;  ///< a label, of the uniform estimator
   std::uint64_t batches = 64;   ///< of every estimator
-  std::uint64_t labels = 1000;  ///< at most, of larger stores some clusters
+  std::uint64_t labels = 1000;  ///< of larger stores clusters with about so many
+  bool growth = false;
 };
 
 void print_efficiency(const Scene& scene, const Selection& selection, const Entrant& reuse,
@@ -59,9 +63,15 @@ void print_agreement(const Entrant& reuse, const Entrant& other) {
   fmt::print("  {:<24} sum of all entries over its {:.5f} +- {:.5f}\n", "", ratio, error);
 }
 
-void compare(const Settings& settings, const Scene& scene) {
+void print_rays(const Entrant& entrant, double bare_seconds) {
+  fmt::print("  {:<24} {:>11.2f} {:>8.3f} {:>8.3f} {:>9.3f} {:>9.3f} {:>6.2f}\n", entrant.title,
+             entrant.seconds, entrant.known_seconds, entrant.cache_seconds,
+             static_cast<double>(entrant.rays) / entrant.seconds / 1e6,
+             static_cast<double>(entrant.rays) / bare_seconds / 1e6, bare_seconds / entrant.seconds);
+}
+
+void compare(const Settings& settings, const Scene& scene, const World& world) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const World world(scene);
   std::unique_ptr<const ReuseEstimator> estimator;
   const double cache_seconds =
       cpu_seconds([&] { estimator = std::make_unique<const ReuseEstimator>(world, 1); });
@@ -69,21 +79,34 @@ void compare(const Settings& settings, const Scene& scene) {
   const auto walks = static_cast<std::uint32_t>((settings.walks + settings.batches - 1) / settings.batches);
   UniformEntrant sampled(world, selection, true, walks), exact(world, selection, false, walks);
   ReuseEntrant reuse(world, selection, *estimator, cache_seconds);
-  for (std::uint64_t round = 0; round < settings.batches; ++round)
-    for (Entrant* entrant :
-         {static_cast<Entrant*>(&sampled), static_cast<Entrant*>(&exact), static_cast<Entrant*>(&reuse)})
-      entrant->run();
+  const RayKinds kinds = ray_kinds(world, selection);
+  std::vector<std::vector<std::uint32_t>> clusters;
+  for (const std::size_t item : selection.items) clusters.push_back(estimator->block(item).rows);
+  BareRays bare(world, static_cast<std::size_t>(std::lround(kinds.shadow_packet)), clusters);
+  for (std::uint64_t round = 0; round < settings.batches; ++round) {
+    sampled.run();
+    exact.run();
+    reuse.run();
+    bare.measure();
+  }
 
-  fmt::print("{}: {} triangles, {} of {} labels, {} candidates; {} batches of {} walks a label; reuse: {}\n",
+  fmt::print("{}: {} triangles, {} of {} labels, {} candidates; {} batches, of {} walks a label or of {}\n",
              scene.name, scene.mesh.triangles.size(), selection.labels.size(), scene.labels.size(),
              scene.transceivers.size(), settings.batches, walks, estimator->name());
-  fmt::print("\n  CPU time, s              {:>11} {:>8} {:>8} {:>9}\n", "batches", "direct", "cache",
-             "Mrays/s");
-  for (const Entrant* entrant : {static_cast<const Entrant*>(&sampled), static_cast<const Entrant*>(&exact),
-                                 static_cast<const Entrant*>(&reuse)})
-    fmt::print("  {:<24} {:>11.2f} {:>8.3f} {:>8.3f} {:>9.3f}\n", entrant->title, entrant->seconds,
-               entrant->known_seconds, entrant->cache_seconds,
-               static_cast<double>(entrant->rays) / entrant->seconds / 1e6);
+  fmt::print("\n  CPU time, s; 10^6 rays/s     batches   direct    cache      rays      bare  share\n");
+  const double walk_rate = bare.walks.per_second();
+  print_rays(sampled, static_cast<double>(sampled.rays) / walk_rate);
+  print_rays(exact, static_cast<double>(exact.rays) / walk_rate);
+  print_rays(reuse, kinds.bare_seconds(bare) * static_cast<double>(settings.batches));
+  const double rays = kinds.single + kinds.shadow + kinds.visibility;
+  const auto print_kind = [&](const char* kind, double count, const Rate& rate) {
+    fmt::print("    {:<22} {:>9.0f} % {:>36.3f}\n", kind, 100 * count / rays, rate.per_second() / 1e6);
+  };
+  print_kind("single rays", kinds.single, bare.single);
+  print_kind("shadow rays", kinds.shadow, bare.shadow);
+  print_kind("visibility rays", kinds.visibility, bare.visibility);
+  const double share = static_cast<double>(sampled.rays) / sampled.seconds / walk_rate;
+  fmt::print("  The baseline runs at {} half of its bare rate.\n", share >= 0.5 ? "more than" : "LESS THAN");
   fmt::print("\n  efficiency of reuse over             {:>8} {:>14} {:>9} {:>9}\n", "ratio", "without cache",
              "entries", "left out");
   print_efficiency(scene, selection, reuse, sampled);
@@ -92,7 +115,25 @@ void compare(const Settings& settings, const Scene& scene) {
              "% beyond 3", "values");
   print_agreement(reuse, sampled);
   print_agreement(reuse, exact);
-  fmt::print("\n");
+}
+
+void print_threads(const Scene& scene, std::uint64_t batches) {
+  const ThreadScaling found = thread_scaling(scene, batches);
+  fmt::print("\n  reuse, {} batches: {:.2f} s with one thread, {:.2f} s with {}: {:.2f} times as fast\n\n",
+             found.batches, found.one, found.all, found.threads, found.one / found.all);
+}
+
+void print_growth(const std::vector<std::string>& stores) {
+  fmt::print("{:<12} {:>7} {:>10} {:>9} {:>26} {:>9} {:>22}\n", "reuse in", "labels", "candidates",
+             "clusters", "cache: CPU s, s, MB", "measured", "a label and batch: ms, rays");
+  for (const std::string& store : stores) {
+    const Scene scene = open_scene(store);
+    const Cost cost = cost_of_reuse(scene, 400, 4);
+    fmt::print("{:<12} {:>7} {:>10} {:>9} {:>10.2f} {:>7.2f} {:>7.1f} {:>9} {:>20.3f} {:>6.0f}\n", store,
+               scene.labels.size(), scene.transceivers.size(), cost.clusters, cost.cache_cpu_seconds,
+               cost.cache_wall_seconds, cost.cache_bytes / 1e6, cost.measured_labels,
+               1e3 * cost.label_batch_seconds, cost.rays);
+  }
 }
 
 Settings parse(int argc, char** argv) {
@@ -106,6 +147,8 @@ Settings parse(int argc, char** argv) {
     if (word == "--quick") {
       settings.walks = 3200;
       settings.batches = 16;
+    } else if (word == "--growth") {
+      settings.growth = true;
     } else if (word == "--walks") {
       settings.walks = number();
     } else if (word == "--batches") {
@@ -119,7 +162,10 @@ Settings parse(int argc, char** argv) {
     }
   }
   if (settings.batches < 2) throw std::invalid_argument("--batches must be at least 2");
-  if (settings.stores.empty()) settings.stores = {"thesis", "grocery"};
+  if (settings.stores.empty()) {
+    settings.stores = {"thesis", "grocery"};
+    if (settings.growth) settings.stores.insert(settings.stores.end(), {"supermarket", "hypermarket"});
+  }
   return settings;
 }
 
@@ -128,7 +174,15 @@ Settings parse(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     const Settings settings = parse(argc, argv);
-    for (const std::string& store : settings.stores) compare(settings, open_scene(store));
+    if (settings.growth) {
+      print_growth(settings.stores);
+      return 0;
+    }
+    for (const std::string& store : settings.stores) {
+      const Scene scene = open_scene(store);
+      compare(settings, scene, World(scene));
+      if (scene.labels.size() <= settings.labels) print_threads(scene, settings.batches / 4);
+    }
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;
