@@ -38,8 +38,12 @@ class Differences {
   void add(const BatchMean& a, const BatchMean& b) {
     const double variance = a.variance() + b.variance();
     if (!(variance > 0)) return;
-    const double z = std::abs(a.mean - b.mean) / std::sqrt(variance);
+    const double difference = a.mean - b.mean, z = std::abs(difference) / std::sqrt(variance);
     ++found_.values;
+    if (a.mean > 0) {
+      found_squares_ += difference * difference / (a.mean * a.mean);
+      expected_squares_ += variance / (a.mean * a.mean);
+    }
     squares_ += z * z;
     beyond_ += z > 3 ? 1 : 0;
     found_.largest = std::max(found_.largest, z);
@@ -47,6 +51,7 @@ class Differences {
   Agreement result() const {
     Agreement found = found_;
     if (found.values == 0) return found;
+    found.pooled = std::sqrt(found_squares_ / expected_squares_);
     found.rms = std::sqrt(squares_ / static_cast<double>(found.values));
     found.beyond_3 = beyond_ / static_cast<double>(found.values);
     return found;
@@ -54,7 +59,7 @@ class Differences {
 
  private:
   Agreement found_;
-  double squares_ = 0, beyond_ = 0;
+  double squares_ = 0, beyond_ = 0, found_squares_ = 0, expected_squares_ = 0;
 };
 
 }  // namespace

@@ -20,10 +20,15 @@ struct EfficiencyRatio {
 EfficiencyRatio efficiency_ratio(const Scene& scene, const Selection& selection, const Entrant& one,
                                  const Entrant& other, double above, std::uint32_t least_contributions);
 
-/// Differences of two sets of means over their standard errors.
+/// Differences d of two sets of means over their standard errors s.
+///
+/// Of the uniform estimator's entries many rest on a few large contributions: where it missed these, its mean
+/// and its standard error are both too small, and d / s large with one sign. `pooled` does not mind, as s^2
+/// is right on average: sqrt(sum (d / first mean)^2 / sum (s / first mean)^2).
 struct Agreement {
   std::size_t values = 0;
-  double rms = 0, largest = 0, beyond_3 = 0;  ///< the last a share
+  double pooled = 0;
+  double rms = 0, largest = 0, beyond_3 = 0;  ///< of d / s; the last a share
 };
 
 Agreement agreement(const std::vector<BatchMean>& one, const std::vector<BatchMean>& other);

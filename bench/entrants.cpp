@@ -15,7 +15,7 @@ namespace shelfbeam::bench {
 
 namespace {
 
-constexpr std::uint64_t seed = 1;
+constexpr std::uint64_t seed = 1;  // of the selection and the uniform estimator that samples direct light
 
 }  // namespace
 
@@ -65,6 +65,7 @@ UniformEntrant::UniformEntrant(const World& world, const Selection& selection, b
                                std::uint32_t walks)
     : Entrant(samples_direct ? "uniform, direct sampled" : "uniform, direct exact", world, selection),
       rules_{.strategy = Strategy::nee, .samples_direct = samples_direct},
+      seed_(samples_direct ? seed : seed + 1),
       walks_(walks),
       tally_(width_, 1) {
   if (!samples_direct) prepare_known_light(rules_);
@@ -74,7 +75,7 @@ void UniformEntrant::sample(std::uint32_t batch) {
   tally_.rays = 0;
   for (std::size_t p = 0; p < selection_.labels.size(); ++p) {
     const std::uint32_t i = selection_.labels[p];
-    const std::uint64_t stream = mix_key(seed, hash64(world_.scene.labels[i].id));
+    const std::uint64_t stream = mix_key(seed_, hash64(world_.scene.labels[i].id));
     for (std::uint32_t s = 0; s < walks_; ++s) {
       walk_from_label(world_, i, {stream, batch, s}, rules_, tally_);
       collect(p);
@@ -122,7 +123,7 @@ void UniformEntrant::sample_direct_light(std::size_t position, std::uint32_t bat
   const auto side = static_cast<std::uint32_t>(std::clamp(std::ceil(std::sqrt(each)), 2.0, 64.0));
   for (std::size_t j = 0; j < width_; ++j) {
     if (is_point_to_point(world_, i, j)) continue;
-    const PathKey key{mix_key(mix_key(mix_key(seed, 0xD12EC7), i), j), batch, 0};
+    const PathKey key{mix_key(mix_key(mix_key(seed_, 0xD12EC7), i), j), batch, 0};
     const DirectSignal signal = sample_direct(world_, i, j, key, side, rules_);
     tally_.rays += signal.rays;
     if (signal.straight + signal.mirrored == 0) continue;

@@ -69,6 +69,7 @@ class UniformEntrant : public Entrant {
   void sample_direct_light(std::size_t position, std::uint32_t batch);
 
   PathRules rules_;
+  std::uint64_t seed_;  ///< different ones, so that errors are independent
   std::uint32_t walks_;
   Tally tally_;
 };

@@ -6,6 +6,7 @@
 //
 // STORE: a folder of examples/ or a store file (default: thesis grocery; for --growth the large ones, too).
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -51,8 +52,8 @@ void print_efficiency(const Scene& scene, const Selection& selection, const Entr
 void print_agreement(const Entrant& reuse, const Entrant& other) {
   const BatchSums &a = reuse.sums, &b = other.sums;
   const auto print = [&](const char* what, const Agreement& found) {
-    fmt::print("  {:<24} {:<11} {:>8.3f} {:>8.2f} {:>9.2f} {:>9}\n", other.title, what, found.rms,
-               found.largest, 100 * found.beyond_3, found.values);
+    fmt::print("  {:<24} {:<10} {:>8.3f} {:>8.3f} {:>8.2f} {:>8.2f} {:>9}\n", other.title, what, found.pooled,
+               found.rms, found.largest, 100 * found.beyond_3, found.values);
   };
   print("entries", agreement(a, b, least_contributions));
   print("labels", agreement(a.by_row, b.by_row));
@@ -111,8 +112,8 @@ void compare(const Settings& settings, const Scene& scene, const World& world) {
              "entries", "left out");
   print_efficiency(scene, selection, reuse, sampled);
   print_efficiency(scene, selection, reuse, exact);
-  fmt::print("\n  agreement of reuse with              {:>8} {:>8} {:>9} {:>9}\n", "rms z", "largest",
-             "% beyond 3", "values");
+  fmt::print("\n  agreement of reuse with               {:>8} {:>8} {:>8} {:>8} {:>9}\n", "pooled z", "rms z",
+             "largest", "% over 3", "values");
   print_agreement(reuse, sampled);
   print_agreement(reuse, exact);
 }
@@ -181,7 +182,8 @@ int main(int argc, char** argv) {
     for (const std::string& store : settings.stores) {
       const Scene scene = open_scene(store);
       compare(settings, scene, World(scene));
-      if (scene.labels.size() <= settings.labels) print_threads(scene, settings.batches / 4);
+      if (scene.labels.size() <= settings.labels)
+        print_threads(scene, std::max<std::uint64_t>(16, settings.batches / 4));
     }
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
