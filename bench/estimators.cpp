@@ -4,6 +4,9 @@
 //   build/release/bench_estimators [STORE...] [--quick] [--walks N] [--batches N] [--labels N]
 //   build/release/bench_estimators --growth [STORE...]
 //
+// --quick takes a minute or less; uniform variances are then rough. Entries need 30 contributions in both
+// estimators to count; of reuse these are batches.
+//
 // STORE: a folder of examples/ or a store file (default: thesis grocery; for --growth the large ones, too).
 
 #include <algorithm>
@@ -36,6 +39,7 @@ struct Settings {
   std::uint64_t walks = 64000;  ///< a label, of the uniform estimator
   std::uint64_t batches = 64;   ///< of every estimator
   std::uint64_t labels = 1000;  ///< of larger stores clusters with about so many
+  bool threads = true;
   bool growth = false;
 };
 
@@ -146,8 +150,10 @@ Settings parse(int argc, char** argv) {
       return std::strtoull(argv[++k], nullptr, 10);
     };
     if (word == "--quick") {
-      settings.walks = 3200;
-      settings.batches = 16;
+      settings.walks = 16000;
+      settings.batches = 32;
+      settings.labels = 100;
+      settings.threads = false;
     } else if (word == "--growth") {
       settings.growth = true;
     } else if (word == "--walks") {
@@ -162,7 +168,8 @@ Settings parse(int argc, char** argv) {
       settings.stores.push_back(word);
     }
   }
-  if (settings.batches < 2) throw std::invalid_argument("--batches must be at least 2");
+  if (settings.batches < least_contributions)
+    throw std::invalid_argument(fmt::format("--batches must be at least {}", least_contributions));
   if (settings.stores.empty()) {
     settings.stores = {"thesis", "grocery"};
     if (settings.growth) settings.stores.insert(settings.stores.end(), {"supermarket", "hypermarket"});
