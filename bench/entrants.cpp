@@ -44,14 +44,14 @@ Entrant::Entrant(std::string name, const World& world, const Selection& selectio
 
 void Entrant::prepare_known_light(const PathRules& rules) {
   known_seconds = cpu_seconds([&] {
-    const detail::KnownLight light(world_, rules, {});
     for (std::size_t p = 0; p < selection_.labels.size(); ++p)
-      for (std::size_t j = 0; j < width_; ++j)
-        known_[p * width_ + j] =
-            light.straight(selection_.labels[p], j) + light.mirrored(selection_.labels[p], j);
+      for (std::size_t j = 0; j < width_; ++j) {
+        const std::uint32_t i = selection_.labels[p];
+        if (!is_point_to_point(world_, i, j)) continue;
+        const DirectSignal signal = direct_between_points(world_, i, j, rules);
+        known_[p * width_ + j] = signal.straight + signal.mirrored;
+      }
   });
-  known_seconds *=
-      static_cast<double>(selection_.labels.size()) / static_cast<double>(world_.receivers.size());
 }
 
 void Entrant::run() {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shelfbeam/transport/detail/known_light.hpp"
+#include "shelfbeam/transport/path_rules.hpp"
 #include "shelfbeam/transport/reuse.hpp"
 #include "shelfbeam/transport/tally.hpp"
 
@@ -36,12 +36,12 @@ class Entrant {
   BatchSums sums;
   double seconds = 0;        ///< in batches
   double known_seconds = 0;  ///< before, for direct light in closed form
-  double cache_seconds = 0;  ///< before, for tables; known and cache are the selected labels' share
+  double cache_seconds = 0;  ///< before, for tables: the selected labels' share
   std::uint64_t rays = 0;    ///< in batches
 
  protected:
   void prepare_known_light(const PathRules& rules);
-  /// Adds a batch to matrix(), which has the known light.
+  /// Adds a batch to matrix_, which has the known light.
   virtual void sample(std::uint32_t batch) = 0;
   /// What of a batch's time goes into what the benchmark alone wants to know, in s.
   virtual double overhead() { return 0; }
