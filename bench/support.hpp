@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <string>
+
+#include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/store.hpp"
+
+namespace shelfbeam::bench {
+
+/// A store file, or one of examples/ by its name.
+inline Scene open_scene(const std::string& name) {
+  const std::filesystem::path example =
+      std::filesystem::path(SHELFBEAM_SOURCE_DIR) / "examples" / name / "store.json";
+  return make_scene(read_store(std::filesystem::exists(example) ? example : std::filesystem::path(name)));
+}
+
+/// What some work takes of the processor, all threads together, in s.
+template <class Work>
+double cpu_seconds(const Work& work) {
+  const auto now = [] {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  };
+  const double start = now();
+  work();
+  return now() - start;
+}
+
+/// What some work takes, in s.
+template <class Work>
+double wall_seconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace shelfbeam::bench
