@@ -203,7 +203,8 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
                             row.mutable_values());
     // As bright as the surface, the chance keeps the variance finite: a generation multiplies it by albedo^2
     // over the chance.
-    const double survival = std::clamp(static_cast<double>(vertex.factor) * pi, effort_.survival, most_survival);
+    const double survival =
+        std::clamp(static_cast<double>(vertex.factor) * pi, effort_.survival, most_survival);
     const bool goes_on = random.unit() < survival;
     const Frame side = Frame::about(vertex.end.point.normal), frame = Frame::of_surface(vertex.end.outside);
     const Vec3 outgoing = frame.to_local(vertex.end.outgoing);
@@ -234,7 +235,8 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
                                   found.row.indirect, row.mutable_values());
       if (t == 0 && goes_on) {
         next.vertices.push_back(found);
-        continuations.push_back({a, through, survival, vertex.is_diffuse && end->is_unbroken && found.is_diffuse});
+        continuations.push_back(
+            {a, through, survival, vertex.is_diffuse && end->is_unbroken && found.is_diffuse});
       }
     }
   }
