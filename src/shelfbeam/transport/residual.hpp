@@ -35,7 +35,7 @@ struct ReuseEffort {
   std::uint32_t later_tails = 24;  ///< and at later vertices
   std::size_t group = 64;          ///< vertices that share their continuations
   std::uint32_t spot_rays = 4;     ///< from every unit beside a surface, for a cluster and batch
-  double survival = 0.5;           ///< least chance of a continuation; brighter surfaces have their albedo
+  double survival = 0.7;           ///< least chance of a continuation; brighter surfaces have their albedo
 };
 
 /// The difference between the radiance that leaves vertices and what the cache says, L - h, for all units at
