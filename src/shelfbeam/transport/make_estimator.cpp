@@ -31,12 +31,13 @@ std::uint64_t samples_per_batch(std::uint64_t samples) {
   return std::max<std::uint64_t>(1, (samples + batch_count - 1) / batch_count);
 }
 
-std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options) {
+std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options,
+                                          const RunControl& control) {
   switch (options.estimator) {
     case EstimatorKind::uniform:
       break;
     case EstimatorKind::reuse:
-      return std::make_unique<ReuseEstimator>(world, options.seed);
+      return std::make_unique<ReuseEstimator>(world, options.seed, ReuseEffort{}, control);
   }
   expect_possible(world.scene, options);
   return std::make_unique<UniformEstimator>(

@@ -3,14 +3,17 @@
 #include <cstdint>
 #include <memory>
 
+#include "shelfbeam/base/control.hpp"
 #include "shelfbeam/transport/estimator.hpp"
 #include "shelfbeam/transport/simulation_options.hpp"
 #include "shelfbeam/transport/world.hpp"
 
 namespace shelfbeam {
 
-/// The estimator that the options ask for. Throws InputError where they do not fit the scene.
-std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options);
+/// The estimator that the options ask for. Throws InputError where they do not fit the scene, Interrupted
+/// when cancelled.
+std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options,
+                                          const RunControl& control = {});
 
 /// The batches that give the samples asked for, at least `least_batches` for their spread.
 std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& options);

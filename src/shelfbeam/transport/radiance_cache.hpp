@@ -5,10 +5,16 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/transport/detail/surface_cells.hpp"
 #include "shelfbeam/transport/lane_kernels.hpp"
 #include "shelfbeam/transport/unit_groups.hpp"
 
 namespace shelfbeam {
+
+namespace detail {
+struct CellLight;
+struct CellLink;
+}  // namespace detail
 
 /// A rough solution of the whole transport, fixed before the first batch, for every unit at once: surfaces in
 /// cells of half a metre and six facings, each with the share of every unit's light that reaches it and the
@@ -17,7 +23,9 @@ namespace shelfbeam {
 class RadianceCache {
  public:
   /// Units that give less than `least` W/m^2 to a cell are left out of it, sixteen at a time.
-  RadianceCache(const World& world, const UnitGroups& groups, float least, std::uint64_t seed);
+  /// Throws Interrupted when cancelled.
+  RadianceCache(const World& world, const UnitGroups& groups, float least, std::uint64_t seed,
+                const RunControl& control = {});
 
   /// The groups that a cell holds, ascending, a row of lanes each.
   struct Row {
@@ -32,17 +40,20 @@ class RadianceCache {
   /// Radiance per irradiance that the solution takes a material to have, in every direction.
   float radiance_factor(MaterialId material) const { return factors_[material.value]; }
 
-  std::size_t cells() const { return begin_.size() - 1; }
+  std::size_t cells() const { return cells_.size(); }
   std::size_t entries() const { return groups_.size() * lanes; }
   std::size_t bytes() const;
   std::uint64_t rays() const { return rays_; }
 
  private:
-  std::uint32_t find(std::uint64_t key) const;
+  void choose_groups(std::size_t n_groups, const std::vector<detail::CellLight>& light,
+                     const std::vector<std::vector<detail::CellLink>>& links, float least,
+                     const RunControl& control);
+  void iterate(const std::vector<detail::CellLight>& light,
+               const std::vector<std::vector<detail::CellLink>>& links, const RunControl& control);
 
-  std::vector<float> factors_;            // by material
-  std::vector<std::uint64_t> slot_keys_;  // open addressing
-  std::vector<std::uint32_t> slot_cells_;
+  std::vector<float> factors_;  // by material
+  detail::SurfaceCells cells_;
   std::vector<std::size_t> begin_;  // by cell: first of its groups
   std::vector<std::uint16_t> groups_;
   std::vector<std::uint8_t> share_;      // `lanes` for each of groups_,

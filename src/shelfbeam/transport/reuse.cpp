@@ -50,13 +50,14 @@ struct ReuseEstimator::Impl {
     std::vector<double> direct;
   };
 
-  Impl(const World& w, std::uint64_t s, const ReuseEffort& e)
+  Impl(const World& w, std::uint64_t s, const ReuseEffort& e, const RunControl& control)
       : world(w),
         seed(s),
         requirement(smallest_requirement(w.scene)),
         effort(e),
         units(w),
-        cache(w, units, static_cast<float>(least_share * requirement), mix_key(s, hash64("radiance cache"))),
+        cache(w, units, static_cast<float>(least_share * requirement), mix_key(s, hash64("radiance cache")),
+              control),
         residual(w, units, cache, requirement, e),
         spots(w, units, mix_key(s, hash64("bright spots"))) {
     std::vector<std::uint32_t> columns(w.emitters.size());
@@ -235,8 +236,9 @@ void ReuseEstimator::Impl::share_points(const Block& block, Workspace& work, std
   }
 }
 
-ReuseEstimator::ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort)
-    : impl_(std::make_unique<Impl>(world, seed, effort)) {}
+ReuseEstimator::ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort,
+                               const RunControl& control)
+    : impl_(std::make_unique<Impl>(world, seed, effort, control)) {}
 ReuseEstimator::~ReuseEstimator() = default;
 
 std::size_t ReuseEstimator::items() const {

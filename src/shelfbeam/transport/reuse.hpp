@@ -15,7 +15,9 @@ namespace shelfbeam {
 class ReuseEstimator : public Estimator {
  public:
   /// Builds the cache: some seconds for a large store. `world` must outlive the estimator.
-  ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort = {});
+  /// Throws Interrupted when cancelled.
+  ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort = {},
+                 const RunControl& control = {});
   ~ReuseEstimator() override;
 
   std::size_t items() const override;

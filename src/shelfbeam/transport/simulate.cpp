@@ -55,7 +55,7 @@ SimulationSummary run(const Scene& scene, const std::string& store_hash, const S
   arena.execute([&] {
     detail::expect_room(scene, options, keeps_matrix);
     const World world(scene);
-    const auto estimator = make_estimator(world, options);
+    const auto estimator = make_estimator(world, options, control);
     detail::expect_room(world, *estimator, options, keeps_matrix);
     detail::Engine engine(world, *estimator, options, store_hash, control);
     const bool complete = engine.run();

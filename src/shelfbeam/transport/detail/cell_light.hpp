@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shelfbeam/transport/detail/surface_cells.hpp"
+#include "shelfbeam/transport/unit_groups.hpp"
+
+namespace shelfbeam::detail {
+
+/// What comes straight from the units to a cell, for the groups of units of which anything does.
+struct CellLight {
+  std::vector<std::uint16_t> groups;  ///< ascending
+  std::vector<float> share;           ///< of UnitGroups::irradiance, `lanes` for each group
+  std::vector<float> mean;            ///< irradiance, W/m^2, likewise
+};
+
+/// Shadow rays from two places of the cell, and from further ones to units on which these disagree. Groups
+/// that cannot give `least` W/m^2 are not asked.
+CellLight straight_light(const World& world, const UnitGroups& units, const SurfaceCells& cells,
+                         std::size_t cell, float least, std::uint64_t& rays);
+
+/// A cell from which light comes to another.
+struct CellLink {
+  std::uint32_t cell;
+  float weight;  ///< irradiance here for each W/m^2 of irradiance there
+};
+
+/// By rays from the places of a cell; `factors` is radiance per irradiance, by material.
+std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells, std::size_t cell,
+                                   const std::vector<float>& factors, std::uint64_t seed,
+                                   std::uint64_t& rays);
+
+}  // namespace shelfbeam::detail
