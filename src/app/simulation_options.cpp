@@ -12,8 +12,7 @@ namespace shelfbeam::app {
 
 namespace {
 
-// What reuse aims at unless told otherwise.
-constexpr double default_error = 0.02, default_above = 0.3;
+constexpr double default_above = 0.3;
 
 // What the machine has, but for what others need.
 std::size_t most_of_the_memory() {
@@ -30,12 +29,10 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
   options.time_s = time_s;
   if (relative_error) options.relative_error = RelativeError{*relative_error, above.value_or(default_above)};
   if (samples) options.samples = *samples;
-  if (options.estimator == EstimatorKind::uniform && above && !relative_error)
+  if (above && !relative_error)
     throw InputError("--above", "says nothing without '--relative-error'", "add that");
   if (options.estimator == EstimatorKind::reuse) {
     options.direct = DirectLight::exact;
-    if (!samples && !time_s && !relative_error)
-      options.relative_error = RelativeError{default_error, above.value_or(default_above)};
   } else {
     options.direct = direct.value_or(default_direct) == "sampled" ? DirectLight::sampled : DirectLight::exact;
     const std::string named = strategy.value_or("mis");
@@ -75,9 +72,7 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
           "paper's random walk with one uniformly chosen transceiver a vertex")
       ->check(CLI::IsMember({"reuse", "uniform"}));
   auto* error = verb.add_option("--relative-error", flags.relative_error,
-                                fmt::format("Stop when 99 % of the entries that matter have this relative "
-                                            "standard error (reuse: {} unless told otherwise)",
-                                            default_error))
+                                "Stop when 99 % of the entries that matter have this relative standard error")
                     ->check(positive_number());
   auto* share =
       verb.add_option("--above", flags.above,
@@ -86,8 +81,8 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
                                   default_above))
           ->check(positive_number());
   auto* samples = verb.add_option("--samples", flags.samples,
-                                  "Instead of --relative-error: first rays a label (particles a transceiver; "
-                                  "uniform: 10000 unless told otherwise)")
+                                  "First rays a label (particles a transceiver); 10000 unless an error or "
+                                  "a time is given")
                       ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
                       ->excludes(error)
                       ->excludes(share);

@@ -144,7 +144,7 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"plan", store, "-o", out, "--relative-error", "0.1", "--samples", "100"}, "excludes"},
       {{"plan", store, "-o", out, "--relative-error", "0.1", "--time", "9"}, "excludes"},
       {{"plan", store, "-o", out, "--above", "0.1", "--samples", "640"}, "--above"},
-      {{"plan", store, "-o", out, "--above", "0.1", "--estimator", "uniform"}, "--above"},
+      {{"plan", store, "-o", out, "--above", "0.1"}, "--above"},
       {{"plan", store, "-o", out, "--time", "-1"}, "--time"},
       {{"plan", store, "-o", out, "--memory", "4X"}, "--memory"},
       {{"plan", store, "-o", out, "--memory", "0"}, "--memory"},
