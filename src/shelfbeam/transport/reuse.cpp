@@ -52,7 +52,6 @@ struct ReuseEstimator::Impl {
 
   Impl(const World& w, std::uint64_t s, const ReuseEffort& e, const RunControl& control)
       : world(w),
-        seed(s),
         requirement(smallest_requirement(w.scene)),
         effort(e),
         units(w),
@@ -80,7 +79,6 @@ struct ReuseEstimator::Impl {
 
   const World& world;
   const PathRules rules{.strategy = Strategy::nee, .samples_direct = false};
-  std::uint64_t seed;
   double requirement;
   ReuseEffort effort;
   UnitGroups units;
