@@ -1,3 +1,5 @@
+#include "shelfbeam/transport/detail/engine.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -6,6 +8,7 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
+#include "shelfbeam/transport/make_estimator.hpp"
 #include "shelfbeam/transport/simulate.hpp"
 
 #include "support/expect_input_error.hpp"
@@ -72,6 +75,33 @@ TEST(Engine, StopsAtTheSamePlaceWithAnyNumberOfThreads) {
       for (std::size_t i = 0; i < one.rows(); ++i) EXPECT_EQ(one.labels[i].batches, many.labels[i].batches);
     }
   }
+}
+
+// Few items take several batches at once; the sums are those of one batch after another. The control has two
+// batches change places, which rounding tells.
+TEST(Engine, AddsBatchesInTheirOrder) {
+  const Scene scene = test::SmallStore{}.scene();
+  const World world(scene);
+  SimulationOptions options;
+  const auto estimator = make_estimator(world, options);
+  const std::uint32_t batches = batches_for(*estimator, options);
+  const auto one_by_one = [&](std::uint32_t first, std::uint32_t second) {
+    const Estimator::Block& block = estimator->block(0);
+    detail::ItemSums sums(block.rows.size() * block.columns.size(), true, 0);
+    BatchValues values;
+    for (std::uint32_t b = 0; b < batches; ++b) {
+      values.clear();
+      estimator->sample(0, b == first ? second : b == second ? first : b, nullptr, values);
+      sums.add(values);
+    }
+    return sums.values;
+  };
+  const RunControl control;
+  detail::Engine engine(world, *estimator, options, "hash", control);
+  ASSERT_TRUE(engine.run());
+  ASSERT_EQ(engine.sums()[0].batches, batches);
+  EXPECT_EQ(engine.sums()[0].values, one_by_one(0, 0));
+  EXPECT_NE(engine.sums()[0].values, one_by_one(3, 9));
 }
 
 TEST(Engine, StopsWithinItsTimeButNotBeforeSixteenBatches) {

@@ -98,12 +98,13 @@ bool Engine::run() {
       todo.push_back(item);
     }
     if (todo.empty() || is_done(round)) return true;
-    if (!control_.cancelled()) sample(todo);
+    const double begun = seconds();
+    if (!control_.cancelled()) sample(todo, round);
+    last_batch_s_ = seconds() - begun;
     if (control_.cancelled()) {
       save_checkpoint();
       return false;
     }
-    if (options_.relative_error && is_stopping_point(round + 1)) judge(todo);
     foresee();
     save_checkpoint_if_due();
   }
@@ -112,6 +113,7 @@ bool Engine::run() {
 // Whether the running items, all of which have `round` batches or more, need no more.
 bool Engine::is_done(std::uint32_t round) {
   if (round < least_batches || round < most_batches()) return false;
+  if (control_.cancelled()) return false;
   if (options_.time_s) return seconds() + last_batch_s_ > *options_.time_s;
   if (!options_.relative_error || !is_stopping_point(round)) return false;
   Precision all;
@@ -119,28 +121,59 @@ bool Engine::is_done(std::uint32_t round) {
   return all.is_enough();
 }
 
-void Engine::sample(const std::vector<std::uint32_t>& items) {
-  const double begun = seconds();
-  for_parts(items.size(), [&](std::size_t first, std::size_t last) {
-    BatchValues& values = values_.local();
-    for (std::size_t k = first; k < last && !control_.cancelled(); ++k) {
-      ItemSums& sums = sums_[items[k]];
-      values.clear();
-      values.rays = 0;
-      if (!estimator_.sample(items[k], sums.batches, control_.cancel, values)) return;
-      sums.add(values);
-      rays_.fetch_add(values.rays, std::memory_order_relaxed);
-      done_.fetch_add(1, std::memory_order_relaxed);
-      report();
-    }
-  });
-  last_batch_s_ = seconds() - begun;
+// Few items take several batches between two barriers, so that threads need not wait for the largest.
+std::uint32_t Engine::batches_at_once(std::size_t items, std::uint32_t round) const {
+  constexpr std::size_t enough_tasks = 16;
+  const auto wanted = static_cast<std::uint32_t>(std::max<std::size_t>(1, enough_tasks / items));
+  return std::min(wanted, round < least_batches ? least_batches - round : limit_ - round);
 }
 
-void Engine::judge(const std::vector<std::uint32_t>& items) {
+// The next batches of items, each added to its item's sums after those before it, whichever thread was first.
+// Batches that come after the end have been in vain.
+void Engine::sample(const std::vector<std::uint32_t>& items, std::uint32_t round) {
+  const std::uint32_t batches = batches_at_once(items.size(), round);
+  std::vector<BatchValues> waiting(batches > 1 ? items.size() * batches : 0);
+  std::vector<char> is_complete(waiting.size());
+  for_parts(items.size() * batches, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last && !control_.cancelled(); ++k) {
+      const std::uint32_t item = items[k % items.size()];
+      const auto batch = round + static_cast<std::uint32_t>(k / items.size());
+      BatchValues& values = waiting.empty() ? values_.local() : waiting[k];
+      if (!sample(item, batch, values)) return;
+      if (waiting.empty())
+        sums_[item].add(values);
+      else
+        is_complete[k] = 1;
+    }
+  });
+  for (std::uint32_t b = 0; b < batches; ++b) {
+    for (std::size_t k = b * items.size(); k < std::min(waiting.size(), (b + 1) * items.size()); ++k) {
+      const std::uint32_t item = items[k % items.size()];
+      if (is_complete[k] != 0 && is_running(item) && sums_[item].batches == round + b)
+        sums_[item].add(waiting[k]);
+    }
+    judge(items, round + b + 1);
+    if (is_done(round + b + 1)) return;
+  }
+}
+
+bool Engine::sample(std::uint32_t item, std::uint32_t batch, BatchValues& values) {
+  values.clear();
+  values.rays = 0;
+  if (!estimator_.sample(item, batch, control_.cancel, values)) return false;
+  rays_.fetch_add(values.rays, std::memory_order_relaxed);
+  done_.fetch_add(1, std::memory_order_relaxed);
+  report();
+  return true;
+}
+
+// Pauses the items that are precise enough after so many batches, if this is a point to look at it.
+void Engine::judge(const std::vector<std::uint32_t>& items, std::uint32_t round) {
+  if (!options_.relative_error || !is_stopping_point(round)) return;
   for_parts(items.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const std::uint32_t item = items[k];
+      if (sums_[item].batches != round || paused_[item] != 0) continue;
       precision_[item] = survey_.precision(item, *options_.relative_error);
       paused_[item] = precision_[item].is_enough();
     }
@@ -179,12 +212,10 @@ void Engine::resume() {
     std::copy(state.values.begin(), state.values.end(), sums.values.begin());
     sums.batches = state.batches;
   });
-  std::vector<std::uint32_t> to_judge;
   for (std::uint32_t item = 0; item < sums_.size(); ++item) {
     done_before_ += sums_[item].batches;
-    if (options_.relative_error && is_stopping_point(sums_[item].batches)) to_judge.push_back(item);
+    judge({item}, sums_[item].batches);
   }
-  judge(to_judge);
 }
 
 void Engine::save_checkpoint() {

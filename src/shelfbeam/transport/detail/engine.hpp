@@ -60,8 +60,10 @@ class Engine {
   bool is_running(std::size_t item) const { return !paused_[item] && sums_[item].batches < limit_; }
   std::uint32_t most_batches() const;
   bool is_done(std::uint32_t round);
-  void sample(const std::vector<std::uint32_t>& items);
-  void judge(const std::vector<std::uint32_t>& items);
+  std::uint32_t batches_at_once(std::size_t items, std::uint32_t round) const;
+  void sample(const std::vector<std::uint32_t>& items, std::uint32_t round);
+  bool sample(std::uint32_t item, std::uint32_t batch, BatchValues& values);
+  void judge(const std::vector<std::uint32_t>& items, std::uint32_t round);
   void foresee();
   void report();
   double seconds() const;
