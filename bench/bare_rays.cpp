@@ -112,7 +112,7 @@ void BareRays::measure() {
   trace(shadow_packets_, shadow,
         [&](const Packet& packet) { world_.rays.shares(packet.from, packet.targets, result); });
   trace(visibility_packets_, visibility,
-        [&](const Packet& packet) { world_.rays.in_sight(packet.from, packet.targets, result); });
+        [&](const Packet& packet) { world_.rays.shares(packet.from, packet.targets, result); });
 }
 
 }  // namespace shelfbeam::bench

@@ -66,19 +66,20 @@ void check_efforts(std::uint32_t factor) {
 
 // From nothing in the cache, or little, to everything. What is far below the requirement may be sampled so
 // rarely that it takes many batches to see it.
-void check_caches(std::uint32_t factor, double largest_requirement) {
+// What the caches hold.
+std::vector<std::size_t> check_caches(std::uint32_t factor, const std::vector<double>& requirements) {
   const SignalMatrix reference = test::reuse(store(), 8 * factor, 1000);
   std::vector<std::size_t> kept;
   std::uint64_t seed = 1;
-  for (const double requirement : {largest_requirement, 100.0, 30.0, 10.0, 1.0, 1e-4}) {
+  for (const double requirement : requirements) {
     const Scene scene = store(requirement);
     const World world(scene);
     kept.push_back(ReuseEstimator(world, 1).cache().entries());
     expect_same(test::reuse(scene, factor, ++seed), reference,
                 "requirement x " + std::to_string(requirement));
   }
-  EXPECT_LT(kept.front(), kept.back() * 3 / 4);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+  return kept;
 }
 
 // Labels by themselves, or without their neighbours.
@@ -106,18 +107,20 @@ void check_clusters(std::uint32_t factor) {
 TEST(ReuseEffort, MeansDoNotDependOnHowTheWorkIsDealtOut) {
   check_efforts(1);
 }
+// Few batches do not hold the rare rays that stand for all light where the requirement is much higher.
 TEST(ReuseEffort, MeansDoNotDependOnTheCache) {
-  check_caches(1, 300);
+  check_caches(1, {10, 1, 1e-4});
 }
 TEST(ReuseEffort, MeansDoNotDependOnTheClusters) {
   check_clusters(1);
 }
 
 TEST(ReuseEffortSlow, MeansDoNotDependOnHowTheWorkIsDealtOut) {
-  check_efforts(16);
+  check_efforts(8);
 }
 TEST(ReuseEffortSlow, MeansDoNotDependOnTheCache) {
-  check_caches(24, 1e6);
+  const auto kept = check_caches(10, {1e6, 100, 30, 10, 1, 1e-4});
+  EXPECT_LT(kept.front(), kept.back() * 3 / 4);
 }
 // Far too weak for the requirement, all units are left to chance; some of what they give comes in one batch
 // of fifty, so this takes 9,600.
@@ -125,7 +128,7 @@ TEST(ReuseEffortSlow, MeansDoNotDependOnTheRequirement) {
   expect_same(test::reuse(store(1e6), 300, 5), test::reuse(store(), 100, 1000), "nothing in reach");
 }
 TEST(ReuseEffortSlow, MeansDoNotDependOnTheClusters) {
-  check_clusters(24);
+  check_clusters(10);
 }
 
 }  // namespace

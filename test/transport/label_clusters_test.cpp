@@ -82,5 +82,19 @@ TEST(LabelClusters, RoomsAreApart) {
   }
 }
 
+// Doors of glass before the labels of one side of an aisle; the control has doors of wood.
+TEST(LabelClusters, GlassDoorsDoNotPartAnAisle) {
+  for (const bool is_glass : {true, false}) {
+    test::BareScene room = aisle();
+    const MaterialId door =
+        room.material(is_glass ? Material(make_thin_dielectric(1.5, 0.005, 0)) : Lambertian{0.5});
+    room.quad(door, {0, 2.25, 0}, {8, 0, 0}, {0, 0, 2.6});
+    const World world(room.scene);
+    const auto cluster = cluster_of_labels(cluster_labels(world, 96), 4 * per_face);
+    EXPECT_EQ(cluster[per_face] == cluster[2 * per_face], is_glass);
+    EXPECT_EQ(cluster[per_face], cluster[2 * per_face - 1]);
+  }
+}
+
 }  // namespace
 }  // namespace shelfbeam

@@ -14,10 +14,10 @@
 namespace shelfbeam {
 namespace {
 
-Scene store_with_panes(bool panes_are_walls) {
+Scene store_with_panes() {
   test::StrategyStore store;
   store.add_glass();
-  if (panes_are_walls) store.set("pane", make_lambertian(0.5));
+  store.set("pane", make_thin_dielectric(1.5, 0.01, 20));
   return store.scene();
 }
 
@@ -35,7 +35,7 @@ SurfacePoint start(const RayScene& rays, std::uint32_t k) {
 
 // Equal, in packets of every size from 1 to 40; each kind of answer at least 500 times.
 TEST(PacketRays, SharesAreThoseOfPassages) {
-  const Scene scene = store_with_panes(false);
+  const Scene scene = store_with_panes();
   const RayScene rays(scene);
   int blocked = 0, dimmed = 0, open = 0;
   for (std::uint32_t k = 0; k < 600; ++k) {
@@ -55,20 +55,23 @@ TEST(PacketRays, SharesAreThoseOfPassages) {
   EXPECT_GT(open, 500);
 }
 
-// What is in sight is what light reaches where panes are walls; the control is what it reaches through them.
-TEST(PacketRays, PanesAreNotSeenThrough) {
-  const Scene scene = store_with_panes(false), walls = store_with_panes(true);
-  const RayScene rays(scene), opaque(walls);
+// The chances of walks through panes are those of passages, too; they are not the shares, which the control
+// takes for them.
+TEST(PacketRays, ProbabilitiesAreThoseOfPassages) {
+  const Scene scene = store_with_panes();
+  const RayScene rays(scene);
   int differ = 0;
   for (std::uint32_t k = 0; k < 600; ++k) {
     const SurfacePoint from = start(rays, k);
     std::vector<Vec3> to;
     for (std::uint32_t t = 0; t < 1 + k % 40; ++t) to.push_back(place(k, t + 1));
-    std::vector<float> seen(to.size(), -1);
-    rays.in_sight(from, to, seen);
+    std::vector<Passage> passages(to.size());
+    rays.passages(from, to, passages);
     for (std::size_t t = 0; t < to.size(); ++t) {
-      EXPECT_EQ(seen[t], opaque.passage(from, to[t]).share > 0 ? 1 : 0) << k << ", " << t;
-      differ += (rays.passage(from, to[t]).share > 0) != (seen[t] > 0) ? 1 : 0;
+      const Passage expected = rays.passage(from, to[t]);
+      EXPECT_EQ(passages[t].share, expected.share) << k << ", " << t;
+      EXPECT_EQ(passages[t].probability, expected.probability) << k << ", " << t;
+      differ += passages[t].probability != passages[t].share ? 1 : 0;
     }
   }
   EXPECT_GT(differ, 500);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "shelfbeam/base/provenance.hpp"
@@ -12,21 +13,17 @@ namespace shelfbeam {
 
 namespace {
 
-// W/m^2 for each W/sr of the unit's peak: what it gives at 2 m.
-constexpr float cap_by_peak = 0.25F;
-constexpr std::uint32_t pilot_rays = 128;
+// W/m^2 for each W/sr of the unit's peak: what it gives at 4 m.
+constexpr float cap_by_peak = 1.0F / 16;
+constexpr std::uint32_t side = 16;  // strata of a unit's rays, each way
+// The share of a unit's rays that are sent where the first look has found nothing, too.
+constexpr double everywhere = 0.1;
 constexpr double least_chance = 0.02;
 
-// Where light that leaves a unit arrives in a straight line.
-struct Arrival {
-  SurfacePoint point;  // its normal on the side of the unit
-  Vec3 outside, incoming;
-  MaterialId material;
-  double flux, excess;  // of the unit, and the share of the irradiance here that lies above the cap
-};
-
-std::optional<Arrival> shine(const World& world, const UnitGroups& units, std::uint32_t j, float cap,
-                             double u1, double u2, RandomStream& random, std::uint64_t& rays) {
+// Where light that leaves a unit arrives in a straight line, if above the cap; `power` is that of the ray,
+// times the share above.
+std::optional<SpotLight> shine(const World& world, const UnitGroups& units, std::uint32_t j, double u1,
+                               double u2, RandomStream& random, std::uint64_t& rays) {
   const double u3 = random.unit(), u4 = random.unit();
   const auto emitted = world.emitters.emit(j, {u1, u2, u3, u4});
   if (!emitted) return std::nullopt;
@@ -44,93 +41,107 @@ std::optional<Arrival> shine(const World& world, const UnitGroups& units, std::u
       continue;
     }
     if (has_only_specular(material)) return std::nullopt;
-    Arrival arrival{hit->point, hit->point.normal, -emitted->direction, hit->material, flux, 0};
-    if (dot(arrival.point.normal, emitted->direction) > 0) arrival.point.normal = -arrival.point.normal;
-    const std::uint32_t place = units.place(j);
+    SpotLight light;
+    light.place = units.place(j);
+    light.point = hit->point;
+    light.frame = Frame::of_surface(hit->point.normal);
+    light.incoming = light.frame.to_local(-emitted->direction);
+    light.material = hit->material;
+    if (dot(light.point.normal, emitted->direction) > 0) light.point.normal = -light.point.normal;
+    const std::size_t g = light.place / lanes, lane = light.place % lanes;
     LaneValues e;
-    units.irradiance(place / lanes, LanePoint(arrival.point), e);
-    const float own = e[place % lanes];
-    if (!(own > cap)) return std::nullopt;
-    arrival.excess = 1 - static_cast<double>(cap / own);
-    return arrival;
+    units.irradiance(g, LanePoint(light.point), e);
+    if (!(e[lane] > units.cap(g, lane))) return std::nullopt;
+    light.power = flux * (1 - static_cast<double>(units.cap(g, lane) / e[lane]));
+    return light;
   }
+}
+
+std::size_t stratum(std::size_t x, std::size_t y) {
+  return x * side + y;
+}
+
+// The chances of the strata, as running sums: by the flux found there and beside them.
+std::vector<double> running_chances(const std::vector<double>& flux) {
+  std::vector<double> chances(flux.size());
+  double total = 0;
+  for (std::size_t x = 0; x < side; ++x)
+    for (std::size_t y = 0; y < side; ++y) {
+      double near = 0;
+      for (std::size_t nx = x == 0 ? 0 : x - 1; nx <= std::min<std::size_t>(x + 1, side - 1); ++nx)
+        for (std::size_t ny = y == 0 ? 0 : y - 1; ny <= std::min<std::size_t>(y + 1, side - 1); ++ny)
+          near = std::max(near, flux[stratum(nx, ny)]);
+      chances[stratum(x, y)] = flux[stratum(x, y)] + 0.5 * near;
+      total += chances[stratum(x, y)];
+    }
+  double sum = 0;
+  for (double& chance : chances) {
+    sum += (1 - everywhere) * chance / total + everywhere / (side * side);
+    chance = sum;
+  }
+  return chances;
 }
 
 }  // namespace
 
+double SpotLight::intensity(const Scene& scene, const Vec3& direction) const {
+  const double cosine = dot(direction, point.normal);
+  if (cosine <= 0) return 0;  // labels that touch a surface from behind take its light themselves
+  return power * cosine * eval(scene.materials[material.value].material, frame.to_local(direction), incoming);
+}
+
 BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t seed)
     : world_(world), units_(units) {
+  std::vector<double> found(side * side);
   for (std::uint32_t j = 0; j < world.scene.transceivers.size(); ++j) {
-    const float cap = cap_by_peak * units.peak(units.place(j) / lanes);
     const std::uint64_t key = mix_key(seed, hash64(world.scene.transceivers[j].id));
     const ScrambledSobol square(key);
+    units.set_cap(j, cap_by_peak * units.peak(units.place(j) / lanes));
     double flux = 0;
     std::uint64_t rays = 0;
-    for (std::uint32_t r = 0; r < pilot_rays; ++r) {
+    std::fill(found.begin(), found.end(), 0.0);
+    for (std::uint32_t r = 0; r < side * side; ++r) {
       const auto [u1, u2] = square.point(r);
       RandomStream random(key, r, 0, 0);
-      if (const auto arrival = shine(world, units, j, cap, u1, u2, random, rays))
-        flux += arrival->flux * arrival->excess / pilot_rays;
+      const auto light = shine(world, units, j, u1, u2, random, rays);
+      if (!light) continue;
+      const double part = light->power / (side * side);
+      found[stratum(static_cast<std::size_t>(u1 * side), static_cast<std::size_t>(u2 * side))] += part;
+      flux += part;
     }
-    if (flux == 0) continue;
-    spots_.push_back({j, flux});
-    units.set_cap(j, cap);
+    if (flux > 0)
+      spots_.push_back({j, flux, running_chances(found)});
+    else
+      units.set_cap(j, std::numeric_limits<float>::max());
   }
 }
 
-void BrightSpots::add(std::span<const std::uint32_t> labels, std::span<const SurfacePoint> at,
-                      double relevant, std::uint32_t rays_per_unit, std::uint64_t key, std::uint32_t batch,
-                      std::span<LaneRow> rows, std::uint64_t& rays) const {
-  if (spots_.empty()) return;
-  Vec3 centre;
-  for (const SurfacePoint& point : at) centre = centre + point.position / static_cast<double>(at.size());
-  double radius = 0;
-  for (const SurfacePoint& point : at) radius = std::max(radius, length(point.position - centre));
-
-  std::vector<std::uint32_t> sharers;
-  std::vector<double> values;
-  std::vector<Vec3> targets;
-  std::vector<float> seen;
+void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, std::uint64_t key,
+                       std::uint32_t batch, std::uint32_t draw, std::vector<SpotLight>& lights,
+                       std::uint64_t& rays) const {
+  lights.clear();
   for (const Spot& spot : spots_) {
-    RandomStream random(mix_key(key, spot.unit), batch, 0, 0x5B07);
-    const double away =
-        std::max(1.0, length(world_.scene.transceivers[spot.unit].position - centre) - radius);
-    const double chance = std::clamp(spot.flux / (pi * away * away) / relevant, least_chance, 1.0);
+    const Vec3& from = world_.scene.transceivers[spot.unit].position;
+    double sum = 0;
+    for (const Vec3& point : points) sum += 1 / std::max(1.0, length_squared(point - from));
+    const double much = spot.flux / pi * sum / static_cast<double>(points.size()) / effort.relevant;
+    const double chance = std::clamp(much, least_chance, 1.0);
+    RandomStream random(mix_key(key, spot.unit), batch, draw, 0x5B07);
     if (random.unit() >= chance) continue;
-    const std::uint32_t place = units_.place(spot.unit);
-    const float cap = units_.cap(place / lanes, place % lanes);
-    const ScrambledSobol square(mix_key(mix_key(key, spot.unit), batch));
-    for (std::uint32_t r = 0; r < rays_per_unit; ++r) {
+    const auto count =
+        static_cast<std::uint32_t>(std::clamp(much * much, 1.0, static_cast<double>(effort.most)));
+    const ScrambledSobol square(mix_key(mix_key(key, spot.unit), (std::uint64_t{batch} << 32) | draw));
+    for (std::uint32_t r = 0; r < count; ++r) {
       const auto [u1, u2] = square.point(r);
-      const auto arrival = shine(world_, units_, spot.unit, cap, u1, u2, random, rays);
-      if (!arrival) continue;
-      const Material& material = world_.scene.materials[arrival->material.value].material;
-      const Frame frame = Frame::of_surface(arrival->outside);
-      const Vec3 incoming = frame.to_local(arrival->incoming);
-      sharers.clear();
-      targets.clear();
-      values.clear();
-      for (std::uint32_t c = 0; c < labels.size(); ++c) {
-        const Vec3 way = at[c].position - arrival->point.position;
-        const double squared = length_squared(way);
-        if (!(squared > 0)) continue;
-        const Vec3 direction = way / std::sqrt(squared);
-        const double cosine = dot(direction, arrival->point.normal);
-        if (cosine <= 0) continue;  // from behind labels take all of it themselves
-        const double response = world_.receivers.response(labels[c], -direction);
-        if (!(response > 0)) continue;
-        const double scattered = eval(material, frame.to_local(direction), incoming);
-        if (!(scattered > 0)) continue;
-        sharers.push_back(c);
-        targets.push_back(at[c].position);
-        values.push_back(arrival->flux * arrival->excess / (rays_per_unit * chance) * scattered * response *
-                         cosine / squared);
-      }
-      seen.resize(targets.size());
-      world_.rays.in_sight(arrival->point, targets, seen);
-      rays += targets.size();
-      for (std::size_t t = 0; t < sharers.size(); ++t)
-        if (seen[t] > 0) rows[sharers[t]].add(place, values[t]);
+      const auto found = std::upper_bound(spot.chances.begin(), spot.chances.end() - 1, u1);
+      const auto s = static_cast<std::uint32_t>(found - spot.chances.begin());
+      const double below = s == 0 ? 0 : spot.chances[s - 1], own = spot.chances[s] - below;
+      const double v1 = std::clamp((u1 - below) / own, 0.0, 1.0);
+      auto light =
+          shine(world_, units_, spot.unit, (s / side + v1) / side, (s % side + u2) / side, random, rays);
+      if (!light) continue;
+      light->power /= count * chance * own * side * side;
+      lights.push_back(*light);
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include "shelfbeam/math/sobol.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/transport/lane_kernels.hpp"
 #include "shelfbeam/transport/specular_chain.hpp"
 
 namespace shelfbeam::detail {
@@ -26,20 +27,27 @@ float true_irradiance(const World& world, std::uint32_t j, const SurfacePoint& a
 struct Asked {
   float open = 0, arrived = 0;
   std::uint8_t places = 0;
-  bool seen = false, hidden = false;
+
+  void operator+=(const Asked& other) {
+    open += other.open;
+    arrived += other.arrived;
+    places = static_cast<std::uint8_t>(places + other.places);
+  }
 };
 
 }  // namespace
 
 CellLight straight_light(const World& world, const UnitGroups& units, const SurfaceCells& cells,
                          std::size_t cell, float least, std::uint64_t& rays) {
-  std::vector<Asked> asked(units.size() * lanes);
+  const std::size_t width = units.size() * lanes;
+  std::array<std::vector<Asked>, SurfaceCells::quadrants> asked;
+  for (auto& of_quadrant : asked) of_quadrant.resize(width);
+  std::vector<std::uint8_t> seen(width), hidden(width);
   std::vector<std::size_t> which;
   std::vector<float> open, shares;
   std::vector<Vec3> targets;
-  const auto places = cells.places(cell);
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const LanePoint point(places[k]);
+  const auto ask = [&](std::size_t quadrant, const SurfacePoint& place, bool is_first) {
+    const LanePoint point(place);
     which.clear();
     open.clear();
     targets.clear();
@@ -48,36 +56,50 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
       LaneValues e;
       units.irradiance(g, point, e);
       for (std::size_t lane = 0; lane < units.count(g); ++lane) {
-        const Asked& so_far = asked[g * lanes + lane];
-        if (e[lane] < 0.1F * least || (k >= 2 && !(so_far.seen && so_far.hidden))) continue;
-        which.push_back(g * lanes + lane);
+        const std::size_t k = g * lanes + lane;
+        if (e[lane] < 0.1F * least || (!is_first && seen[k] != hidden[k])) continue;
+        which.push_back(k);
         open.push_back(e[lane]);
         targets.push_back(world.scene.transceivers[units.column(g, lane)].position);
       }
     }
     shares.resize(targets.size());
-    world.rays.shares(places[k], targets, shares);
+    world.rays.shares(place, targets, shares);
     rays += targets.size();
     for (std::size_t t = 0; t < targets.size(); ++t) {
-      Asked& lane = asked[which[t]];
-      ++lane.places;
-      lane.open += open[t];
-      (shares[t] > 0 ? lane.seen : lane.hidden) = true;
-      if (shares[t] == 0) continue;
       const std::size_t g = which[t] / lanes;
-      const float value =
-          units.is_loose(g) ? true_irradiance(world, units.column(g, which[t] % lanes), places[k]) : open[t];
-      lane.arrived += value * shares[t];
+      (shares[t] > 0 ? seen : hidden)[which[t]] = 1;
+      const float value = shares[t] == 0 || !units.is_loose(g)
+                              ? open[t]
+                              : true_irradiance(world, units.column(g, which[t] % lanes), place);
+      asked[quadrant][which[t]] += {open[t], value * shares[t], 1};
     }
-  }
+  };
+  for (std::size_t k = 0; k < SurfaceCells::most_places; ++k)
+    for (std::size_t q = 0; q < SurfaceCells::quadrants; ++q)
+      if (const auto places = cells.places(cell, q); places.size() > k) ask(q, places[k], k == 0);
+
   CellLight light;
   for (std::size_t g = 0; g < units.size(); ++g) {
-    const auto* const group = asked.data() + g * lanes;
-    if (std::all_of(group, group + lanes, [](const Asked& lane) { return lane.arrived == 0; })) continue;
+    std::array<Asked, lanes> whole{};
+    float most = 0;
+    for (std::size_t k = 0; k < lanes; ++k) {
+      for (const auto& of_quadrant : asked) whole[k] += of_quadrant[g * lanes + k];
+      most = std::max(most, whole[k].arrived);
+    }
+    if (most == 0) continue;
     light.groups.push_back(static_cast<std::uint16_t>(g));
     for (std::size_t k = 0; k < lanes; ++k) {
-      light.share.push_back(group[k].open > 0 ? group[k].arrived / group[k].open : 0);
-      light.mean.push_back(group[k].places > 0 ? group[k].arrived / static_cast<float>(group[k].places) : 0);
+      light.mean.push_back(
+          PackedLane::pack(whole[k].places > 0 ? whole[k].arrived / static_cast<float>(whole[k].places) : 0));
+      for (std::size_t q = 0; q < SurfaceCells::quadrants; ++q) {
+        // The whole cell's share counts like one place more.
+        const Asked& own = asked[q][g * lanes + k];
+        const float one = whole[k].places > 0 ? whole[k].open / static_cast<float>(whole[k].places) : 0;
+        const float share = whole[k].open > 0 ? whole[k].arrived / whole[k].open : 0;
+        light.share[q].push_back(
+            PackedLane::pack_share(one > 0 ? (own.arrived + one * share) / (own.open + one) : 0));
+      }
     }
   }
   return light;

@@ -1,6 +1,7 @@
 #include "shelfbeam/transport/label_clusters.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -13,6 +14,18 @@ constexpr double step_out = 0.8;
 // How many times as many neighbours are asked as a cluster holds.
 constexpr std::size_t candidates = 4;
 
+// How far it is to what stands opposite, panes apart.
+double room_before(const World& world, const SurfacePoint& at) {
+  SurfacePoint from = at;
+  for (;;) {
+    const auto hit = world.rays.intersect(from, at.normal);
+    if (!hit) return std::numeric_limits<double>::infinity();
+    if (!std::holds_alternative<ThinDielectric>(world.material(*hit)))
+      return hit->distance(at.position, at.normal);
+    from = hit->point;
+  }
+}
+
 }  // namespace
 
 std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most) {
@@ -21,9 +34,7 @@ std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most) {
   for (std::size_t i = 0; i < m; ++i) {
     const SurfacePoint at = world.receivers.point(i, 0.5, 0.5);
     // No farther than half way to what stands opposite.
-    const auto hit = world.rays.intersect(at, at.normal);
-    const double room = hit ? hit->distance(at.position, at.normal) : 2 * step_out;
-    eyes[i] = at.position + at.normal * std::min(step_out, room / 2);
+    eyes[i] = at.position + at.normal * std::min(step_out, room_before(world, at) / 2);
   }
 
   // From one end of the store to the other: the nearest labels that the first one left sees, from eye to eye.
@@ -50,7 +61,7 @@ std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most) {
     for (const auto& [distance, i] : near) targets.push_back(eyes[i]);
     seen.assign(asked, 0);
     // In open air no side of a point matters.
-    world.rays.in_sight({eyes[first], world.receivers.frame(first).z}, targets, seen);
+    world.rays.shares({eyes[first], world.receivers.frame(first).z}, targets, seen);
     LabelCluster cluster{first};
     for (std::size_t k = 0; k < asked && cluster.size() < most; ++k)
       if (seen[k] > 0) cluster.push_back(near[k].second);

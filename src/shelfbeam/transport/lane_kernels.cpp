@@ -83,6 +83,12 @@ SHELFBEAM_INLINE inline void for_lanes(const Group& group, int profile, const fl
   }
 }
 
+// A loop of its own: loops that mix widths of numbers are turned into vectors of the smallest one's length.
+SHELFBEAM_INLINE inline void unpack(const std::uint8_t* share, float* part) {
+  SHELFBEAM_VECTORIZE
+  for (std::size_t k = 0; k < lanes; ++k) part[k] = PackedLane::share(share[k]);
+}
+
 }  // namespace
 
 SHELFBEAM_FOR_EACH_CPU
@@ -106,10 +112,13 @@ void LaneKernels::add_irradiance(const UnitGroups& groups, const std::uint16_t* 
     const std::uint8_t* const s = share + c * lanes;
     const std::uint16_t* const d = indirect + c * lanes;
     const float* const cap = is_capped ? group.cap.data() : groups.no_cap_.data();
+    alignas(64) float part[lanes], rest[lanes];
+    unpack(s, part);
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) rest[k] = PackedLane::value(d[k]);
     for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
               UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
-                sum[k] +=
-                    weight * ((e < cap[k] ? e : cap[k]) * PackedLane::share(s[k]) + PackedLane::value(d[k]));
+                sum[k] += weight * ((e < cap[k] ? e : cap[k]) * part[k] + rest[k]);
               });
   }
 }
@@ -127,12 +136,13 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
     float* const whole = irradiance + c * lanes;
     float* const at_stake = importance + c * lanes;
     const float least = floor > 0 ? floor * groups.bound(list[c], p) : 0;
+    alignas(64) float part[lanes];
+    unpack(s, part);
     for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
               UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
                 whole[k] = e;
                 const float used = e < cap[k] ? e : cap[k];
-                const float part = PackedLane::share(s[k]);
-                const float value = used * (std::sqrt(std::abs(part * (1 - part))) + 0.1F) + least;
+                const float value = used * (std::sqrt(std::abs(part[k] * (1 - part[k]))) + 0.05F) + least;
                 at_stake[k] = value;
                 total[k] += value;
               });
@@ -154,13 +164,9 @@ void LaneKernels::add_listed(const std::uint16_t* list, std::size_t count, float
 }
 
 SHELFBEAM_FOR_EACH_CPU
-void LaneKernels::add_rows(std::size_t count, float weight, const float* from, float* to) {
-  for (std::size_t c = 0; c < count; ++c) {
-    const float* const a = from + c * lanes;
-    float* const b = to + c * lanes;
-    SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < lanes; ++k) b[k] += weight * a[k];
-  }
+void LaneKernels::add_packed(std::size_t count, float weight, const std::uint16_t* from, float* to) {
+  SHELFBEAM_VECTORIZE
+  for (std::size_t k = 0; k < count * lanes; ++k) to[k] += weight * PackedLane::value(from[k]);
 }
 
 SHELFBEAM_FOR_EACH_CPU

@@ -37,7 +37,7 @@ struct LaneKernels {
                              const std::uint16_t* indirect, float* sums);
 
   /// How much the sampling of shadow rays should care for each lane of a row: e (sqrt |share (1 - share)| +
-  /// 0.1) + floor x bound, e up to its cap if asked. Keeps the whole e in `irradiance`, the result in
+  /// 0.05) + floor x bound, e up to its cap if asked. Keeps the whole e in `irradiance`, the result in
   /// `importance`; returns its sum.
   static float importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
                           const LanePoint& point, bool is_capped, const std::uint8_t* share, float floor,
@@ -47,8 +47,8 @@ struct LaneKernels {
   static void add_listed(const std::uint16_t* list, std::size_t count, float weight,
                          const std::uint16_t* values, float* sums);
 
-  /// to[k] += weight from[k], for `count` rows of lanes.
-  static void add_rows(std::size_t count, float weight, const float* from, float* to);
+  /// to[k] += weight from[k], for `count` packed rows of lanes.
+  static void add_packed(std::size_t count, float weight, const std::uint16_t* from, float* to);
 
   /// sums[g][k] += weight values[g][k] for the listed groups.
   static void add(const std::uint16_t* list, std::size_t count, float weight, const float* values,

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
+
+#include <tbb/enumerable_thread_specific.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/warp.hpp"
@@ -75,7 +78,8 @@ void RadianceCache::choose_groups(std::size_t n_groups, const std::vector<CellLi
   for_cells(count, control, [&](std::size_t cell) {
     for (std::size_t c = 0; c < light[cell].groups.size(); ++c) {
       const auto* const mean = light[cell].mean.data() + c * lanes;
-      straight[cell * n_groups + light[cell].groups[c]] = *std::max_element(mean, mean + lanes);
+      straight[cell * n_groups + light[cell].groups[c]] =
+          PackedLane::value(*std::max_element(mean, mean + lanes));
     }
   });
   std::vector<float> now = straight, next(straight.size());
@@ -98,28 +102,33 @@ void RadianceCache::choose_groups(std::size_t n_groups, const std::vector<CellLi
   }
 }
 
-// Radiosity by Jacobi's rounds, all units at once: the whole irradiance from the straight one.
-void RadianceCache::iterate(const std::vector<CellLight>& light,
-                            const std::vector<std::vector<CellLink>>& links, const RunControl& control) {
+// Radiosity by Jacobi's rounds, all units at once: the whole irradiance from the straight one. What a cell
+// has in `light` is given up once it has been taken over, for a large store has a gigabyte of it.
+void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std::vector<CellLink>>& links,
+                            const RunControl& control) {
   const std::size_t count = light.size();
-  share_.assign(groups_.size() * lanes, 0);
-  std::vector<float> straight(groups_.size() * lanes);
+  share_.assign(detail::SurfaceCells::quadrants * groups_.size() * lanes, 0);
+  std::vector<std::uint16_t> straight(groups_.size() * lanes);
   for_cells(count, control, [&](std::size_t cell) {
-    const CellLight& own = light[cell];
-    for (std::size_t a = begin_[cell], b = 0; a < begin_[cell + 1]; ++a) {
+    const CellLight own = std::move(light[cell]);
+    const std::size_t begin = begin_[cell], width = (begin_[cell + 1] - begin) * lanes;
+    std::uint8_t* const share = share_.data() + detail::SurfaceCells::quadrants * begin * lanes;
+    for (std::size_t a = begin, b = 0; a < begin_[cell + 1]; ++a) {
       while (b < own.groups.size() && own.groups[b] < groups_[a]) ++b;
       if (b == own.groups.size() || own.groups[b] != groups_[a]) continue;
-      for (std::size_t k = 0; k < lanes; ++k) {
-        share_[a * lanes + k] = PackedLane::pack_share(own.share[b * lanes + k]);
-        straight[a * lanes + k] = own.mean[b * lanes + k];
-      }
+      std::copy_n(own.mean.data() + b * lanes, lanes, straight.data() + a * lanes);
+      for (std::size_t q = 0; q < detail::SurfaceCells::quadrants; ++q)
+        std::copy_n(own.share[q].data() + b * lanes, lanes, share + q * width + (a - begin) * lanes);
     }
   });
-  std::vector<float> whole = straight, fresh(straight.size());
+  std::vector<std::uint16_t> whole = straight, fresh(straight.size());
+  tbb::enumerable_thread_specific<std::vector<float>> sums;
   for (int round = 0; round < rounds; ++round) {
     for_cells(count, control, [&](std::size_t cell) {
       const std::size_t begin = begin_[cell], end = begin_[cell + 1];
-      std::copy_n(straight.data() + begin * lanes, (end - begin) * lanes, fresh.data() + begin * lanes);
+      std::vector<float>& sum = sums.local();
+      sum.assign((end - begin) * lanes, 0);
+      LaneKernels::add_packed(end - begin, 1, straight.data() + begin * lanes, sum.data());
       for (const CellLink& link : links[cell]) {
         const std::size_t end_there = begin_[link.cell + 1];
         for (std::size_t a = begin, b = begin_[link.cell]; a < end && b < end_there;) {
@@ -129,24 +138,29 @@ void RadianceCache::iterate(const std::vector<CellLight>& light,
           }
           std::size_t run = 1;  // most cells hold the same groups as those that they see
           while (a + run < end && b + run < end_there && groups_[a + run] == groups_[b + run]) ++run;
-          LaneKernels::add_rows(run, link.weight, whole.data() + b * lanes, fresh.data() + a * lanes);
+          LaneKernels::add_packed(run, link.weight, whole.data() + b * lanes,
+                                  sum.data() + (a - begin) * lanes);
           a += run;
           b += run;
         }
       }
+      for (std::size_t k = 0; k < sum.size(); ++k) fresh[begin * lanes + k] = PackedLane::pack(sum[k]);
     });
     whole.swap(fresh);
     control.report("preparing", 0.6 + 0.4 * (round + 1) / rounds);
   }
-  indirect_.resize(whole.size());
-  for (std::size_t k = 0; k < whole.size(); ++k) indirect_[k] = PackedLane::pack(whole[k] - straight[k]);
+  indirect_ = std::move(whole);
+  for (std::size_t k = 0; k < indirect_.size(); ++k)
+    indirect_[k] =
+        PackedLane::pack(std::max(0.0F, PackedLane::value(indirect_[k]) - PackedLane::value(straight[k])));
 }
 
 RadianceCache::Row RadianceCache::row(const SurfacePoint& point) const {
   const std::uint32_t cell = cells_.find_near(point);
   if (cell == detail::SurfaceCells::nowhere) return {};
-  const std::size_t begin = begin_[cell];
-  return {groups_.data() + begin, begin_[cell + 1] - begin, share_.data() + begin * lanes,
+  const std::size_t begin = begin_[cell], count = begin_[cell + 1] - begin;
+  return {groups_.data() + begin, count,
+          share_.data() + (detail::SurfaceCells::quadrants * begin + cells_.quadrant(point) * count) * lanes,
           indirect_.data() + begin * lanes};
 }
 

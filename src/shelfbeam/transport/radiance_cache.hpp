@@ -33,6 +33,13 @@ class RadianceCache {
     std::size_t count = 0;
     const std::uint8_t* share = nullptr;      ///< of UnitGroups::irradiance that arrives, packed
     const std::uint16_t* indirect = nullptr;  ///< irradiance over one or more further bounces, W/m^2, packed
+
+    /// Fetches the row from memory while something else is done.
+    void prefetch() const {
+      constexpr std::size_t line = 64;
+      for (std::size_t k = 0; k < count * lanes; k += line) __builtin_prefetch(share + k);
+      for (std::size_t k = 0; k < count * lanes; k += line / 2) __builtin_prefetch(indirect + k);
+    }
   };
   /// Of the cell around a point; empty where nothing is known. The point's normal is on the side meant.
   Row row(const SurfacePoint& point) const;
@@ -49,15 +56,15 @@ class RadianceCache {
   void choose_groups(std::size_t n_groups, const std::vector<detail::CellLight>& light,
                      const std::vector<std::vector<detail::CellLink>>& links, float least,
                      const RunControl& control);
-  void iterate(const std::vector<detail::CellLight>& light,
-               const std::vector<std::vector<detail::CellLink>>& links, const RunControl& control);
+  void iterate(std::vector<detail::CellLight>& light, const std::vector<std::vector<detail::CellLink>>& links,
+               const RunControl& control);
 
   std::vector<float> factors_;  // by material
   detail::SurfaceCells cells_;
   std::vector<std::size_t> begin_;  // by cell: first of its groups
   std::vector<std::uint16_t> groups_;
-  std::vector<std::uint8_t> share_;      // `lanes` for each of groups_,
-  std::vector<std::uint16_t> indirect_;  // and here
+  std::vector<std::uint8_t> share_;      // by cell, quadrant, group and lane
+  std::vector<std::uint16_t> indirect_;  // `lanes` for each of groups_
   std::uint64_t rays_ = 0;
 };
 

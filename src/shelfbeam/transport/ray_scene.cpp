@@ -224,19 +224,17 @@ Passage RayScene::passage(const SurfacePoint& from, const Vec3& to) const {
   return impl_->panes.scene ? through_panes(from, to) : Passage{};
 }
 
+void RayScene::passages(const SurfacePoint& from, std::span<const Vec3> to, std::span<Passage> result) const {
+  each_passage(from, to, [&](std::size_t k, const Passage& passage) { result[k] = passage; });
+}
+
 void RayScene::shares(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const {
-  visibility(from, to, false, result);
-  if (!impl_->panes.scene) return;
-  for (std::size_t k = 0; k < to.size(); ++k)
-    if (result[k] > 0) result[k] = static_cast<float>(through_panes(from, to[k]).share);
+  each_passage(from, to,
+               [&](std::size_t k, const Passage& passage) { result[k] = static_cast<float>(passage.share); });
 }
 
-void RayScene::in_sight(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const {
-  visibility(from, to, true, result);
-}
-
-void RayScene::visibility(const SurfacePoint& from, std::span<const Vec3> to, bool panes_block,
-                          std::span<float> result) const {
+template <class Use>
+void RayScene::each_passage(const SurfacePoint& from, std::span<const Vec3> to, const Use& use) const {
   constexpr std::size_t width = 16;
   for (std::size_t first = 0; first < to.size(); first += width) {
     const std::size_t count = std::min(width, to.size() - first);
@@ -258,12 +256,16 @@ void RayScene::visibility(const SurfacePoint& from, std::span<const Vec3> to, bo
       rays.mask[k] = std::numeric_limits<unsigned>::max();
     }
     trace(impl_->opaque.scene.get(), valid, rays);
-    if (panes_block && impl_->panes.scene) {
-      for (std::size_t k = 0; k < count; ++k)
-        if (rays.tfar[k] < 0) valid[k] = 0;
-      trace(impl_->panes.scene.get(), valid, rays);
+    bool is_blocked[width];
+    for (std::size_t k = 0; k < count; ++k) {
+      is_blocked[k] = rays.tfar[k] < 0;
+      if (is_blocked[k]) valid[k] = 0;
     }
-    for (std::size_t k = 0; k < count; ++k) result[first + k] = rays.tfar[k] < 0 ? 0.0F : 1.0F;
+    if (impl_->panes.scene) trace(impl_->panes.scene.get(), valid, rays);
+    for (std::size_t k = 0; k < count; ++k)
+      use(first + k, is_blocked[k]      ? Passage{0, 0}
+                     : rays.tfar[k] < 0 ? through_panes(from, to[first + k])
+                                        : Passage{});
   }
 }
 

@@ -56,11 +56,9 @@ class RayScene {
   /// solid glass included, blocks.
   Passage passage(const SurfacePoint& from, const Vec3& to) const;
 
-  /// The shares of the passages from one point to many, sixteen rays at a time.
+  /// The passages from one point to many, sixteen rays at a time; `shares` has their shares alone.
+  void passages(const SurfacePoint& from, std::span<const Vec3> to, std::span<Passage> result) const;
   void shares(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const;
-
-  /// 1 for points that a ray from `from` would meet with nothing before them, not even a pane, else 0.
-  void in_sight(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const;
 
   /// Whether a ray meets a point at `distance` between surfaces at these distances. Rays to a point do not
   /// look for obstacles near their end, so a point that touches a surface from behind is met before it, and
@@ -70,8 +68,8 @@ class RayScene {
   }
 
  private:
-  void visibility(const SurfacePoint& from, std::span<const Vec3> to, bool panes_block,
-                  std::span<float> result) const;
+  template <class Use>
+  void each_passage(const SurfacePoint& from, std::span<const Vec3> to, const Use& use) const;
   Passage through_panes(const SurfacePoint& from, const Vec3& to) const;
 
   struct Impl;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <variant>
 
 #include "shelfbeam/math/sobol.hpp"
@@ -183,6 +184,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
     std::size_t parent;
     double weight, survival;
     bool is_shared;
+    Passage passage;  // straight from the parent
   };
   std::vector<Continuation> continuations;
   const std::uint32_t tails = generation == 0 ? effort_.tails : effort_.later_tails;
@@ -208,6 +210,19 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
     const bool goes_on = random.unit() < survival;
     const Frame side = Frame::about(vertex.end.point.normal), frame = Frame::of_surface(vertex.end.outside);
     const Vec3 outgoing = frame.to_local(vertex.end.outgoing);
+    // A row of the cache is used one ray later, when it has come from memory.
+    struct Found {
+      PathVertex vertex;
+      double through;
+    };
+    std::optional<Found> last;
+    const auto use = [&](const Found& found) {
+      row.use(found.vertex.row.groups, found.vertex.row.count);
+      LaneKernels::add_irradiance(units_, found.vertex.row.groups, found.vertex.row.count,
+                                  LanePoint(found.vertex.end.point), false,
+                                  static_cast<float>(found.through / tails) * found.vertex.factor,
+                                  found.vertex.row.share, found.vertex.row.indirect, row.mutable_values());
+    };
     for (std::uint32_t t = 0; t < tails; ++t) {
       const auto [u1, u2] = square.point(t);
       Vec3 direction;
@@ -228,17 +243,20 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
           [&](std::size_t j, double value) { row.add(units_.place(j), weight * value / tails); });
       if (!end) continue;
       const PathVertex found(world_, cache_, *end);
+      found.row.prefetch();
       const double through = weight * end->throughput;
-      row.use(found.row.groups, found.row.count);
-      LaneKernels::add_irradiance(units_, found.row.groups, found.row.count, LanePoint(end->point), false,
-                                  static_cast<float>(through / tails) * found.factor, found.row.share,
-                                  found.row.indirect, row.mutable_values());
+      if (last) use(*last);
+      last.emplace(Found{found, through});
       if (t == 0 && goes_on) {
         next.vertices.push_back(found);
-        continuations.push_back(
-            {a, through, survival, vertex.is_diffuse && end->is_unbroken && found.is_diffuse});
+        continuations.push_back({a,
+                                 through,
+                                 survival,
+                                 vertex.is_diffuse && end->is_straight && found.is_diffuse,
+                                 {end->throughput * end->probability, end->probability}});
       }
     }
+    if (last) use(*last);
   }
   if (next.vertices.empty()) return;
 
@@ -258,7 +276,6 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
     const SurfacePoint& there = next.vertices[b].end.point;
     scratch.sharers.clear();
     scratch.targets.clear();
-    double sum = 0;
     for (std::size_t c = 0; c < vertices.size(); ++c) {
       if (!vertices[c].is_diffuse) continue;
       const Vec3 way = there.position - vertices[c].end.point.position;
@@ -266,24 +283,24 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
       const double cosines =
           std::max(0.0, dot(way, vertices[c].end.point.normal)) * std::max(0.0, -dot(way, there.normal));
       density[c] = squared > 0 ? cosines / (squared * squared) : 0;
-      if (c == from.parent) {
-        sum += density[c];
-      } else if (density[c] > 0) {
-        scratch.sharers.push_back(static_cast<std::uint32_t>(c));
-        scratch.targets.push_back(vertices[c].end.point.position);
-      }
+      if (c == from.parent || !(density[c] > 0)) continue;
+      scratch.sharers.push_back(static_cast<std::uint32_t>(c));
+      scratch.targets.push_back(vertices[c].end.point.position);
     }
-    if (!(sum > 0)) continue;
-    scratch.shares.resize(scratch.targets.size());
-    world_.rays.in_sight(there, scratch.targets, scratch.shares);
+    scratch.passages.resize(scratch.targets.size());
+    world_.rays.passages(there, scratch.targets, scratch.passages);
     rays += scratch.targets.size();
+    scratch.sharers.push_back(static_cast<std::uint32_t>(from.parent));
+    scratch.passages.push_back(from.passage);
+    double sum = 0;
     for (std::size_t t = 0; t < scratch.sharers.size(); ++t)
-      if (scratch.shares[t] > 0) sum += density[scratch.sharers[t]];
-    const double scale = 1 / (sum * from.survival);
-    rows[from.parent].add(carried, vertices[from.parent].reflectance * density[from.parent] * scale);
+      sum += density[scratch.sharers[t]] * scratch.passages[t].probability;
+    if (!(sum > 0)) continue;
     for (std::size_t t = 0; t < scratch.sharers.size(); ++t) {
       const std::uint32_t c = scratch.sharers[t];
-      if (scratch.shares[t] > 0) rows[c].add(carried, vertices[c].reflectance * density[c] * scale);
+      if (scratch.passages[t].share == 0) continue;
+      rows[c].add(carried,
+                  vertices[c].reflectance * density[c] * scratch.passages[t].share / (sum * from.survival));
     }
   }
 }

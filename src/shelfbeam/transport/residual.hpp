@@ -28,13 +28,13 @@ struct PathVertex {
 /// How much is spent where on paths.
 struct ReuseEffort {
   std::uint32_t lookups = 128;     ///< rays a label and batch that only look the cache up
-  std::uint32_t points = 2;        ///< first hits a label and batch from which paths start
+  std::uint32_t points = 3;        ///< first hits a label and batch from which paths start
   double stake = 0.05;             ///< of the requirement: units with more at stake get a shadow ray, others
   double later_stake = 0.05;       ///< one in proportion; the second at later vertices
   std::uint32_t tails = 24;        ///< rays that look the cache up at such a point,
-  std::uint32_t later_tails = 24;  ///< and at later vertices
-  std::size_t group = 64;          ///< vertices that share their continuations
-  std::uint32_t spot_rays = 4;     ///< from every unit beside a surface, for a cluster and batch
+  std::uint32_t later_tails = 16;  ///< and at later vertices
+  std::size_t group = 96;          ///< vertices that share their continuations
+  std::uint32_t spot_rays = 8;     ///< from a unit beside a surface at most, for a cluster and batch
   double survival = 0.7;           ///< least chance of a continuation; brighter surfaces have their albedo
 };
 
@@ -78,6 +78,7 @@ class Residual {
     std::vector<double> inverse_probability, density;
     std::vector<double> known, taken;
     std::vector<LightPoint> lights;
+    std::vector<Passage> passages;
   };
 
   /// Puts the differences into the rows, which are clear, one a vertex.

@@ -46,7 +46,8 @@ struct ReuseEstimator::Impl {
     std::vector<double> density;
     std::vector<std::uint32_t> sharers;
     std::vector<Vec3> targets;
-    std::vector<float> seen;
+    std::vector<Passage> passages;
+    std::vector<SpotLight> lights;
     std::vector<double> direct;
   };
 
@@ -55,10 +56,10 @@ struct ReuseEstimator::Impl {
         requirement(smallest_requirement(w.scene)),
         effort(e),
         units(w),
+        spots(w, units, mix_key(s, hash64("bright spots"))),
         cache(w, units, static_cast<float>(least_share * requirement), mix_key(s, hash64("radiance cache")),
               control),
-        residual(w, units, cache, requirement, e),
-        spots(w, units, mix_key(s, hash64("bright spots"))) {
+        residual(w, units, cache, requirement, e) {
     std::vector<std::uint32_t> columns(w.emitters.size());
     std::iota(columns.begin(), columns.end(), 0U);
     for (LabelCluster& cluster : cluster_labels(w, largest_cluster)) {
@@ -70,6 +71,8 @@ struct ReuseEstimator::Impl {
 
   void look_up(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
                std::uint64_t& rays) const;
+  void add_spots(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
+                 std::uint64_t& rays) const;
   void add_residual(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
                     std::uint64_t& rays) const;
   void share_points(const Block& block, Workspace& work, std::uint64_t& rays) const;
@@ -82,9 +85,9 @@ struct ReuseEstimator::Impl {
   double requirement;
   ReuseEffort effort;
   UnitGroups units;
+  BrightSpots spots;
   RadianceCache cache;
   Residual residual;
-  BrightSpots spots;
   std::vector<Block> blocks;
   std::vector<std::uint64_t> keys;
   mutable tbb::enumerable_thread_specific<Workspace> workspaces;
@@ -102,6 +105,19 @@ void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::u
     RandomStream random(key, batch, static_cast<std::uint32_t>(c), 1);
     const ScrambledSobol square(mix_key(mix_key(key, batch), 2 * c));
     const bool is_point = world.receivers.is_point(i);
+    // A row of the cache is used one ray later, when it has come from memory.
+    struct Found {
+      RadianceCache::Row row;
+      LanePoint point;
+      bool is_capped;
+      float weight;
+    };
+    std::optional<Found> last;
+    const auto use = [&](const Found& found) {
+      row.use(found.row.groups, found.row.count);
+      LaneKernels::add_irradiance(units, found.row.groups, found.row.count, found.point, found.is_capped,
+                                  found.weight, found.row.share, found.row.indirect, row.mutable_values());
+    };
     for (std::uint32_t s = 0; s < effort.lookups; ++s) {
       const auto [u1, u2] = square.point(s);
       const auto drawn = shelfbeam::sample(responsivity, u1, u2);
@@ -115,13 +131,13 @@ void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::u
           follow_chain(world, from, world.receivers.frame(i).to_world(drawn->direction), false, random, rays,
                        [&](std::size_t j, double value) { row.add(units.place(j), weight * value); });
       if (!end) continue;
-      const RadianceCache::Row found = cache.row(end->point);
-      row.use(found.groups, found.count);
-      LaneKernels::add_irradiance(
-          units, found.groups, found.count, LanePoint(end->point), end->is_unbroken,
-          static_cast<float>(weight * end->throughput) * cache.radiance_factor(end->material), found.share,
-          found.indirect, row.mutable_values());
+      Found found{cache.row(end->point), LanePoint(end->point), end->is_straight,
+                  static_cast<float>(weight * end->throughput) * cache.radiance_factor(end->material)};
+      found.row.prefetch();
+      if (last) use(*last);
+      last = found;
     }
+    if (last) use(*last);
   }
 }
 
@@ -157,6 +173,40 @@ double ReuseEstimator::Impl::pdf_of(std::uint32_t label, const SurfacePoint& at,
          squared;
 }
 
+// What bright spots send straight to the labels.
+void ReuseEstimator::Impl::add_spots(const Block& block, std::uint64_t key, std::uint32_t batch,
+                                     Workspace& work, std::uint64_t& rays) const {
+  if (spots.size() == 0) return;
+  work.targets.clear();
+  for (const SurfacePoint& point : work.at) work.targets.push_back(point.position);
+  spots.draw(work.targets, {0.05 * requirement, effort.spot_rays}, mix_key(key, 0x5B075), batch, 0,
+             work.lights, rays);
+  for (const SpotLight& light : work.lights) {
+    work.sharers.clear();
+    work.targets.clear();
+    work.density.clear();
+    for (std::uint32_t c = 0; c < block.rows.size(); ++c) {
+      const Vec3 way = work.at[c].position - light.point.position;
+      const double squared = length_squared(way);
+      if (!(squared > 0)) continue;
+      const Vec3 direction = way / std::sqrt(squared);
+      const double response = world.receivers.response(block.rows[c], -direction);
+      if (!(response > 0)) continue;
+      const double intensity = light.intensity(world.scene, direction);
+      if (!(intensity > 0)) continue;
+      work.sharers.push_back(c);
+      work.targets.push_back(work.at[c].position);
+      work.density.push_back(intensity * response / squared);
+    }
+    work.passages.resize(work.targets.size());
+    world.rays.passages(light.point, work.targets, work.passages);
+    rays += work.targets.size();
+    for (std::size_t t = 0; t < work.sharers.size(); ++t)
+      if (work.passages[t].share > 0)
+        work.labels[work.sharers[t]].add(light.place, work.density[t] * work.passages[t].share);
+  }
+}
+
 // What the cache misses, at some points for each label.
 void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, std::uint32_t batch,
                                         Workspace& work, std::uint64_t& rays) const {
@@ -186,10 +236,10 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
                                     false, random, rays, [](std::size_t, double) {});
       if (!end) continue;
       work.vertices.emplace_back(world, cache, *end);
-      work.vertices.back().is_capped = end->is_unbroken;
+      work.vertices.back().is_capped = end->is_straight;
       work.owner.push_back(static_cast<std::uint32_t>(c));
       work.weight.push_back(weight * end->throughput);
-      work.is_shared.push_back(end->is_unbroken && work.vertices.back().is_diffuse);
+      work.is_shared.push_back(end->is_straight && work.vertices.back().is_diffuse);
       if (work.vertices.size() == effort.group) flush();
     }
   flush();
@@ -205,32 +255,30 @@ void ReuseEstimator::Impl::share_points(const Block& block, Workspace& work, std
       work.labels[owner].add(work.points[b], work.weight[b]);
       continue;
     }
-    const SurfacePoint& there = work.vertices[b].end.point;
+    const ChainEnd& end = work.vertices[b].end;
     work.sharers.clear();
     work.targets.clear();
-    double sum = 0;
     for (std::uint32_t c = 0; c < block.rows.size(); ++c) {
-      work.density[c] = pdf_of(block.rows[c], work.at[c], there);
-      if (c == owner) {
-        sum += work.density[c];
-      } else if (work.density[c] > 0) {
-        work.sharers.push_back(c);
-        work.targets.push_back(work.at[c].position);
-      }
+      work.density[c] = pdf_of(block.rows[c], work.at[c], end.point);
+      if (c == owner || !(work.density[c] > 0)) continue;
+      work.sharers.push_back(c);
+      work.targets.push_back(work.at[c].position);
     }
-    if (!(sum > 0)) continue;
-    work.seen.resize(work.targets.size());
-    world.rays.in_sight(there, work.targets, work.seen);
+    work.passages.resize(work.targets.size());
+    world.rays.passages(end.point, work.targets, work.passages);
     rays += work.targets.size();
+    work.sharers.push_back(owner);
+    work.passages.push_back({end.throughput * end.probability, end.probability});
+    double sum = 0;
     for (std::size_t t = 0; t < work.sharers.size(); ++t)
-      if (work.seen[t] > 0) sum += work.density[work.sharers[t]];
-    const auto give = [&](std::uint32_t c) {
+      sum += work.density[work.sharers[t]] * work.passages[t].probability;
+    if (!(sum > 0)) continue;
+    for (std::size_t t = 0; t < work.sharers.size(); ++t) {
+      const std::uint32_t c = work.sharers[t];
+      if (work.passages[t].share == 0) continue;
       work.labels[c].add(work.points[b], integral(world.receivers.responsivity(block.rows[c])) /
-                                             effort.points * work.density[c] / sum);
-    };
-    give(owner);
-    for (std::size_t t = 0; t < work.sharers.size(); ++t)
-      if (work.seen[t] > 0) give(work.sharers[t]);
+                                             effort.points * work.density[c] * work.passages[t].share / sum);
+    }
   }
 }
 
@@ -274,8 +322,7 @@ bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelT
   }
   impl_->look_up(block, key, batch, work, values.rays);
   if (cancel != nullptr && cancel->requested()) return false;
-  impl_->spots.add(block.rows, work.at, 0.05 * impl_->requirement, impl_->effort.spot_rays,
-                   mix_key(key, 0x5B075), batch, work.labels, values.rays);
+  impl_->add_spots(block, key, batch, work, values.rays);
   impl_->add_residual(block, key, batch, work, values.rays);
   if (cancel != nullptr && cancel->requested()) return false;
 

@@ -15,7 +15,8 @@ struct ChainEnd {
   Vec3 outgoing;       ///< unit, back along the ray
   MaterialId material;
   double throughput = 1;
-  bool is_unbroken = true;  ///< nothing was met on the way
+  bool is_straight = true;  ///< nothing was met on the way but panes, straight through; this had the
+  double probability = 1;   ///< chance that Passage has
 };
 
 /// Follows a ray from `from`. Sources that it meets are scored, use(j, throughput x radiance), where no
@@ -50,7 +51,6 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
       end.material = hit->material;
       return end;
     }
-    end.is_unbroken = false;
     const Frame frame = Frame::of_surface(hit->point.normal);
     const Vec3 outgoing = frame.to_local(-direction);
     const double u_lobe = random.unit(), u1 = random.unit(), u2 = random.unit();
@@ -58,16 +58,19 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
     if (!next) return std::nullopt;
     end.throughput *= next->weight;
     from = hit->point;
-    if (std::holds_alternative<ThinDielectric>(material) && next->direction.z * outgoing.z < 0) {
+    const auto* const pane = std::get_if<ThinDielectric>(&material);
+    if (pane != nullptr && next->direction.z * outgoing.z < 0) {
       passed = hit->distance(vertex, direction);
+      end.probability *= next->pdf;
     } else {
+      end.is_straight = false;
       vertex = hit->point.position;
       passed = 0;
       direction = frame.to_world(next->direction);
       is_specular = true;
     }
     // Between two mirrors a ray would never end.
-    if (step >= 8) {
+    if (step >= 8 && !end.is_straight) {
       constexpr double survival = 0.75;
       if (random.unit() >= survival) return std::nullopt;
       end.throughput /= survival;

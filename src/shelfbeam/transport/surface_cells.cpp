@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <tuple>
 
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/warp.hpp"
@@ -17,7 +18,6 @@ namespace {
 constexpr double cell_size = 0.5;  // m
 // Cells do not end where shelves and floors do, so that rounding does not throw points into the next.
 constexpr double cell_shift = 0.1370;
-constexpr std::size_t most_places = 4;
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -50,10 +50,12 @@ std::size_t hash(std::uint64_t key) {
 // A point that a walk has met, and a random rank among those of its cell.
 struct Found {
   std::uint64_t key;
-  std::uint32_t rank;
+  std::uint32_t quadrant, rank;
   SurfacePoint point;
 
-  bool operator<(const Found& other) const { return key != other.key ? key < other.key : rank < other.rank; }
+  bool operator<(const Found& other) const {
+    return std::tie(key, quadrant, rank) < std::tie(other.key, other.quadrant, other.rank);
+  }
 };
 
 // Walks from a label that scatter like white paint.
@@ -73,7 +75,8 @@ std::vector<Found> explore(const World& world, std::size_t i, std::uint32_t walk
     for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
       const auto end = follow_chain(world, from, direction, false, random, rays, [](std::size_t, double) {});
       if (!end) break;
-      found.push_back({key_of(end->point), random.bits(), end->point});
+      found.push_back({key_of(end->point), static_cast<std::uint32_t>(SurfaceCells::quadrant(end->point)),
+                       random.bits(), end->point});
       from = end->point;
       const double v1 = random.unit(), v2 = random.unit();
       direction = Frame::about(from.normal).to_world(sample_cosine_hemisphere(v1, v2));
@@ -107,9 +110,12 @@ SurfaceCells::SurfaceCells(const World& world, std::uint64_t seed, const RunCont
   for (std::size_t f = 0; f < all.size(); ++f) {
     if (f == 0 || all[f].key != all[f - 1].key) {
       keys_.push_back(all[f].key);
-      first_.push_back(places_.size());
+      first_.resize(quadrants * keys_.size(), places_.size());
     }
-    if (places_.size() - first_.back() < most_places) places_.push_back(all[f].point);
+    std::size_t* const first = first_.data() + quadrants * (keys_.size() - 1);
+    if (places_.size() - first[all[f].quadrant] >= most_places) continue;
+    places_.push_back(all[f].point);
+    for (std::size_t q = all[f].quadrant + 1; q < quadrants; ++q) first[q] = places_.size();
   }
   first_.push_back(places_.size());
   std::size_t slots = 16;
@@ -122,8 +128,22 @@ SurfaceCells::SurfaceCells(const World& world, std::uint64_t seed, const RunCont
   }
 }
 
+std::span<const SurfacePoint> SurfaceCells::places(std::size_t cell, std::size_t quadrant) const {
+  const std::size_t* const first = first_.data() + quadrants * cell + quadrant;
+  return std::span(places_).subspan(first[0], first[1] - first[0]);
+}
+
 std::span<const SurfacePoint> SurfaceCells::places(std::size_t cell) const {
-  return std::span(places_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
+  const std::size_t* const first = first_.data() + quadrants * cell;
+  return std::span(places_).subspan(first[0], first[quadrants] - first[0]);
+}
+
+std::size_t SurfaceCells::quadrant(const SurfacePoint& point) {
+  const Vec3 scaled = in_cells(point.position), &n = point.normal;
+  const double ax = std::abs(n.x), ay = std::abs(n.y), az = std::abs(n.z);
+  const auto upper = [](double c) { return c - std::floor(c) < 0.5 ? std::size_t{0} : std::size_t{1}; };
+  if (az >= ax && az >= ay) return 2 * upper(scaled.x) + upper(scaled.y);
+  return 2 * upper(ax >= ay ? scaled.y : scaled.x) + upper(scaled.z);
 }
 
 void SurfaceCells::forget_places() {

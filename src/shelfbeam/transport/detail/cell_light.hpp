@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -11,12 +12,13 @@ namespace shelfbeam::detail {
 /// What comes straight from the units to a cell, for the groups of units of which anything does.
 struct CellLight {
   std::vector<std::uint16_t> groups;  ///< ascending
-  std::vector<float> share;           ///< of UnitGroups::irradiance, `lanes` for each group
-  std::vector<float> mean;            ///< irradiance, W/m^2, likewise
+  /// Of UnitGroups::irradiance, by quadrant, `lanes` for each group.
+  std::array<std::vector<std::uint8_t>, SurfaceCells::quadrants> share;
+  std::vector<std::uint16_t> mean;  ///< irradiance, W/m^2, likewise; all packed as PackedLane has it
 };
 
-/// Shadow rays from two places of the cell, and from further ones to units on which these disagree. Groups
-/// that cannot give `least` W/m^2 are not asked.
+/// Shadow rays from a place in each quadrant of the cell, and from a second to units on which these disagree.
+/// Groups that cannot give `least` W/m^2 are not asked.
 CellLight straight_light(const World& world, const UnitGroups& units, const SurfaceCells& cells,
                          std::size_t cell, float least, std::uint64_t& rays);
 

@@ -23,8 +23,14 @@ class SurfaceCells {
   std::size_t size() const { return keys_.size(); }
   /// What a cell is known by, whatever the other cells are.
   std::uint64_t key(std::size_t cell) const { return keys_[cell]; }
-  /// Up to four points of a cell, at random; the normals are on the side that was met.
+  static constexpr std::size_t most_places = 2;
+  /// Up to so many points of each quadrant of a cell, at random; the normals are on the side that was met.
+  std::span<const SurfacePoint> places(std::size_t cell, std::size_t quadrant) const;
   std::span<const SurfacePoint> places(std::size_t cell) const;
+
+  /// Which quarter of its cell a point lies in, along the two axes that it does not face.
+  static constexpr std::size_t quadrants = 4;
+  static std::size_t quadrant(const SurfacePoint& point);
 
   /// The cell of a point, by the side of its normal.
   std::uint32_t find(const SurfacePoint& point) const;
@@ -42,7 +48,7 @@ class SurfaceCells {
   std::uint32_t find_key(std::uint64_t key) const;
 
   std::vector<std::uint64_t> keys_;
-  std::vector<std::size_t> first_;  // of the places, by cell
+  std::vector<std::size_t> first_;  // of the places, by cell and quadrant
   std::vector<SurfacePoint> places_;
   std::vector<std::uint32_t> slots_;  // cells, by the hash of their keys: open addressing
   std::uint64_t rays_ = 0;
