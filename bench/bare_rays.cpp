@@ -111,8 +111,12 @@ void BareRays::measure() {
   };
   trace(shadow_packets_, shadow,
         [&](const Packet& packet) { world_.rays.shares(packet.from, packet.targets, result); });
-  trace(visibility_packets_, visibility,
-        [&](const Packet& packet) { world_.rays.shares(packet.from, packet.targets, result); });
+  std::vector<Passage> passages;
+  trace(visibility_packets_, visibility, [&](const Packet& packet) {
+    passages.resize(packet.targets.size());
+    world_.rays.passages(packet.from, packet.targets, passages);
+    result.front() = static_cast<float>(passages.front().share);
+  });
 }
 
 }  // namespace shelfbeam::bench

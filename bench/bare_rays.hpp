@@ -31,7 +31,7 @@ class BareRays {
   Rate walks;       ///< a ray to the next surface, a connection, and so on
   Rate single;      ///< to the next surface
   Rate shadow;      ///< RayScene::shares
-  Rate visibility;  ///< RayScene::shares
+  Rate visibility;  ///< RayScene::passages
   double hits = 0;  ///< of `walks`: which reach a surface or see the unit
 
  private:

@@ -112,7 +112,7 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
       ->check(positive_number());
   verb.add_flag("--resume", flags.resume, "Go on from the checkpoint of an interrupted run, if there is one");
   verb.add_option("--checkpoint-interval", flags.checkpoint_interval_s,
-                  "Seconds between checkpoints, at least; 0 is one after every batch")
+                  "Seconds between checkpoints, at least; 0 is one whenever batches have been added")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
 }

@@ -107,6 +107,27 @@ Scene other_devices() {
   return room.scene;
 }
 
+// Labels and goods on either side of doors that keep more than half of the light, everything Lambertian.
+Scene dark_doors() {
+  test::BareScene room;
+  const MaterialId paper = room.material(Lambertian{0.7}), floor = room.material(Lambertian{0.4});
+  room.box({floor, paper, paper}, {0, 0, 0}, {6, 5, 3});
+  room.box(paper, {0.8, 0.8, 0}, {2.8, 1.4, 1.6});
+  room.box(floor, {3.2, 3.6, 0}, {5.4, 4.2, 1.8});
+  const MaterialId door = room.material(ThinDielectric{4, 0.004, 50});
+  room.quad(door, {0.6, 1.7, 0}, {2.4, 0, 0}, {0, 0, 1.8});
+  room.quad(door, {3.2, 3.2, 0}, {2.4, 0, 0}, {0, 0, 1.8});
+  for (int k = 0; k < 4; ++k) {
+    room.label({1 + 0.5 * k, 1.401, 0.4 + 0.3 * k}, {0, 1, 0});
+    room.label({3.4 + 0.5 * k, 3.599, 1.4 - 0.3 * k}, {0, -1, 0});
+    room.label({3.4 + 0.5 * k, 2.2, 0.6}, {0, 0.8, 0.6});
+  }
+  room.unit({1.2, 1.8, 2.8}, {0, 0, -1}, SinTwoTheta{1});
+  room.unit({4.6, 2.4, 2.9}, {0, 0, -1}, GeneralizedLambertian{1, 3});
+  room.unit({5.6, 3.4, 2.6}, {0, 0, -1}, SinTwoTheta{1});
+  return room.scene;
+}
+
 // A shining board that hangs in the room, and perhaps units, points or discs, beside it.
 Scene lamp(bool units, double radius) {
   test::BareScene room;
@@ -141,6 +162,9 @@ TEST(ReuseAgreement, MirrorPaneAndGlassWithDiscsAndRectangles) {
 TEST(ReuseAgreement, LopsidedUnitsAndRoughThings) {
   expect_agreement(lopsided(), test::nee, {32, 100000}, 0.08, 1.06);
 }
+TEST(ReuseAgreement, DarkDoors) {
+  expect_agreement(dark_doors(), test::nee, {32, 100000}, 0.03, 1.03);
+}
 TEST(ReuseAgreement, OtherUnitsAndResponses) {
   expect_agreement(other_devices(), test::nee, {16, 100000}, 0.03, 1.03);
 }
@@ -162,6 +186,9 @@ TEST(ReuseAgreementSlow, MirrorPaneAndGlassWithDiscsAndRectangles) {
 }
 TEST(ReuseAgreementSlow, LopsidedUnitsAndRoughThings) {
   expect_agreement(lopsided(), test::nee, {320, 1200000}, 0.025, 1.02);
+}
+TEST(ReuseAgreementSlow, DarkDoors) {
+  expect_agreement(dark_doors(), test::nee, {160, 1000000}, 0.01, 1.01);
 }
 TEST(ReuseAgreementSlow, OtherUnitsAndResponses) {
   expect_agreement(other_devices(), test::nee, {160, 1200000}, 0.01, 1.01);

@@ -83,8 +83,10 @@ TEST(Engine, AddsBatchesInTheirOrder) {
   const Scene scene = test::SmallStore{}.scene();
   const World world(scene);
   SimulationOptions options;
+  options.strategy = Strategy::particle;
   const auto estimator = make_estimator(world, options);
   const std::uint32_t batches = batches_for(*estimator, options);
+  ASSERT_LE(estimator->items(), 8U);
   const auto one_by_one = [&](std::uint32_t first, std::uint32_t second) {
     const Estimator::Block& block = estimator->block(0);
     detail::ItemSums sums(block.rows.size() * block.columns.size(), true, 0);

@@ -86,6 +86,16 @@ TEST_F(Resume, GivesTheSameBytesWithARelativeError) {
   expect_same_after_every_stop({5, 170});
 }
 
+// Few items take several batches at once; the end comes by all entries together.
+TEST_F(Resume, GivesTheSameBytesWithSeveralBatchesAtOnce) {
+  options.strategy = Strategy::particle;
+  options.direct = DirectLight::exact;
+  options.relative_error = RelativeError{0.03, 0.3};
+  std::vector<int> stops;
+  for (int reports = 60; reports < 160; reports += 7) stops.push_back(reports);
+  expect_same_after_every_stop(stops);
+}
+
 TEST_F(Resume, GivesTheSameBytesByBounceAndForParticles) {
   options.samples = 640;
   options.max_bounces = 3;

@@ -117,8 +117,7 @@ BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t se
 }
 
 void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, std::uint64_t key,
-                       std::uint32_t batch, std::uint32_t draw, std::vector<SpotLight>& lights,
-                       std::uint64_t& rays) const {
+                       std::uint32_t batch, std::vector<SpotLight>& lights, std::uint64_t& rays) const {
   lights.clear();
   for (const Spot& spot : spots_) {
     const Vec3& from = world_.scene.transceivers[spot.unit].position;
@@ -126,11 +125,11 @@ void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, std::
     for (const Vec3& point : points) sum += 1 / std::max(1.0, length_squared(point - from));
     const double much = spot.flux / pi * sum / static_cast<double>(points.size()) / effort.relevant;
     const double chance = std::clamp(much, least_chance, 1.0);
-    RandomStream random(mix_key(key, spot.unit), batch, draw, 0x5B07);
+    RandomStream random(mix_key(key, spot.unit), batch, 0, 0x5B07);
     if (random.unit() >= chance) continue;
     const auto count =
         static_cast<std::uint32_t>(std::clamp(much * much, 1.0, static_cast<double>(effort.most)));
-    const ScrambledSobol square(mix_key(mix_key(key, spot.unit), (std::uint64_t{batch} << 32) | draw));
+    const ScrambledSobol square(mix_key(mix_key(key, spot.unit), batch));
     for (std::uint32_t r = 0; r < count; ++r) {
       const auto [u1, u2] = square.point(r);
       const auto found = std::upper_bound(spot.chances.begin(), spot.chances.end() - 1, u1);

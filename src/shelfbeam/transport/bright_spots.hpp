@@ -25,8 +25,8 @@ struct SpotLight {
 };
 
 /// The light of bright spots: on a wall or shelf beside a unit the irradiance is so high that few rays from
-/// elsewhere find most of its light. It is split at a cap: rays from labels and other surfaces take what lies
-/// below, rays from the unit the excess, e - cap, of which everything takes its part that sees the spot.
+/// elsewhere find most of its light. It is split at a cap: labels' straight rays take what lies below,
+/// rays from the unit the excess, e - cap, of which every label takes its part that sees the spot.
 class BrightSpots {
  public:
   /// Finds the units that have such spots, and where their rays meet them, and sets their caps. A spot of a
@@ -43,9 +43,9 @@ class BrightSpots {
   };
 
   /// Draws lights for all that stands at some points; whatever the points, their expectation is the whole
-  /// excess. `key`, `batch` and `draw` identify the draw.
+  /// excess. `key` and `batch` identify the draw.
   void draw(std::span<const Vec3> points, const Effort& effort, std::uint64_t key, std::uint32_t batch,
-            std::uint32_t draw, std::vector<SpotLight>& lights, std::uint64_t& rays) const;
+            std::vector<SpotLight>& lights, std::uint64_t& rays) const;
 
  private:
   struct Spot {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -122,10 +123,14 @@ bool Engine::is_done(std::uint32_t round) {
 }
 
 // Few items take several batches between two barriers, so that threads need not wait for the largest.
+// Nor do they overtake those that are ahead of them after an interruption, for all are judged together.
 std::uint32_t Engine::batches_at_once(std::size_t items, std::uint32_t round) const {
   constexpr std::size_t enough_tasks = 16;
   const auto wanted = static_cast<std::uint32_t>(std::max<std::size_t>(1, enough_tasks / items));
-  return std::min(wanted, round < least_batches ? least_batches - round : limit_ - round);
+  std::uint32_t end = round < least_batches ? least_batches : limit_;
+  for (std::size_t item = 0; item < sums_.size(); ++item)
+    if (is_running(item) && sums_[item].batches > round) end = std::min(end, sums_[item].batches);
+  return std::min(wanted, end - round);
 }
 
 // The next batches of items, each added to its item's sums after those before it, whichever thread was first.
@@ -153,7 +158,8 @@ void Engine::sample(const std::vector<std::uint32_t>& items, std::uint32_t round
         sums_[item].add(waiting[k]);
     }
     judge(items, round + b + 1);
-    if (is_done(round + b + 1)) return;
+    // Time does not undo what is done; an interruption leaves all items within one batch of each other.
+    if ((!options_.time_s && is_done(round + b + 1)) || control_.cancelled()) return;
   }
 }
 
@@ -212,10 +218,12 @@ void Engine::resume() {
     std::copy(state.values.begin(), state.values.end(), sums.values.begin());
     sums.batches = state.batches;
   });
+  std::map<std::uint32_t, std::vector<std::uint32_t>> by_batches;
   for (std::uint32_t item = 0; item < sums_.size(); ++item) {
     done_before_ += sums_[item].batches;
-    judge({item}, sums_[item].batches);
+    by_batches[sums_[item].batches].push_back(item);
   }
+  for (const auto& [batches, items] : by_batches) judge(items, batches);
 }
 
 void Engine::save_checkpoint() {
@@ -239,7 +247,8 @@ void Engine::foresee() {
   if (control_.progress == nullptr) return;
   const std::uint32_t most = most_batches();
   const auto all = static_cast<double>(done_before_ + done_);
-  if (most == 2 || most == 4 || most == 8 || is_stopping_point(most)) {
+  if (most >= next_look_) {
+    next_look_ = most < least_batches ? 2 * most : most + most / 16;
     const double share = options_.relative_error ? options_.relative_error->above : 0.3;
     const double error = survey_.relative_errors(share).quantile(0.99);
     const std::scoped_lock lock(report_mutex_);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 #include <utility>
+#include <variant>
 
 namespace shelfbeam {
 

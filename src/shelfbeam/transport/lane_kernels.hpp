@@ -10,7 +10,7 @@
 
 namespace shelfbeam {
 
-/// What a radiance cache keeps of a lane, in three bytes: there are tens of millions.
+/// Shares in one byte and irradiances in two: a radiance cache has hundreds of millions.
 struct PackedLane {
   static std::uint8_t pack_share(float share) {
     return static_cast<std::uint8_t>(std::lround(std::min(share, 1.99F) * 128));

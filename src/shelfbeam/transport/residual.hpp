@@ -75,7 +75,7 @@ class Residual {
     std::vector<std::uint16_t> list;
     std::vector<Vec3> targets;
     std::vector<std::uint32_t> places, sharers;
-    std::vector<double> inverse_probability, density;
+    std::vector<double> inverse_probability;
     std::vector<double> known, taken;
     std::vector<LightPoint> lights;
     std::vector<Passage> passages;

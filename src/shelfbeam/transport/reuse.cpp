@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -179,8 +180,8 @@ void ReuseEstimator::Impl::add_spots(const Block& block, std::uint64_t key, std:
   if (spots.size() == 0) return;
   work.targets.clear();
   for (const SurfacePoint& point : work.at) work.targets.push_back(point.position);
-  spots.draw(work.targets, {0.05 * requirement, effort.spot_rays}, mix_key(key, 0x5B075), batch, 0,
-             work.lights, rays);
+  spots.draw(work.targets, {0.05 * requirement, effort.spot_rays}, mix_key(key, 0x5B075), batch, work.lights,
+             rays);
   for (const SpotLight& light : work.lights) {
     work.sharers.clear();
     work.targets.clear();

@@ -24,10 +24,11 @@
 
 namespace shelfbeam::detail {
 
-/// Runs an estimator batch by batch: the items that are furthest behind get their next batch, in parallel;
-/// then all wait for each other, and what has been reached decides who goes on. With a relative error asked
-/// for, an item whose own entries have reached it pauses. That depends on the item's own sums alone, so a run
-/// can be taken up again from items that are not equally far, and ends with the same sums.
+/// Runs an estimator batch by batch: the items that are furthest behind get their next batch, or several
+/// where items are few, in parallel; then all wait for each other, the batches are added and judged in their
+/// order, and what has been reached decides who goes on. With a relative error asked for, an item whose own
+/// entries have reached it pauses. That depends on the item's own sums alone, so a run can be taken up again
+/// from items that are not equally far, and ends with the same sums.
 class Engine {
  public:
   /// Bytes for the sums of all items.
@@ -87,6 +88,7 @@ class Engine {
   double saved_at_ = 0, save_took_ = 0;  ///< s
 
   double last_batch_s_ = 0;
+  std::uint32_t next_look_ = 2;       ///< batches after which the errors are looked at for those who watch
   std::atomic<double> predicted_{0};  ///< item batches in all
   std::string error_text_;
   std::mutex report_mutex_;
