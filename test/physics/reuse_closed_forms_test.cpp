@@ -46,7 +46,7 @@ TEST(ReuseClosedForms, EverythingThatEntersTheRoomIsAbsorbed) {
   const World world(room.scene);
   const ReuseEstimator estimator(world, 4);
   Moments flux;
-  for (std::uint32_t b = 0; b < batch_count; ++b) {
+  for (std::uint32_t b = 0; b < 2 * batch_count; ++b) {
     const std::vector<double> batch = test::batch_of(estimator, areas.size(), 1, b);
     double sum = 0;
     for (std::size_t i = 0; i < areas.size(); ++i) sum += areas[i] * batch[i];
