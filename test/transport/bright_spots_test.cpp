@@ -65,7 +65,7 @@ Moments plain_excess(const World& world, const UnitGroups& units, std::uint32_t 
 
 // However far the points and whatever the effort, so whatever the chances and numbers of rays, the lights of
 // a unit carry its whole excess in the mean: both units, eight rays, two or five, one, and one at a chance;
-// z-test at 0.1 %, at errors of 3.5 % at most, 1 % where no chance is played. The control is a reference 8 %
+// z-test at 0.1 %, at errors of 3.5 % at most, 1.5 % but for small chances. The control is a reference 8 %
 // off.
 TEST(BrightSpots, CarryTheWholeExcess) {
   const test::BareScene scene = room();
