@@ -154,7 +154,8 @@ TEST(SignalFile, BadNumbersAreNamed) {
   const char* place = "/mean, label 'A1-front-2', transceiver 'G1-3-0'";
   refused([](SignalMatrix& m) { m.mean[13] = std::nanf(""); }, place, "NaN");
   refused([](SignalMatrix& m) { m.mean[13] = std::numeric_limits<float>::infinity(); }, place, "infinite");
-  refused([](SignalMatrix& m) { m.mean[13] = -1e-9f; }, place, "negative");
+  refused([](SignalMatrix& m) { m.mean[13] = -1.1f, m.standard_error[13] = 0.1f; }, place, "negative");
+  refused([](SignalMatrix& m) { m.mean[13] = -1e-9f, m.standard_error[13] = 0; }, place, "negative");
   refused([](SignalMatrix& m) { m.standard_error[3] = std::nanf(""); }, "/standard_error, label", "NaN");
   refused([](SignalMatrix& m) { m.direct[3] = -1; }, "/direct, label", "negative");
   refused([](SignalMatrix& m) { m.labels[1].requirement = -1; }, "/labels/requirement, row 2", "negative");
@@ -165,6 +166,17 @@ TEST(SignalFile, BadNumbersAreNamed) {
   refused([](SignalMatrix& m) { m.labels[0].id = m.labels[2].id; }, "",
           "two labels with the id 'A1-front-2'");
   refused([](SignalMatrix& m) { m.transceivers[0].id = "G1-1-0"; }, "", "two transceivers with the id");
+}
+
+TEST(SignalFile, EstimatesOfNothingMayBeNegative) {
+  const TempFolder folder;
+  SignalMatrix matrix = small_matrix();
+  matrix.mean[13] = -0.2F;
+  matrix.standard_error[13] = 0.1F;
+  write_signal_file(matrix, folder / "signal.h5");
+  EXPECT_EQ(read_signal_file(folder / "signal.h5").mean[13], -0.2F);
+  const SignalTable table = read_signal_table(folder / "signal.h5");
+  EXPECT_EQ(table.entries.size(), make_signal_table(small_matrix()).entries.size() - 1);
 }
 
 // Made by data/make_hdf5_files.py.

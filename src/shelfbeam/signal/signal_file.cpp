@@ -176,13 +176,16 @@ class MatrixReader {
     set(matrix.transceivers, &TransceiverColumn::installed,
         file_.numbers<std::uint8_t>("/transceivers/installed", {n}));
 
-    matrix.mean = entries("/mean", matrix);
     matrix.standard_error = entries("/standard_error", matrix);
+    matrix.mean = means("/mean", matrix, matrix.standard_error);
     matrix.direct = entries("/direct", matrix);
     if (file_.has_attribute("bounce_layers"))
-      for (std::uint32_t k = 0; k < file_.attribute<std::uint32_t>("bounce_layers"); ++k)
-        matrix.by_bounce.push_back({entries(fmt::format("/bounces/{}/mean", k), matrix),
-                                    entries(fmt::format("/bounces/{}/standard_error", k), matrix)});
+      for (std::uint32_t k = 0; k < file_.attribute<std::uint32_t>("bounce_layers"); ++k) {
+        BounceLayer layer;
+        layer.standard_error = entries(fmt::format("/bounces/{}/standard_error", k), matrix);
+        layer.mean = means(fmt::format("/bounces/{}/mean", k), matrix, layer.standard_error);
+        matrix.by_bounce.push_back(std::move(layer));
+      }
     return matrix;
   }
 
@@ -218,6 +221,21 @@ class MatrixReader {
     auto values = file_.numbers<float>(path, {matrix.rows(), matrix.columns()});
     for (std::size_t k = 0; k < values.size(); ++k)
       if (const auto problem = amount_problem(values[k]); !problem.empty())
+        fail(fmt::format("{}, label '{}', transceiver '{}'", path, matrix.labels[k / matrix.columns()].id,
+                         matrix.transceivers[k % matrix.columns()].id),
+             problem);
+    return values;
+  }
+
+  // An estimate of next to nothing may come out below zero, but not by many errors.
+  std::vector<float> means(const std::string& path, const SignalMatrix& matrix,
+                           const std::vector<float>& error) const {
+    constexpr float most_errors = 10;
+    auto values = file_.numbers<float>(path, {matrix.rows(), matrix.columns()});
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (const auto problem =
+              amount_problem(-values[k] < most_errors * error[k] ? std::abs(values[k]) : values[k]);
+          !problem.empty())
         fail(fmt::format("{}, label '{}', transceiver '{}'", path, matrix.labels[k / matrix.columns()].id,
                          matrix.transceivers[k % matrix.columns()].id),
              problem);

@@ -17,7 +17,7 @@ void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const s
 
 /// Throws InputError for a file that is not HDF5 (or in its old format without checksums), is truncated, is
 /// of an unknown format version, lacks a data set or has one of another shape, or holds NaN, infinite or
-/// negative signals, errors, requirements or costs.
+/// negative signals, errors, requirements or costs. A mean may be negative by less than ten standard errors.
 SignalMatrix read_signal_file(const std::filesystem::path& path);
 
 /// True when the file begins with the HDF5 signature.
