@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <chrono>
 #include <vector>
 
 #include <CbcConfig.h>
 #include <CbcEventHandler.hpp>
 #include <CbcModel.hpp>
 #include <CbcStrategy.hpp>
+#include <ClpEventHandler.hpp>
+#include <ClpSimplex.hpp>
 #include <CoinMessageHandler.hpp>
 #include <CoinPackedMatrix.hpp>
 #include <OsiClpSolverInterface.hpp>
@@ -12,6 +15,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/detail/bound_report.hpp"
 #include "shelfbeam/milp/detail/objective_scale.hpp"
+#include "shelfbeam/milp/lp_session.hpp"
 #include "shelfbeam/milp/solver.hpp"
 
 namespace shelfbeam::milp {
@@ -19,6 +23,7 @@ namespace shelfbeam::milp {
 std::string_view cbc_version();
 Result solve_cbc(const Model& model, const SolveOptions& options, const RunControl& control);
 Model read_cbc(const std::filesystem::path& path);
+std::unique_ptr<LpSession> lp_cbc(std::span<const Column> columns);
 
 namespace {
 
@@ -86,6 +91,103 @@ Termination to_termination(const CbcModel& cbc, const RunControl& control) {
   return Termination::error;
 }
 
+// Clp's own limit counts the processor time of all threads.
+class Deadline final : public ClpEventHandler {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  Deadline(const RunControl& control, double time_limit_s) : control_(control) {
+    const std::chrono::duration<double> limit(std::clamp(time_limit_s, 0.0, 1e8));
+    end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+  }
+
+  ClpEventHandler* clone() const override { return new Deadline(*this); }
+  int event(Event which) override {
+    const bool between_iterations = which == endOfIteration || which == endOfFactorization;
+    return between_iterations && (control_.cancelled() || Clock::now() >= end_) ? 0 : -1;
+  }
+
+ private:
+  const RunControl& control_;
+  Clock::time_point end_{};
+};
+
+class ClpSession final : public LpSession {
+ public:
+  explicit ClpSession(std::span<const Column> columns) : scale_(detail::objective_scale(columns)) {
+    silent_.setLogLevel(0);
+    clp_.passInMessageHandler(&silent_);
+    clp_.setLogLevel(0);
+    std::vector<double> lower, upper, cost;
+    for (const Column& column : columns) {
+      lower.push_back(clp_bound(column.lower));
+      upper.push_back(clp_bound(column.upper));
+      cost.push_back(column.cost * scale_);
+    }
+    const std::vector<CoinBigIndex> starts(columns.size() + 1, 0);
+    clp_.addColumns(static_cast<int>(columns.size()), lower.data(), upper.data(), cost.data(), starts.data(),
+                    nullptr, nullptr);
+  }
+
+  void add_rows(std::span<const Row> rows) override {
+    std::vector<double> lower, upper, values;
+    std::vector<CoinBigIndex> starts{0};
+    std::vector<int> indices;
+    for (const Row& row : rows) {
+      lower.push_back(clp_bound(row.lower));
+      upper.push_back(clp_bound(row.upper));
+      for (const Entry& entry : row.entries) {
+        indices.push_back(static_cast<int>(entry.column));
+        values.push_back(entry.value);
+      }
+      starts.push_back(static_cast<CoinBigIndex>(indices.size()));
+    }
+    clp_.addRows(static_cast<int>(rows.size()), lower.data(), upper.data(), starts.data(), indices.data(),
+                 values.data());
+  }
+
+  void set_bounds(std::size_t column, double lower, double upper) override {
+    clp_.setColumnBounds(static_cast<int>(column), clp_bound(lower), clp_bound(upper));
+  }
+
+  void set_cost(std::size_t column, double cost) override {
+    clp_.setObjectiveCoefficient(static_cast<int>(column), cost * scale_);
+  }
+
+  LpResult solve(double time_limit_s, const RunControl& control) override {
+    if (control.cancelled()) return {Termination::interrupted, infinity, {}, {}};
+    if (time_limit_s <= 0) return {Termination::limit, infinity, {}, {}};
+    Deadline deadline(control, time_limit_s);
+    clp_.passInEventHandler(&deadline);
+    clp_.dual();
+    LpResult result;
+    switch (clp_.status()) {
+      case 0:
+        break;
+      case 1:
+        return {Termination::infeasible, infinity, {}, {}};
+      case 3:
+      case 5:
+        return {control.cancelled() ? Termination::interrupted : Termination::limit, infinity, {}, {}};
+      default:
+        return {};
+    }
+    result.termination = Termination::optimal;
+    result.x.assign(clp_.primalColumnSolution(), clp_.primalColumnSolution() + clp_.numberColumns());
+    result.y.assign(clp_.dualRowSolution(), clp_.dualRowSolution() + clp_.numberRows());
+    for (double& dual : result.y) dual /= scale_;
+    result.objective = clp_.objectiveValue() / scale_;
+    return result;
+  }
+
+ private:
+  static double clp_bound(double value) { return std::clamp(value, -COIN_DBL_MAX, COIN_DBL_MAX); }
+
+  double scale_;
+  Silent silent_;
+  ClpSimplex clp_;
+};
+
 }  // namespace
 
 std::string_view cbc_version() {
@@ -93,7 +195,7 @@ std::string_view cbc_version() {
 }
 
 Result solve_cbc(const Model& model, const SolveOptions& options, const RunControl& control) {
-  const double scale = detail::objective_scale(model);
+  const double scale = detail::objective_scale(model.columns);
   Silent silent;
   silent.setLogLevel(0);
   OsiClpSolverInterface solver;
@@ -145,6 +247,10 @@ Model read_cbc(const std::filesystem::path& path) {
     model.rows.push_back(std::move(row));
   }
   return model;
+}
+
+std::unique_ptr<LpSession> lp_cbc(std::span<const Column> columns) {
+  return std::make_unique<ClpSession>(columns);
 }
 
 }  // namespace shelfbeam::milp

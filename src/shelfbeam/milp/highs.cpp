@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <vector>
 
 #include <Highs.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/detail/bound_report.hpp"
 #include "shelfbeam/milp/detail/objective_scale.hpp"
+#include "shelfbeam/milp/lp_session.hpp"
 #include "shelfbeam/milp/solver.hpp"
 
 namespace shelfbeam::milp {
@@ -14,6 +16,7 @@ namespace shelfbeam::milp {
 std::string_view highs_version();
 Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control);
 Model read_highs(const std::filesystem::path& path);
+std::unique_ptr<LpSession> lp_highs(std::span<const Column> columns);
 
 namespace {
 
@@ -46,13 +49,13 @@ HighsLp to_highs(const Model& model, double cost_scale) {
   return lp;
 }
 
-bool is_bounded(const Model& model) {
-  return std::all_of(model.columns.begin(), model.columns.end(), [](const Column& column) {
+bool is_bounded(std::span<const Column> columns) {
+  return std::all_of(columns.begin(), columns.end(), [](const Column& column) {
     return column.cost == 0 || (column.cost > 0 ? column.lower > -infinity : column.upper < infinity);
   });
 }
 
-Termination to_termination(HighsModelStatus status, const Model& model) {
+Termination to_termination(HighsModelStatus status, std::span<const Column> columns) {
   switch (status) {
     case HighsModelStatus::kOptimal:
     case HighsModelStatus::kModelEmpty:
@@ -60,7 +63,7 @@ Termination to_termination(HighsModelStatus status, const Model& model) {
     case HighsModelStatus::kInfeasible:
       return Termination::infeasible;
     case HighsModelStatus::kUnboundedOrInfeasible:
-      return is_bounded(model) ? Termination::infeasible : Termination::error;
+      return is_bounded(columns) ? Termination::infeasible : Termination::error;
     case HighsModelStatus::kTimeLimit:
       return Termination::limit;
     case HighsModelStatus::kInterrupt:
@@ -75,6 +78,84 @@ struct SchedulerGuard {
   ~SchedulerGuard() { Highs::resetGlobalScheduler(true); }
 };
 
+class HighsSession final : public LpSession {
+ public:
+  explicit HighsSession(std::span<const Column> columns)
+      : columns_(columns.begin(), columns.end()), scale_(detail::objective_scale(columns)) {
+    highs_.setOptionValue("output_flag", false);
+    highs_.setOptionValue("threads", HighsInt{1});
+    highs_.setOptionValue("solver", "simplex");
+    highs_.setOptionValue("presolve", "off");  // it would not use the basis
+    Model model;
+    model.columns = columns_;
+    for (Column& column : model.columns) column.integer = false;
+    loaded_ = highs_.passModel(to_highs(model, scale_)) != HighsStatus::kError;
+    highs_.setCallback(
+        [this](int, const std::string&, const HighsCallbackDataOut*, HighsCallbackDataIn* in, void*) {
+          in->user_interrupt = control_ != nullptr && control_->cancelled() ? 1 : 0;
+        },
+        nullptr);
+    highs_.startCallback(kCallbackSimplexInterrupt);
+  }
+
+  void add_rows(std::span<const Row> rows) override {
+    std::vector<double> lower, upper, values;
+    std::vector<HighsInt> starts, indices;
+    for (const Row& row : rows) {
+      lower.push_back(row.lower);
+      upper.push_back(row.upper);
+      starts.push_back(static_cast<HighsInt>(indices.size()));
+      for (const Entry& entry : row.entries) {
+        if (entry.value == 0) continue;
+        indices.push_back(static_cast<HighsInt>(entry.column));
+        values.push_back(entry.value);
+      }
+    }
+    const auto status =
+        highs_.addRows(static_cast<HighsInt>(rows.size()), lower.data(), upper.data(),
+                       static_cast<HighsInt>(indices.size()), starts.data(), indices.data(), values.data());
+    loaded_ = loaded_ && status != HighsStatus::kError;
+  }
+
+  void set_bounds(std::size_t column, double lower, double upper) override {
+    columns_[column].lower = lower;
+    columns_[column].upper = upper;
+    highs_.changeColBounds(static_cast<HighsInt>(column), lower, upper);
+  }
+
+  void set_cost(std::size_t column, double cost) override {
+    columns_[column].cost = cost;
+    highs_.changeColCost(static_cast<HighsInt>(column), cost * scale_);
+  }
+
+  LpResult solve(double time_limit_s, const RunControl& control) override {
+    if (control.cancelled()) return {Termination::interrupted, infinity, {}, {}};
+    if (!loaded_) return {};
+    const SchedulerGuard guard;
+    control_ = &control;
+    highs_.zeroAllClocks();  // its limit is on all solves together
+    highs_.setOptionValue("time_limit", std::max(time_limit_s, 0.0));
+    const HighsStatus status = highs_.run();
+    control_ = nullptr;
+    if (status == HighsStatus::kError) return {};
+    LpResult result;
+    result.termination = to_termination(highs_.getModelStatus(), columns_);
+    if (result.termination != Termination::optimal) return result;
+    result.x = highs_.getSolution().col_value;
+    result.y = highs_.getSolution().row_dual;
+    for (double& dual : result.y) dual /= scale_;
+    result.objective = highs_.getInfo().objective_function_value / scale_;
+    return result;
+  }
+
+ private:
+  std::vector<Column> columns_;
+  double scale_;
+  Highs highs_;
+  bool loaded_ = false;
+  const RunControl* control_ = nullptr;  ///< of the solve that is going on
+};
+
 }  // namespace
 
 std::string_view highs_version() {
@@ -83,7 +164,7 @@ std::string_view highs_version() {
 
 Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control) {
   const SchedulerGuard guard;
-  const double scale = detail::objective_scale(model);
+  const double scale = detail::objective_scale(model.columns);
   const unsigned asked = options.threads != 0 ? options.threads : control.threads;
   // Its workers spin: more than there are cores only get in each other's way.
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
@@ -113,7 +194,7 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
   const bool is_mip = std::any_of(model.columns.begin(), model.columns.end(),
                                   [](const Column& column) { return column.integer; });
   Result result;
-  result.termination = to_termination(highs.getModelStatus(), model);
+  result.termination = to_termination(highs.getModelStatus(), model.columns);
   // A MIP solution that fails HiGHS's own last check comes back beside "infeasible"; `verified` sees both.
   if (highs.getSolution().value_valid && (is_mip || result.termination == Termination::optimal))
     result.solution = highs.getSolution().col_value;
@@ -144,6 +225,10 @@ Model read_highs(const std::filesystem::path& path) {
          k < static_cast<std::size_t>(matrix.start_[i + 1]); ++k)
       model.rows[i].entries.push_back({static_cast<std::uint32_t>(matrix.index_[k]), matrix.value_[k]});
   return model;
+}
+
+std::unique_ptr<LpSession> lp_highs(std::span<const Column> columns) {
+  return std::make_unique<HighsSession>(columns);
 }
 
 }  // namespace shelfbeam::milp

@@ -5,10 +5,10 @@
 
 namespace shelfbeam::milp::detail {
 
-double objective_scale(const Model& model) {
+double objective_scale(std::span<const Column> columns) {
   double largest = 0;
   bool whole = true;
-  for (const Column& column : model.columns) {
+  for (const Column& column : columns) {
     largest = std::max(largest, std::abs(column.cost));
     whole = whole && column.cost == std::round(column.cost);
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "shelfbeam/milp/lp_session.hpp"
 #include "shelfbeam/milp/verify.hpp"
 
 namespace shelfbeam::milp {
@@ -11,11 +12,13 @@ namespace shelfbeam::milp {
 std::string_view highs_version();
 Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control);
 Model read_highs(const std::filesystem::path& path);
+std::unique_ptr<LpSession> lp_highs(std::span<const Column> columns);
 #endif
 #ifdef SHELFBEAM_HAS_CBC
 std::string_view cbc_version();
 Result solve_cbc(const Model& model, const SolveOptions& options, const RunControl& control);
 Model read_cbc(const std::filesystem::path& path);
+std::unique_ptr<LpSession> lp_cbc(std::span<const Column> columns);
 #endif
 
 namespace {
@@ -38,10 +41,10 @@ Result guarded(const Model& model, const SolveOptions& options, const RunControl
 std::span<const Backend> backends() {
   static const std::array table = {
 #ifdef SHELFBEAM_HAS_HIGHS
-      Backend{"highs", highs_version(), guarded<solve_highs>, read_highs},
+      Backend{"highs", highs_version(), guarded<solve_highs>, read_highs, lp_highs},
 #endif
 #ifdef SHELFBEAM_HAS_CBC
-      Backend{"cbc", cbc_version(), guarded<solve_cbc>, read_cbc},
+      Backend{"cbc", cbc_version(), guarded<solve_cbc>, read_cbc, lp_cbc},
 #endif
   };
   return table;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -31,18 +32,22 @@ struct Result {
   std::vector<double> solution;    ///< empty when none was found
 };
 
-/// A MIP solver. To add one: write `solve_x` and `read_x` in a .cpp of their own (the only file that includes
-/// the solver's headers), and name them in the table in solver.cpp behind the build option.
+class LpSession;
+
+/// A MIP solver. To add one: write `solve_x`, `read_x` and `lp_x` in a .cpp of their own (the only file that
+/// includes the solver's headers), and name them in the table in solver.cpp behind the build option.
 ///
 /// `solve` is silent and reports incumbent and bound to `control.progress`. Costs of any magnitude are fine
 /// (they are scaled inside); rows should have coefficients of order 1, because solvers test them with an
 /// absolute tolerance of about 1e-7. Whatever the solver says has been through `verified` (verify.hpp).
 /// `read` reads an MPS or LP file (by its ending) with the solver's own reader; throws InputError.
+/// `lp` loads columns into a linear program that stays loaded (lp_session.hpp).
 struct Backend {
   std::string_view name;
   std::string_view version;
   Result (*solve)(const Model&, const SolveOptions&, const RunControl&);
   Model (*read)(const std::filesystem::path&);
+  std::unique_ptr<LpSession> (*lp)(std::span<const Column>);
 };
 
 /// The back ends built in, the preferred one first; never empty.

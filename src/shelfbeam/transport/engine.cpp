@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/transport/detail/parallel.hpp"
 #include "shelfbeam/transport/make_estimator.hpp"
 
 namespace shelfbeam::detail {

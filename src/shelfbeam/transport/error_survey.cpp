@@ -4,7 +4,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "shelfbeam/transport/detail/parallel.hpp"
+#include "shelfbeam/base/parallel.hpp"
 
 namespace shelfbeam::detail {
 

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <vector>
 
-#include "shelfbeam/transport/detail/parallel.hpp"
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/transport/direct.hpp"
 
 namespace shelfbeam::detail {

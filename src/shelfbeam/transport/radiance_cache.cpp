@@ -8,9 +8,9 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/transport/detail/cell_light.hpp"
-#include "shelfbeam/transport/detail/parallel.hpp"
 
 namespace shelfbeam {
 
@@ -38,7 +38,7 @@ std::vector<float> radiance_factors(const Scene& scene) {
 // Cell by cell on all threads.
 template <class Body>
 void for_cells(std::size_t count, const RunControl& control, const Body& body) {
-  detail::for_parts(count, [&](std::size_t first, std::size_t last) {
+  for_parts(count, [&](std::size_t first, std::size_t last) {
     for (std::size_t cell = first; cell < last && !control.cancelled(); ++cell) body(cell);
   });
   if (control.cancelled())

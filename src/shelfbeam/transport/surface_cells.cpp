@@ -6,9 +6,9 @@
 #include <cmath>
 #include <tuple>
 
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/warp.hpp"
-#include "shelfbeam/transport/detail/parallel.hpp"
 #include "shelfbeam/transport/specular_chain.hpp"
 
 namespace shelfbeam::detail {

@@ -7,7 +7,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-namespace shelfbeam::detail {
+namespace shelfbeam {
 
 /// Calls body(first, last) for parts of 0 ... count - 1, each on some thread of the present arena.
 ///
@@ -26,4 +26,4 @@ void for_parts(std::size_t count, Body body) {
   if (ended.load(std::memory_order_acquire) != count) throw std::logic_error("parts of a loop were left out");
 }
 
-}  // namespace shelfbeam::detail
+}  // namespace shelfbeam

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/placement/detail/dual_bound.hpp"
+
+namespace shelfbeam::detail {
+
+/// Knapsack cover inequalities (dual_bound.hpp) of the given labels that `x` violates, the most violated
+/// first, at most one a label and `most` in all. For every label, A grows by the columns of largest x as long
+/// as it lacks something; the A that is violated most counts.
+std::vector<BoundRow> cover_cuts(const SignalTable& table, const Question& question,
+                                 std::span<const std::uint32_t> labels, std::span<const double> x,
+                                 std::size_t most);
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/placement/instance.hpp"
+
+namespace shelfbeam::detail {
+
+/// An inequality that every answer meets, made of one label's row sum_j a_ij T_j >= b (cover_rows.hpp).
+///
+/// With A empty it is the row. Otherwise it is a knapsack cover inequality (Carr, Fleischer, Leung and
+/// Phillips, SODA 2000): with all of A chosen the label still lacks d = b - sum_{j in A} a_ij, without A no
+/// less, so sum_{j not in A} min(1, a_ij / d) T_j >= 1. It says nothing where d <= 0.
+struct BoundRow {
+  std::uint32_t label = 0;
+  std::vector<std::uint32_t> taken = {};  ///< A, ascending
+
+  bool operator==(const BoundRow&) const = default;
+};
+
+/// What multipliers prove about the cost of answers; every number is safe against rounding.
+struct DualBound {
+  double bound = 0;                  ///< no answer costs less
+  std::vector<double> if_chosen;     ///< per column: no answer with it costs less; infinite: there is none
+  std::vector<double> if_left_out;   ///< per column: no answer without it costs less
+  std::vector<double> reduced_cost;  ///< per column: c_j - sum_i y_i a_ij
+};
+
+/// The Lagrangian bound of multipliers y >= 0 of `rows` for costs c of any sign, from the table alone: no
+/// solver is asked or believed.
+///
+/// For every answer T, c T >= c T + sum_i y_i (b_i - a_i T) = sum_i y_i b_i + sum_j r_j T_j with the reduced
+/// costs r_j = c_j - sum_i y_i a_ij. The right-hand side is least over all T with the installed units in and
+/// at most one unit a mounting point where every other column takes min(0, r_j), a point with options the
+/// least of 0 and their r_j, and a point with an installed unit that one. `if_chosen` and `if_left_out` are
+/// the same minimum with one T_j given. This holds for every y; multipliers that are negative or not finite
+/// count as 0. Errors of rounding are bounded by (rows + columns + 8) 2^-52 times the sum of what was added
+/// up.
+DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
+                     std::span<const double> y, std::span<const double> cost);
+
+/// What every answer that costs at most `worth` has in common.
+struct FixedColumns {
+  std::vector<std::uint32_t> chosen;    ///< in all of them, installed units among them; ascending
+  std::vector<std::uint32_t> left_out;  ///< in none; ascending
+};
+
+/// Reduced-cost fixing: a column is left out where `if_chosen` exceeds `worth`, chosen where `if_left_out`
+/// does: the contrary costs more than `worth` by the definition of these bounds. To look for something better
+/// than a known cost, `worth` is that cost less 1 where all costs are whole numbers, or else less what would
+/// count as better.
+FixedColumns fix_columns(const DualBound& dual, double worth);
+
+}  // namespace shelfbeam::detail

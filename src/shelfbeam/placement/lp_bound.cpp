@@ -1,0 +1,165 @@
+#include "shelfbeam/placement/detail/lp_bound.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include "shelfbeam/milp/lp_session.hpp"
+#include "shelfbeam/placement/detail/cover_cuts.hpp"
+#include "shelfbeam/placement/detail/row_pricing.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr double row_tolerance = 1e-6;
+
+/// The inequality as a solver gets it.
+milp::Row lp_row(const BoundRow& row, const CoverRows& cover) {
+  const auto is_taken = [&](std::uint32_t j) {
+    return std::binary_search(row.taken.begin(), row.taken.end(), j);
+  };
+  milp::Row result{cover.bound(), milp::infinity, {}, {}};
+  double residual = cover.bound();
+  if (!row.taken.empty()) {
+    cover.for_entries(row.label, [&](std::uint32_t j, double a) { residual -= is_taken(j) ? a : 0; });
+    result.lower = 1;
+  }
+  cover.for_entries(row.label, [&](std::uint32_t j, double a) {
+    if (row.taken.empty())
+      result.entries.push_back({j, a});
+    else if (!is_taken(j))
+      result.entries.push_back({j, std::min(1.0, a / residual)});
+  });
+  return result;
+}
+
+class RowGeneration {
+ public:
+  RowGeneration(const SignalTable& table, const Question& question, std::span<const double> cost,
+                const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control)
+      : table_(table),
+        question_(question),
+        cost_(cost),
+        options_(options),
+        control_(control),
+        cover_(table, question.model),
+        pricing_(table, question.model),
+        lp_(load(table, cost, backend)),
+        is_row_(table.rows(), false) {
+    result_.dual = dual_bound(table, question, {}, {}, cost);
+  }
+
+  LpBound run() {
+    std::vector<BoundRow> batch;
+    for (const std::uint32_t label : pricing_.hardest()) batch.push_back({label, {}});
+    do {
+      add(batch);
+      if (!solve()) break;
+      batch = violated_rows();
+    } while (!batch.empty() && result_.dual.bound < options_.enough);
+    return std::move(result_);
+  }
+
+ private:
+  static std::unique_ptr<milp::LpSession> load(const SignalTable& table, std::span<const double> cost,
+                                               const milp::Backend& backend) {
+    std::vector<milp::Column> columns;
+    for (std::size_t j = 0; j < table.columns(); ++j)
+      columns.push_back({cost[j], table.transceivers[j].installed ? 1.0 : 0.0, 1, false, {}});
+    auto lp = backend.lp(columns);
+    std::vector<milp::Row> mounts;
+    for (const auto& mount : table.mounts) {
+      milp::Row row{-milp::infinity, 1, {}, {}};
+      for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
+      mounts.push_back(std::move(row));
+    }
+    if (!mounts.empty()) lp->add_rows(mounts);
+    return lp;
+  }
+
+  double seconds_left() const {
+    return options_.time_limit_s -
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  void add(const std::vector<BoundRow>& batch) {
+    std::vector<milp::Row> rows;
+    for (const BoundRow& row : batch) {
+      rows.push_back(lp_row(row, cover_));
+      if (row.taken.empty() && !is_row_[row.label]) {
+        is_row_[row.label] = true;
+        result_.labels.push_back(row.label);
+      }
+      rows_.push_back(row);
+    }
+    lp_->add_rows(rows);
+  }
+
+  bool solve() {
+    if (seconds_left() <= 0) return false;
+    milp::LpResult solved = lp_->solve(seconds_left(), control_);
+    if (solved.termination != milp::Termination::optimal) return false;
+    ++result_.rounds;
+    result_.x = std::move(solved.x);
+    std::vector<BoundRow> rows;
+    std::vector<double> y;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const double dual = solved.y[table_.mounts.size() + k];
+      if (dual <= 0) continue;
+      rows.push_back(rows_[k]);
+      y.push_back(dual);
+    }
+    DualBound dual = dual_bound(table_, question_, rows, y, cost_);
+    if (dual.bound > result_.dual.bound) {
+      result_.dual = std::move(dual);
+      result_.rows = std::move(rows);
+      result_.y = std::move(y);
+    }
+    control_.report("bound", -1, fmt::format("{:.6g} from {} rows", result_.dual.bound, rows_.size()));
+    return true;
+  }
+
+  // Cuts only once every row is met: they cost more and many would be in vain.
+  std::vector<BoundRow> violated_rows() {
+    const std::size_t most = 50 + table_.columns() / 4;
+    std::vector<BoundRow> batch;
+    for (const auto& row : pricing_.violated(result_.x, row_tolerance, most))
+      batch.push_back({row.label, {}});
+    // A row that is in the LP is violated by more than the solver says: nothing will come of it.
+    std::erase_if(batch, [&](const BoundRow& row) { return is_row_[row.label]; });
+    result_.complete = batch.empty();
+    if (batch.empty() && options_.cuts && question_.model == CommunicationModel::cooperative)
+      batch = cover_cuts(table_, question_, result_.labels, result_.x, most);
+    return batch;
+  }
+
+  const SignalTable& table_;
+  const Question& question_;
+  std::span<const double> cost_;
+  const LpBoundOptions& options_;
+  const RunControl& control_;
+  CoverRows cover_;
+  RowPricing pricing_;
+  std::unique_ptr<milp::LpSession> lp_;
+  std::vector<BoundRow> rows_;  ///< all in the LP
+  std::vector<bool> is_row_;    ///< per label: its row is in the LP
+  LpBound result_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+LpBound lp_bound(const SignalTable& table, const Question& question, std::span<const double> cost,
+                 const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control) {
+  tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
+                                             : static_cast<int>(control.threads));
+  return arena.execute([&] { return RowGeneration(table, question, cost, backend, options, control).run(); });
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,167 @@
+#include "shelfbeam/placement/detail/dual_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/export_model.hpp"
+
+#include "placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using detail::BoundRow;
+using detail::DualBound;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The least cost of an answer; of those with, and of those without every column.
+struct Least {
+  double cost = infinite;
+  std::vector<double> with, without;
+
+  Least(const SignalTable& table, const Question& question, const std::vector<double>& costs)
+      : with(table.columns(), infinite), without(table.columns(), infinite) {
+    for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
+      std::vector<std::uint32_t> selected;
+      double sum = 0;
+      bool holds_installed = true;
+      for (std::uint32_t j = 0; j < table.columns(); ++j) {
+        const bool in = (set >> j & 1U) != 0;
+        if (in) selected.push_back(j), sum += costs[j];
+        holds_installed = holds_installed && (in || !table.transceivers[j].installed);
+      }
+      if (!holds_installed || !check_selection(table, question, selected).met()) continue;
+      cost = std::min(cost, sum);
+      for (std::uint32_t j = 0; j < table.columns(); ++j) {
+        double& least = (set >> j & 1U) != 0 ? with[j] : without[j];
+        least = std::min(least, sum);
+      }
+    }
+  }
+};
+
+/// Every label's row, and knapsack cover inequalities of random A.
+std::vector<BoundRow> random_rows(const SignalTable& table, test::RandomTables& random) {
+  std::vector<BoundRow> rows;
+  for (std::uint32_t i = 0; i < table.rows(); ++i) {
+    rows.push_back({i, {}});
+    for (int k = 0; k < 2; ++k) {
+      BoundRow cut{i, {}};
+      for (std::uint32_t j = 0; j < table.columns(); ++j)
+        if (random.chance(0.2)) cut.taken.push_back(j);
+      rows.push_back(cut);
+    }
+  }
+  return rows;
+}
+
+double rounding(double value) {
+  return 1e-9 * std::max(1.0, std::abs(value));
+}
+
+// Multipliers from anywhere: most prove little, none may prove too much.
+TEST(DualBound, HoldsForAnyMultipliers) {
+  test::RandomTables random(17, {.labels = 6, .transceivers = 8, .mounts = true});
+  int tight = 0, forced_in = 0, forced_out = 0;
+  for (int k = 0; k < 1500; ++k) {
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    std::vector<double> cost = first_objective(table, question);
+    if (random.chance(0.2))
+      for (double& c : cost) c *= random.real(-1, 1);
+    const Least least(table, question, cost);
+    const std::vector<BoundRow> rows = random_rows(table, random);
+    const double largest = cost.empty() ? 1 : *std::max_element(cost.begin(), cost.end());
+    for (int l = 0; l < 8; ++l) {
+      std::vector<double> y;
+      const double size = largest * std::pow(2.0, -l);
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        y.push_back(random.chance(0.3) ? random.real(0, size) : 0);
+      const DualBound dual = dual_bound(table, question, rows, y, cost);
+      ASSERT_LE(dual.bound, least.cost + rounding(least.cost)) << k;
+      if (dual.bound > 0.7 * least.cost && least.cost > 0 && least.cost < infinite) ++tight;
+      for (std::size_t j = 0; j < table.columns(); ++j) {
+        ASSERT_LE(dual.if_chosen[j], least.with[j] + rounding(least.with[j])) << k;
+        ASSERT_LE(dual.if_left_out[j], least.without[j] + rounding(least.without[j])) << k;
+        ASSERT_GE(std::max(dual.if_chosen[j], dual.if_left_out[j]), dual.bound);
+      }
+
+      // No answer that is worth it is lost by fixing columns.
+      const double worth = least.cost;
+      if (worth == infinite) continue;
+      const detail::FixedColumns fixed = fix_columns(dual, worth + rounding(worth));
+      for (const std::uint32_t j : fixed.chosen) {
+        EXPECT_GT(least.without[j], worth);
+        if (!table.transceivers[j].installed) ++forced_in;
+      }
+      for (const std::uint32_t j : fixed.left_out) {
+        EXPECT_GT(least.with[j], worth);
+        ++forced_out;
+      }
+    }
+  }
+  EXPECT_GT(tight, 200);
+  EXPECT_GT(forced_in, 50);
+  EXPECT_GT(forced_out, 500);
+}
+
+// The triangle: LP bound 1.5, every column reduced to nothing.
+TEST(DualBound, IsTheLpBoundAtItsMultipliers) {
+  const SignalTable table = test::make_table({{1, 1, 0}, {0, 1, 1}, {1, 0, 1}}, 3);
+  const std::vector<BoundRow> rows = {{0, {}}, {1, {}}, {2, {}}};
+  const Question question{.model = CommunicationModel::non_cooperative};
+  const std::vector<double> cost(3, 1.0);
+  const DualBound dual = dual_bound(table, question, rows, std::vector<double>(3, 0.5), cost);
+  EXPECT_NEAR(dual.bound, 1.5, 1e-12);
+  EXPECT_LT(dual.bound, 1.5);
+  for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(dual.reduced_cost[j], 0, 1e-12);
+
+  // The same multipliers with a sign lost, of unknown worth or too large prove less, not more.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double wrong : {-0.5, nan, infinite, 100.0, 1e300, 1e308})
+    EXPECT_LT(dual_bound(table, question, rows, std::vector<double>{0.5, 0.5, wrong}, cost).bound, 1.5);
+}
+
+TEST(DualBound, KnowsKnapsackCovers) {
+  // 0.9 x + 0.4 y + 0.4 z >= 1: the row allows x = 1 and y = 1/4, the inequality of A = {x} does not.
+  const SignalTable table = test::make_table({{0.9, 0.4, 0.4}}, 3);
+  const std::vector<double> cost = {0, 1, 1};
+  const DualBound row = dual_bound(table, {}, std::vector<BoundRow>{{0, {}}}, std::vector<double>{2.5}, cost);
+  EXPECT_NEAR(row.bound, 0.25, 1e-6);
+  const std::vector<BoundRow> cut = {{0, {0}}};
+  EXPECT_NEAR(dual_bound(table, {}, cut, std::vector<double>{1.0}, cost).bound, 1, 1e-6);
+  // Where A is enough alone, the inequality says nothing.
+  const std::vector<BoundRow> nothing = {{0, {0, 1}}};
+  EXPECT_NEAR(dual_bound(table, {}, nothing, std::vector<double>{1.0}, cost).bound, 0, 1e-9);
+}
+
+TEST(DualBound, CountsOneUnitAMountingPoint) {
+  // Label 0 is met by units 0 and 1, label 1 by 2 and 3; 1 and 2 are options of one point.
+  SignalTable table = test::make_table({{1, 1, 0, 0}, {0, 0, 1, 1}}, 4);
+  table.mounts = {{1, 2}};
+  const std::vector<double> cost = {3, 1, 1, 3};
+  const std::vector<BoundRow> rows = {{0, {}}, {1, {}}};
+  const Question question{.model = CommunicationModel::non_cooperative};
+  // With 3 a label: 6 - 2 (one of the two options) = 4, which is the optimum; 2 without the point.
+  EXPECT_NEAR(dual_bound(table, question, rows, std::vector<double>{3, 3}, cost).bound, 4, 1e-9);
+  table.mounts.clear();
+  EXPECT_NEAR(dual_bound(table, question, rows, std::vector<double>{3, 3}, cost).bound, 2, 1e-9);
+
+  table.mounts = {{1, 2}};
+  table.transceivers[2].installed = true;
+  const DualBound installed = dual_bound(table, question, rows, std::vector<double>{3, 1}, cost);
+  EXPECT_NEAR(installed.bound, 4, 1e-9);
+  EXPECT_EQ(installed.if_chosen[1], infinite);
+  EXPECT_EQ(installed.if_left_out[2], infinite);
+  const detail::FixedColumns fixed = fix_columns(installed, 4);
+  EXPECT_EQ(fixed.chosen, (std::vector<std::uint32_t>{2}));
+  EXPECT_EQ(fixed.left_out, (std::vector<std::uint32_t>{1, 3}));
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,131 @@
+#include "shelfbeam/placement/detail/lp_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/export_model.hpp"
+
+#include "placement/brute_force.hpp"
+#include "placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using detail::LpBound;
+
+class LpBounds : public testing::TestWithParam<milp::Backend> {
+ protected:
+  static LpBound bound(const SignalTable& table, const Question& question, const std::vector<double>& cost,
+                       const detail::LpBoundOptions& options = {}, const RunControl& control = {}) {
+    return lp_bound(table, question, cost, GetParam(), options, control);
+  }
+};
+
+std::string name(const testing::TestParamInfo<milp::Backend>& info) {
+  return std::string(info.param.name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, LpBounds, testing::ValuesIn(milp::backends().begin(), milp::backends().end()),
+                         name);
+
+/// The relaxation with all its rows at once; infinite where it has no solution.
+double relaxation(const milp::Backend& backend, const SignalTable& table, const Question& question) {
+  milp::Model model = placement_model(table, question);
+  for (milp::Column& column : model.columns) column.integer = false;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    for (milp::Entry& entry : model.rows[i].entries) entry.value = std::min(entry.value, 1.0);
+  return backend.solve(model, {}, {}).primal_bound;
+}
+
+double rounding(double value) {
+  return 1e-9 * std::max(1.0, std::abs(value));
+}
+
+// Never above the optimum, and the relaxation's own value but for the cuts.
+TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
+  test::RandomTables random(29, {.labels = 12, .transceivers = 10, .mounts = true});
+  int compared = 0, above_relaxation = 0, above_half = 0, wrong_above = 0;
+  for (int k = 0; k < 600; ++k) {
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    const test::BruteForce truth(table, question);
+    if (!truth.feasible) continue;
+    const double best = question.combination == Combination::lexicographic ? static_cast<double>(truth.fewest)
+                                                                           : truth.best_sum;
+    const std::vector<double> cost = first_objective(table, question);
+    const LpBound plain = bound(table, question, cost, {.cuts = false});
+    const LpBound cut = bound(table, question, cost);
+    const double relaxed = relaxation(GetParam(), table, question);
+    EXPECT_LE(plain.dual.bound, best + rounding(best)) << k;
+    EXPECT_LE(cut.dual.bound, best + rounding(best)) << k;
+    EXPECT_LE(plain.dual.bound, relaxed + 1e-6 * std::max(1.0, relaxed)) << k;
+    EXPECT_GE(plain.dual.bound, relaxed - 1e-5 * std::max(1.0, relaxed)) << k;
+    EXPECT_GE(cut.dual.bound, plain.dual.bound - 1e-6 * std::max(1.0, relaxed)) << k;
+    EXPECT_TRUE(plain.complete) << k;
+    ++compared;
+    if (cut.dual.bound > relaxed + 1e-3 * best) ++above_relaxation;
+
+    // What is returned says what it says: the bound is that of these rows and multipliers.
+    ASSERT_EQ(cut.y.size(), cut.rows.size());
+    EXPECT_EQ(dual_bound(table, question, cut.rows, cut.y, cost).bound, cut.dual.bound);
+    // Negative controls: where labels asked for more, the bound would be wrong; and with half of every
+    // multiplier something is lost.
+    SignalTable wrong = table;
+    for (auto& label : wrong.labels) label.requirement *= 1.6, label.single_requirement *= 1.6;
+    if (dual_bound(wrong, question, cut.rows, cut.y, cost).bound > best + 1e-3 * best) ++wrong_above;
+    std::vector<double> half = cut.y;
+    for (double& y : half) y /= 2;
+    if (dual_bound(table, question, cut.rows, half, cost).bound < cut.dual.bound - 1e-3 * best) ++above_half;
+  }
+  EXPECT_GT(compared, 150);
+  EXPECT_GT(above_relaxation, 10);
+  EXPECT_GT(above_half, 75);
+  EXPECT_GT(wrong_above, 10);
+}
+
+TEST_P(LpBounds, EndWithoutTimeOrWhenCancelled) {
+  SignalTable table = test::make_table({{1, 1, 0}, {0, 1, 1}, {1, 0, 1}}, 3);
+  const Question question{.model = CommunicationModel::non_cooperative};
+  const std::vector<double> cost(3, 1.0);
+  table.transceivers[0].installed = true;
+  const LpBound timeless = bound(table, question, cost, {.time_limit_s = 0});
+  EXPECT_FALSE(timeless.complete);
+  EXPECT_NEAR(timeless.dual.bound, 1, 1e-9);  // the installed unit
+  EXPECT_EQ(timeless.y.size(), timeless.rows.size());
+  CancelToken token;
+  token.request();
+  EXPECT_NEAR(bound(table, question, cost, {}, {.cancel = &token}).dual.bound, 1, 1e-9);
+  EXPECT_NEAR(bound(table, question, cost).dual.bound, 2, 1e-9);
+}
+
+TEST_P(LpBounds, DoNotDependOnThreads) {
+  const SignalTable table =
+      read_signal_table(SHELFBEAM_SOURCE_DIR "/test/data/instances/thesis_s1_e0.txt.gz");
+  const std::vector<double> cost(table.columns(), 1.0);
+  const LpBound one = bound(table, {}, cost, {}, {.threads = 1});
+  const LpBound two = bound(table, {}, cost, {}, {.threads = 2});
+  EXPECT_EQ(one.rows, two.rows);
+  EXPECT_EQ(one.dual.bound, two.dual.bound);
+  EXPECT_TRUE(one.complete);
+  EXPECT_GT(one.dual.bound, 3);
+  EXPECT_LE(one.dual.bound, 5);
+}
+
+#ifdef SHELFBEAM_LARGE_INSTANCES
+// 5,000 x 600; a few hundred rows are enough.
+TEST_P(LpBounds, OfTheSupermarketNeedFewRows) {
+  const SignalTable table = read_signal_table(SHELFBEAM_LARGE_INSTANCES "/super_s1_e0.txt.gz");
+  const LpBound found = bound(table, {}, std::vector<double>(table.columns(), 1.0));
+  EXPECT_TRUE(found.complete);
+  EXPECT_GT(found.dual.bound, 21.3);
+  EXPECT_LE(found.dual.bound, 26);
+  EXPECT_LT(found.labels.size(), 1000U);
+}
+#endif
+
+}  // namespace
+}  // namespace shelfbeam
