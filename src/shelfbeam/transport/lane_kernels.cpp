@@ -2,21 +2,7 @@
 
 #include <cmath>
 
-// Function multiversioning resolves before sanitizers have started, which they do not survive.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define SHELFBEAM_FOR_EACH_CPU __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
-#define SHELFBEAM_INLINE __attribute__((always_inline))
-#else
-#define SHELFBEAM_FOR_EACH_CPU
-#define SHELFBEAM_INLINE
-#endif
-// Unrolled whole, loops over lanes would no longer be turned into vectors.
-#if defined(__GNUC__) && !defined(__clang__)
-#define SHELFBEAM_VECTORIZE _Pragma("GCC ivdep") _Pragma("GCC unroll 1")
-#else
-#define SHELFBEAM_VECTORIZE
-#endif
+#include "shelfbeam/base/cpu_vectors.hpp"
 
 namespace shelfbeam {
 

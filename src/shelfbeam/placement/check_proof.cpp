@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+
+#include "shelfbeam/placement/detail/proof.hpp"
+#include "shelfbeam/placement/detail/search_problem.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+// Sums in double precision are off by far less.
+constexpr double slack = 1e-10;
+
+class ProofChecker {
+ public:
+  ProofChecker(const SignalTable& table, const Question& question, const Proof& proof)
+      : table_(table), question_(question), problem_(table, question), proof_(proof) {
+    is_sum_ = question.model == CommunicationModel::cooperative;
+    for (const std::uint32_t i : proof.rows) rows_.push_back(dense(i));
+  }
+
+  bool holds() {
+    if (!proof_.is_complete) return false;
+    chosen_.assign(table_.columns(), false);
+    std::vector<bool> allowed = problem_.available;
+    for (const std::uint32_t j : problem_.installed) take(j);
+    if (problem_.installed.size() > proof_.most_units) return true;
+    return node(allowed, proof_.most_units - problem_.installed.size()) && at_ == proof_.steps.size();
+  }
+
+ private:
+  std::vector<double> dense(std::uint32_t i) const {
+    std::vector<double> row(table_.columns(), 0.0);
+    const double requirement = requirement_of(table_.labels[i], question_.model);
+    for (const SignalEntry& entry : table_.row(i))
+      row[entry.transceiver] = is_sum_                             ? entry.signal / requirement
+                               : is_met(entry.signal, requirement) ? 1.0
+                                                                   : 0.0;
+    return row;
+  }
+
+  bool label_is_met(std::uint32_t i) const {
+    return is_met(received_signal(table_, i, chosen_, question_.model),
+                  requirement_of(table_.labels[i], question_.model));
+  }
+
+  // What the row lacks of 1 - met_tolerance (cooperative) or of one unit that reaches it.
+  double lacking(const std::vector<double>& row) const {
+    double sum = 0, best = 0;
+    for (const std::uint32_t j : taken_) {
+      sum += row[j];
+      best = std::max(best, row[j]);
+    }
+    return is_sum_ ? std::max(0.0, 1 - met_tolerance - sum) : 1 - best;
+  }
+
+  void take(std::uint32_t j) {
+    taken_.push_back(j);
+    chosen_[j] = true;
+    spent_ += problem_.cost[j];
+  }
+  void give_back() {
+    spent_ -= problem_.cost[taken_.back()];
+    chosen_[taken_.back()] = false;
+    taken_.pop_back();
+  }
+
+  std::uint32_t next() {
+    if (at_ == proof_.steps.size()) throw std::out_of_range("the proof ends early");
+    return proof_.steps[at_++];
+  }
+
+  std::vector<double> values(const std::vector<float>& weights, double price, double& need) const {
+    std::vector<double> value(table_.columns(), 0.0);
+    need = 0;
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const auto weight = static_cast<double>(weights.at(r));
+      if (weight < 0) throw std::out_of_range("a weight is negative");
+      const double open = lacking(rows_[r]);
+      if (open == 0) continue;
+      need += weight * open;
+      for (std::size_t j = 0; j < value.size(); ++j) value[j] += weight * std::min(open, rows_[r][j]);
+    }
+    for (std::size_t j = 0; j < value.size(); ++j) value[j] -= price * static_cast<double>(problem_.cost[j]);
+    return value;
+  }
+
+  struct Sums {
+    double most = 0, without_one = 0;
+  };
+  static Sums largest(const std::vector<double>& value, const std::vector<bool>& allowed, std::size_t count) {
+    std::vector<double> positive;
+    for (std::size_t j = 0; j < value.size(); ++j)
+      if (allowed[j] && value[j] > 0) positive.push_back(value[j]);
+    std::sort(positive.rbegin(), positive.rend());
+    Sums sums;
+    for (std::size_t k = 0; k < std::min(count, positive.size()); ++k) {
+      sums.most += positive[k];
+      if (k + 1 < count) sums.without_one += positive[k];
+    }
+    return sums;
+  }
+
+  // Reads one node's steps; whether they prove it.
+  bool node(std::vector<bool> allowed, std::size_t units) {
+    while (true) {
+      for (std::size_t j = 0; j < allowed.size(); ++j)
+        allowed[j] = allowed[j] && problem_.cost[j] <= proof_.most_cost - spent_;
+      switch (next()) {
+        case Proof::cost_fails:
+          return spent_ > proof_.most_cost || taken_.size() > proof_.most_units;
+        case Proof::row_fails:
+          if (const std::uint32_t row = next(); label_is_met(row)) return false;
+          return units == 0;
+        case Proof::sum_fails: {
+          const Weighing w = weighing();
+          return w.paid + largest(w.value, allowed, units).most < w.need * (1 - slack);
+        }
+        case Proof::filter: {
+          const Weighing w = weighing();
+          const double others = w.paid + largest(w.value, allowed, units).without_one;
+          for (std::size_t j = 0; j < allowed.size(); ++j)
+            if (others + w.value[j] < w.need * (1 - slack)) allowed[j] = false;
+          break;
+        }
+        case Proof::single_fails:
+          return units == 1 && every_single_fails(allowed);
+        case Proof::branch:
+          return branch(std::move(allowed), units);
+        default:
+          return false;
+      }
+    }
+  }
+
+  struct Weighing {
+    std::vector<double> value;
+    double need = 0, paid = 0;
+  };
+  Weighing weighing() {
+    const std::uint32_t id = next();
+    const auto price = static_cast<double>(std::bit_cast<float>(next()));
+    Weighing w;
+    w.value = values(proof_.weights.at(id >> 16).at(id & 0xFFFF), price, w.need);
+    w.paid = price > 0 ? price * static_cast<double>(proof_.most_cost - spent_) : 0;
+    return w;
+  }
+
+  bool every_single_fails(const std::vector<bool>& allowed) {
+    std::vector<double> open;
+    for (const auto& row : rows_) open.push_back(lacking(row));
+    for (std::uint32_t j = 0; j < allowed.size(); ++j) {
+      if (!allowed[j]) continue;
+      bool fails = false;
+      for (std::size_t r = 0; r < rows_.size() && !fails; ++r) fails = rows_[r][j] < open[r] - slack;
+      if (fails) continue;
+      take(j);
+      for (std::uint32_t i = 0; i < table_.rows() && !fails; ++i) fails = !label_is_met(i);
+      give_back();
+      if (!fails) return false;
+    }
+    return true;
+  }
+
+  bool branch(std::vector<bool> allowed, std::size_t units) {
+    const std::uint32_t label = next();
+    const bool by_cost = next() != 0;
+    const std::uint32_t count = next();
+    if (units == 0 || label_is_met(label)) return false;
+    const std::vector<double> row = dense(label);
+    const double open = lacking(row);
+    const std::int64_t cost_left = proof_.most_cost - spent_;
+    std::vector<bool> listed(table_.columns(), false);
+    std::vector<bool> left = allowed;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t j = next();
+      listed.at(j) = true;
+      // The search may have listed what is too dear by now; such children fail at once.
+      std::vector<bool> below = left;
+      below[j] = false;
+      for (const std::uint32_t other : problem_.excludes[j]) below[other] = false;
+      if (chosen_[j]) return false;
+      take(j);
+      const bool is_proven = node(std::move(below), units - 1);
+      give_back();
+      if (!is_proven) return false;
+      left[j] = false;
+    }
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      if (!allowed[j] || listed[j] || row[j] == 0) continue;
+      const double part = !by_cost ? 1 / static_cast<double>(units)
+                          : cost_left > 0
+                              ? static_cast<double>(problem_.cost[j]) / static_cast<double>(cost_left)
+                              : 0;
+      if (row[j] >= open * part * (1 - slack)) return false;
+    }
+    return true;
+  }
+
+  const SignalTable& table_;
+  const Question& question_;
+  SearchProblem problem_;
+  const Proof& proof_;
+  bool is_sum_ = true;
+  std::vector<std::vector<double>> rows_;
+  std::vector<std::uint32_t> taken_;
+  std::vector<bool> chosen_;
+  std::int64_t spent_ = 0;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+bool check_proof(const SignalTable& table, const Question& question, const Proof& proof) {
+  try {
+    return ProofChecker(table, question, proof).holds();
+  } catch (const std::out_of_range&) {
+    return false;
+  }
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,287 @@
+#include "shelfbeam/placement/detail/local_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "shelfbeam/placement/greedy.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr std::size_t block = SearchMatrix::block;
+constexpr std::size_t rows_at_first = 256, rows_at_once = 32;
+// More candidates for a row are worse, not only slower: the best of all is too often the same.
+constexpr std::size_t most_supporters = 24;
+
+class Walk {
+ public:
+  Walk(const SearchProblem& problem, const SearchMatrix& all, const std::vector<std::uint32_t>& start,
+       std::uint32_t seed)
+      : problem_(problem),
+        all_(all),
+        rule_(receiving(problem.question)),
+        demand_(rule_ == Receiving::second_best ? 2.0F : 1.0F),
+        price_(all.columns(), 1.0),
+        is_free_(problem.available),
+        in_(all.columns(), false),
+        touched_(all.columns(), 0),
+        random_(seed) {
+    if (problem.question.combination == Combination::weighted)
+      for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(problem.cost[j]);
+    for (const std::uint32_t j : start) in_[j] = true;
+    best_cost_ = cost();
+    take_rows(hardest_rows(rows_at_first));
+  }
+
+  void run(const LocalSearchEffort& effort, const RunControl& control) {
+    constexpr std::uint64_t between_looks = 64;
+    for (std::uint64_t move = 1; move <= effort.moves; ++move) {
+      if (move % between_looks == 0 &&
+          (control.cancelled() || std::chrono::steady_clock::now() >= effort.until))
+        return;
+      now_ = move;
+      while (meets_rows()) {
+        if (!try_on_all()) continue;  // more rows are searched with
+        if (!remove_cheapest()) return;
+      }
+      if (!exchange()) return;
+    }
+  }
+
+  const std::optional<std::vector<std::uint32_t>>& best() const { return best_; }
+  double best_cost() const { return best_cost_; }
+
+ private:
+  // Prices may be zero: such units are worth taking whatever they give.
+  static double ratio(double value, double price) { return price > 0 ? value / price : value * 1e30; }
+
+  double cost() const {
+    double sum = 0;
+    for (std::size_t j = 0; j < in_.size(); ++j)
+      if (in_[j]) sum += price_[j];
+    return sum;
+  }
+
+  float held_by(std::uint32_t row, std::uint32_t column) const {
+    const float ratio = all_.column(column)[row];
+    if (is_sum(rule_)) return std::min(ratio, 1.0F);
+    return ratio >= 1.0F ? 1.0F : 0.0F;
+  }
+
+  std::vector<std::uint32_t> hardest_rows(std::size_t count) const {
+    std::vector<std::pair<float, std::uint32_t>> by_margin;
+    for (std::uint32_t i = 0; i < all_.rows(); ++i) {
+      float sum = 0;
+      for (std::uint32_t j = 0; j < in_.size(); ++j)
+        if (in_[j]) sum += held_by(i, j);
+      by_margin.emplace_back(sum, i);
+    }
+    count = std::min(count, by_margin.size());
+    std::partial_sort(by_margin.begin(), by_margin.begin() + static_cast<std::ptrdiff_t>(count),
+                      by_margin.end());
+    std::vector<std::uint32_t> rows;
+    for (std::size_t k = 0; k < count; ++k) rows.push_back(by_margin[k].second);
+    return rows;
+  }
+
+  // Adds rows to those that are searched with.
+  void take_rows(const std::vector<std::uint32_t>& fresh) {
+    const std::size_t before = rows_.size();
+    for (const std::uint32_t row : fresh) {
+      rows_.push_back(row);
+      weight_.resize(rows_.size(), 1.0F);
+      weight_.back() = 1;
+      std::vector<std::uint32_t> columns;
+      for (std::uint32_t j = 0; j < in_.size(); ++j)
+        if (is_free_[j] && held_by(row, j) > 0) columns.push_back(j);
+      const std::size_t count = std::min(most_supporters, columns.size());
+      std::partial_sort(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(count), columns.end(),
+                        [&](std::uint32_t a, std::uint32_t b) {
+                          const float x = all_.column(a)[row], y = all_.column(b)[row];
+                          return x > y || (x == y && a < b);
+                        });
+      columns.resize(count);
+      supporters_.push_back(std::move(columns));
+    }
+    if (rows_.size() > padded_) {
+      const std::size_t wider = std::max(2 * padded_, (rows_.size() + block - 1) / block * block);
+      std::vector<float> values(wider * in_.size(), 0.0F);
+      for (std::size_t j = 0; j < in_.size(); ++j)
+        std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(j * padded_), before,
+                    values.begin() + static_cast<std::ptrdiff_t>(j * wider));
+      values_ = std::move(values);
+      padded_ = wider;
+    }
+    for (std::uint32_t j = 0; j < in_.size(); ++j)
+      for (std::size_t r = before; r < rows_.size(); ++r) values_[j * padded_ + r] = held_by(rows_[r], j);
+    weight_.resize(padded_, 0.0F);
+    std::fill(weight_.begin() + static_cast<std::ptrdiff_t>(rows_.size()), weight_.end(), 0.0F);
+    recount();
+  }
+
+  const float* column(std::size_t j) const { return values_.data() + j * padded_; }
+
+  void recount() {
+    held_.assign(padded_, 0.0F);
+    largest_.assign(padded_, 0.0F);
+    const Receiving rule = rule_ == Receiving::sum_without_best ? rule_ : Receiving::sum;
+    for (std::size_t j = 0; j < in_.size(); ++j)
+      if (in_[j]) SearchKernels::receive(rule, column(j), padded_, held_.data(), largest_.data());
+  }
+
+  bool meets_rows() {
+    unmet_.clear();
+    const float enough = demand_ * (1 - static_cast<float>(search_tolerance));
+    for (std::uint32_t r = 0; r < rows_.size(); ++r)
+      if (held_[r] < enough) unmet_.push_back(r);
+    return unmet_.empty();
+  }
+
+  std::vector<std::uint32_t> selection() const {
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t j = 0; j < in_.size(); ++j)
+      if (in_[j]) result.push_back(j);
+    return result;
+  }
+
+  // Keeps the selection if it meets all labels; else takes the rows that it leaves unmet.
+  bool try_on_all() {
+    const std::vector<std::uint32_t> selected = selection();
+    const Margin margin = margin_of(problem_.table, problem_.question, all_, selected, memory_);
+    if (margin.is_met) {
+      if (const double price = cost(); price < best_cost_ || !best_) {
+        best_ = selected;
+        best_cost_ = price;
+      }
+      return true;
+    }
+    // `memory_` holds what every row receives.
+    std::vector<std::pair<float, std::uint32_t>> short_of;
+    std::vector<bool> is_known(all_.rows(), false);
+    for (const std::uint32_t row : rows_) is_known[row] = true;
+    for (std::uint32_t i = 0; i < all_.rows(); ++i)
+      if (memory_[i] < 1 && !is_known[i]) short_of.emplace_back(memory_[i], i);
+    std::sort(short_of.begin(), short_of.end());
+    std::vector<std::uint32_t> fresh;
+    for (std::size_t k = 0; k < std::min(rows_at_once, short_of.size()); ++k)
+      fresh.push_back(short_of[k].second);
+    if (fresh.empty()) {  // met in float arithmetic only: as good as unmet
+      return remove_for_good(margin.label);
+    }
+    take_rows(fresh);
+    return false;
+  }
+
+  // Between the rule and float arithmetic: a little more is asked of the row from now on.
+  bool remove_for_good(std::uint32_t row) {
+    for (std::size_t r = 0; r < rows_.size(); ++r)
+      if (rows_[r] == row)
+        for (std::size_t j = 0; j < in_.size(); ++j) values_[j * padded_ + r] *= 1 - 1e-4F;
+    recount();
+    return false;
+  }
+
+  bool remove_cheapest() {
+    std::uint32_t out = none;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t j = 0; j < in_.size(); ++j) {
+      if (!in_[j] || !is_free_[j] || touched_[j] == now_) continue;
+      const double loss = ratio(
+          static_cast<double>(SearchKernels::loss(column(j), weight_.data(), held_.data(), demand_, padded_)),
+          price_[j]);
+      if (out == none || loss < least || (loss == least && touched_[j] < touched_[out])) {
+        out = j;
+        least = loss;
+      }
+    }
+    if (out == none) return false;
+    in_[out] = false;
+    touched_[out] = now_;
+    recount();
+    return true;
+  }
+
+  // The most useful column for some unmet row comes in, then the least useful go until it pays.
+  bool exchange() {
+    const std::uint32_t row = unmet_[random_() % unmet_.size()];
+    std::uint32_t in = none;
+    double most = -1;
+    for (const std::uint32_t j : supporters_[row]) {
+      if (in_[j] || (touched_[j] > 0 && touched_[j] + 1 >= now_) || price_[j] >= best_cost_) continue;
+      const double worth = ratio(static_cast<double>(SearchKernels::worth(column(j), weight_.data(),
+                                                                          held_.data(), demand_, padded_)),
+                                 price_[j]);
+      if (in == none || worth > most || (worth == most && touched_[j] < touched_[in])) {
+        in = j;
+        most = worth;
+      }
+    }
+    if (in != none) {
+      in_[in] = true;
+      touched_[in] = now_;
+      for (const std::uint32_t other : problem_.excludes[in]) in_[other] = false;
+      recount();
+    }
+    constexpr double rounding = 1e-12;
+    while (cost() >= best_cost_ * (1 - rounding))
+      if (!remove_cheapest()) return false;
+    meets_rows();
+    for (const std::uint32_t r : unmet_) weight_[r] += 1;
+    return true;
+  }
+
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  const SearchProblem& problem_;
+  const SearchMatrix& all_;
+  Receiving rule_;
+  float demand_;
+  std::vector<double> price_;
+  std::vector<bool> is_free_, in_;
+  std::vector<std::uint64_t> touched_;  ///< the move in which it came or went last
+  std::mt19937 random_;
+  std::uint64_t now_ = 0;
+  std::vector<std::uint32_t> rows_;
+  std::vector<std::vector<std::uint32_t>> supporters_;  ///< by row: the free columns that give it most
+  std::size_t padded_ = 0;
+  std::vector<float> values_;  ///< by column: what a row can use of it
+  std::vector<float> weight_, held_, largest_, memory_;
+  std::vector<std::uint32_t> unmet_;
+  std::optional<std::vector<std::uint32_t>> best_;
+  double best_cost_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+std::optional<std::vector<std::uint32_t>> local_search(const SearchProblem& problem, const SearchMatrix& all,
+                                                       const std::vector<std::uint32_t>& start,
+                                                       const LocalSearchEffort& effort,
+                                                       const RunControl& control) {
+  std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
+  std::vector<double> cost(effort.walks, std::numeric_limits<double>::infinity());
+  tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
+                                             : static_cast<int>(control.threads));
+  arena.execute([&] {
+    tbb::parallel_for(
+        std::uint32_t{0}, effort.walks,
+        [&](std::uint32_t k) {
+          Walk walk(problem, all, start, k + 1);
+          walk.run(effort, control);
+          found[k] = walk.best();
+          cost[k] = walk.best_cost();
+        },
+        tbb::simple_partitioner());
+  });
+  const auto best = static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+  return found.empty() ? std::nullopt : found[best];
+}
+
+}  // namespace shelfbeam::detail

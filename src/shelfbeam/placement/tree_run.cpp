@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <chrono>
+
+#include "shelfbeam/placement/detail/tree_walk.hpp"
+
+namespace shelfbeam::detail {
+
+TreeRun::TreeRun(const SearchProblem& p, const SearchMatrix& a, const SearchMatrix& m, const TreeGoal& g,
+                 const TreeSearch::Limits& l, const RunControl& control)
+    : problem(p),
+      all(a),
+      matrix(m),
+      goal(g),
+      limits(l),
+      rule(receiving(p.question)),
+      control_(control),
+      is_searched_(a.rows(), false),
+      most_cost_(g.most_cost),
+      margin_(g.least_margin) {
+  for (std::size_t i = 0; i < matrix.rows(); ++i) is_searched_[matrix.row(i)] = true;
+}
+
+bool TreeRun::ends() {
+  constexpr std::uint64_t between_looks = 64;
+  const std::uint64_t node = nodes_.fetch_add(1, std::memory_order_relaxed);
+  if (node % between_looks == 0 && (control_.cancelled() || node >= limits.nodes ||
+                                    std::chrono::steady_clock::now() >= limits.until || misses_rows()))
+    cut_.store(true, std::memory_order_relaxed);
+  return was_cut() || found_any();
+}
+
+double TreeRun::exact_target() const {
+  const double rule_alone = 1 - met_tolerance;
+  return goal.kind == TreeGoal::Kind::cheapest
+             ? rule_alone
+             : std::max(rule_alone, margin_.load(std::memory_order_relaxed));
+}
+
+float TreeRun::target() const {
+  constexpr double largest = 1e5;  // a matrix holds no more than ten times that
+  return static_cast<float>(std::min(exact_target(), largest) * (1 - search_tolerance));
+}
+
+Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float>& memory) {
+  const Margin margin = margin_of(problem.table, problem.question, all, selected, memory);
+  if (!margin.is_met) return margin;
+  const std::lock_guard lock(mutex_);
+  const auto keep = [&] {
+    best.emplace(selected.begin(), selected.end());
+    std::sort(best->begin(), best->end());
+  };
+  switch (goal.kind) {
+    case TreeGoal::Kind::any:
+      if (margin.smallest < goal.least_margin || found_any()) break;
+      keep();
+      found_.store(true, std::memory_order_relaxed);
+      break;
+    case TreeGoal::Kind::cheapest: {
+      const std::int64_t cost = problem.cost_of(selected);
+      if (cost > most_cost()) break;
+      keep();
+      most_cost_.store(cost - 1, std::memory_order_relaxed);
+      break;
+    }
+    case TreeGoal::Kind::widest:
+      if (margin.smallest <= margin_.load(std::memory_order_relaxed)) break;
+      keep();
+      margin_.store(margin.smallest, std::memory_order_relaxed);
+  }
+  return margin;
+}
+
+void TreeRun::miss(std::uint32_t row) {
+  if (is_searched_[row]) return;
+  misses_.fetch_add(1, std::memory_order_relaxed);
+  const std::lock_guard lock(mutex_);
+  ++missed_[row];
+}
+
+std::vector<std::uint32_t> TreeRun::missed_rows() const {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> by_number;
+  for (const auto& [row, number] : missed_) by_number.emplace_back(number, row);
+  std::sort(by_number.rbegin(), by_number.rend());
+  std::vector<std::uint32_t> rows;
+  for (const auto& [number, row] : by_number) rows.push_back(row);
+  return rows;
+}
+
+}  // namespace shelfbeam::detail
