@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "shelfbeam/placement/detail/cover_rows.hpp"
+#include "shelfbeam/placement/detail/bound_row.hpp"
 
 namespace shelfbeam::detail {
 
@@ -12,38 +12,18 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// A smaller residual is valid too, so this pays for the rounding of its sum.
-constexpr double residual_slack = 1e-12;
-
 /// sum_i y_i b_i and, per column, sum_i y_i a_ij.
 struct Combination {
   double bound = 0;
   std::vector<double> weight;
 
   Combination(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
-              std::span<const double> y)
+              std::span<const double> y, std::size_t most_units)
       : weight(table.columns(), 0.0) {
-    const CoverRows cover(table, question.model);
-    std::vector<bool> taken(table.columns(), false);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      if (!(y[k] > 0) || !std::isfinite(y[k])) continue;
-      const BoundRow& row = rows[k];
-      if (row.taken.empty()) {
-        bound += y[k] * cover.bound();
-        cover.for_entries(row.label, [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
-        continue;
-      }
-      for (const std::uint32_t j : row.taken) taken[j] = true;
-      double residual = cover.bound() - residual_slack;
-      cover.for_entries(row.label, [&](std::uint32_t j, double a) { residual -= taken[j] ? a : 0; });
-      if (residual > residual_slack) {
-        bound += y[k];
-        cover.for_entries(row.label, [&](std::uint32_t j, double a) {
-          if (!taken[j]) weight[j] += y[k] * std::min(1.0, a / residual);
-        });
-      }
-      for (const std::uint32_t j : row.taken) taken[j] = false;
-    }
+    BoundRowReader reader(table, question.model, most_units);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (y[k] > 0 && std::isfinite(y[k]))
+        bound += y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
   }
 };
 
@@ -73,9 +53,9 @@ void add_mount(std::span<const std::uint32_t> options, const SignalTable& table,
 }  // namespace
 
 DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
-                     std::span<const double> y, std::span<const double> cost) {
+                     std::span<const double> y, std::span<const double> cost, std::size_t most_units) {
   const std::size_t n = table.columns();
-  const Combination combination(table, question, rows, y);
+  const Combination combination(table, question, rows, y, most_units);
   DualBound dual{combination.bound, std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), {}};
   double added = combination.bound;
   for (std::size_t j = 0; j < n; ++j) {

@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include "shelfbeam/milp/lp_session.hpp"
+#include "shelfbeam/placement/detail/bound_row.hpp"
 #include "shelfbeam/placement/detail/cover_cuts.hpp"
 #include "shelfbeam/placement/detail/row_pricing.hpp"
 
@@ -18,26 +19,6 @@ namespace shelfbeam::detail {
 namespace {
 
 constexpr double row_tolerance = 1e-6;
-
-/// The inequality as a solver gets it.
-milp::Row lp_row(const BoundRow& row, const CoverRows& cover) {
-  const auto is_taken = [&](std::uint32_t j) {
-    return std::binary_search(row.taken.begin(), row.taken.end(), j);
-  };
-  milp::Row result{cover.bound(), milp::infinity, {}, {}};
-  double residual = cover.bound();
-  if (!row.taken.empty()) {
-    cover.for_entries(row.label, [&](std::uint32_t j, double a) { residual -= is_taken(j) ? a : 0; });
-    result.lower = 1;
-  }
-  cover.for_entries(row.label, [&](std::uint32_t j, double a) {
-    if (row.taken.empty())
-      result.entries.push_back({j, a});
-    else if (!is_taken(j))
-      result.entries.push_back({j, std::min(1.0, a / residual)});
-  });
-  return result;
-}
 
 class RowGeneration {
  public:
@@ -48,16 +29,17 @@ class RowGeneration {
         cost_(cost),
         options_(options),
         control_(control),
-        cover_(table, question.model),
+        reader_(table, question.model, options.most_units),
         pricing_(table, question.model),
         lp_(load(table, cost, backend)),
         is_row_(table.rows(), false) {
-    result_.dual = dual_bound(table, question, {}, {}, cost);
+    result_.dual = dual_bound(table, question, {}, {}, cost, options.most_units);
   }
 
   LpBound run() {
     std::vector<BoundRow> batch;
-    for (const std::uint32_t label : pricing_.hardest()) batch.push_back({label, {}});
+    for (const std::uint32_t label : options_.labels.empty() ? pricing_.hardest() : options_.labels)
+      batch.push_back({label, {}});
     do {
       add(batch);
       if (!solve()) break;
@@ -91,8 +73,9 @@ class RowGeneration {
   void add(const std::vector<BoundRow>& batch) {
     std::vector<milp::Row> rows;
     for (const BoundRow& row : batch) {
-      rows.push_back(lp_row(row, cover_));
-      if (row.taken.empty() && !is_row_[row.label]) {
+      milp::Row& built = rows.emplace_back();
+      built.lower = reader_.read(row, [&](std::uint32_t j, double a) { built.entries.push_back({j, a}); });
+      if (row.taken.empty() && row.share == 0) {
         is_row_[row.label] = true;
         result_.labels.push_back(row.label);
       }
@@ -115,7 +98,7 @@ class RowGeneration {
       rows.push_back(rows_[k]);
       y.push_back(dual);
     }
-    DualBound dual = dual_bound(table_, question_, rows, y, cost_);
+    DualBound dual = dual_bound(table_, question_, rows, y, cost_, options_.most_units);
     if (dual.bound > result_.dual.bound) {
       result_.dual = std::move(dual);
       result_.rows = std::move(rows);
@@ -134,8 +117,13 @@ class RowGeneration {
     // A row that is in the LP is violated by more than the solver says: nothing will come of it.
     std::erase_if(batch, [&](const BoundRow& row) { return is_row_[row.label]; });
     result_.complete = batch.empty();
-    if (batch.empty() && options_.cuts && question_.model == CommunicationModel::cooperative)
+    if (batch.empty() && options_.cuts && question_.model == CommunicationModel::cooperative) {
       batch = cover_cuts(table_, question_, result_.labels, result_.x, most);
+      if (options_.most_units != any_count)
+        for (BoundRow& row :
+             share_cuts(table_, question_, options_.most_units, result_.labels, result_.x, most))
+          batch.push_back(std::move(row));
+    }
     return batch;
   }
 
@@ -144,7 +132,7 @@ class RowGeneration {
   std::span<const double> cost_;
   const LpBoundOptions& options_;
   const RunControl& control_;
-  CoverRows cover_;
+  BoundRowReader reader_;
   RowPricing pricing_;
   std::unique_ptr<milp::LpSession> lp_;
   std::vector<BoundRow> rows_;  ///< all in the LP

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -8,17 +10,27 @@
 
 namespace shelfbeam::detail {
 
-/// An inequality that every answer meets, made of one label's row sum_j a_ij T_j >= b (cover_rows.hpp).
-///
-/// With A empty it is the row. Otherwise it is a knapsack cover inequality (Carr, Fleischer, Leung and
-/// Phillips, SODA 2000): with all of A chosen the label still lacks d = b - sum_{j in A} a_ij, without A no
-/// less, so sum_{j not in A} min(1, a_ij / d) T_j >= 1. It says nothing where d <= 0.
+/// An inequality that answers meet, made of one label's row sum_j a_ij T_j >= b (cover_rows.hpp):
+/// - the row;
+/// - with A, a knapsack cover inequality (Carr, Fleischer, Leung and Phillips, SODA 2000): with all of A
+/// chosen
+///   the label still lacks d = b - sum_{j in A} a_ij, without A no less, so
+///   sum_{j not in A} min(1, a_ij / d) T_j >= 1;
+/// - with a share s > 0, for answers of at most K units: these give s K at most beyond what each gives above
+/// s,
+///   so the label needs d = b - s K from that, and sum_j min(1, max(0, a_ij - s) / d) T_j >= 1. Near s = 1 /
+///   K this is the pigeonhole principle: one unit gives at least that.
+/// The last two say nothing where d is not positive. A and a share exclude one another.
 struct BoundRow {
   std::uint32_t label = 0;
   std::vector<std::uint32_t> taken = {};  ///< A, ascending
+  double share = 0;                       ///< s
 
   bool operator==(const BoundRow&) const = default;
 };
+
+/// Answers of any number of units.
+inline constexpr std::size_t any_count = std::numeric_limits<std::size_t>::max();
 
 /// What multipliers prove about the cost of answers; every number is safe against rounding.
 struct DualBound {
@@ -29,7 +41,7 @@ struct DualBound {
 };
 
 /// The Lagrangian bound of multipliers y >= 0 of `rows` for costs c of any sign, from the table alone: no
-/// solver is asked or believed.
+/// solver is asked or believed. It holds for answers of at most `most_units` units.
 ///
 /// For every answer T, c T >= c T + sum_i y_i (b_i - a_i T) = sum_i y_i b_i + sum_j r_j T_j with the reduced
 /// costs r_j = c_j - sum_i y_i a_ij. The right-hand side is least over all T with the installed units in and
@@ -39,7 +51,8 @@ struct DualBound {
 /// count as 0. Errors of rounding are bounded by (rows + columns + 8) 2^-52 times the sum of what was added
 /// up.
 DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
-                     std::span<const double> y, std::span<const double> cost);
+                     std::span<const double> y, std::span<const double> cost,
+                     std::size_t most_units = any_count);
 
 /// What every answer that costs at most `worth` has in common.
 struct FixedColumns {

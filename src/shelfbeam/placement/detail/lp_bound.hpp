@@ -15,7 +15,11 @@ namespace shelfbeam::detail {
 struct LpBoundOptions {
   double time_limit_s = 60;
   double enough = std::numeric_limits<double>::infinity();  ///< a bound of this much ends it
-  bool cuts = true;  ///< knapsack cover inequalities as well, where units cooperate
+  /// Inequalities beyond the labels' rows, where units cooperate: knapsack covers, and those with a share
+  /// where the number of units is limited.
+  bool cuts = true;
+  std::size_t most_units = any_count;      ///< bounds the answers of at most so many units
+  std::vector<std::uint32_t> labels = {};  ///< rows to begin with; empty: one for every strongest unit
 };
 
 /// The bound of the LP relaxation, and what it was found with.
@@ -37,5 +41,17 @@ struct LpBound {
 /// Every round scans the table once on `control.threads` threads; the result does not depend on their number.
 LpBound lp_bound(const SignalTable& table, const Question& question, std::span<const double> cost,
                  const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control);
+
+/// The fewest units of an answer, bounded from below.
+struct CountBound {
+  std::size_t count = 0;  ///< no answer has fewer units
+  LpBound relaxation;     ///< of the count, whatever it is
+  bool complete = false;  ///< nothing more can be had this way: it did not end with the time
+};
+
+/// The LP bound of the count, rounded up to k; then, as long as the LP bound of the answers of at most k
+/// units exceeds k, which says that there are none, k + 1.
+CountBound count_bound(const SignalTable& table, const Question& question, const milp::Backend& backend,
+                       double time_limit_s, const RunControl& control);
 
 }  // namespace shelfbeam::detail
