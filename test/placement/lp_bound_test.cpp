@@ -115,12 +115,12 @@ TEST_P(LpBounds, OfTheCountHoldAndAreBetterThanTheRelaxation) {
   EXPECT_GT(exact, 75);
 }
 
-// Five units that give 0.8 to a label of their own and 0.2 to the others: the relaxation is 3.125, and four
-// units leave the fifth label 0.8.
+// Two units each give 0.8 to one label and 0.2 to the four others: the relaxation is 3.125, and four units
+// leave some label 0.8.
 TEST_P(LpBounds, OfTheCountAskWhetherFewAreEnough) {
-  std::vector<std::vector<double>> matrix(5, std::vector<double>(5, 0.2));
-  for (std::size_t i = 0; i < 5; ++i) matrix[i][i] = 0.8;
-  const detail::CountBound found = detail::count_bound(test::make_table(matrix, 5), {}, GetParam(), 60, {});
+  std::vector<std::vector<double>> matrix(5, std::vector<double>(10, 0.2));
+  for (std::size_t i = 0; i < 5; ++i) matrix[i][2 * i] = matrix[i][2 * i + 1] = 0.8;
+  const detail::CountBound found = detail::count_bound(test::make_table(matrix, 10), {}, GetParam(), 60, {});
   EXPECT_LT(found.relaxation.dual.bound, 4);
   EXPECT_EQ(found.count, 5U);
   EXPECT_TRUE(found.complete);
