@@ -42,7 +42,10 @@ class RowGeneration {
       batch.push_back({label, {}});
     do {
       add(batch);
-      if (!solve()) break;
+      if (!solve()) {
+        result_.complete = false;
+        break;
+      }
       batch = violated_rows();
     } while (!batch.empty() && result_.dual.bound < options_.enough);
     return std::move(result_);

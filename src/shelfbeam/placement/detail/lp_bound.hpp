@@ -29,8 +29,9 @@ struct LpBound {
   std::vector<double> y;              ///< one a row
   std::vector<double> x;              ///< solution of the last LP, one a column; empty where none was solved
   std::vector<std::uint32_t> labels;  ///< whose rows the LP holds, in the order they were added
-  bool complete = false;              ///< no label is violated by `x` by more than 1e-6
-  std::size_t rounds = 0;             ///< LPs that were solved
+  /// No label is violated by `x` by more than 1e-6, and no inequality left out because of the time.
+  bool complete = false;
+  std::size_t rounds = 0;  ///< LPs that were solved
 };
 
 /// Bounds min c T over the answers by its LP relaxation, rows generated: begins with the label that is worst
