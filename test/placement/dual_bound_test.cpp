@@ -19,13 +19,13 @@ using detail::DualBound;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The least cost of an answer of at most so many units; of those with, and of those without every column.
+/// The least cost of an answer of so many units; of those with, and of those without every column.
 struct Least {
   double cost = infinite;
   std::vector<double> with, without;
 
   Least(const SignalTable& table, const Question& question, const std::vector<double>& costs,
-        std::size_t most_units)
+        const detail::UnitCount& count)
       : with(table.columns(), infinite), without(table.columns(), infinite) {
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
       std::vector<std::uint32_t> selected;
@@ -36,7 +36,7 @@ struct Least {
         if (in) selected.push_back(j), sum += costs[j];
         holds_installed = holds_installed && (in || !table.transceivers[j].installed);
       }
-      if (!holds_installed || selected.size() > most_units) continue;
+      if (!holds_installed || selected.size() < count.least || selected.size() > count.most) continue;
       if (!check_selection(table, question, selected).met()) continue;
       cost = std::min(cost, sum);
       for (std::uint32_t j = 0; j < table.columns(); ++j) {
@@ -80,17 +80,22 @@ TEST(DualBound, HoldsForAnyMultipliers) {
     std::vector<double> cost = first_objective(table, question);
     if (random.chance(0.2))
       for (double& c : cost) c *= random.real(-1, 1);
-    const auto most_units = static_cast<std::size_t>(random.whole(0, static_cast<int>(table.columns())));
-    const Least least(table, question, cost, most_units);
-    const Least least_of_all(table, question, cost, table.columns());
-    const std::vector<BoundRow> rows = random_rows(table, most_units, random);
+    const auto units = [&](int least) {
+      return static_cast<std::size_t>(random.whole(least, static_cast<int>(table.columns())));
+    };
+    detail::UnitCount count{.most = units(0)};
+    if (random.chance(0.3)) count.least = count.most;
+    if (random.chance(0.1)) count = {.least = units(0)};
+    const Least least(table, question, cost, count);
+    const Least least_of_all(table, question, cost, {});
+    const std::vector<BoundRow> rows = random_rows(table, std::min(count.most, table.columns()), random);
     const double largest = cost.empty() ? 1 : *std::max_element(cost.begin(), cost.end());
     for (int l = 0; l < 8; ++l) {
       std::vector<double> y;
       const double size = largest * std::pow(2.0, -l);
       for (std::size_t i = 0; i < rows.size(); ++i)
         y.push_back(random.chance(0.3) ? random.real(0, size) : 0);
-      const DualBound dual = dual_bound(table, question, rows, y, cost, most_units);
+      const DualBound dual = dual_bound(table, question, rows, y, cost, count);
       ASSERT_LE(dual.bound, least.cost + rounding(least.cost)) << k;
       if (dual.bound > 0.7 * least.cost && least.cost > 0 && least.cost < infinite) ++tight;
       for (std::size_t j = 0; j < table.columns(); ++j) {
@@ -152,20 +157,40 @@ TEST(DualBound, KnowsKnapsackCovers) {
   EXPECT_NEAR(dual_bound(table, {}, nothing, std::vector<double>{1.0}, cost).bound, 0, 1e-9);
 }
 
+TEST(DualBound, KnowsHowManyUnitsThereAre) {
+  SignalTable table = test::make_table({{1, 1, 1, 1}}, 4);
+  const std::vector<double> cost = {5, 2, 3, 1};
+  const auto bound = [&](const detail::UnitCount& count) {
+    return dual_bound(table, {}, {}, {}, cost, count);
+  };
+  EXPECT_NEAR(bound({}).bound, 0, 1e-12);
+  const DualBound two = bound({.least = 2, .most = 2});
+  EXPECT_NEAR(two.bound, 3, 1e-12);           // units 1 and 3
+  EXPECT_NEAR(two.if_chosen[0], 6, 1e-12);    // with 3
+  EXPECT_NEAR(two.if_left_out[3], 5, 1e-12);  // 1 and 2
+  table.mounts = {{1, 3}};
+  EXPECT_NEAR(bound({.least = 2, .most = 2}).bound, 4, 1e-12);
+  table.transceivers[0].installed = true;
+  const DualBound installed = bound({.least = 2, .most = 2});
+  EXPECT_NEAR(installed.bound, 6, 1e-12);
+  EXPECT_NEAR(installed.if_chosen[2], 8, 1e-12);
+  EXPECT_EQ(bound({.most = 1}).if_chosen[2], infinite);
+}
+
 TEST(DualBound, KnowsThePigeonholePrinciple) {
   // Three units are enough, but of two one must give a half.
   const SignalTable table = test::make_table({{0.6, 0.45, 0.45, 0.45}}, 4);
   const std::vector<double> cost = {1, 0, 0, 0};
   const auto bound = [&](double share, std::size_t most_units) {
     const std::vector<BoundRow> rows = {{0, {}, share}};
-    return dual_bound(table, {}, rows, std::vector<double>{1.0}, cost, most_units).bound;
+    return dual_bound(table, {}, rows, std::vector<double>{1.0}, cost, {.most = most_units}).bound;
   };
   EXPECT_NEAR(bound(0.46, 2), 1, 1e-9);
   EXPECT_LE(bound(0.3, 3), 0);
   // Where all units together give as much below the share as the label needs, it says nothing.
   EXPECT_NEAR(bound(0.5, 2), 0, 1e-9);
   EXPECT_NEAR(bound(0.46, 3), 0, 1e-9);
-  EXPECT_NEAR(bound(0.46, detail::any_count), 0, 1e-9);
+  EXPECT_NEAR(bound(0.46, detail::UnitCount().most), 0, 1e-9);
 }
 
 TEST(DualBound, CountsOneUnitAMountingPoint) {

@@ -115,6 +115,28 @@ TEST_P(LpBounds, OfTheCountHoldAndAreBetterThanTheRelaxation) {
   EXPECT_GT(exact, 75);
 }
 
+// The second objective at the fewest units: the count is part of the LP and of its bound.
+TEST_P(LpBounds, OfTheSecondObjectiveKnowTheCount) {
+  test::RandomTables random(37, {.labels = 12, .transceivers = 10, .mounts = true});
+  int compared = 0, better = 0;
+  for (int k = 0; k < 800; ++k) {
+    const SignalTable table = random.next();
+    Question question = random.next_question();
+    question.combination = Combination::lexicographic;
+    const test::BruteForce truth(table, question);
+    if (!truth.feasible || truth.best_at_fewest == 0) continue;
+    const std::vector<double> cost = objective_coefficients(table, question);
+    const LpBound with = bound(table, question, cost, {.count = {truth.fewest, truth.fewest}});
+    const LpBound without = bound(table, question, cost);
+    EXPECT_LE(with.dual.bound, truth.best_at_fewest + rounding(truth.best_at_fewest)) << k;
+    EXPECT_GE(with.dual.bound, without.dual.bound - 1e-6 * truth.best_at_fewest) << k;
+    ++compared;
+    if (with.dual.bound > without.dual.bound + 0.01 * truth.best_at_fewest) ++better;
+  }
+  EXPECT_GT(compared, 50);
+  EXPECT_GT(better, 20);
+}
+
 // Two units each give 0.8 to one label and 0.2 to the four others: the relaxation is 3.125, and four units
 // leave some label 0.8.
 TEST_P(LpBounds, OfTheCountAskWhetherFewAreEnough) {

@@ -29,17 +29,17 @@ class RowGeneration {
         cost_(cost),
         options_(options),
         control_(control),
-        reader_(table, question.model, options.most_units),
+        reader_(table, question.model, options.count.most),
         pricing_(table, question.model),
-        lp_(load(table, cost, backend)),
+        lp_(load(table, cost, backend, options)),
         is_row_(table.rows(), false) {
-    result_.dual = dual_bound(table, question, {}, {}, cost, options.most_units);
+    result_.dual = dual_bound(table, question, {}, {}, cost, options.count);
   }
 
   LpBound run() {
-    std::vector<BoundRow> batch;
-    for (const std::uint32_t label : options_.labels.empty() ? pricing_.hardest() : options_.labels)
-      batch.push_back({label, {}});
+    std::vector<BoundRow> batch = options_.rows;
+    if (batch.empty())
+      for (const std::uint32_t label : pricing_.hardest()) batch.push_back({label});
     do {
       add(batch);
       if (!solve()) {
@@ -52,19 +52,29 @@ class RowGeneration {
   }
 
  private:
+  // An upper limit alone is left to the inequalities with a share: where it leaves nothing the LP would have
+  // no solution and no multipliers that say so.
+  static bool limits_count(const LpBoundOptions& options) { return options.count.least > 0; }
+
   static std::unique_ptr<milp::LpSession> load(const SignalTable& table, std::span<const double> cost,
-                                               const milp::Backend& backend) {
+                                               const milp::Backend& backend, const LpBoundOptions& options) {
     std::vector<milp::Column> columns;
     for (std::size_t j = 0; j < table.columns(); ++j)
       columns.push_back({cost[j], table.transceivers[j].installed ? 1.0 : 0.0, 1, false, {}});
     auto lp = backend.lp(columns);
-    std::vector<milp::Row> mounts;
+    std::vector<milp::Row> rows;
     for (const auto& mount : table.mounts) {
       milp::Row row{-milp::infinity, 1, {}, {}};
       for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
-      mounts.push_back(std::move(row));
+      rows.push_back(std::move(row));
     }
-    if (!mounts.empty()) lp->add_rows(mounts);
+    if (limits_count(options)) {
+      milp::Row row{
+          static_cast<double>(options.count.least), static_cast<double>(options.count.most), {}, {}};
+      for (std::uint32_t j = 0; j < table.columns(); ++j) row.entries.push_back({j, 1.0});
+      rows.push_back(std::move(row));
+    }
+    if (!rows.empty()) lp->add_rows(rows);
     return lp;
   }
 
@@ -93,15 +103,16 @@ class RowGeneration {
     if (solved.termination != milp::Termination::optimal) return false;
     ++result_.rounds;
     result_.x = std::move(solved.x);
+    const std::size_t first_row = table_.mounts.size() + (limits_count(options_) ? 1 : 0);
     std::vector<BoundRow> rows;
     std::vector<double> y;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
-      const double dual = solved.y[table_.mounts.size() + k];
+      const double dual = solved.y[first_row + k];
       if (dual <= 0) continue;
       rows.push_back(rows_[k]);
       y.push_back(dual);
     }
-    DualBound dual = dual_bound(table_, question_, rows, y, cost_, options_.most_units);
+    DualBound dual = dual_bound(table_, question_, rows, y, cost_, options_.count);
     if (dual.bound > result_.dual.bound) {
       result_.dual = std::move(dual);
       result_.rows = std::move(rows);
@@ -122,9 +133,9 @@ class RowGeneration {
     result_.complete = batch.empty();
     if (batch.empty() && options_.cuts && question_.model == CommunicationModel::cooperative) {
       batch = cover_cuts(table_, question_, result_.labels, result_.x, most);
-      if (options_.most_units != any_count)
+      if (options_.count.most < table_.columns())
         for (BoundRow& row :
-             share_cuts(table_, question_, options_.most_units, result_.labels, result_.x, most))
+             share_cuts(table_, question_, options_.count.most, result_.labels, result_.x, most))
           batch.push_back(std::move(row));
     }
     return batch;

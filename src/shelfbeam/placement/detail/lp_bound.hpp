@@ -18,8 +18,8 @@ struct LpBoundOptions {
   /// Inequalities beyond the labels' rows, where units cooperate: knapsack covers, and those with a share
   /// where the number of units is limited.
   bool cuts = true;
-  std::size_t most_units = any_count;      ///< bounds the answers of at most so many units
-  std::vector<std::uint32_t> labels = {};  ///< rows to begin with; empty: one for every strongest unit
+  UnitCount count = {};             ///< bounds the answers of so many units
+  std::vector<BoundRow> rows = {};  ///< to begin with, no label's own row twice; empty: as below
 };
 
 /// The bound of the LP relaxation, and what it was found with.
