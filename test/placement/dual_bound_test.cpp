@@ -19,12 +19,13 @@ using detail::DualBound;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The least cost of an answer; of those with, and of those without every column.
+/// The least cost of an answer of so many units; of those with, and of those without every column.
 struct Least {
   double cost = infinite;
   std::vector<double> with, without;
 
-  Least(const SignalTable& table, const Question& question, const std::vector<double>& costs)
+  Least(const SignalTable& table, const Question& question, const std::vector<double>& costs,
+        const detail::UnitCount& count)
       : with(table.columns(), infinite), without(table.columns(), infinite) {
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
       std::vector<std::uint32_t> selected;
@@ -35,7 +36,8 @@ struct Least {
         if (in) selected.push_back(j), sum += costs[j];
         holds_installed = holds_installed && (in || !table.transceivers[j].installed);
       }
-      if (!holds_installed || !check_selection(table, question, selected).met()) continue;
+      if (!holds_installed || selected.size() < count.least || selected.size() > count.most) continue;
+      if (!check_selection(table, question, selected).met()) continue;
       cost = std::min(cost, sum);
       for (std::uint32_t j = 0; j < table.columns(); ++j) {
         double& least = (set >> j & 1U) != 0 ? with[j] : without[j];
@@ -45,8 +47,9 @@ struct Least {
   }
 };
 
-/// Every label's row, and knapsack cover inequalities of random A.
-std::vector<BoundRow> random_rows(const SignalTable& table, test::RandomTables& random) {
+/// Every label's row, with random A and, for answers of limited size, with random shares.
+std::vector<BoundRow> random_rows(const SignalTable& table, std::size_t most_units,
+                                  test::RandomTables& random) {
   std::vector<BoundRow> rows;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
     rows.push_back({i, {}});
@@ -56,6 +59,9 @@ std::vector<BoundRow> random_rows(const SignalTable& table, test::RandomTables& 
         if (random.chance(0.2)) cut.taken.push_back(j);
       rows.push_back(cut);
     }
+    for (int k = 0; k < 2; ++k)
+      rows.push_back(
+          {i, {}, random.real(0, 1.1) / static_cast<double>(std::max<std::size_t>(most_units, 1))});
   }
   return rows;
 }
@@ -67,22 +73,29 @@ double rounding(double value) {
 // Multipliers from anywhere: most prove little, none may prove too much.
 TEST(DualBound, HoldsForAnyMultipliers) {
   test::RandomTables random(17, {.labels = 6, .transceivers = 8, .mounts = true});
-  int tight = 0, forced_in = 0, forced_out = 0;
+  int tight = 0, forced_in = 0, forced_out = 0, too_much = 0;
   for (int k = 0; k < 1500; ++k) {
     const SignalTable table = random.next();
     const Question question = random.next_question();
     std::vector<double> cost = first_objective(table, question);
     if (random.chance(0.2))
       for (double& c : cost) c *= random.real(-1, 1);
-    const Least least(table, question, cost);
-    const std::vector<BoundRow> rows = random_rows(table, random);
+    const auto units = [&](int least) {
+      return static_cast<std::size_t>(random.whole(least, static_cast<int>(table.columns())));
+    };
+    detail::UnitCount count{.most = units(0)};
+    if (random.chance(0.3)) count.least = count.most;
+    if (random.chance(0.1)) count = {.least = units(0)};
+    const Least least(table, question, cost, count);
+    const Least least_of_all(table, question, cost, {});
+    const std::vector<BoundRow> rows = random_rows(table, std::min(count.most, table.columns()), random);
     const double largest = cost.empty() ? 1 : *std::max_element(cost.begin(), cost.end());
     for (int l = 0; l < 8; ++l) {
       std::vector<double> y;
       const double size = largest * std::pow(2.0, -l);
       for (std::size_t i = 0; i < rows.size(); ++i)
         y.push_back(random.chance(0.3) ? random.real(0, size) : 0);
-      const DualBound dual = dual_bound(table, question, rows, y, cost);
+      const DualBound dual = dual_bound(table, question, rows, y, cost, count);
       ASSERT_LE(dual.bound, least.cost + rounding(least.cost)) << k;
       if (dual.bound > 0.7 * least.cost && least.cost > 0 && least.cost < infinite) ++tight;
       for (std::size_t j = 0; j < table.columns(); ++j) {
@@ -90,6 +103,9 @@ TEST(DualBound, HoldsForAnyMultipliers) {
         ASSERT_LE(dual.if_left_out[j], least.without[j] + rounding(least.without[j])) << k;
         ASSERT_GE(std::max(dual.if_chosen[j], dual.if_left_out[j]), dual.bound);
       }
+
+      // Negative control: for answers of more units the same rows prove too much now and then.
+      if (dual.bound > least_of_all.cost + 1e-3 * largest) ++too_much;
 
       // No answer that is worth it is lost by fixing columns.
       const double worth = least.cost;
@@ -106,6 +122,7 @@ TEST(DualBound, HoldsForAnyMultipliers) {
     }
   }
   EXPECT_GT(tight, 200);
+  EXPECT_GT(too_much, 20);
   EXPECT_GT(forced_in, 50);
   EXPECT_GT(forced_out, 500);
 }
@@ -138,6 +155,42 @@ TEST(DualBound, KnowsKnapsackCovers) {
   // Where A is enough alone, the inequality says nothing.
   const std::vector<BoundRow> nothing = {{0, {0, 1}}};
   EXPECT_NEAR(dual_bound(table, {}, nothing, std::vector<double>{1.0}, cost).bound, 0, 1e-9);
+}
+
+TEST(DualBound, KnowsHowManyUnitsThereAre) {
+  SignalTable table = test::make_table({{1, 1, 1, 1}}, 4);
+  const std::vector<double> cost = {5, 2, 3, 1};
+  const auto bound = [&](const detail::UnitCount& count) {
+    return dual_bound(table, {}, {}, {}, cost, count);
+  };
+  EXPECT_NEAR(bound({}).bound, 0, 1e-12);
+  const DualBound two = bound({.least = 2, .most = 2});
+  EXPECT_NEAR(two.bound, 3, 1e-12);           // units 1 and 3
+  EXPECT_NEAR(two.if_chosen[0], 6, 1e-12);    // with 3
+  EXPECT_NEAR(two.if_left_out[3], 5, 1e-12);  // 1 and 2
+  table.mounts = {{1, 3}};
+  EXPECT_NEAR(bound({.least = 2, .most = 2}).bound, 4, 1e-12);
+  table.transceivers[0].installed = true;
+  const DualBound installed = bound({.least = 2, .most = 2});
+  EXPECT_NEAR(installed.bound, 6, 1e-12);
+  EXPECT_NEAR(installed.if_chosen[2], 8, 1e-12);
+  EXPECT_EQ(bound({.most = 1}).if_chosen[2], infinite);
+}
+
+TEST(DualBound, KnowsThePigeonholePrinciple) {
+  // Three units are enough, but of two one must give a half.
+  const SignalTable table = test::make_table({{0.6, 0.45, 0.45, 0.45}}, 4);
+  const std::vector<double> cost = {1, 0, 0, 0};
+  const auto bound = [&](double share, std::size_t most_units) {
+    const std::vector<BoundRow> rows = {{0, {}, share}};
+    return dual_bound(table, {}, rows, std::vector<double>{1.0}, cost, {.most = most_units}).bound;
+  };
+  EXPECT_NEAR(bound(0.46, 2), 1, 1e-9);
+  EXPECT_LE(bound(0.3, 3), 0);
+  // Where all units together give as much below the share as the label needs, it says nothing.
+  EXPECT_NEAR(bound(0.5, 2), 0, 1e-9);
+  EXPECT_NEAR(bound(0.46, 3), 0, 1e-9);
+  EXPECT_NEAR(bound(0.46, detail::UnitCount().most), 0, 1e-9);
 }
 
 TEST(DualBound, CountsOneUnitAMountingPoint) {

@@ -87,6 +87,67 @@ TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
   EXPECT_GT(wrong_above, 10);
 }
 
+/// Labels that need two or three units of many.
+SignalTable a_few_together(test::RandomTables& random) {
+  std::vector<std::vector<double>> matrix(10, std::vector<double>(11, 0.0));
+  for (auto& row : matrix)
+    for (double& entry : row) entry = std::pow(random.real(0, 1), 2) * 0.8;
+  return test::make_table(matrix, 11);
+}
+
+TEST_P(LpBounds, OfTheCountHoldAndAreBetterThanTheRelaxation) {
+  test::RandomTables random(31, {.labels = 12, .transceivers = 11, .mounts = true});
+  int better = 0, exact = 0;
+  for (int k = 0; k < 400; ++k) {
+    const SignalTable table = random.chance(0.3) ? random.next() : a_few_together(random);
+    const Question question{.model = random.chance(0.8) ? CommunicationModel::cooperative
+                                                        : CommunicationModel::non_cooperative};
+    const test::BruteForce truth(table, question);
+    if (!truth.feasible) continue;
+    const detail::CountBound found = detail::count_bound(table, question, GetParam(), 60, {});
+    ASSERT_LE(found.count, truth.fewest) << k;
+    ASSERT_GE(static_cast<double>(found.count), found.relaxation.dual.bound) << k;
+    EXPECT_TRUE(found.complete) << k;
+    if (static_cast<double>(found.count) >= found.relaxation.dual.bound + 1) ++better;
+    if (found.count == truth.fewest) ++exact;
+  }
+  EXPECT_GT(better, 0);
+  EXPECT_GT(exact, 75);
+}
+
+// The second objective at the fewest units: the count is part of the LP and of its bound.
+TEST_P(LpBounds, OfTheSecondObjectiveKnowTheCount) {
+  test::RandomTables random(37, {.labels = 12, .transceivers = 10, .mounts = true});
+  int compared = 0, better = 0;
+  for (int k = 0; k < 800; ++k) {
+    const SignalTable table = random.next();
+    Question question = random.next_question();
+    question.combination = Combination::lexicographic;
+    const test::BruteForce truth(table, question);
+    if (!truth.feasible || truth.best_at_fewest == 0) continue;
+    const std::vector<double> cost = objective_coefficients(table, question);
+    const LpBound with = bound(table, question, cost, {.count = {truth.fewest, truth.fewest}});
+    const LpBound without = bound(table, question, cost);
+    EXPECT_LE(with.dual.bound, truth.best_at_fewest + rounding(truth.best_at_fewest)) << k;
+    EXPECT_GE(with.dual.bound, without.dual.bound - 1e-6 * truth.best_at_fewest) << k;
+    ++compared;
+    if (with.dual.bound > without.dual.bound + 0.01 * truth.best_at_fewest) ++better;
+  }
+  EXPECT_GT(compared, 50);
+  EXPECT_GT(better, 20);
+}
+
+// Two units each give 0.8 to one label and 0.2 to the four others: the relaxation is 3.125, and four units
+// leave some label 0.8.
+TEST_P(LpBounds, OfTheCountAskWhetherFewAreEnough) {
+  std::vector<std::vector<double>> matrix(5, std::vector<double>(10, 0.2));
+  for (std::size_t i = 0; i < 5; ++i) matrix[i][2 * i] = matrix[i][2 * i + 1] = 0.8;
+  const detail::CountBound found = detail::count_bound(test::make_table(matrix, 10), {}, GetParam(), 60, {});
+  EXPECT_LT(found.relaxation.dual.bound, 4);
+  EXPECT_EQ(found.count, 5U);
+  EXPECT_TRUE(found.complete);
+}
+
 TEST_P(LpBounds, EndWithoutTimeOrWhenCancelled) {
   SignalTable table = test::make_table({{1, 1, 0}, {0, 1, 1}, {1, 0, 1}}, 3);
   const Question question{.model = CommunicationModel::non_cooperative};

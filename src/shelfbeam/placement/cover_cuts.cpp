@@ -11,8 +11,8 @@ namespace shelfbeam::detail {
 namespace {
 
 constexpr double least_violation = 1e-3;
-constexpr double least_residual = 1e-3;  // smaller ones divide by next to nothing
-constexpr double least_value = 1e-9;     // of x
+constexpr double least_lack = 1e-3;  // BoundRowReader says nothing below
+constexpr double least_x = 1e-9;
 
 struct Cut {
   BoundRow row;
@@ -25,22 +25,27 @@ struct Term {
   double x = 0;
 };
 
-Cut best_cut(std::uint32_t label, const CoverRows& cover, std::span<const double> x) {
+std::vector<Term> terms_of(std::uint32_t label, const CoverRows& cover, std::span<const double> x) {
   std::vector<Term> terms;
   cover.for_entries(label, [&](std::uint32_t j, double a) {
-    if (x[j] > least_value) terms.push_back({j, a, x[j]});
+    if (x[j] > least_x) terms.push_back({j, a, x[j]});
   });
+  return terms;
+}
+
+Cut best_cover(std::uint32_t label, const CoverRows& cover, std::span<const double> x) {
+  std::vector<Term> terms = terms_of(label, cover, x);
   std::sort(terms.begin(), terms.end(),
             [](const Term& s, const Term& t) { return s.x != t.x ? s.x > t.x : s.column < t.column; });
-  Cut best{{label, {}}, least_violation};
+  Cut best{{label, {}, 0}, 0};
   std::size_t taken = 0;
-  double residual = cover.bound();
+  double lacking = cover.bound();
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    residual -= terms[k].a;
-    if (residual < least_residual) break;
+    lacking -= terms[k].a;
+    if (lacking < 2 * least_lack) break;
     double sum = 0;
     for (std::size_t l = k + 1; l < terms.size(); ++l)
-      sum += std::min(1.0, terms[l].a / residual) * terms[l].x;
+      sum += std::min(1.0, terms[l].a / lacking) * terms[l].x;
     if (1 - sum <= best.violation) continue;
     best.violation = 1 - sum;
     taken = k + 1;
@@ -50,23 +55,59 @@ Cut best_cut(std::uint32_t label, const CoverRows& cover, std::span<const double
   return best;
 }
 
-}  // namespace
+Cut best_share(std::uint32_t label, const CoverRows& cover, std::span<const double> x,
+               std::size_t most_units) {
+  constexpr int shares = 24;
+  const std::vector<Term> terms = terms_of(label, cover, x);
+  const auto units = static_cast<double>(most_units);
+  Cut best{{label, {}, 0}, 0};
+  for (int k = 1; k <= shares; ++k) {
+    // What all units together give below the share grows evenly up to nearly everything.
+    const double below = cover.bound() * k / (shares + 0.25);
+    const double share = below / units;
+    const double lacking = cover.bound() - below;
+    double sum = 0;
+    for (const Term& term : terms)
+      if (term.a > share) sum += std::min(1.0, (term.a - share) / lacking) * term.x;
+    if (1 - sum <= best.violation) continue;
+    best.violation = 1 - sum;
+    best.row.share = share;
+  }
+  return best;
+}
 
-std::vector<BoundRow> cover_cuts(const SignalTable& table, const Question& question,
-                                 std::span<const std::uint32_t> labels, std::span<const double> x,
-                                 std::size_t most) {
-  const CoverRows cover(table, question.model);
+template <class Separate>
+std::vector<BoundRow> most_violated(std::span<const std::uint32_t> labels, std::size_t most,
+                                    Separate separate) {
   std::vector<Cut> cuts(labels.size());
   for_parts(labels.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k) cuts[k] = best_cut(labels[k], cover, x);
+    for (std::size_t k = first; k < last; ++k) cuts[k] = separate(labels[k]);
   });
-  std::erase_if(cuts, [](const Cut& cut) { return cut.row.taken.empty(); });
+  std::erase_if(cuts, [](const Cut& cut) { return cut.violation < least_violation; });
   std::stable_sort(cuts.begin(), cuts.end(),
                    [](const Cut& a, const Cut& b) { return a.violation > b.violation; });
   cuts.resize(std::min(cuts.size(), most));
   std::vector<BoundRow> rows;
   for (Cut& cut : cuts) rows.push_back(std::move(cut.row));
   return rows;
+}
+
+}  // namespace
+
+std::vector<BoundRow> cover_cuts(const SignalTable& table, const Question& question,
+                                 std::span<const std::uint32_t> labels, std::span<const double> x,
+                                 std::size_t most) {
+  const CoverRows cover(table, question.model);
+  return most_violated(labels, most, [&](std::uint32_t label) { return best_cover(label, cover, x); });
+}
+
+std::vector<BoundRow> share_cuts(const SignalTable& table, const Question& question, std::size_t most_units,
+                                 std::span<const std::uint32_t> labels, std::span<const double> x,
+                                 std::size_t most) {
+  if (most_units == 0) return {};
+  const CoverRows cover(table, question.model);
+  return most_violated(labels, most,
+                       [&](std::uint32_t label) { return best_share(label, cover, x, most_units); });
 }
 
 }  // namespace shelfbeam::detail

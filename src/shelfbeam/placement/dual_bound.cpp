@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "shelfbeam/placement/detail/cover_rows.hpp"
+#include "shelfbeam/placement/detail/bound_row.hpp"
 
 namespace shelfbeam::detail {
 
@@ -12,70 +13,103 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// A smaller residual is valid too, so this pays for the rounding of its sum.
-constexpr double residual_slack = 1e-12;
-
 /// sum_i y_i b_i and, per column, sum_i y_i a_ij.
 struct Combination {
   double bound = 0;
   std::vector<double> weight;
 
   Combination(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
-              std::span<const double> y)
+              std::span<const double> y, std::size_t most_units)
       : weight(table.columns(), 0.0) {
-    const CoverRows cover(table, question.model);
-    std::vector<bool> taken(table.columns(), false);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      if (!(y[k] > 0) || !std::isfinite(y[k])) continue;
-      const BoundRow& row = rows[k];
-      if (row.taken.empty()) {
-        bound += y[k] * cover.bound();
-        cover.for_entries(row.label, [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
-        continue;
-      }
-      for (const std::uint32_t j : row.taken) taken[j] = true;
-      double residual = cover.bound() - residual_slack;
-      cover.for_entries(row.label, [&](std::uint32_t j, double a) { residual -= taken[j] ? a : 0; });
-      if (residual > residual_slack) {
-        bound += y[k];
-        cover.for_entries(row.label, [&](std::uint32_t j, double a) {
-          if (!taken[j]) weight[j] += y[k] * std::min(1.0, a / residual);
-        });
-      }
-      for (const std::uint32_t j : row.taken) taken[j] = false;
-    }
+    BoundRowReader reader(table, question.model, most_units);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (y[k] > 0 && std::isfinite(y[k]))
+        bound += y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
   }
 };
 
-/// The least of sum r_j T_j over the options of a mounting point, and how much more it is with one T_j given.
-void add_mount(std::span<const std::uint32_t> options, const SignalTable& table, DualBound& dual) {
-  const auto installed = std::find_if(options.begin(), options.end(),
-                                      [&](std::uint32_t j) { return table.transceivers[j].installed; });
-  if (installed != options.end()) {
-    dual.bound += dual.reduced_cost[*installed];
-    for (const std::uint32_t j : options) (j == *installed ? dual.if_left_out : dual.if_chosen)[j] = infinite;
-    return;
-  }
-  double least = 0, second = 0;  // nothing chosen costs 0
+/// A mounting point that no unit is installed at, or a column with a point of its own.
+struct Point {
+  std::vector<std::uint32_t> options;
+  double least = infinite;   ///< r_j of its best option
+  double second = infinite;  ///< of the next one
+};
+
+Point make_point(std::vector<std::uint32_t> options, const std::vector<double>& reduced_cost) {
+  Point point;
   for (const std::uint32_t j : options) {
-    const double r = dual.reduced_cost[j];
-    second = std::min(second, std::max(least, r));
-    least = std::min(least, r);
+    const double r = reduced_cost[j];
+    point.second = std::min(point.second, std::max(point.least, r));
+    point.least = std::min(point.least, r);
   }
-  for (const std::uint32_t j : options) {
-    const double r = dual.reduced_cost[j];
-    dual.if_chosen[j] = r - least;
-    dual.if_left_out[j] = (r == least ? second : least) - least;
+  point.options = std::move(options);
+  return point;
+}
+
+/// The units that may be chosen: points without an installed unit. Adds the installed ones to the bound and
+/// rules out the other options of their points.
+std::vector<Point> free_points(const SignalTable& table, DualBound& dual) {
+  std::vector<Point> points;
+  std::vector<bool> shares(table.columns(), false);
+  for (const auto& mount : table.mounts) {
+    bool taken = false;
+    for (const std::uint32_t j : mount) {
+      shares[j] = true;
+      taken = taken || table.transceivers[j].installed;
+    }
+    for (const std::uint32_t j : mount)
+      if (taken && !table.transceivers[j].installed) dual.if_chosen[j] = infinite;
+    if (!taken) points.push_back(make_point(mount, dual.reduced_cost));
   }
-  dual.bound += least;
+  for (std::uint32_t j = 0; j < table.columns(); ++j) {
+    if (table.transceivers[j].installed) {
+      dual.bound += dual.reduced_cost[j];
+      dual.if_left_out[j] = infinite;
+    } else if (!shares[j]) {
+      points.push_back(make_point({j}, dual.reduced_cost));
+    }
+  }
+  return points;
+}
+
+/// Adds the points that are taken to the bound; `if_chosen` and `if_left_out` become what a column in or out
+/// adds to it.
+void take_points(std::vector<Point> points, std::size_t least, std::size_t most, DualBound& dual) {
+  std::stable_sort(points.begin(), points.end(),
+                   [](const Point& a, const Point& b) { return a.least < b.least; });
+  const auto negative = static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(), [](const Point& point) { return point.least < 0; }));
+  most = std::min(most, points.size());
+  least = std::min(least, most);
+  const std::size_t taken = std::clamp(negative, least, most);
+  const double last = taken > 0 ? points[taken - 1].least : 0;
+  const double next = taken < points.size() ? points[taken].least : infinite;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Point& point = points[k];
+    const bool is_taken = k < taken;
+    if (is_taken) dual.bound += point.least;
+    // Where a further unit would be one too many, or one more than is needed, it replaces the last.
+    const bool replaces = taken == most || (taken == least && negative < least);
+    for (const std::uint32_t j : point.options) {
+      const double r = dual.reduced_cost[j];
+      if (is_taken)
+        dual.if_chosen[j] = r - point.least;
+      else
+        dual.if_chosen[j] = most == 0 ? infinite : r - (replaces ? last : 0);
+      if (is_taken && r == point.least) {
+        const double without = taken > least ? 0 : infinite;
+        dual.if_left_out[j] = std::min({point.second, next, without}) - point.least;
+      }
+    }
+  }
 }
 
 }  // namespace
 
 DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
-                     std::span<const double> y, std::span<const double> cost) {
+                     std::span<const double> y, std::span<const double> cost, const UnitCount& count) {
   const std::size_t n = table.columns();
-  const Combination combination(table, question, rows, y);
+  const Combination combination(table, question, rows, y, count.most);
   DualBound dual{combination.bound, std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), {}};
   double added = combination.bound;
   for (std::size_t j = 0; j < n; ++j) {
@@ -83,20 +117,22 @@ DualBound dual_bound(const SignalTable& table, const Question& question, std::sp
     added += std::abs(cost[j]) + combination.weight[j];
   }
 
-  std::vector<bool> shares(n, false);
-  for (const auto& mount : table.mounts) {
-    for (const std::uint32_t j : mount) shares[j] = true;
-    add_mount(mount, table, dual);
+  if (!std::isfinite(added)) {
+    dual.bound = -infinite;
+    dual.if_chosen = dual.if_left_out = std::vector<double>(n, -infinite);
+    return dual;
   }
-  for (std::uint32_t j = 0; j < n; ++j) {
-    if (shares[j]) continue;
-    const std::uint32_t options[] = {j};
-    add_mount(options, table, dual);
-  }
+
+  std::vector<Point> points = free_points(table, dual);
+  const auto installed = static_cast<std::size_t>(
+      std::count_if(table.transceivers.begin(), table.transceivers.end(),
+                    [](const SignalTable::Transceiver& unit) { return unit.installed; }));
+  take_points(std::move(points), count.least - std::min(count.least, installed),
+              count.most - std::min(count.most, installed), dual);
 
   const double slack =
       static_cast<double>(rows.size() + n + 8) * std::numeric_limits<double>::epsilon() * added;
-  dual.bound = std::isfinite(added) ? dual.bound - slack : -infinite;
+  dual.bound -= slack;
   for (std::size_t j = 0; j < n; ++j) {
     dual.if_chosen[j] += dual.bound;
     dual.if_left_out[j] += dual.bound;

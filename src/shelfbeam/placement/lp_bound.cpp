@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include "shelfbeam/milp/lp_session.hpp"
+#include "shelfbeam/placement/detail/bound_row.hpp"
 #include "shelfbeam/placement/detail/cover_cuts.hpp"
 #include "shelfbeam/placement/detail/row_pricing.hpp"
 
@@ -18,26 +19,6 @@ namespace shelfbeam::detail {
 namespace {
 
 constexpr double row_tolerance = 1e-6;
-
-/// The inequality as a solver gets it.
-milp::Row lp_row(const BoundRow& row, const CoverRows& cover) {
-  const auto is_taken = [&](std::uint32_t j) {
-    return std::binary_search(row.taken.begin(), row.taken.end(), j);
-  };
-  milp::Row result{cover.bound(), milp::infinity, {}, {}};
-  double residual = cover.bound();
-  if (!row.taken.empty()) {
-    cover.for_entries(row.label, [&](std::uint32_t j, double a) { residual -= is_taken(j) ? a : 0; });
-    result.lower = 1;
-  }
-  cover.for_entries(row.label, [&](std::uint32_t j, double a) {
-    if (row.taken.empty())
-      result.entries.push_back({j, a});
-    else if (!is_taken(j))
-      result.entries.push_back({j, std::min(1.0, a / residual)});
-  });
-  return result;
-}
 
 class RowGeneration {
  public:
@@ -48,38 +29,52 @@ class RowGeneration {
         cost_(cost),
         options_(options),
         control_(control),
-        cover_(table, question.model),
+        reader_(table, question.model, options.count.most),
         pricing_(table, question.model),
-        lp_(load(table, cost, backend)),
+        lp_(load(table, cost, backend, options)),
         is_row_(table.rows(), false) {
-    result_.dual = dual_bound(table, question, {}, {}, cost);
+    result_.dual = dual_bound(table, question, {}, {}, cost, options.count);
   }
 
   LpBound run() {
-    std::vector<BoundRow> batch;
-    for (const std::uint32_t label : pricing_.hardest()) batch.push_back({label, {}});
+    std::vector<BoundRow> batch = options_.rows;
+    if (batch.empty())
+      for (const std::uint32_t label : pricing_.hardest()) batch.push_back({label});
     do {
       add(batch);
-      if (!solve()) break;
+      if (!solve()) {
+        result_.complete = false;
+        break;
+      }
       batch = violated_rows();
     } while (!batch.empty() && result_.dual.bound < options_.enough);
     return std::move(result_);
   }
 
  private:
+  // An upper limit alone is left to the inequalities with a share: where it leaves nothing the LP would have
+  // no solution and no multipliers that say so.
+  static bool limits_count(const LpBoundOptions& options) { return options.count.least > 0; }
+
   static std::unique_ptr<milp::LpSession> load(const SignalTable& table, std::span<const double> cost,
-                                               const milp::Backend& backend) {
+                                               const milp::Backend& backend, const LpBoundOptions& options) {
     std::vector<milp::Column> columns;
     for (std::size_t j = 0; j < table.columns(); ++j)
       columns.push_back({cost[j], table.transceivers[j].installed ? 1.0 : 0.0, 1, false, {}});
     auto lp = backend.lp(columns);
-    std::vector<milp::Row> mounts;
+    std::vector<milp::Row> rows;
     for (const auto& mount : table.mounts) {
       milp::Row row{-milp::infinity, 1, {}, {}};
       for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
-      mounts.push_back(std::move(row));
+      rows.push_back(std::move(row));
     }
-    if (!mounts.empty()) lp->add_rows(mounts);
+    if (limits_count(options)) {
+      milp::Row row{
+          static_cast<double>(options.count.least), static_cast<double>(options.count.most), {}, {}};
+      for (std::uint32_t j = 0; j < table.columns(); ++j) row.entries.push_back({j, 1.0});
+      rows.push_back(std::move(row));
+    }
+    if (!rows.empty()) lp->add_rows(rows);
     return lp;
   }
 
@@ -91,8 +86,9 @@ class RowGeneration {
   void add(const std::vector<BoundRow>& batch) {
     std::vector<milp::Row> rows;
     for (const BoundRow& row : batch) {
-      rows.push_back(lp_row(row, cover_));
-      if (row.taken.empty() && !is_row_[row.label]) {
+      milp::Row& built = rows.emplace_back();
+      built.lower = reader_.read(row, [&](std::uint32_t j, double a) { built.entries.push_back({j, a}); });
+      if (row.taken.empty() && row.share == 0) {
         is_row_[row.label] = true;
         result_.labels.push_back(row.label);
       }
@@ -107,15 +103,16 @@ class RowGeneration {
     if (solved.termination != milp::Termination::optimal) return false;
     ++result_.rounds;
     result_.x = std::move(solved.x);
+    const std::size_t first_row = table_.mounts.size() + (limits_count(options_) ? 1 : 0);
     std::vector<BoundRow> rows;
     std::vector<double> y;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
-      const double dual = solved.y[table_.mounts.size() + k];
+      const double dual = solved.y[first_row + k];
       if (dual <= 0) continue;
       rows.push_back(rows_[k]);
       y.push_back(dual);
     }
-    DualBound dual = dual_bound(table_, question_, rows, y, cost_);
+    DualBound dual = dual_bound(table_, question_, rows, y, cost_, options_.count);
     if (dual.bound > result_.dual.bound) {
       result_.dual = std::move(dual);
       result_.rows = std::move(rows);
@@ -134,8 +131,13 @@ class RowGeneration {
     // A row that is in the LP is violated by more than the solver says: nothing will come of it.
     std::erase_if(batch, [&](const BoundRow& row) { return is_row_[row.label]; });
     result_.complete = batch.empty();
-    if (batch.empty() && options_.cuts && question_.model == CommunicationModel::cooperative)
+    if (batch.empty() && options_.cuts && question_.model == CommunicationModel::cooperative) {
       batch = cover_cuts(table_, question_, result_.labels, result_.x, most);
+      if (options_.count.most < table_.columns())
+        for (BoundRow& row :
+             share_cuts(table_, question_, options_.count.most, result_.labels, result_.x, most))
+          batch.push_back(std::move(row));
+    }
     return batch;
   }
 
@@ -144,7 +146,7 @@ class RowGeneration {
   std::span<const double> cost_;
   const LpBoundOptions& options_;
   const RunControl& control_;
-  CoverRows cover_;
+  BoundRowReader reader_;
   RowPricing pricing_;
   std::unique_ptr<milp::LpSession> lp_;
   std::vector<BoundRow> rows_;  ///< all in the LP

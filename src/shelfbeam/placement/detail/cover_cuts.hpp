@@ -16,4 +16,10 @@ std::vector<BoundRow> cover_cuts(const SignalTable& table, const Question& quest
                                  std::span<const std::uint32_t> labels, std::span<const double> x,
                                  std::size_t most);
 
+/// The same of inequalities with a share, for answers of at most `most_units` units: of 24 shares for every
+/// label, that which is violated most.
+std::vector<BoundRow> share_cuts(const SignalTable& table, const Question& question, std::size_t most_units,
+                                 std::span<const std::uint32_t> labels, std::span<const double> x,
+                                 std::size_t most);
+
 }  // namespace shelfbeam::detail

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -8,16 +10,29 @@
 
 namespace shelfbeam::detail {
 
-/// An inequality that every answer meets, made of one label's row sum_j a_ij T_j >= b (cover_rows.hpp).
-///
-/// With A empty it is the row. Otherwise it is a knapsack cover inequality (Carr, Fleischer, Leung and
-/// Phillips, SODA 2000): with all of A chosen the label still lacks d = b - sum_{j in A} a_ij, without A no
-/// less, so sum_{j not in A} min(1, a_ij / d) T_j >= 1. It says nothing where d <= 0.
+/// An inequality that answers meet, made of one label's row sum_j a_ij T_j >= b (cover_rows.hpp):
+/// - the row;
+/// - with A, a knapsack cover inequality (Carr, Fleischer, Leung and Phillips, SODA 2000): with all of A
+/// chosen
+///   the label still lacks d = b - sum_{j in A} a_ij, without A no less, so
+///   sum_{j not in A} min(1, a_ij / d) T_j >= 1;
+/// - with a share s > 0, for answers of at most K units (UnitCount::most): these give s K at most beyond what
+/// each gives above s,
+///   so the label needs d = b - s K from that, and sum_j min(1, max(0, a_ij - s) / d) T_j >= 1. Near s = 1 /
+///   K this is the pigeonhole principle: one unit gives at least that.
+/// The last two say nothing where d is not positive. A and a share exclude one another.
 struct BoundRow {
   std::uint32_t label = 0;
   std::vector<std::uint32_t> taken = {};  ///< A, ascending
+  double share = 0;                       ///< s
 
   bool operator==(const BoundRow&) const = default;
+};
+
+/// How many units the answers have that a bound is for, installed ones included.
+struct UnitCount {
+  std::size_t least = 0;
+  std::size_t most = std::numeric_limits<std::size_t>::max();
 };
 
 /// What multipliers prove about the cost of answers; every number is safe against rounding.
@@ -29,17 +44,17 @@ struct DualBound {
 };
 
 /// The Lagrangian bound of multipliers y >= 0 of `rows` for costs c of any sign, from the table alone: no
-/// solver is asked or believed.
+/// solver is asked or believed. It holds for answers of `count` units.
 ///
 /// For every answer T, c T >= c T + sum_i y_i (b_i - a_i T) = sum_i y_i b_i + sum_j r_j T_j with the reduced
-/// costs r_j = c_j - sum_i y_i a_ij. The right-hand side is least over all T with the installed units in and
-/// at most one unit a mounting point where every other column takes min(0, r_j), a point with options the
-/// least of 0 and their r_j, and a point with an installed unit that one. `if_chosen` and `if_left_out` are
-/// the same minimum with one T_j given. This holds for every y; multipliers that are negative or not finite
-/// count as 0. Errors of rounding are bounded by (rows + columns + 8) 2^-52 times the sum of what was added
-/// up.
+/// costs r_j = c_j - sum_i y_i a_ij. The right-hand side is least over all T with the installed units in, at
+/// most one unit a mounting point and as many units as `count` allows, where of every other point the option
+/// of least r_j competes: the points of least r_j are taken, at least so many, and further ones as long as
+/// they are negative, at most so many. `if_chosen` and `if_left_out` are the same minimum with one T_j given.
+/// This holds for every y; multipliers that are negative or not finite count as 0. Errors of rounding are
+/// bounded by (rows + columns + 8) 2^-52 times the sum of what was added up.
 DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
-                     std::span<const double> y, std::span<const double> cost);
+                     std::span<const double> y, std::span<const double> cost, const UnitCount& count = {});
 
 /// What every answer that costs at most `worth` has in common.
 struct FixedColumns {

@@ -15,7 +15,11 @@ namespace shelfbeam::detail {
 struct LpBoundOptions {
   double time_limit_s = 60;
   double enough = std::numeric_limits<double>::infinity();  ///< a bound of this much ends it
-  bool cuts = true;  ///< knapsack cover inequalities as well, where units cooperate
+  /// Inequalities beyond the labels' rows, where units cooperate: knapsack covers, and those with a share
+  /// where the number of units is limited.
+  bool cuts = true;
+  UnitCount count = {};             ///< bounds the answers of so many units
+  std::vector<BoundRow> rows = {};  ///< to begin with, no label's own row twice; empty: as below
 };
 
 /// The bound of the LP relaxation, and what it was found with.
@@ -25,8 +29,9 @@ struct LpBound {
   std::vector<double> y;              ///< one a row
   std::vector<double> x;              ///< solution of the last LP, one a column; empty where none was solved
   std::vector<std::uint32_t> labels;  ///< whose rows the LP holds, in the order they were added
-  bool complete = false;              ///< no label is violated by `x` by more than 1e-6
-  std::size_t rounds = 0;             ///< LPs that were solved
+  /// No label is violated by `x` by more than 1e-6, and no inequality left out because of the time.
+  bool complete = false;
+  std::size_t rounds = 0;  ///< LPs that were solved
 };
 
 /// Bounds min c T over the answers by its LP relaxation, rows generated: begins with the label that is worst
@@ -37,5 +42,17 @@ struct LpBound {
 /// Every round scans the table once on `control.threads` threads; the result does not depend on their number.
 LpBound lp_bound(const SignalTable& table, const Question& question, std::span<const double> cost,
                  const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control);
+
+/// The fewest units of an answer, bounded from below.
+struct CountBound {
+  std::size_t count = 0;  ///< no answer has fewer units
+  LpBound relaxation;     ///< of the count, whatever it is
+  bool complete = false;  ///< nothing more can be had this way: it did not end with the time
+};
+
+/// The LP bound of the count, rounded up to k; then, as long as the LP bound of the answers of at most k
+/// units exceeds k, which says that there are none, k + 1.
+CountBound count_bound(const SignalTable& table, const Question& question, const milp::Backend& backend,
+                       double time_limit_s, const RunControl& control);
 
 }  // namespace shelfbeam::detail
