@@ -15,6 +15,8 @@ struct PlacementInput {
   std::filesystem::path signal;
   double threshold = 0;  ///< 0: not given
   std::vector<std::filesystem::path> costs;
+  double min_spacing = 0;  ///< m; 0: not given
+  std::vector<std::filesystem::path> forbidden;
 
   /// Throws InputError when the output is one of the files that are read.
   void keep(const std::filesystem::path& output) const;

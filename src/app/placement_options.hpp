@@ -16,6 +16,7 @@ struct QuestionFlags {
   bool weighted = false;
   bool lexicographic = false;  ///< the default, for those who want to say it
   double share = 1;
+  bool survive_failure = false;
 
   Question question() const;
 };

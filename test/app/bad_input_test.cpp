@@ -331,6 +331,21 @@ TEST_F(BadMatrix, WithoutRequirement) {
   expect_refused(folder, {"export", matrix, "-o", path("new.csv")}, {matrix});
 }
 
+TEST_F(BadMatrix, PairsApart) {
+  const std::string matrix = folder.write("matrix.csv", "label,T1,T2\nL1,1,2\n").string();
+  const std::string pairs = folder.write("pairs.csv", "a,b\nT1,T2\nT1,T9\n").string();
+  for (const char* output : {"new.json", "old.json"})
+    expect_refused(folder, {"place", matrix, "--threshold", "1", "--forbid", pairs, "-o", path(output)},
+                   {pairs, "line 3", "'T9'"});
+  expect_refused(folder, {"export", matrix, "--threshold", "1", "--forbid", pairs, "-o", path("new.mps")},
+                 {pairs, "line 3", "'T9'"});
+  expect_refused(folder, {"place", matrix, "--forbid", pairs, "-o", pairs}, {pairs, "is the input"});
+  expect_refused(folder, {"place", matrix, "--threshold", "1", "--min-spacing", "2"},
+                 {matrix, "no position", "--forbid"});
+  expect_refused(folder, {"place", matrix, "--threshold", "1", "--min-spacing", "-2"}, {"--min-spacing"});
+  expect_refused(folder, {"export", matrix, "--min-spacing", "2", "-o", path("new.csv")}, {"--min-spacing"});
+}
+
 TEST_F(BadMatrix, Costs) {
   const std::string matrix = folder.write("matrix.csv", "label,T1,T2\nL1,1,2\n").string();
   for (const std::string costs :

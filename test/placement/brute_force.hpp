@@ -11,7 +11,7 @@
 namespace shelfbeam::test {
 
 /// What is left out of the enumeration, to see that a comparison with it can fail.
-enum class Omission { nothing, last_label, installed, second_objective, tolerance, mounts };
+enum class Omission { nothing, last_label, installed, second_objective, tolerance, mounts, apart, failure };
 
 /// Answers of the paper's models by trying every selection, written from the formulas of chapter 3 with dense
 /// matrices M, l and t, sharing no code with the library.
@@ -35,7 +35,8 @@ struct BruteForce {
     const std::size_t tested = m - (omission == Omission::last_label && m > 0 ? 1 : 0);
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
       const auto in = [&](std::size_t j) { return (set >> j & 1U) != 0; };
-      bool allowed = omission == Omission::mounts || one_at_a_point(table, set);
+      bool allowed = (omission == Omission::mounts || one_at_a_point(table, set)) &&
+                     (omission == Omission::apart || kept_apart(table, set));
       double price = 0;
       std::size_t count = 0;
       for (std::size_t j = 0; j < n; ++j) {
@@ -43,16 +44,22 @@ struct BruteForce {
         if (in(j)) price += table.transceivers[j].cost, ++count;
       }
       for (std::size_t i = 0; i < tested && allowed; ++i) {
-        double sum = 0;
-        bool reached = false;
-        for (std::size_t j = 0; j < n; ++j) {
-          if (!in(j)) continue;
-          sum += signal[i][j];
-          reached = reached || signal[i][j] >= table.labels[i].single_requirement * (1 - tolerance);
-        }
-        allowed = question.model == CommunicationModel::cooperative
-                      ? sum >= table.labels[i].requirement * (1 - tolerance)
-                      : reached;
+        const auto met_without = [&](std::size_t failed) {
+          double sum = 0;
+          bool reached = false;
+          for (std::size_t j = 0; j < n; ++j) {
+            if (!in(j) || j == failed) continue;
+            sum += signal[i][j];
+            reached = reached || signal[i][j] >= table.labels[i].single_requirement * (1 - tolerance);
+          }
+          return question.model == CommunicationModel::cooperative
+                     ? sum >= table.labels[i].requirement * (1 - tolerance)
+                     : reached;
+        };
+        allowed = met_without(n);
+        for (std::size_t failed = 0; failed < n && question.redundant && omission != Omission::failure;
+             ++failed)
+          allowed = allowed && (!in(failed) || met_without(failed));
       }
       if (!allowed) continue;
       feasible = true;
@@ -71,7 +78,8 @@ struct BruteForce {
     }
   }
 
-  /// What each label gets from the selection that gives it most, whatever becomes of the others.
+  /// What each label gets from the selection that gives it most, whatever becomes of the others. Pairs that
+  /// must be kept apart count only where one of them is installed, as documented.
   static std::vector<double> most(const SignalTable& table, const Question& question) {
     const std::vector<std::vector<double>> signal = dense(table);
     std::uint32_t installed = 0;
@@ -80,12 +88,23 @@ struct BruteForce {
     std::vector<double> result(table.labels.size(), 0.0);
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.transceivers.size()); ++set) {
       if ((set & installed) != installed || !one_at_a_point(table, set)) continue;
+      bool excluded = false;
+      for (const auto& [a, b] : table.apart)
+        excluded =
+            excluded || ((set >> a & set >> b & 1U) != 0 && ((installed >> a | installed >> b) & 1U) != 0);
+      if (excluded) continue;
       for (std::size_t i = 0; i < signal.size(); ++i) {
-        double got = 0;
-        for (std::size_t j = 0; j < signal[i].size(); ++j)
-          if ((set >> j & 1U) != 0)
-            got = question.model == CommunicationModel::cooperative ? got + signal[i][j]
-                                                                    : std::max(got, signal[i][j]);
+        const auto got_without = [&](std::size_t failed) {
+          double got = 0;
+          for (std::size_t j = 0; j < signal[i].size(); ++j)
+            if ((set >> j & 1U) != 0 && j != failed)
+              got = question.model == CommunicationModel::cooperative ? got + signal[i][j]
+                                                                      : std::max(got, signal[i][j]);
+          return got;
+        };
+        double got = got_without(signal[i].size());
+        for (std::size_t failed = 0; failed < signal[i].size() && question.redundant; ++failed)
+          if ((set >> failed & 1U) != 0) got = std::min(got, got_without(failed));
         result[i] = std::max(result[i], got);
       }
     }
@@ -109,6 +128,12 @@ struct BruteForce {
       if (units > 1) return false;
     }
     return true;
+  }
+
+  static bool kept_apart(const SignalTable& table, std::uint32_t set) {
+    return std::none_of(table.apart.begin(), table.apart.end(), [&](const auto& pair) {
+      return (set >> pair.first & 1U) != 0 && (set >> pair.second & 1U) != 0;
+    });
   }
 
   static double second_objective(const SignalTable& table, const Question& question,

@@ -40,6 +40,7 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   "objective": "effective-links",
   "combination": "weighted",
   "share": 0.5,
+  "survives_failure": false,
   "selected": [
     "T0",
     "T1"

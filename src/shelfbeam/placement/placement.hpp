@@ -22,8 +22,7 @@ enum class Status {
 struct Unreachable {
   std::uint32_t label = 0;
   double requirement = 0;
-  double most =
-      0;  ///< with the best option of every mounting point on (cooperative), or of the best single one
+  double most = 0;  ///< Mounts::most_signal
 };
 
 /// An answer. Indices refer to the table it was computed from; `selected` is in ascending order and holds
@@ -40,7 +39,7 @@ struct Placement {
   double lower_bound = 0;
   bool unit_costs = false;  ///< no cost was given for the objective, so each link or signal counted 1
   /// Labels that no selection meets. Infeasible without any: each could be met, but not all by one selection,
-  /// because the options of a mounting point exclude one another.
+  /// because candidates exclude one another (Mounts).
   std::vector<Unreachable> unreachable;
   std::string solver;  ///< "greedy", or name and version of the MIP back end; empty where neither was needed
   double seconds = 0;  ///< wall time

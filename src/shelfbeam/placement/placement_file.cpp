@@ -120,6 +120,7 @@ std::string placement_json(const Placement& placement, const SignalTable& table)
                      {"objective", name_of(objective_names, question.objective)},
                      {"combination", name_of(combination_names, question.combination)},
                      {"share", question.share},
+                     {"survives_failure", question.redundant},
                      {"selected", selected},
                      {"count", placement.count()},
                      {"count_lower_bound", count(placement.count_lower_bound)},
@@ -137,8 +138,8 @@ std::string placement_json(const Placement& placement, const SignalTable& table)
 
 Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
   const JsonCursor file = JsonCursor::parse_file(path);
-  file.expect_keys({"format", "model", "objective", "combination", "share", "selected", "count",
-                    "count_lower_bound", "objective_value", "lower_bound", "gap", "unit_costs",
+  file.expect_keys({"format", "model", "objective", "combination", "share", "survives_failure", "selected",
+                    "count", "count_lower_bound", "objective_value", "lower_bound", "gap", "unit_costs",
                     "redundant_share", "status", "solver", "seconds", "unreachable", "certificate"});
   file["format"].integer(1, 1);
   Placement placement;
@@ -147,6 +148,7 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
   if (const auto found = file.find("combination"))
     placement.question.combination = named(*found, combination_names);
   if (const auto found = file.find("share")) placement.question.share = found->positive();
+  if (const auto found = file.find("survives_failure")) placement.question.redundant = found->boolean();
   placement.selected = read_selected(file["selected"], table);
   placement.count_lower_bound = number_or_infinity(file["count_lower_bound"]);
   placement.objective_value = number_or_infinity(file["objective_value"]);
