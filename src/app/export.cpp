@@ -29,7 +29,10 @@ struct Options {
 };
 
 void export_matrix(const Options& options) {
-  const SignalMatrix matrix = read_signal_file(options.input.signal);
+  if (options.input.signals.size() > 1)
+    throw InputError(options.input.signals[1].string(), "is a second file, and a matrix comes from one",
+                     "export one after the other");
+  const SignalMatrix matrix = read_signal_file(options.input.signals.front());
   const auto& values = options.what == "mean"     ? matrix.mean
                        : options.what == "direct" ? matrix.direct
                                                   : matrix.standard_error;

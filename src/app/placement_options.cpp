@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/milp/solver.hpp"
-#include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/scenarios.hpp"
 
 #include "arguments.hpp"
 #include "verbs.hpp"
@@ -136,6 +136,14 @@ std::string describe(const Placement& placement, const SignalTable& table) {
   if (!table.mounts.empty())
     text +=
         fmt::format("  from {} candidates at {} mounting points\n", table.columns(), table.mounting_points());
+  for (const ScenarioMargin& margin : scenario_margins(table, placement)) {
+    const SignalTable::Scenario& scenario = table.scenarios[margin.scenario];
+    text += scenario.labels == 0
+                ? fmt::format("  {}: no labels\n", scenario.name)
+                : fmt::format("  {}: {} label{}, the weakest ({}) gets {:.4g} of its requirement\n",
+                              scenario.name, scenario.labels, scenario.labels == 1 ? "" : "s",
+                              table.labels[margin.label].id, margin.smallest_margin);
+  }
   if (!table.apart.empty())
     text += fmt::format("  {} pairs of candidates are kept apart\n", table.apart.size());
   if (placement.question.objective != Objective::count ||

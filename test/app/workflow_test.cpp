@@ -278,5 +278,25 @@ TEST_F(Workflow, ThreadsDoNotChangeASignalAndSeedsDo) {
   }
 }
 
+TEST_F(Workflow, OnePlacementForSeveralScenarios) {
+  folder.write("day.csv", "label,A,B,C\nL1,2,0,1\nL2,0,4,1\n");
+  folder.write("night.csv", "label,C,B,A\nL1,0,3,0\n");
+  folder.write("pairs.csv", "a,b\nA,B\n");
+  const std::string text = expect_silent({"place", path("day.csv"), path("night.csv"), "--threshold", "1"});
+  EXPECT_NE(text.find("2 transceivers reach all 3 labels"), std::string::npos) << text;
+  EXPECT_NE(text.find("day: 2 labels, the weakest (day:L1) gets 2 of its requirement"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("night: 1 label, the weakest (night:L1) gets 3 of"), std::string::npos) << text;
+  const auto json = test::Json::parse(expect_silent({"place", path("day.csv"), "--forbid", path("pairs.csv"),
+                                                     path("night.csv"), "--threshold", "1", "--json"}));
+  EXPECT_EQ(json["selected"], (test::Json{"B", "C"}));
+  EXPECT_EQ(json["scenarios"][1]["name"], "night");
+  const std::string survives =
+      expect_silent({"place", path("day.csv"), "--threshold", "1", "--survive-failure"});
+  EXPECT_NE(survives.find("3 transceivers reach all 2 labels (cooperative, whichever unit fails)"),
+            std::string::npos)
+      << survives;
+}
+
 }  // namespace
 }  // namespace shelfbeam

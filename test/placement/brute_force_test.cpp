@@ -54,9 +54,10 @@ void compare(const SignalTable& table, const Question& question, const Placement
     return;
   }
   EXPECT_TRUE(answer.unreachable.empty());
-  EXPECT_TRUE(check_selection(table, question, answer.selected).met());
+  const bool empty_handed = answer.status == Status::stopped && std::isinf(answer.objective_value);
+  EXPECT_TRUE(empty_handed || check_selection(table, question, answer.selected).met());
   for (std::uint32_t j = 0; j < table.columns(); ++j)
-    EXPECT_TRUE(!table.transceivers[j].installed ||
+    EXPECT_TRUE(empty_handed || !table.transceivers[j].installed ||
                 std::binary_search(answer.selected.begin(), answer.selected.end(), j));
   const double expected = best_value(brute, question);
   if (answer.status == Status::stopped) {

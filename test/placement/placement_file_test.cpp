@@ -55,7 +55,8 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   "status": "stopped",
   "solver": "highs 1.10.0",
   "seconds": 0.25,
-  "unreachable": []
+  "unreachable": [],
+  "scenarios": []
 }
 )");
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,8 @@ struct Placement {
   double seconds = 0;  ///< wall time
 
   std::size_t count() const { return selected.size(); }
+  /// There is a selection; it may be that of no units, where there are no labels.
+  bool has_selection() const { return objective_value < std::numeric_limits<double>::infinity(); }
   /// (incumbent - bound) / incumbent of the objective value; 0 when proven, infinite without a selection.
   double gap() const;
 };

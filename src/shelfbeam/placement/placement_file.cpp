@@ -14,6 +14,7 @@
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/mounts.hpp"
 #include "shelfbeam/placement/names.hpp"
+#include "shelfbeam/placement/scenarios.hpp"
 
 namespace shelfbeam {
 
@@ -105,6 +106,18 @@ double redundant_share(const Placement& placement, const SignalTable& table) {
   return static_cast<double>(redundant) / static_cast<double>(table.rows());
 }
 
+Json scenarios(const Placement& placement, const SignalTable& table) {
+  Json result = Json::array();
+  for (const ScenarioMargin& margin : scenario_margins(table, placement)) {
+    const SignalTable::Scenario& scenario = table.scenarios[margin.scenario];
+    result.push_back({{"name", scenario.name},
+                      {"labels", scenario.labels},
+                      {"smallest_margin", number(margin.smallest_margin)},
+                      {"label", scenario.labels > 0 ? Json(table.labels[margin.label].id) : Json(nullptr)}});
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string placement_json(const Placement& placement, const SignalTable& table) {
@@ -132,15 +145,17 @@ std::string placement_json(const Placement& placement, const SignalTable& table)
                      {"status", name_of(status_names, placement.status)},
                      {"solver", placement.solver},
                      {"seconds", number(placement.seconds)},
-                     {"unreachable", unreachable}};
+                     {"unreachable", unreachable},
+                     {"scenarios", scenarios(placement, table)}};
   return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
   const JsonCursor file = JsonCursor::parse_file(path);
-  file.expect_keys({"format", "model", "objective", "combination", "share", "survives_failure", "selected",
-                    "count", "count_lower_bound", "objective_value", "lower_bound", "gap", "unit_costs",
-                    "redundant_share", "status", "solver", "seconds", "unreachable", "certificate"});
+  file.expect_keys({"format",           "model",    "objective",   "combination",       "share",
+                    "survives_failure", "selected", "count",       "count_lower_bound", "objective_value",
+                    "lower_bound",      "gap",      "unit_costs",  "redundant_share",   "status",
+                    "solver",           "seconds",  "unreachable", "scenarios",         "certificate"});
   file["format"].integer(1, 1);
   Placement placement;
   placement.question.model = named(file["model"], model_names);

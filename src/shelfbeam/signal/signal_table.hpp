@@ -48,6 +48,13 @@ struct SignalTable {
   /// Pairs of columns that must not be chosen together, mounting points aside (signal/apart.hpp): the smaller
   /// first, ascending, no pair twice, no two installed units.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;
+  /// Where the rows come from several matrices (stack_tables): which, in order; else empty.
+  struct Scenario {
+    std::string name;
+    std::size_t first = 0;  ///< row
+    std::size_t labels = 0;
+  };
+  std::vector<Scenario> scenarios;
   std::vector<std::size_t> row_begin;  ///< m + 1 offsets into `entries`
   std::vector<SignalEntry> entries;
 
