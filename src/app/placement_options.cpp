@@ -159,8 +159,40 @@ std::string describe(const Placement& placement, const SignalTable& table) {
   return text;
 }
 
-int exit_code(const Placement& placement) {
-  switch (placement.status) {
+std::string describe(const Reach& reach, const SignalTable& table) {
+  const auto share = [&](std::size_t labels) {
+    return table.rows() == 0 ? 100.0 : 100 * static_cast<double>(labels) / static_cast<double>(table.rows());
+  };
+  std::string text = fmt::format(
+      "{} reach{} {} of {} labels, {:.1f} % ({}{}); ",
+      reach.selected.size() == 1 ? "1 transceiver" : fmt::format("{} transceivers", reach.selected.size()),
+      reach.selected.size() == 1 ? "es" : "", reach.reached, table.rows(), share(reach.reached),
+      reach.question.model == CommunicationModel::cooperative ? "cooperative" : "non-cooperative",
+      reach.question.redundant ? ", whichever unit fails" : "");
+  text += reach.upper_bound <= reach.reached
+              ? fmt::format("no {} reach more, proven.\n", reach.at_most)
+              : fmt::format("no {} reach more than {}, {:.1f} %, proven.\n", reach.at_most, reach.upper_bound,
+                            share(reach.upper_bound));
+  std::vector<std::string_view> ids;
+  for (const std::uint32_t j : reach.selected) ids.push_back(table.transceivers[j].id);
+  text += fmt::format("  chosen: {}\n", fmt::join(ids, ", "));
+  return text + fmt::format("  solver {}, {:.2f} s\n", reach.solver, reach.seconds);
+}
+
+std::string describe(const std::vector<CurvePoint>& curve, const SignalTable& table) {
+  if (curve.empty() || table.rows() == 0) return {};
+  std::string text = "  units   labels reached: at least   at most\n";
+  const auto share = [&](std::size_t labels) {
+    return 100 * static_cast<double>(labels) / static_cast<double>(table.rows());
+  };
+  for (const CurvePoint& point : curve)
+    text += fmt::format("  {:5}                  {:7.1f} % {:7.1f} %\n", point.units, share(point.at_least),
+                        share(point.at_most));
+  return text;
+}
+
+int exit_code(Status status) {
+  switch (status) {
     case Status::optimal:
     case Status::feasible:
       return done;

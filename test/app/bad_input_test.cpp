@@ -331,6 +331,20 @@ TEST_F(BadMatrix, WithoutRequirement) {
   expect_refused(folder, {"export", matrix, "-o", path("new.csv")}, {matrix});
 }
 
+TEST_F(BadMatrix, TheMostLabels) {
+  const std::string matrix = folder.write("matrix.csv", "label,T1,T2\nL1,1,2\n").string();
+  const auto refused = [&](std::vector<std::string> arguments, const std::vector<std::string>& parts) {
+    arguments.insert(arguments.begin(), {"place", matrix, "--threshold", "1"});
+    expect_refused(folder, arguments, parts);
+  };
+  refused({"--at-most", "0"}, {"--at-most"});
+  refused({"--at-most", "-1"}, {"--at-most"});
+  refused({"--at-most", "1.5"}, {"--at-most"});
+  refused({"--at-most", "1", "--curve"}, {"--at-most", "--curve"});
+  refused({"--at-most", "1", "--objective", "links"}, {"--at-most", "--objective"});
+  refused({"--at-most", "1", "--weighted"}, {"--at-most", "--weighted"});
+}
+
 TEST_F(BadMatrix, PairsApart) {
   const std::string matrix = folder.write("matrix.csv", "label,T1,T2\nL1,1,2\n").string();
   const std::string pairs = folder.write("pairs.csv", "a,b\nT1,T2\nT1,T9\n").string();

@@ -298,5 +298,25 @@ TEST_F(Workflow, OnePlacementForSeveralScenarios) {
       << survives;
 }
 
+TEST_F(Workflow, TellsWhatFewerTransceiversReach) {
+  folder.write("m.csv", "label,A,B,C\nL1,1,0,1\nL2,1,0,1\nL3,1,0,0\nL4,0,1,1\nL5,0,1,1\nL6,0,1,0\n");
+  std::string text = expect_silent({"place", path("m.csv"), "--threshold", "1", "--at-most", "1"});
+  EXPECT_NE(text.find("1 transceiver reaches 4 of 6 labels, 66.7 % (cooperative); no 1 reach more, proven."),
+            std::string::npos)
+      << text;
+  const auto reach = test::Json::parse(expect_silent(
+      {"place", path("m.csv"), "--threshold", "1", "--at-most", "1", "--json", "-o", path("reach.json")}));
+  EXPECT_EQ(reach["missed"], (test::Json{"L3", "L6"}));
+  EXPECT_EQ(reach["reached_upper_bound"], 4);
+  EXPECT_TRUE(test::fs::exists(folder / "reach.json"));
+  text = expect_silent({"place", path("m.csv"), "--threshold", "1", "--curve"});
+  EXPECT_NE(text.find("      1                     66.7 %    66.7 %\n"), std::string::npos) << text;
+  const auto whole =
+      test::Json::parse(expect_silent({"place", path("m.csv"), "--threshold", "1", "--curve", "--json"}));
+  EXPECT_EQ(whole["curve"].size(), 2U);
+  EXPECT_EQ(whole["curve"][0]["at_most"], 4);
+  EXPECT_EQ(whole["critical"][0]["count"], 3);
+}
+
 }  // namespace
 }  // namespace shelfbeam

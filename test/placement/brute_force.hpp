@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "shelfbeam/placement/instance.hpp"
@@ -44,22 +45,7 @@ struct BruteForce {
         if (in(j)) price += table.transceivers[j].cost, ++count;
       }
       for (std::size_t i = 0; i < tested && allowed; ++i) {
-        const auto met_without = [&](std::size_t failed) {
-          double sum = 0;
-          bool reached = false;
-          for (std::size_t j = 0; j < n; ++j) {
-            if (!in(j) || j == failed) continue;
-            sum += signal[i][j];
-            reached = reached || signal[i][j] >= table.labels[i].single_requirement * (1 - tolerance);
-          }
-          return question.model == CommunicationModel::cooperative
-                     ? sum >= table.labels[i].requirement * (1 - tolerance)
-                     : reached;
-        };
-        allowed = met_without(n);
-        for (std::size_t failed = 0; failed < n && question.redundant && omission != Omission::failure;
-             ++failed)
-          allowed = allowed && (!in(failed) || met_without(failed));
+        allowed = met(table, question, signal[i], i, set, tolerance, omission);
       }
       if (!allowed) continue;
       feasible = true;
@@ -109,6 +95,60 @@ struct BruteForce {
       }
     }
     return result;
+  }
+
+  /// The most labels that selections of at most so many units meet, and the fewest units that do it.
+  struct Budget {
+    std::size_t reached = 0, units = 0;
+  };
+  /// For every number of units up to all; nothing where more are installed.
+  static std::vector<std::optional<Budget>> budgets(const SignalTable& table, const Question& question,
+                                                    Omission omission = Omission::nothing) {
+    const std::size_t n = table.transceivers.size();
+    const std::vector<std::vector<double>> signal = dense(table);
+    std::vector<std::optional<Budget>> best(n + 1);
+    const std::size_t tested = signal.size() - (omission == Omission::last_label && !signal.empty() ? 1 : 0);
+    for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
+      bool allowed = (omission == Omission::mounts || one_at_a_point(table, set)) &&
+                     (omission == Omission::apart || kept_apart(table, set));
+      std::size_t count = 0;
+      for (std::size_t j = 0; j < n; ++j) {
+        if ((set >> j & 1U) != 0) ++count;
+        if ((set >> j & 1U) == 0 && table.transceivers[j].installed && omission != Omission::installed)
+          allowed = false;
+      }
+      if (!allowed) continue;
+      std::size_t reached = 0;
+      for (std::size_t i = 0; i < tested; ++i)
+        if (met(table, question, signal[i], i, set, 1e-9, omission)) ++reached;
+      for (std::size_t k = count; k <= n; ++k)
+        if (!best[k] || reached > best[k]->reached || (reached == best[k]->reached && count < best[k]->units))
+          best[k] = Budget{reached, count};
+    }
+    return best;
+  }
+
+  /// Whether the selection meets label i.
+  static bool met(const SignalTable& table, const Question& question, const std::vector<double>& signal,
+                  std::size_t i, std::uint32_t set, double tolerance, Omission omission) {
+    const auto in = [&](std::size_t j) { return (set >> j & 1U) != 0; };
+    const std::size_t n = signal.size();
+    const auto met_without = [&](std::size_t failed) {
+      double sum = 0;
+      bool reached = false;
+      for (std::size_t j = 0; j < n; ++j) {
+        if (!in(j) || j == failed) continue;
+        sum += signal[j];
+        reached = reached || signal[j] >= table.labels[i].single_requirement * (1 - tolerance);
+      }
+      return question.model == CommunicationModel::cooperative
+                 ? sum >= table.labels[i].requirement * (1 - tolerance)
+                 : reached;
+    };
+    bool all = met_without(n);
+    for (std::size_t failed = 0; failed < n && question.redundant && omission != Omission::failure; ++failed)
+      all = all && (!in(failed) || met_without(failed));
+    return all;
   }
 
  private:

@@ -56,7 +56,19 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   "solver": "highs 1.10.0",
   "seconds": 0.25,
   "unreachable": [],
-  "scenarios": []
+  "scenarios": [],
+  "critical": [
+    {
+      "unit": "T0",
+      "count": 0,
+      "labels": []
+    },
+    {
+      "unit": "T1",
+      "count": 0,
+      "labels": []
+    }
+  ]
 }
 )");
 }

@@ -22,6 +22,8 @@ constexpr double negligible = 1e-8;
 // step lower, than half a step.
 constexpr double steps = 1 << 20;
 
+}  // namespace
+
 milp::Row relaxed(milp::Row row) {
   row.lower = 1 - 0.5 / steps;
   for (milp::Entry& entry : row.entries) {
@@ -31,6 +33,8 @@ milp::Row relaxed(milp::Row row) {
   std::erase_if(row.entries, [](const milp::Entry& entry) { return entry.value == 0; });
   return row;
 }
+
+namespace {
 
 // The most units that a selection of at most this cost can have: the installed ones and the cheapest others.
 std::size_t most_units(const SignalTable& table, std::span<const double> cost, double known) {

@@ -4,30 +4,12 @@
 #include <limits>
 #include <numeric>
 
+#include "shelfbeam/placement/detail/label_shares.hpp"
 #include "shelfbeam/placement/mounts.hpp"
 
 namespace shelfbeam {
 
 namespace {
-
-/// What chosen units are to one label, in shares of its requirement that count 1 at most each (where one unit
-/// must do: 1 or nothing).
-struct Shares {
-  double sum = 0;
-  double largest = 0, second = 0;
-  std::uint32_t strongest = 0;  ///< the column of `largest`
-
-  void add(std::uint32_t column, double share) {
-    sum += share;
-    if (share > largest) {
-      second = largest;
-      largest = share;
-      strongest = column;
-    } else {
-      second = std::max(second, share);
-    }
-  }
-};
 
 class Greedy {
  public:
@@ -91,15 +73,10 @@ class Greedy {
   }
 
   double share(const SignalEntry& entry, double requirement) const {
-    if (question_.model == CommunicationModel::cooperative) return std::min(1.0, entry.signal / requirement);
-    return is_met(entry.signal, requirement) ? 1 : 0;
+    return detail::share_of(entry.signal, requirement, question_);
   }
 
-  // What a label lacks that receives such shares; 0 as soon as it is met.
-  double lacking(double sum, double largest) const {
-    if (!question_.redundant) return is_met(sum, 1) ? 0 : 1 - sum;
-    return is_met(sum - largest, 1) ? 0 : 2 - sum;
-  }
+  double lacking(double sum, double largest) const { return detail::lacking(sum, largest, question_); }
 
   std::vector<Exchange> exchanges() const {
     std::vector<Exchange> result;
@@ -119,14 +96,14 @@ class Greedy {
     std::vector<double> part(table_.columns(), 0.0);
     for (std::size_t i = 0; i < table_.rows(); ++i) {
       const double requirement = requirement_of(table_.labels[i], question_.model);
-      Shares now;
+      detail::LabelShares now;
       for (const SignalEntry& entry : table_.row(i)) {
         part[entry.transceiver] = share(entry, requirement);
         if (chosen_[entry.transceiver]) now.add(entry.transceiver, part[entry.transceiver]);
       }
       const double before = lacking(now.sum, now.largest);
       for (Exchange& one : all) {
-        const double left = now.strongest == one.out ? now.second : now.largest;
+        const double left = now.largest_without(one.out);
         one.lacking += lacking(now.sum - part[one.out] + part[one.in], std::max(left, part[one.in])) - before;
       }
       for (const SignalEntry& entry : table_.row(i)) part[entry.transceiver] = 0;
