@@ -108,11 +108,18 @@ bool CoverModel::let_fail(const std::vector<std::uint32_t>& selected,
   for (const std::uint32_t j : selected) chosen[j] = true;
   bool added = false;
   for (const std::uint32_t i : unmet) {
-    const SignalEntry* strongest = nullptr;
-    for (const SignalEntry& entry : table_.row(i))
-      if (chosen[entry.transceiver] && (strongest == nullptr || entry.signal > strongest->signal))
-        strongest = &entry;
-    if (strongest != nullptr && add_failure(i, strongest->transceiver)) added = true;
+    double sum = 0, largest = 0;
+    for (const SignalEntry& entry : table_.row(i)) {
+      if (!chosen[entry.transceiver]) continue;
+      sum += entry.signal;
+      largest = std::max(largest, entry.signal);
+    }
+    const double requirement = table_.labels[i].requirement;
+    for (const SignalEntry& entry : table_.row(i)) {
+      if (!chosen[entry.transceiver]) continue;
+      const bool breaks = entry.signal == largest || sum - entry.signal < requirement;
+      if (breaks && add_failure(i, entry.transceiver)) added = true;
+    }
   }
   return added;
 }
