@@ -29,7 +29,10 @@ struct Options {
 };
 
 void export_matrix(const Options& options) {
-  const SignalMatrix matrix = read_signal_file(options.input.signal);
+  if (options.input.signals.size() > 1)
+    throw InputError(options.input.signals[1].string(), "is a second file, and a matrix comes from one",
+                     "export one after the other");
+  const SignalMatrix matrix = read_signal_file(options.input.signals.front());
   const auto& values = options.what == "mean"     ? matrix.mean
                        : options.what == "direct" ? matrix.direct
                                                   : matrix.standard_error;
@@ -56,8 +59,10 @@ int run_export(const Options& options) {
     throw InputError("--what", "chooses a matrix, but the output is a model",
                      "leave it out, or write .csv or .npy");
   if (is_matrix && options.for_model)
-    throw InputError("--model, --objective, --weighted, --share, --threshold, --costs",
-                     "play no part in a matrix", "leave them out, or write .mps or .lp");
+    throw InputError(
+        "--model, --objective, --weighted, --share, --survive-failure, --threshold, --costs, --min-spacing, "
+        "--forbid",
+        "play no part in a matrix", "leave them out, or write .mps or .lp");
   if (is_model)
     export_model(options);
   else if (is_matrix)
@@ -94,8 +99,8 @@ void add_export(CLI::App& app, ChosenVerb& chosen) {
       "  shelfbeam export signal.h5 -o errors.csv --what standard-error");
   verb->callback([options, verb, &chosen] {
     options->for_matrix = verb->count("--what") > 0;
-    for (const char* flag :
-         {"--model", "--objective", "--weighted", "--lexicographic", "--share", "--threshold", "--costs"})
+    for (const char* flag : {"--model", "--objective", "--weighted", "--lexicographic", "--share",
+                             "--survive-failure", "--threshold", "--costs", "--min-spacing", "--forbid"})
       options->for_model = options->for_model || verb->count(flag) > 0;
     chosen = [options] { return run_export(*options); };
   });

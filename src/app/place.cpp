@@ -1,9 +1,14 @@
+#include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/placement/curve.hpp"
 #include "shelfbeam/placement/placement_file.hpp"
 
 #include "arguments.hpp"
@@ -22,25 +27,51 @@ struct Options {
   SolverFlags solver;
   PlacementInput input;
   std::filesystem::path output;
+  std::size_t at_most = 0;  ///< 0: not given
+  bool curve = false;
 };
+
+struct Answer {
+  std::string json, text;
+  int code = done;
+};
+
+Answer reach(const Options& options, const SignalTable& table, const RunControl& control) {
+  const Reach reach =
+      reach_most(table, options.question.question(), options.at_most, options.solver.options(), control);
+  return {reach_json(reach, table), describe(reach, table), exit_code(reach.status)};
+}
+
+Answer cover(const Options& options, const SignalTable& table, const RunControl& control) {
+  const Placement placement = place(table, options.question.question(), options.solver.options(), control);
+  std::vector<CurvePoint> curve;
+  if (options.curve && placement.has_selection())
+    curve = reach_curve(table, placement.question, placement.selected, control);
+  return {placement_json(placement, table, curve), describe(placement, table) + describe(curve, table),
+          exit_code(placement.status)};
+}
 
 int run_place(const Options& options) {
   options.input.keep(options.output);
-  const SignalTable table = options.input.table(options.question.question());
+  const Question question = options.question.question();
+  if (options.at_most > 0 &&
+      (question.objective != Objective::count || question.combination == Combination::weighted))
+    throw InputError("--at-most", "asks for the most labels, and objectives and prices play no part in that",
+                     "leave out --objective and --weighted");
+  const SignalTable table = options.input.table(question);
   if (!options.output.empty()) expect_writable(options.output);
-  Placement placement;
+  Answer answer;
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
-    placement = place(table, options.question.question(), options.solver.options(), control);
+    answer = options.at_most > 0 ? reach(options, table, control) : cover(options, table, control);
   }
-  const std::string json = placement_json(placement, table);
-  if (!options.output.empty()) write_file(options.output, json);
+  if (!options.output.empty()) write_file(options.output, answer.json);
   if (options.common.json)
-    fmt::print("{}", json);
+    fmt::print("{}", answer.json);
   else if (!options.common.quiet)
-    fmt::print("{}", describe(placement, table));
-  return exit_code(placement);
+    fmt::print("{}", answer.text);
+  return answer.code;
 }
 
 }  // namespace
@@ -50,6 +81,11 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
   auto options = std::make_shared<Options>();
   add_placement_input(*verb, options->input);
   verb->add_option("-o,--output", options->output, "Write the answer as JSON to this file")->check(a_path());
+  auto* at_most = verb->add_option("--at-most", options->at_most,
+                                   "Reach the most labels with at most so many transceivers")
+                      ->check(CLI::PositiveNumber);
+  verb->add_flag("--curve", options->curve, "Also tell what share of the labels fewer transceivers reach")
+      ->excludes(at_most);
   add_question_options(*verb, options->question);
   add_solver_options(*verb, options->solver, 60);
   add_common_options(*verb, options->common);
@@ -57,7 +93,9 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
       "Examples:\n"
       "  shelfbeam place signal.h5 -o placement.json\n"
       "  shelfbeam place signal.h5 --model non-cooperative --objective links\n"
-      "  shelfbeam place matrix.csv --threshold 0.02 --weighted --costs costs.csv");
+      "  shelfbeam place matrix.csv --threshold 0.02 --weighted --costs costs.csv\n"
+      "  shelfbeam place open.h5 shut.h5 --survive-failure --min-spacing 2\n"
+      "  shelfbeam place signal.h5 --at-most 6");
   verb->callback([options, &chosen] { chosen = [options] { return run_place(*options); }; });
 }
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/milp/solver.hpp"
-#include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/scenarios.hpp"
 
 #include "arguments.hpp"
 #include "verbs.hpp"
@@ -23,6 +23,7 @@ Question QuestionFlags::question() const {
                                                : Objective::effective_links;
   question.combination = weighted ? Combination::weighted : Combination::lexicographic;
   question.share = share;
+  question.redundant = survive_failure;
   return question;
 }
 
@@ -51,6 +52,8 @@ void add_question_options(CLI::App& verb, QuestionFlags& flags) {
   verb.add_option("--share", flags.share, "Share of the requirement from which an effective link counts")
       ->check(positive_number())
       ->capture_default_str();
+  verb.add_flag("--survive-failure", flags.survive_failure,
+                "Every label stays reached when any one unit fails, installed ones included");
 }
 
 void add_solver_options(CLI::App& verb, SolverFlags& flags, double default_time_limit_s) {
@@ -69,17 +72,26 @@ void add_solver_options(CLI::App& verb, SolverFlags& flags, double default_time_
 
 namespace {
 
+std::string why_exclusive(const SignalTable& table) {
+  if (table.apart.empty()) return "a mounting point holds one unit";
+  return table.mounts.empty() ? "some pairs must not be chosen together"
+                              : "a mounting point holds one unit and some pairs must not be chosen together";
+}
+
 std::string describe_infeasible(const Placement& placement, const SignalTable& table) {
   const std::size_t labels = table.rows();
+  const bool redundant = placement.question.redundant;
   if (placement.unreachable.empty())
     return fmt::format(
-        "No selection reaches all {} labels: each could be reached, but not all of them at once, because a "
-        "mounting point holds one unit (proven by {}).\n",
-        labels, placement.solver);
-  const char* const best = placement.question.model == CommunicationModel::non_cooperative
-                               ? "the best candidate"
-                           : table.mounts.empty() ? "all candidates together"
-                                                  : "the best options of all mounting points together";
+        "No selection reaches all {} labels{}: each could be reached, but not all of them at once, because "
+        "{} "
+        "(proven by {}).\n",
+        labels, redundant ? " whichever unit fails" : "", why_exclusive(table), placement.solver);
+  const char* const all =
+      table.mounts.empty() ? "all candidates together" : "the best options of all mounting points together";
+  const std::string best = placement.question.model == CommunicationModel::non_cooperative
+                               ? (redundant ? "the second best candidate" : "the best candidate")
+                               : fmt::format("{}{}", all, redundant ? " when the strongest fails" : "");
   std::string text = fmt::format("No selection reaches all {} labels: {} cannot be reached even by {}.\n",
                                  labels, placement.unreachable.size(), best);
   const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
@@ -111,7 +123,9 @@ std::string describe(const Placement& placement, const SignalTable& table) {
   std::string text = fmt::format(
       "{} reach{} all {} labels ({}); ",
       placement.count() == 1 ? "1 transceiver" : fmt::format("{} transceivers", placement.count()),
-      placement.count() == 1 ? "es" : "", labels, cooperative ? "cooperative" : "non-cooperative");
+      placement.count() == 1 ? "es" : "", labels,
+      fmt::format("{}{}", cooperative ? "cooperative" : "non-cooperative",
+                  placement.question.redundant ? ", whichever unit fails" : ""));
   if (static_cast<double>(placement.count()) <= placement.count_lower_bound)
     text += "fewer cannot, proven.\n";
   else
@@ -122,6 +136,16 @@ std::string describe(const Placement& placement, const SignalTable& table) {
   if (!table.mounts.empty())
     text +=
         fmt::format("  from {} candidates at {} mounting points\n", table.columns(), table.mounting_points());
+  for (const ScenarioMargin& margin : scenario_margins(table, placement)) {
+    const SignalTable::Scenario& scenario = table.scenarios[margin.scenario];
+    text += scenario.labels == 0
+                ? fmt::format("  {}: no labels\n", scenario.name)
+                : fmt::format("  {}: {} label{}, the weakest ({}) gets {:.4g} of its requirement\n",
+                              scenario.name, scenario.labels, scenario.labels == 1 ? "" : "s",
+                              table.labels[margin.label].id, margin.smallest_margin);
+  }
+  if (!table.apart.empty())
+    text += fmt::format("  {} pairs of candidates are kept apart\n", table.apart.size());
   if (placement.question.objective != Objective::count ||
       placement.question.combination == Combination::weighted)
     text += fmt::format("  objective {:.9g}, lower bound {:.9g}, gap {:.2f} %\n", placement.objective_value,
@@ -135,8 +159,40 @@ std::string describe(const Placement& placement, const SignalTable& table) {
   return text;
 }
 
-int exit_code(const Placement& placement) {
-  switch (placement.status) {
+std::string describe(const Reach& reach, const SignalTable& table) {
+  const auto share = [&](std::size_t labels) {
+    return table.rows() == 0 ? 100.0 : 100 * static_cast<double>(labels) / static_cast<double>(table.rows());
+  };
+  std::string text = fmt::format(
+      "{} reach{} {} of {} labels, {:.1f} % ({}{}); ",
+      reach.selected.size() == 1 ? "1 transceiver" : fmt::format("{} transceivers", reach.selected.size()),
+      reach.selected.size() == 1 ? "es" : "", reach.reached, table.rows(), share(reach.reached),
+      reach.question.model == CommunicationModel::cooperative ? "cooperative" : "non-cooperative",
+      reach.question.redundant ? ", whichever unit fails" : "");
+  text += reach.upper_bound <= reach.reached
+              ? fmt::format("no {} reach more, proven.\n", reach.at_most)
+              : fmt::format("no {} reach more than {}, {:.1f} %, proven.\n", reach.at_most, reach.upper_bound,
+                            share(reach.upper_bound));
+  std::vector<std::string_view> ids;
+  for (const std::uint32_t j : reach.selected) ids.push_back(table.transceivers[j].id);
+  text += fmt::format("  chosen: {}\n", fmt::join(ids, ", "));
+  return text + fmt::format("  solver {}, {:.2f} s\n", reach.solver, reach.seconds);
+}
+
+std::string describe(const std::vector<CurvePoint>& curve, const SignalTable& table) {
+  if (curve.empty() || table.rows() == 0) return {};
+  std::string text = "  units   labels reached: at least   at most\n";
+  const auto share = [&](std::size_t labels) {
+    return 100 * static_cast<double>(labels) / static_cast<double>(table.rows());
+  };
+  for (const CurvePoint& point : curve)
+    text += fmt::format("  {:5}                  {:7.1f} % {:7.1f} %\n", point.units, share(point.at_least),
+                        share(point.at_most));
+  return text;
+}
+
+int exit_code(Status status) {
+  switch (status) {
     case Status::optimal:
     case Status::feasible:
       return done;

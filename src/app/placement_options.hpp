@@ -2,9 +2,12 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "shelfbeam/placement/budget.hpp"
+#include "shelfbeam/placement/curve.hpp"
 #include "shelfbeam/placement/placement.hpp"
 
 namespace shelfbeam::app {
@@ -16,6 +19,7 @@ struct QuestionFlags {
   bool weighted = false;
   bool lexicographic = false;  ///< the default, for those who want to say it
   double share = 1;
+  bool survive_failure = false;
 
   Question question() const;
 };
@@ -35,7 +39,10 @@ void add_solver_options(CLI::App& verb, SolverFlags& flags, double default_time_
 /// The answer in a few lines for a terminal.
 std::string describe(const Placement& placement, const SignalTable& table);
 
+std::string describe(const Reach& reach, const SignalTable& table);
+std::string describe(const std::vector<CurvePoint>& curve, const SignalTable& table);
+
 /// done, answer_is_no or stopped_early.
-int exit_code(const Placement& placement);
+int exit_code(Status status);
 
 }  // namespace shelfbeam::app

@@ -76,7 +76,7 @@ int run_plan(const Options& options) {
   else if (!options.common.quiet)
     fmt::print("{}\n{}report: {}\n", describe(summary), describe(plan.placement, table),
                (options.folder / report_name).string());
-  if (summary.complete) return exit_code(plan.placement);
+  if (summary.complete) return exit_code(plan.placement.status);
   if (!options.common.quiet)
     fmt::print(
         stderr,

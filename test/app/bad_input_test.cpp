@@ -331,6 +331,50 @@ TEST_F(BadMatrix, WithoutRequirement) {
   expect_refused(folder, {"export", matrix, "-o", path("new.csv")}, {matrix});
 }
 
+TEST_F(BadMatrix, TheMostLabels) {
+  const std::string matrix = folder.write("matrix.csv", "label,T1,T2\nL1,1,2\n").string();
+  const auto refused = [&](std::vector<std::string> arguments, const std::vector<std::string>& parts) {
+    arguments.insert(arguments.begin(), {"place", matrix, "--threshold", "1"});
+    expect_refused(folder, arguments, parts);
+  };
+  refused({"--at-most", "0"}, {"--at-most"});
+  refused({"--at-most", "-1"}, {"--at-most"});
+  refused({"--at-most", "1.5"}, {"--at-most"});
+  refused({"--at-most", "1", "--curve"}, {"--at-most", "--curve"});
+  refused({"--at-most", "1", "--objective", "links"}, {"--at-most", "--objective"});
+  refused({"--at-most", "1", "--weighted"}, {"--at-most", "--weighted"});
+}
+
+TEST_F(BadMatrix, PairsApart) {
+  const std::string matrix = folder.write("matrix.csv", "label,T1,T2\nL1,1,2\n").string();
+  const std::string pairs = folder.write("pairs.csv", "a,b\nT1,T2\nT1,T9\n").string();
+  for (const char* output : {"new.json", "old.json"})
+    expect_refused(folder, {"place", matrix, "--threshold", "1", "--forbid", pairs, "-o", path(output)},
+                   {pairs, "line 3", "'T9'"});
+  expect_refused(folder, {"export", matrix, "--threshold", "1", "--forbid", pairs, "-o", path("new.mps")},
+                 {pairs, "line 3", "'T9'"});
+  expect_refused(folder, {"place", matrix, "--forbid", pairs, "-o", pairs}, {pairs, "is the input"});
+  expect_refused(folder, {"place", matrix, "--threshold", "1", "--min-spacing", "2"},
+                 {matrix, "no position", "--forbid"});
+  expect_refused(folder, {"place", matrix, "--threshold", "1", "--min-spacing", "-2"}, {"--min-spacing"});
+  expect_refused(folder, {"export", matrix, "--min-spacing", "2", "-o", path("new.csv")}, {"--min-spacing"});
+}
+
+TEST_F(BadMatrix, ScenariosThatDoNotAgree) {
+  const std::string open = folder.write("open.csv", "label,T1,T2\nL1,1,2\n").string();
+  const std::string shut = folder.write("shut.csv", "label,T2,T3\nL1,1,2\n").string();
+  const std::string same = folder.write("sub/open.csv", "label,T1,T2\nL1,1,2\n").string();
+  const auto refused = [&](const std::vector<std::string>& files, const std::vector<std::string>& parts) {
+    std::vector<std::string> arguments{"place", "--threshold", "1"};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    expect_refused(folder, arguments, parts);
+  };
+  refused({open, shut}, {"error: " + shut, "'T3'", open});
+  refused({open, same}, {"error: " + same, "'open'", "rename"});
+  refused({open, path("none.csv")}, {path("none.csv"), "cannot be read"});
+  expect_refused(folder, {"place", open, shut, "-o", shut}, {shut, "is the input"});
+}
+
 TEST_F(BadMatrix, Costs) {
   const std::string matrix = folder.write("matrix.csv", "label,T1,T2\nL1,1,2\n").string();
   for (const std::string costs :

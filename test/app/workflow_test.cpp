@@ -278,5 +278,45 @@ TEST_F(Workflow, ThreadsDoNotChangeASignalAndSeedsDo) {
   }
 }
 
+TEST_F(Workflow, OnePlacementForSeveralScenarios) {
+  folder.write("day.csv", "label,A,B,C\nL1,2,0,1\nL2,0,4,1\n");
+  folder.write("night.csv", "label,C,B,A\nL1,0,3,0\n");
+  folder.write("pairs.csv", "a,b\nA,B\n");
+  const std::string text = expect_silent({"place", path("day.csv"), path("night.csv"), "--threshold", "1"});
+  EXPECT_NE(text.find("2 transceivers reach all 3 labels"), std::string::npos) << text;
+  EXPECT_NE(text.find("day: 2 labels, the weakest (day:L1) gets 2 of its requirement"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("night: 1 label, the weakest (night:L1) gets 3 of"), std::string::npos) << text;
+  const auto json = test::Json::parse(expect_silent({"place", path("day.csv"), "--forbid", path("pairs.csv"),
+                                                     path("night.csv"), "--threshold", "1", "--json"}));
+  EXPECT_EQ(json["selected"], (test::Json{"B", "C"}));
+  EXPECT_EQ(json["scenarios"][1]["name"], "night");
+  const std::string survives =
+      expect_silent({"place", path("day.csv"), "--threshold", "1", "--survive-failure"});
+  EXPECT_NE(survives.find("3 transceivers reach all 2 labels (cooperative, whichever unit fails)"),
+            std::string::npos)
+      << survives;
+}
+
+TEST_F(Workflow, TellsWhatFewerTransceiversReach) {
+  folder.write("m.csv", "label,A,B,C\nL1,1,0,1\nL2,1,0,1\nL3,1,0,0\nL4,0,1,1\nL5,0,1,1\nL6,0,1,0\n");
+  std::string text = expect_silent({"place", path("m.csv"), "--threshold", "1", "--at-most", "1"});
+  EXPECT_NE(text.find("1 transceiver reaches 4 of 6 labels, 66.7 % (cooperative); no 1 reach more, proven."),
+            std::string::npos)
+      << text;
+  const auto reach = test::Json::parse(expect_silent(
+      {"place", path("m.csv"), "--threshold", "1", "--at-most", "1", "--json", "-o", path("reach.json")}));
+  EXPECT_EQ(reach["missed"], (test::Json{"L3", "L6"}));
+  EXPECT_EQ(reach["reached_upper_bound"], 4);
+  EXPECT_TRUE(test::fs::exists(folder / "reach.json"));
+  text = expect_silent({"place", path("m.csv"), "--threshold", "1", "--curve"});
+  EXPECT_NE(text.find("      1                     66.7 %    66.7 %\n"), std::string::npos) << text;
+  const auto whole =
+      test::Json::parse(expect_silent({"place", path("m.csv"), "--threshold", "1", "--curve", "--json"}));
+  EXPECT_EQ(whole["curve"].size(), 2U);
+  EXPECT_EQ(whole["curve"][0]["at_most"], 4);
+  EXPECT_EQ(whole["critical"][0]["count"], 3);
+}
+
 }  // namespace
 }  // namespace shelfbeam

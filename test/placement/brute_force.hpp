@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "shelfbeam/placement/instance.hpp"
@@ -11,7 +12,7 @@
 namespace shelfbeam::test {
 
 /// What is left out of the enumeration, to see that a comparison with it can fail.
-enum class Omission { nothing, last_label, installed, second_objective, tolerance, mounts };
+enum class Omission { nothing, last_label, installed, second_objective, tolerance, mounts, apart, failure };
 
 /// Answers of the paper's models by trying every selection, written from the formulas of chapter 3 with dense
 /// matrices M, l and t, sharing no code with the library.
@@ -35,7 +36,8 @@ struct BruteForce {
     const std::size_t tested = m - (omission == Omission::last_label && m > 0 ? 1 : 0);
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
       const auto in = [&](std::size_t j) { return (set >> j & 1U) != 0; };
-      bool allowed = omission == Omission::mounts || one_at_a_point(table, set);
+      bool allowed = (omission == Omission::mounts || one_at_a_point(table, set)) &&
+                     (omission == Omission::apart || kept_apart(table, set));
       double price = 0;
       std::size_t count = 0;
       for (std::size_t j = 0; j < n; ++j) {
@@ -43,16 +45,7 @@ struct BruteForce {
         if (in(j)) price += table.transceivers[j].cost, ++count;
       }
       for (std::size_t i = 0; i < tested && allowed; ++i) {
-        double sum = 0;
-        bool reached = false;
-        for (std::size_t j = 0; j < n; ++j) {
-          if (!in(j)) continue;
-          sum += signal[i][j];
-          reached = reached || signal[i][j] >= table.labels[i].single_requirement * (1 - tolerance);
-        }
-        allowed = question.model == CommunicationModel::cooperative
-                      ? sum >= table.labels[i].requirement * (1 - tolerance)
-                      : reached;
+        allowed = met(table, question, signal[i], i, set, tolerance, omission);
       }
       if (!allowed) continue;
       feasible = true;
@@ -71,7 +64,8 @@ struct BruteForce {
     }
   }
 
-  /// What each label gets from the selection that gives it most, whatever becomes of the others.
+  /// What each label gets from the selection that gives it most, whatever becomes of the others. Pairs that
+  /// must be kept apart count only where one of them is installed, as documented.
   static std::vector<double> most(const SignalTable& table, const Question& question) {
     const std::vector<std::vector<double>> signal = dense(table);
     std::uint32_t installed = 0;
@@ -80,16 +74,81 @@ struct BruteForce {
     std::vector<double> result(table.labels.size(), 0.0);
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.transceivers.size()); ++set) {
       if ((set & installed) != installed || !one_at_a_point(table, set)) continue;
+      bool excluded = false;
+      for (const auto& [a, b] : table.apart)
+        excluded =
+            excluded || ((set >> a & set >> b & 1U) != 0 && ((installed >> a | installed >> b) & 1U) != 0);
+      if (excluded) continue;
       for (std::size_t i = 0; i < signal.size(); ++i) {
-        double got = 0;
-        for (std::size_t j = 0; j < signal[i].size(); ++j)
-          if ((set >> j & 1U) != 0)
-            got = question.model == CommunicationModel::cooperative ? got + signal[i][j]
-                                                                    : std::max(got, signal[i][j]);
+        const auto got_without = [&](std::size_t failed) {
+          double got = 0;
+          for (std::size_t j = 0; j < signal[i].size(); ++j)
+            if ((set >> j & 1U) != 0 && j != failed)
+              got = question.model == CommunicationModel::cooperative ? got + signal[i][j]
+                                                                      : std::max(got, signal[i][j]);
+          return got;
+        };
+        double got = got_without(signal[i].size());
+        for (std::size_t failed = 0; failed < signal[i].size() && question.redundant; ++failed)
+          if ((set >> failed & 1U) != 0) got = std::min(got, got_without(failed));
         result[i] = std::max(result[i], got);
       }
     }
     return result;
+  }
+
+  /// The most labels that selections of at most so many units meet, and the fewest units that do it.
+  struct Budget {
+    std::size_t reached = 0, units = 0;
+  };
+  /// For every number of units up to all; nothing where more are installed.
+  static std::vector<std::optional<Budget>> budgets(const SignalTable& table, const Question& question,
+                                                    Omission omission = Omission::nothing) {
+    const std::size_t n = table.transceivers.size();
+    const std::vector<std::vector<double>> signal = dense(table);
+    std::vector<std::optional<Budget>> best(n + 1);
+    const std::size_t tested = signal.size() - (omission == Omission::last_label && !signal.empty() ? 1 : 0);
+    for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
+      bool allowed = (omission == Omission::mounts || one_at_a_point(table, set)) &&
+                     (omission == Omission::apart || kept_apart(table, set));
+      std::size_t count = 0;
+      for (std::size_t j = 0; j < n; ++j) {
+        if ((set >> j & 1U) != 0) ++count;
+        if ((set >> j & 1U) == 0 && table.transceivers[j].installed && omission != Omission::installed)
+          allowed = false;
+      }
+      if (!allowed) continue;
+      std::size_t reached = 0;
+      for (std::size_t i = 0; i < tested; ++i)
+        if (met(table, question, signal[i], i, set, 1e-9, omission)) ++reached;
+      for (std::size_t k = count; k <= n; ++k)
+        if (!best[k] || reached > best[k]->reached || (reached == best[k]->reached && count < best[k]->units))
+          best[k] = Budget{reached, count};
+    }
+    return best;
+  }
+
+  /// Whether the selection meets label i.
+  static bool met(const SignalTable& table, const Question& question, const std::vector<double>& signal,
+                  std::size_t i, std::uint32_t set, double tolerance, Omission omission) {
+    const auto in = [&](std::size_t j) { return (set >> j & 1U) != 0; };
+    const std::size_t n = signal.size();
+    const auto met_without = [&](std::size_t failed) {
+      double sum = 0;
+      bool reached = false;
+      for (std::size_t j = 0; j < n; ++j) {
+        if (!in(j) || j == failed) continue;
+        sum += signal[j];
+        reached = reached || signal[j] >= table.labels[i].single_requirement * (1 - tolerance);
+      }
+      return question.model == CommunicationModel::cooperative
+                 ? sum >= table.labels[i].requirement * (1 - tolerance)
+                 : reached;
+    };
+    bool all = met_without(n);
+    for (std::size_t failed = 0; failed < n && question.redundant && omission != Omission::failure; ++failed)
+      all = all && (!in(failed) || met_without(failed));
+    return all;
   }
 
  private:
@@ -109,6 +168,12 @@ struct BruteForce {
       if (units > 1) return false;
     }
     return true;
+  }
+
+  static bool kept_apart(const SignalTable& table, std::uint32_t set) {
+    return std::none_of(table.apart.begin(), table.apart.end(), [&](const auto& pair) {
+      return (set >> pair.first & 1U) != 0 && (set >> pair.second & 1U) != 0;
+    });
   }
 
   static double second_objective(const SignalTable& table, const Question& question,

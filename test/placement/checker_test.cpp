@@ -54,6 +54,28 @@ TEST(PlacementChecker, ValuesEveryObjective) {
   EXPECT_EQ(value(alone, Objective::signal, 1), 37.5);
 }
 
+TEST(PlacementChecker, TakesAwayTheStrongestUnitWhereOneMayFail) {
+  Check check = check_selection(example(), {.model = coop, .redundant = true}, Columns{0, 1, 2, 3});
+  EXPECT_EQ(check.signal, (std::vector<double>{1.0, 0.75, 0.25}));
+  EXPECT_EQ(check.unmet, (Columns{1, 2}));
+  check = check_selection(example(), {.model = alone, .redundant = true}, Columns{0, 1, 3});
+  EXPECT_EQ(check.signal, (std::vector<double>{0.5, 0.0, 0.0}));
+  // A signal of any size that fails leaves the others as they are, to the last bit.
+  const SignalTable table = test::make_table({{0.5, 1e30, 0.5}}, 3);
+  EXPECT_EQ(check_selection(table, {.redundant = true}, Columns{0, 1, 2}).signal[0], 1.0);
+  EXPECT_FALSE(check_selection(table, {.redundant = true}, Columns{1}).met());
+}
+
+TEST(PlacementChecker, NamesPairsThatMustBeApart) {
+  SignalTable table = example();
+  table.apart = {{0, 2}, {1, 3}};
+  const Check check = check_selection(table, {coop}, Columns{0, 1, 2});
+  EXPECT_TRUE(check.unmet.empty());
+  EXPECT_EQ(check.too_close, Columns{0});
+  EXPECT_FALSE(check.allowed());
+  EXPECT_FALSE(check.met());
+}
+
 TEST(PlacementChecker, AppliesTheToleranceOfTheContract) {
   SignalTable table = test::make_table({{0.5, 0.5 - 0.9e-9}}, 2);
   EXPECT_TRUE(check_selection(table, {coop}, Columns{0, 1}).met());

@@ -9,6 +9,7 @@
 #include "shelfbeam/placement/placement.hpp"
 
 #include "random_table.hpp"
+#include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
 
 namespace shelfbeam {
@@ -56,14 +57,49 @@ TEST(PlacementExport, HasARowForEveryMountingPointWithOptions) {
   }
 }
 
+TEST(PlacementExport, HasARowForEveryPairThatIsKeptApart) {
+  SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
+  table.apart = {{1, 3}};
+  const milp::Model model = placement_model(table, {});
+  ASSERT_EQ(model.rows.size(), 2U);
+  EXPECT_EQ(model.rows[1].name, "apart_T1_T3");
+  EXPECT_EQ(model.rows[1].upper, 1);
+  ASSERT_EQ(model.rows[1].entries.size(), 2U);
+  EXPECT_EQ(model.rows[1].entries[0].column + 10 * model.rows[1].entries[1].column, 31U);
+}
+
+TEST(PlacementExport, LetsEveryUnitFail) {
+  const SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
+  const milp::Model alone =
+      placement_model(table, {.model = CommunicationModel::non_cooperative, .redundant = true});
+  ASSERT_EQ(alone.rows.size(), 1U);
+  EXPECT_EQ(alone.rows[0].lower, 2);
+  const milp::Model model = placement_model(table, {.redundant = true});
+  ASSERT_EQ(model.rows.size(), 4U);
+  EXPECT_EQ(model.rows[1].name, "L0_without_T0");
+  EXPECT_EQ(model.rows[1].lower, 1 - 1e-9);
+  ASSERT_EQ(model.rows[1].entries.size(), 2U);
+  EXPECT_EQ(model.rows[1].entries[0].value, 0.5);
+  EXPECT_EQ(model.rows[3].name, "L0_without_T3");
+}
+
+TEST(PlacementExport, RefusesFailuresOfALargeMatrix) {
+  const SignalTable table =
+      test::make_table(std::vector<std::vector<double>>(6, std::vector<double>(2000, 1.0)), 2000);
+  test::expect_input_error([&] { placement_model(table, {.redundant = true}); }, "--survive-failure",
+                           "23988000 entries");
+}
+
 // Both files, read back by every solver, have the optimum that `place` proves; both within a gap of 1e-6.
 TEST(PlacementExport, HasTheOptimumOfThePlacement) {
   const test::TempFolder folder;
   test::RandomTables plain(51, {.labels = 6, .transceivers = 8, .borderline = false});
   test::RandomTables with_options(52, {.labels = 6, .transceivers = 8, .borderline = false, .mounts = true});
-  int feasible = 0, control = 0, mount_control = 0;
-  for (int k = 0; k < 300; ++k) {
-    test::RandomTables& tables = k % 2 == 0 ? plain : with_options;
+  test::RandomTables beyond(
+      53, {.labels = 4, .transceivers = 8, .borderline = false, .apart = true, .redundant = true});
+  int feasible = 0, control = 0, mount_control = 0, beyond_control = 0;
+  for (int k = 0; k < 450; ++k) {
+    test::RandomTables& tables = k % 3 == 0 ? plain : k % 3 == 1 ? with_options : beyond;
     const SignalTable table = tables.next();
     Question question = tables.next_question();
     if (question.combination == Combination::lexicographic) question.objective = Objective::count;
@@ -91,7 +127,15 @@ TEST(PlacementExport, HasTheOptimumOfThePlacement) {
       const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
       control += result.primal_bound < found.objective_value * (1 - 1e-5);
     }
-    // And so it has without the rows of the mounting points.
+    // And so it has without the rows of failures and of pairs.
+    if (found.status != Status::infeasible && k % 3 == 2) {
+      SignalTable together = table;
+      together.apart.clear();
+      const milp::Model relaxed = model_without_failures(together, question);
+      const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
+      beyond_control += result.primal_bound < found.objective_value * (1 - 1e-5);
+    }
+    // And without the rows of the mounting points.
     if (!table.mounts.empty()) {
       milp::Model relaxed = model;
       relaxed.rows.resize(table.rows());
@@ -102,6 +146,7 @@ TEST(PlacementExport, HasTheOptimumOfThePlacement) {
   EXPECT_GT(feasible, 200);
   EXPECT_GT(control, 10);
   EXPECT_GT(mount_control, 10);
+  EXPECT_GT(beyond_control, 10);
 }
 
 }  // namespace

@@ -198,6 +198,69 @@ TEST(PlacementGreedy, RespectsMountingPoints) {
   EXPECT_GT(crowded_control, 200);
 }
 
+// Two units of 0.6 and 0.5 carry the label, and either may fail: a third is needed, though the first two
+// steps leave what remains after the worst failure below any requirement.
+TEST(PlacementGreedy, GoesOnUntilAnyUnitMayFail) {
+  const SignalTable table = test::make_table({{0.6, 0.5, 0.5, 0.1}}, 4);
+  const Question question{.redundant = true};
+  EXPECT_EQ(greedy_selection(table, question), (Columns{0, 1, 2}));
+  EXPECT_TRUE(check_selection(table, question, Columns{0, 1, 2}).met());
+  EXPECT_EQ(
+      greedy_selection(test::make_table({{1, 0, 7}, {1, 1, 0}}, 3), {.model = alone, .redundant = true}),
+      (Columns{0, 1, 2}));
+}
+
+// It ends with an answer where there is one and nothing excludes anything. Non-cooperative: the units that
+// reach a label count at most twice, a submodular function of whole numbers, so Wolsey's bound H(m) holds.
+TEST(PlacementGreedy, CoversWhereAUnitMayFail) {
+  test::RandomTables tables(24, {.redundant = true});
+  int solved = 0, above = 0, ignorant = 0;
+  for (int k = 0; k < 2500; ++k) {
+    const SignalTable table = tables.next();
+    Question question = tables.next_question();
+    question.redundant = true;
+    const double least = least_cost(table, question);
+    const Columns selected = greedy_selection(table, question);
+    ASSERT_EQ(check_selection(table, question, selected).met(), std::isfinite(least)) << k;
+    if (!std::isfinite(least)) continue;
+    ++solved;
+    const double cost = total(greedy_costs(table, question), selected);
+    EXPECT_GE(cost, least * (1 - 1e-12)) << k;
+    if (question.model == alone) {
+      EXPECT_LE(cost, std::max(1.0, harmonic(table.rows())) * least * (1 + 1e-12)) << k;
+      above += cost > least * (1 + 1e-9);  // negative control: a factor of 1 does not hold
+    }
+    Question nothing_fails = question;
+    nothing_fails.redundant = false;
+    ignorant += !check_selection(table, question, greedy_selection(table, nothing_fails)).met();
+  }
+  EXPECT_GT(solved, 700);
+  EXPECT_GT(above, 30);
+  EXPECT_GT(ignorant, 400);
+}
+
+TEST(PlacementGreedy, KeepsPairsApart) {
+  test::RandomTables tables(25, {.mounts = true, .apart = true, .redundant = true});
+  int solved = 0, stuck = 0, control = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const SignalTable table = tables.next();
+    const Question question = tables.next_question();
+    const Check check = check_selection(table, question, greedy_selection(table, question));
+    ASSERT_TRUE(check.allowed()) << k;
+    const bool feasible = test::BruteForce(table, question).feasible;
+    ASSERT_TRUE(feasible || !check.met());
+    solved += feasible && check.met();
+    stuck += feasible && !check.met();
+    SignalTable unaware = table;
+    unaware.apart.clear();
+    control += !check_selection(table, question, greedy_selection(unaware, question)).too_close.empty();
+  }
+  EXPECT_GT(solved, 500);
+  EXPECT_LT(stuck, solved / 10);
+  EXPECT_GT(stuck, 0);
+  EXPECT_GT(control, 200);
+}
+
 TEST(PlacementGreedy, HandlesTablesWithoutLabelsOrUnits) {
   EXPECT_TRUE(greedy_selection(test::make_table({}, 3), {}).empty());
   EXPECT_TRUE(greedy_selection(test::make_table({}, 0), {}).empty());

@@ -44,6 +44,21 @@ SignalTable nearly_met() {
   return test::make_table({{1 - 5e-8, 0.3, 0.2}, {1.0, 0.8, 0.4}}, 3);
 }
 
+// The rows of failures come as they are needed, and never twice.
+TEST(PlacementMip, LetsUnitsFailAsNeeded) {
+  const SignalTable table = test::make_table({{0.9, 0.8, 0.7, 0.3, 0.2}}, 5);
+  Script script;
+  script.answers = {{Termination::optimal, 2, 2, {0, 1, 1, 0, 0}}};
+  const MipAnswer found =
+      place_by_mip(table, {.redundant = true}, Columns{0, 1, 2, 3, 4}, script.function(), 60, {});
+  EXPECT_EQ(found.placement.status, Status::optimal);
+  EXPECT_EQ(found.placement.count(), 3U);
+  ASSERT_GE(script.asked.size(), 2U);
+  EXPECT_EQ(script.asked[0].rows[1].name, "L0_without_T0") << "the strongest unit is in from the start";
+  EXPECT_NEAR(script.asked[0].rows[0].lower, 1.25, 1e-6) << "5 units at most, so 5/4";
+  EXPECT_EQ(script.asked[1].rows.back().name, "L0_without_T1");
+}
+
 TEST(PlacementMip, CutsOffWhatTheCheckerRejects) {
   Script script;
   script.answers = {{Termination::optimal, 1, 1, {1, 0, 0}}};

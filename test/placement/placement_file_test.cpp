@@ -40,6 +40,7 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   "objective": "effective-links",
   "combination": "weighted",
   "share": 0.5,
+  "survives_failure": false,
   "selected": [
     "T0",
     "T1"
@@ -54,7 +55,20 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   "status": "stopped",
   "solver": "highs 1.10.0",
   "seconds": 0.25,
-  "unreachable": []
+  "unreachable": [],
+  "scenarios": [],
+  "critical": [
+    {
+      "unit": "T0",
+      "count": 0,
+      "labels": []
+    },
+    {
+      "unit": "T1",
+      "count": 0,
+      "labels": []
+    }
+  ]
 }
 )");
 }

@@ -33,6 +33,8 @@ struct RandomTableLimits {
   int transceivers = 14;
   bool borderline = true;  ///< with signals so near the requirement that only the exact rule decides
   bool mounts = false;     ///< with mounting points that have one to four options
+  bool apart = false;      ///< with pairs that must not be chosen together
+  bool redundant = false;  ///< three in four questions let a unit fail; signals are somewhat stronger
 };
 
 /// Small tables of very different kinds: dense and sparse, real and quantised (many exact ties and sums that
@@ -55,6 +57,10 @@ class RandomTables {
     SignalTable table = make_table(matrix, n);
     add_costs(table);
     if (limits_.mounts) add_mounts(table);
+    if (limits_.apart) add_pairs(table);
+    if (limits_.redundant)
+      for (auto& label : table.labels)
+        if (chance(0.7)) label.requirement *= 0.5, label.single_requirement *= 0.5;
     const double unit = chance(0.5) ? 1.0 : std::pow(10.0, real(-9, 4));
     scale(table, unit);
     return table;
@@ -66,6 +72,7 @@ class RandomTables {
     question.objective = static_cast<Objective>(whole(0, 3));
     question.combination = chance(0.5) ? Combination::lexicographic : Combination::weighted;
     question.share = chance(0.5) ? 1.0 : real(0.1, 1.5);
+    if (limits_.redundant) question.redundant = chance(0.75);
     return question;
   }
 
@@ -123,6 +130,15 @@ class RandomTables {
       }
       table.mounts.push_back(std::move(mount));
     }
+  }
+
+  void add_pairs(SignalTable& table) {
+    const double density = real(0, 0.25);
+    const auto n = static_cast<std::uint32_t>(table.columns());
+    for (std::uint32_t a = 0; a < n; ++a)
+      for (std::uint32_t b = a + 1; b < n; ++b)
+        if (chance(density) && !(table.transceivers[a].installed && table.transceivers[b].installed))
+          table.apart.emplace_back(a, b);
   }
 
   static void scale(SignalTable& table, double unit) {

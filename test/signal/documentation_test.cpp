@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/signal/apart.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
 #include "support/temp_folder.hpp"
@@ -28,7 +29,7 @@ std::vector<std::string> blocks(const std::string& page, const std::string& kind
 TEST(Documentation, ExamplesOfTheMatrixFormatsAreRead) {
   const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/matrices.md");
   const auto csv = blocks(page, "csv"), text = blocks(page, "text");
-  ASSERT_EQ(csv.size(), 4u);
+  ASSERT_EQ(csv.size(), 5u);
   ASSERT_EQ(text.size(), 3u);
   const TempFolder folder;
   const auto read = [&](const std::string& content) {
@@ -57,6 +58,8 @@ TEST(Documentation, ExamplesOfTheMatrixFormatsAreRead) {
   EXPECT_EQ(with_ids.transceivers[0].cost, 2.5);
   EXPECT_EQ(with_ids.labels[0].link_cost, 0.1);
   EXPECT_EQ(with_ids.labels[0].signal_cost, 0.01);
+  forbid_pairs(with_ids, folder.write("pairs", csv[4]));
+  EXPECT_EQ(with_ids.apart.size(), 1u);
 }
 
 }  // namespace

@@ -19,7 +19,9 @@ std::size_t least_count(const SignalTable& table, const Question& question) {
   std::vector<std::uint32_t> installed;
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     if (table.transceivers[j].installed) installed.push_back(j);
-  return installed.size() + (check_selection(table, question, installed).met() ? 0 : 1);
+  const std::size_t least =
+      installed.size() + (check_selection(table, question, installed).unmet.empty() ? 0 : 1);
+  return question.redundant && table.rows() > 0 ? std::max<std::size_t>(least, 2) : least;
 }
 
 CostBounds::CostBounds(const SignalTable& table, std::span<const double> cost) {

@@ -9,7 +9,7 @@
 namespace shelfbeam {
 
 /// No selection that meets every label has fewer units: the installed ones, and one more where they do not
-/// meet everything.
+/// meet everything; two where one may fail.
 std::size_t least_count(const SignalTable& table, const Question& question);
 
 /// Bounds that follow from non-negative costs of single units alone; every installed unit is always paid.

@@ -10,7 +10,6 @@ namespace {
 
 struct Received {
   double sum = 0;
-  double largest = 0;
   std::uint32_t alone = 0;      ///< units that reach the label alone
   std::uint32_t effective = 0;  ///< units that count as effective links
 };
@@ -23,7 +22,6 @@ Received receive(const SignalTable& table, const Question& question, std::size_t
   for (const SignalEntry& entry : table.row(i)) {
     if (!chosen[entry.transceiver]) continue;
     result.sum += entry.signal;
-    result.largest = std::max(result.largest, entry.signal);
     if (is_met(entry.signal, label.single_requirement)) ++result.alone;
     if (is_met(entry.signal, effective)) ++result.effective;
   }
@@ -42,11 +40,12 @@ Check check_selection(const SignalTable& table, const Question& question,
 
   Check check;
   check.crowded = crowded_mounts(table, chosen);
+  check.too_close = broken_pairs(table, chosen);
   for (std::size_t j = 0; j < table.columns(); ++j)
     if (chosen[j]) check.transceiver_cost += table.transceivers[j].cost;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const Received received = receive(table, question, i, chosen);
-    check.signal.push_back(cooperative ? received.sum : received.largest);
+    check.signal.push_back(received_signal(table, i, chosen, question));
     check.serving.push_back(received.alone);
     if (!is_met(check.signal.back(), requirement_of(table.labels[i], question.model)))
       check.unmet.push_back(static_cast<std::uint32_t>(i));

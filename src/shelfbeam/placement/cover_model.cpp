@@ -22,6 +22,8 @@ constexpr double negligible = 1e-8;
 // step lower, than half a step.
 constexpr double steps = 1 << 20;
 
+}  // namespace
+
 milp::Row relaxed(milp::Row row) {
   row.lower = 1 - 0.5 / steps;
   for (milp::Entry& entry : row.entries) {
@@ -32,6 +34,29 @@ milp::Row relaxed(milp::Row row) {
   return row;
 }
 
+namespace {
+
+// The most units that a selection of at most this cost can have: the installed ones and the cheapest others.
+std::size_t most_units(const SignalTable& table, std::span<const double> cost, double known) {
+  const double most = known * (1 + 1e-9);
+  std::vector<double> others;
+  double spent = 0;
+  std::size_t count = 0;
+  for (std::size_t j = 0; j < cost.size(); ++j) {
+    if (table.transceivers[j].installed)
+      spent += cost[j], ++count;
+    else
+      others.push_back(cost[j]);
+  }
+  std::sort(others.begin(), others.end());
+  for (const double one : others) {
+    spent += one;
+    if (spent > most) break;
+    ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 CoverModel::CoverModel(const SignalTable& table, const Question& question, const SolveFunction& solve,
@@ -39,10 +64,64 @@ CoverModel::CoverModel(const SignalTable& table, const Question& question, const
     : table_(table), question_(question), solve_(solve), control_(control), time_limit_s_(time_limit_s) {}
 
 void CoverModel::build() {
-  model_ = placement_model(table_, question_);
-  if (question_.model == CommunicationModel::cooperative)
-    for (std::size_t i = 0; i < table_.rows(); ++i) model_.rows[i] = relaxed(std::move(model_.rows[i]));
+  model_ = model_without_failures(table_, question_);
   built_ = true;
+  if (question_.model == CommunicationModel::non_cooperative) return;
+  for (std::size_t i = 0; i < table_.rows(); ++i) model_.rows[i] = relaxed(std::move(model_.rows[i]));
+  if (!question_.redundant) return;
+  for (std::size_t i = 0; i < table_.rows(); ++i) {
+    const auto row = table_.row(i);
+    const auto strongest =
+        std::max_element(row.begin(), row.end(),
+                         [](const SignalEntry& a, const SignalEntry& b) { return a.signal < b.signal; });
+    if (strongest != row.end()) add_failure(i, strongest->transceiver);
+  }
+}
+
+// Summing the rows (i, j) over the k chosen units that reach label i gives (k - 1) sum_j a_ij T_j >= k, and
+// k / (k - 1) falls with k, so that any upper bound of k will do. The right-hand side follows the grid of the
+// coefficients as in `relaxed`.
+void CoverModel::bound_label_rows(std::size_t most) {
+  if (!question_.redundant || question_.model == CommunicationModel::non_cooperative) return;
+  for (std::size_t i = 0; i < table_.rows(); ++i) {
+    const auto units = static_cast<double>(std::max<std::size_t>(2, std::min(most, table_.row(i).size())));
+    double without = 0;
+    for (const SignalEntry& entry : table_.row(i))
+      if (const double share = entry.signal / table_.labels[i].requirement; share < negligible)
+        without += share;
+    const double least = (1 - 2 * met_tolerance) * units / (units - 1) - without;
+    model_.rows[i].lower = (std::ceil(least * steps) - 0.5) / steps;
+  }
+}
+
+bool CoverModel::add_failure(std::size_t label, std::uint32_t failed) {
+  if (!failures_.emplace(label, failed).second) return false;
+  model_.rows.push_back(relaxed(failure_row(table_, label, failed)));
+  return true;
+}
+
+// Adds the rows that such a selection breaks; false where they are all there.
+bool CoverModel::let_fail(const std::vector<std::uint32_t>& selected,
+                          const std::vector<std::uint32_t>& unmet) {
+  if (!question_.redundant || question_.model == CommunicationModel::non_cooperative) return false;
+  std::vector<bool> chosen(table_.columns(), false);
+  for (const std::uint32_t j : selected) chosen[j] = true;
+  bool added = false;
+  for (const std::uint32_t i : unmet) {
+    double sum = 0, largest = 0;
+    for (const SignalEntry& entry : table_.row(i)) {
+      if (!chosen[entry.transceiver]) continue;
+      sum += entry.signal;
+      largest = std::max(largest, entry.signal);
+    }
+    const double requirement = table_.labels[i].requirement;
+    for (const SignalEntry& entry : table_.row(i)) {
+      if (!chosen[entry.transceiver]) continue;
+      const bool breaks = entry.signal == largest || sum - entry.signal < requirement;
+      if (breaks && add_failure(i, entry.transceiver)) added = true;
+    }
+  }
+  return added;
 }
 
 double CoverModel::seconds_left() const {
@@ -60,6 +139,7 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
     column.cost = too_dear ? 0 : cost[j];
     column.upper = too_dear ? 0 : 1;
   }
+  bound_label_rows(count ? *count : most_units(table_, cost, known));
   milp::Row count_row;
   if (count) {
     count_row.lower = count_row.upper = static_cast<double>(*count);
@@ -96,11 +176,11 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
       break;
     }
     if (result.termination != milp::Termination::optimal) break;
-    if (check.unmet.empty()) {  // two options of a mounting point, against its row
+    if (check.unmet.empty()) {  // units that exclude one another, against their row
       outcome.failed = true;
       break;
     }
-    cut_off(selected, check.unmet.front());
+    if (!let_fail(selected, check.unmet)) cut_off(selected, check.unmet.front());
   }
   return outcome;
 }
@@ -123,7 +203,7 @@ void CoverModel::cut_off(const std::vector<std::uint32_t>& selected, std::size_t
   auto first = outside.begin();
   for (; first != outside.end(); ++first) {
     chosen[*first] = true;
-    if (is_met(received_signal(table_, unmet_label, chosen, question_.model), requirement)) break;
+    if (is_met(received_signal(table_, unmet_label, chosen, question_), requirement)) break;
   }
   milp::Row cut{1.0, milp::infinity, {}, "cut"};
   for (; first != outside.end(); ++first) cut.entries.push_back({*first, 1.0});

@@ -1,5 +1,9 @@
 #include "shelfbeam/placement/export_model.hpp"
 
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+
 namespace shelfbeam {
 
 std::vector<double> first_objective(const SignalTable& table, const Question& question) {
@@ -9,7 +13,7 @@ std::vector<double> first_objective(const SignalTable& table, const Question& qu
   return cost;
 }
 
-milp::Model placement_model(const SignalTable& table, const Question& question) {
+milp::Model model_without_failures(const SignalTable& table, const Question& question) {
   const bool cooperative = question.model == CommunicationModel::cooperative;
   const std::vector<double> cost = first_objective(table, question);
   milp::Model model;
@@ -19,7 +23,8 @@ milp::Model placement_model(const SignalTable& table, const Question& question) 
   }
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const double requirement = requirement_of(table.labels[i], question.model);
-    milp::Row row{cooperative ? 1 - met_tolerance : 1.0, milp::infinity, {}, table.labels[i].id};
+    const double units = question.redundant ? 2.0 : 1.0;
+    milp::Row row{cooperative ? 1 - met_tolerance : units, milp::infinity, {}, table.labels[i].id};
     for (const SignalEntry& entry : table.row(i)) {
       if (cooperative)
         row.entries.push_back({entry.transceiver, entry.signal / requirement});
@@ -33,6 +38,36 @@ milp::Model placement_model(const SignalTable& table, const Question& question) 
     for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
     model.rows.push_back(std::move(row));
   }
+  for (const auto& [a, b] : table.apart)
+    model.rows.push_back({-milp::infinity,
+                          1.0,
+                          {{a, 1.0}, {b, 1.0}},
+                          "apart_" + table.transceivers[a].id + "_" + table.transceivers[b].id});
+  return model;
+}
+
+milp::Row failure_row(const SignalTable& table, std::size_t label, std::uint32_t failed) {
+  const SignalTable::Label& of = table.labels[label];
+  milp::Row row{1 - met_tolerance, milp::infinity, {}, of.id + "_without_" + table.transceivers[failed].id};
+  for (const SignalEntry& entry : table.row(label))
+    if (entry.transceiver != failed)
+      row.entries.push_back({entry.transceiver, entry.signal / of.requirement});
+  return row;
+}
+
+milp::Model placement_model(const SignalTable& table, const Question& question) {
+  milp::Model model = model_without_failures(table, question);
+  if (!question.redundant || question.model == CommunicationModel::non_cooperative) return model;
+  std::size_t entries = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i) entries += table.row(i).size() * (table.row(i).size() - 1);
+  if (entries > largest_model)
+    throw InputError("--survive-failure",
+                     fmt::format("needs {} entries in the model's file, and at most {} are written", entries,
+                                 largest_model),
+                     "use 'shelfbeam place', which adds the rows as it needs them");
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    for (const SignalEntry& entry : table.row(i))
+      model.rows.push_back(failure_row(table, i, entry.transceiver));
   return model;
 }
 

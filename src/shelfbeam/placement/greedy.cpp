@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "shelfbeam/placement/detail/label_shares.hpp"
 #include "shelfbeam/placement/mounts.hpp"
 
 namespace shelfbeam {
@@ -14,11 +15,11 @@ class Greedy {
  public:
   Greedy(const SignalTable& table, const Question& question)
       : table_(table),
-        model_(question.model),
+        question_(question),
         cost_(greedy_costs(table, question)),
         mounts_(table),
         chosen_(table.columns(), false),
-        open_(table.columns(), true) {
+        excluded_by_(table.columns(), 0) {
     for (std::uint32_t j = 0; j < table.columns(); ++j)
       if (table.transceivers[j].installed) choose(j);
     look_at_every_label();
@@ -31,7 +32,7 @@ class Greedy {
       auto best = static_cast<std::uint32_t>(table_.columns());
       double best_ratio = std::numeric_limits<double>::infinity();
       for (std::uint32_t j = 0; j < table_.columns(); ++j) {
-        if (!open_[j] || gain[j] <= 0) continue;
+        if (chosen_[j] || excluded_by_[j] > 0 || gain[j] <= 0) continue;
         const double ratio = cost_[j] / gain[j];
         if (best == table_.columns() || ratio < best_ratio) {
           best = j;
@@ -50,16 +51,20 @@ class Greedy {
   }
 
  private:
-  /// One option of a mounting point in the place of another.
+  /// A column that one chosen unit alone excludes, in the place of that unit.
   struct Exchange {
     std::uint32_t out = 0, in = 0;
-    double lacking = 0;  ///< what that adds to the shares of their requirements that all labels lack
+    double lacking = 0;  ///< what that adds to what all labels lack
   };
 
   void choose(std::uint32_t column) {
     chosen_[column] = true;
-    open_[column] = false;
-    for (const std::uint32_t option : mounts_.options(column)) open_[option] = false;
+    mounts_.for_each_excluded(column, [&](std::uint32_t other) { ++excluded_by_[other]; });
+  }
+
+  void drop(std::uint32_t column) {
+    chosen_[column] = false;
+    mounts_.for_each_excluded(column, [&](std::uint32_t other) { --excluded_by_[other]; });
   }
 
   void look_at_every_label() {
@@ -67,18 +72,19 @@ class Greedy {
     std::iota(unmet_.begin(), unmet_.end(), std::size_t{0});
   }
 
-  // What one entry is to a label's requirement: a share of it, or all or nothing where one unit must do.
   double share(const SignalEntry& entry, double requirement) const {
-    if (model_ == CommunicationModel::cooperative) return entry.signal / requirement;
-    return is_met(entry.signal, requirement) ? 1 : 0;
+    return detail::share_of(entry.signal, requirement, question_);
   }
+
+  double lacking(double sum, double largest) const { return detail::lacking(sum, largest, question_); }
 
   std::vector<Exchange> exchanges() const {
     std::vector<Exchange> result;
     for (std::uint32_t j = 0; j < table_.columns(); ++j) {
       if (!chosen_[j] || table_.transceivers[j].installed) continue;
-      for (const std::uint32_t option : mounts_.options(j))
-        if (option != j) result.push_back({j, option, 0});
+      mounts_.for_each_excluded(j, [&](std::uint32_t other) {
+        if (!chosen_[other] && excluded_by_[other] == 1) result.push_back({j, other, 0});
+      });
     }
     return result;
   }
@@ -86,23 +92,27 @@ class Greedy {
   // Makes the exchange that helps most; false where none helps.
   bool exchange() {
     constexpr double least_help = 1e-9;  // keeps rounding from exchanging to and fro
-    const auto lacking = [](double shares) { return is_met(shares, 1) ? 0 : 1 - shares; };
     std::vector<Exchange> all = exchanges();
+    std::vector<double> part(table_.columns(), 0.0);
     for (std::size_t i = 0; i < table_.rows(); ++i) {
-      const double requirement = requirement_of(table_.labels[i], model_);
-      std::vector<double> part(table_.columns(), 0.0);
-      double sum = 0;
+      const double requirement = requirement_of(table_.labels[i], question_.model);
+      detail::LabelShares now;
       for (const SignalEntry& entry : table_.row(i)) {
         part[entry.transceiver] = share(entry, requirement);
-        if (chosen_[entry.transceiver]) sum += part[entry.transceiver];
+        if (chosen_[entry.transceiver]) now.add(entry.transceiver, part[entry.transceiver]);
       }
-      for (Exchange& one : all) one.lacking += lacking(sum - part[one.out] + part[one.in]) - lacking(sum);
+      const double before = lacking(now.sum, now.largest);
+      for (Exchange& one : all) {
+        const double left = now.largest_without(one.out);
+        one.lacking += lacking(now.sum - part[one.out] + part[one.in], std::max(left, part[one.in])) - before;
+      }
+      for (const SignalEntry& entry : table_.row(i)) part[entry.transceiver] = 0;
     }
     const auto best = std::min_element(
         all.begin(), all.end(), [](const Exchange& a, const Exchange& b) { return a.lacking < b.lacking; });
     if (best == all.end() || best->lacking > -least_help) return false;
-    chosen_[best->out] = false;
-    chosen_[best->in] = true;
+    drop(best->out);
+    choose(best->in);
     look_at_every_label();
     return true;
   }
@@ -111,23 +121,33 @@ class Greedy {
   std::vector<double> gains() {
     std::vector<double> gain(table_.columns(), 0.0);
     std::erase_if(unmet_, [&](std::size_t i) {
-      const double requirement = requirement_of(table_.labels[i], model_);
-      const double received = received_signal(table_, i, chosen_, model_);
+      const double requirement = requirement_of(table_.labels[i], question_.model);
+      const double received = received_signal(table_, i, chosen_, question_);
       if (is_met(received, requirement)) return true;
-      const double lacking = model_ == CommunicationModel::cooperative ? 1 - received / requirement : 1;
-      for (const SignalEntry& entry : table_.row(i))
-        gain[entry.transceiver] += std::min(lacking, share(entry, requirement));
+      const double lacking =
+          question_.model == CommunicationModel::cooperative ? 1 - received / requirement : 1;
+      // A unit that becomes the strongest adds a signal that may fail, but saves the one that was strongest.
+      double largest = std::numeric_limits<double>::infinity();
+      if (question_.redundant) {
+        largest = 0;
+        for (const SignalEntry& entry : table_.row(i))
+          if (chosen_[entry.transceiver]) largest = std::max(largest, share(entry, requirement));
+      }
+      for (const SignalEntry& entry : table_.row(i)) {
+        const double part = share(entry, requirement);
+        gain[entry.transceiver] += std::min(part, lacking + std::max(0.0, part - largest));
+      }
       return false;
     });
     return gain;
   }
 
   const SignalTable& table_;
-  CommunicationModel model_;
+  const Question& question_;
   std::vector<double> cost_;
   Mounts mounts_;
   std::vector<bool> chosen_;
-  std::vector<bool> open_;  ///< neither chosen nor at a point that is taken
+  std::vector<std::uint32_t> excluded_by_;  ///< how many of the chosen units exclude each column
   std::vector<std::size_t> unmet_;
 };
 

@@ -10,15 +10,23 @@
 
 namespace shelfbeam {
 
-double received_signal(const SignalTable& table, std::size_t label, const std::vector<bool>& chosen,
-                       CommunicationModel model) {
-  double result = 0;
-  for (const SignalEntry& entry : table.row(label)) {
+double received_signal(std::span<const SignalEntry> row, const std::vector<bool>& chosen,
+                       const Question& question) {
+  const bool cooperative = question.model == CommunicationModel::cooperative;
+  double result = 0, largest = 0;
+  for (const SignalEntry& entry : row) {
     if (!chosen[entry.transceiver]) continue;
-    result =
-        model == CommunicationModel::cooperative ? result + entry.signal : std::max(result, entry.signal);
+    // Passing on the smaller of two leaves out the largest of all without subtracting it, which could cancel.
+    const double part = question.redundant ? std::min(largest, entry.signal) : entry.signal;
+    largest = std::max(largest, entry.signal);
+    result = cooperative ? result + part : std::max(result, part);
   }
   return result;
+}
+
+double received_signal(const SignalTable& table, std::size_t label, const std::vector<bool>& chosen,
+                       const Question& question) {
+  return received_signal(table.row(label), chosen, question);
 }
 
 void check_question(const SignalTable& table, const Question& question) {

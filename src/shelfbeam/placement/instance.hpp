@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "shelfbeam/signal/signal_table.hpp"
@@ -38,7 +39,8 @@ struct Question {
   CommunicationModel model = CommunicationModel::cooperative;
   Objective objective = Objective::count;
   Combination combination = Combination::lexicographic;
-  double share = 1;  ///< s of effective links
+  double share = 1;        ///< s of effective links
+  bool redundant = false;  ///< every label stays met when any one chosen unit fails, installed ones included
 };
 
 /// gamma tau as the question's model tests it: for one unit alone where units do not cooperate.
@@ -46,10 +48,14 @@ inline double requirement_of(const SignalTable::Label& label, CommunicationModel
   return model == CommunicationModel::cooperative ? label.requirement : label.single_requirement;
 }
 
-/// What a label receives from the chosen columns as the model counts it: S_i (3.5), or the largest single
-/// signal. Summed in the order of the table, so that everybody agrees to the last bit on what is met.
+/// What a label receives from the chosen columns as the question counts it: S_i (3.5), or the largest single
+/// signal; of a redundant question what remains when the unit with the largest signal fails, which is the
+/// worst that one failure does. The only place that knows this rule. Summed in the order of the row, so that
+/// everybody agrees to the last bit on what is met; more chosen columns never give less, rounding included.
+double received_signal(std::span<const SignalEntry> row, const std::vector<bool>& chosen,
+                       const Question& question);
 double received_signal(const SignalTable& table, std::size_t label, const std::vector<bool>& chosen,
-                       CommunicationModel model);
+                       const Question& question);
 
 /// Throws InputError for a label without a positive requirement and for a share that is not positive.
 void check_question(const SignalTable& table, const Question& question);

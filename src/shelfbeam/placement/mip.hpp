@@ -22,7 +22,7 @@ struct MipAnswer {
 };
 
 /// Answers a question with a MIP solver, starting from `start`, a selection that the checker accepts. Where
-/// none is known the answer may be that there is none (options of a mounting point exclude one another), or,
+/// none is known the answer may be that there is none (candidates exclude one another), or,
 /// stopped, have no selection and an infinite value.
 ///
 /// Rows are those of placement_model with a_ij = min(1, M_ij / (gamma_i tau_i)), rounded up to multiples of

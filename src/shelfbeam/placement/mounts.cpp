@@ -4,21 +4,20 @@
 
 namespace shelfbeam {
 
-double Mounts::most_signal(std::span<const SignalEntry> row, CommunicationModel model) const {
-  std::vector<double> best(shared_.size(), 0.0);
-  double sum = 0, largest = 0;
-  for (const SignalEntry& entry : row) {
-    if (!available_[entry.transceiver]) continue;
-    largest = std::max(largest, entry.signal);
-    const std::uint32_t mount = mount_[entry.transceiver];
+double Mounts::most_signal(std::span<const SignalEntry> row, const Question& question) const {
+  std::vector<std::uint32_t> best(shared_.size(), alone);  // indices into the row
+  std::vector<bool> chosen(mount_.size(), false);
+  for (std::uint32_t k = 0; k < row.size(); ++k) {
+    if (!available_[row[k].transceiver]) continue;
+    const std::uint32_t mount = mount_[row[k].transceiver];
     if (mount == alone)
-      sum += entry.signal;
-    else
-      best[mount] = std::max(best[mount], entry.signal);
+      chosen[row[k].transceiver] = true;
+    else if (best[mount] == alone || row[k].signal > row[best[mount]].signal)
+      best[mount] = k;
   }
-  if (model == CommunicationModel::non_cooperative) return largest;
-  for (const double signal : best) sum += signal;
-  return sum;
+  for (const std::uint32_t k : best)
+    if (k != alone) chosen[row[k].transceiver] = true;
+  return received_signal(row, chosen, question);
 }
 
 std::vector<std::uint32_t> crowded_mounts(const SignalTable& table, const std::vector<bool>& chosen) {
@@ -29,6 +28,13 @@ std::vector<std::uint32_t> crowded_mounts(const SignalTable& table, const std::v
     if (units > 1) crowded.push_back(k);
   }
   return crowded;
+}
+
+std::vector<std::uint32_t> broken_pairs(const SignalTable& table, const std::vector<bool>& chosen) {
+  std::vector<std::uint32_t> broken;
+  for (std::uint32_t k = 0; k < table.apart.size(); ++k)
+    if (chosen[table.apart[k].first] && chosen[table.apart[k].second]) broken.push_back(k);
+  return broken;
 }
 
 }  // namespace shelfbeam

@@ -32,14 +32,14 @@ std::vector<milp::Backend> wanted_backends(const std::string& name) {
 
 /// The labels that no selection meets, whatever becomes of the others.
 std::vector<Unreachable> unreachable_labels(const SignalTable& table, const Question& question) {
-  // Selections add up their signals in another order than `most_signal` where points have options. Who is
+  // Sums of another order round differently where points have options or a unit may fail. Who is
   // this near to the rule's edge is left to the search.
-  const double rounding = table.mounts.empty() ? 1 : 1 + 1e-12;
+  const double rounding = table.mounts.empty() && !question.redundant ? 1 : 1 + 1e-12;
   const Mounts mounts(table);
   std::vector<Unreachable> result;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
     const double requirement = requirement_of(table.labels[i], question.model);
-    const double most = mounts.most_signal(table.row(i), question.model);
+    const double most = mounts.most_signal(table.row(i), question);
     if (!is_met(most * rounding, requirement)) result.push_back({i, requirement, most});
   }
   return result;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,7 @@ enum class Status {
 struct Unreachable {
   std::uint32_t label = 0;
   double requirement = 0;
-  double most =
-      0;  ///< with the best option of every mounting point on (cooperative), or of the best single one
+  double most = 0;  ///< Mounts::most_signal
 };
 
 /// An answer. Indices refer to the table it was computed from; `selected` is in ascending order and holds
@@ -40,12 +40,14 @@ struct Placement {
   double lower_bound = 0;
   bool unit_costs = false;  ///< no cost was given for the objective, so each link or signal counted 1
   /// Labels that no selection meets. Infeasible without any: each could be met, but not all by one selection,
-  /// because the options of a mounting point exclude one another.
+  /// because candidates exclude one another (Mounts).
   std::vector<Unreachable> unreachable;
   std::string solver;  ///< "greedy", or name and version of the MIP back end; empty where neither was needed
   double seconds = 0;  ///< wall time
 
   std::size_t count() const { return selected.size(); }
+  /// There is a selection; it may be that of no units, where there are no labels.
+  bool has_selection() const { return objective_value < std::numeric_limits<double>::infinity(); }
   /// (incumbent - bound) / incumbent of the objective value; 0 when proven, infinite without a selection.
   double gap() const;
 };

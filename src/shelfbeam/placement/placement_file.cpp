@@ -12,8 +12,10 @@
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/critical.hpp"
 #include "shelfbeam/placement/mounts.hpp"
 #include "shelfbeam/placement/names.hpp"
+#include "shelfbeam/placement/scenarios.hpp"
 
 namespace shelfbeam {
 
@@ -105,9 +107,45 @@ double redundant_share(const Placement& placement, const SignalTable& table) {
   return static_cast<double>(redundant) / static_cast<double>(table.rows());
 }
 
+Json scenarios(const Placement& placement, const SignalTable& table) {
+  Json result = Json::array();
+  for (const ScenarioMargin& margin : scenario_margins(table, placement)) {
+    const SignalTable::Scenario& scenario = table.scenarios[margin.scenario];
+    result.push_back({{"name", scenario.name},
+                      {"labels", scenario.labels},
+                      {"smallest_margin", number(margin.smallest_margin)},
+                      {"label", scenario.labels > 0 ? Json(table.labels[margin.label].id) : Json(nullptr)}});
+  }
+  return result;
+}
+
+Json first_ids(const std::vector<std::uint32_t>& labels, const SignalTable& table) {
+  Json ids = Json::array();
+  for (std::size_t k = 0; k < std::min(labels.size(), most_listed_labels); ++k)
+    ids.push_back(table.labels[labels[k]].id);
+  return ids;
+}
+
+Json critical(const Placement& placement, const SignalTable& table) {
+  Json result = Json::array();
+  for (const Critical& one : critical_units(table, placement.question, placement.selected))
+    result.push_back({{"unit", table.transceivers[one.unit].id},
+                      {"count", one.labels.size()},
+                      {"labels", first_ids(one.labels, table)}});
+  return result;
+}
+
+Json curve_points(const std::vector<CurvePoint>& curve) {
+  Json result = Json::array();
+  for (const CurvePoint& point : curve)
+    result.push_back({{"units", point.units}, {"at_least", point.at_least}, {"at_most", point.at_most}});
+  return result;
+}
+
 }  // namespace
 
-std::string placement_json(const Placement& placement, const SignalTable& table) {
+std::string placement_json(const Placement& placement, const SignalTable& table,
+                           const std::vector<CurvePoint>& curve) {
   Json selected = Json::array();
   for (const std::uint32_t j : placement.selected) selected.push_back(table.transceivers[j].id);
   Json unreachable = Json::array();
@@ -115,31 +153,59 @@ std::string placement_json(const Placement& placement, const SignalTable& table)
     unreachable.push_back(
         {{"label", table.labels[label.label].id}, {"requirement", label.requirement}, {"most", label.most}});
   const Question& question = placement.question;
+  Json file = {{"format", 1},
+               {"model", name_of(model_names, question.model)},
+               {"objective", name_of(objective_names, question.objective)},
+               {"combination", name_of(combination_names, question.combination)},
+               {"share", question.share},
+               {"survives_failure", question.redundant},
+               {"selected", selected},
+               {"count", placement.count()},
+               {"count_lower_bound", count(placement.count_lower_bound)},
+               {"objective_value", number(placement.objective_value)},
+               {"lower_bound", number(placement.lower_bound)},
+               {"gap", number(placement.gap())},
+               {"unit_costs", placement.unit_costs},
+               {"redundant_share", redundant_share(placement, table)},
+               {"status", name_of(status_names, placement.status)},
+               {"solver", placement.solver},
+               {"seconds", number(placement.seconds)},
+               {"unreachable", unreachable},
+               {"scenarios", scenarios(placement, table)},
+               {"critical", critical(placement, table)}};
+  if (!curve.empty()) file["curve"] = curve_points(curve);
+  return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string reach_json(const Reach& reach, const SignalTable& table) {
+  Json selected = Json::array();
+  for (const std::uint32_t j : reach.selected) selected.push_back(table.transceivers[j].id);
   const Json file = {{"format", 1},
-                     {"model", name_of(model_names, question.model)},
-                     {"objective", name_of(objective_names, question.objective)},
-                     {"combination", name_of(combination_names, question.combination)},
-                     {"share", question.share},
+                     {"model", name_of(model_names, reach.question.model)},
+                     {"survives_failure", reach.question.redundant},
+                     {"at_most", reach.at_most},
                      {"selected", selected},
-                     {"count", placement.count()},
-                     {"count_lower_bound", count(placement.count_lower_bound)},
-                     {"objective_value", number(placement.objective_value)},
-                     {"lower_bound", number(placement.lower_bound)},
-                     {"gap", number(placement.gap())},
-                     {"unit_costs", placement.unit_costs},
-                     {"redundant_share", redundant_share(placement, table)},
-                     {"status", name_of(status_names, placement.status)},
-                     {"solver", placement.solver},
-                     {"seconds", number(placement.seconds)},
-                     {"unreachable", unreachable}};
+                     {"count", reach.selected.size()},
+                     {"labels", table.rows()},
+                     {"reached", reach.reached},
+                     {"reached_upper_bound", reach.upper_bound},
+                     {"status", name_of(status_names, reach.status)},
+                     {"solver", reach.solver},
+                     {"seconds", number(reach.seconds)},
+                     {"missed", first_ids(reach.missed, table)}};
   return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
   const JsonCursor file = JsonCursor::parse_file(path);
-  file.expect_keys({"format", "model", "objective", "combination", "share", "selected", "count",
-                    "count_lower_bound", "objective_value", "lower_bound", "gap", "unit_costs",
-                    "redundant_share", "status", "solver", "seconds", "unreachable", "certificate"});
+  file.expect_keys({"format",          "model",           "objective",
+                    "combination",     "share",           "survives_failure",
+                    "selected",        "count",           "count_lower_bound",
+                    "objective_value", "lower_bound",     "gap",
+                    "unit_costs",      "redundant_share", "status",
+                    "solver",          "seconds",         "unreachable",
+                    "scenarios",       "critical",        "curve",
+                    "certificate"});
   file["format"].integer(1, 1);
   Placement placement;
   placement.question.model = named(file["model"], model_names);
@@ -147,6 +213,7 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
   if (const auto found = file.find("combination"))
     placement.question.combination = named(*found, combination_names);
   if (const auto found = file.find("share")) placement.question.share = found->positive();
+  if (const auto found = file.find("survives_failure")) placement.question.redundant = found->boolean();
   placement.selected = read_selected(file["selected"], table);
   placement.count_lower_bound = number_or_infinity(file["count_lower_bound"]);
   placement.objective_value = number_or_infinity(file["objective_value"]);

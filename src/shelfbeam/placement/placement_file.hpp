@@ -1,15 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "shelfbeam/placement/budget.hpp"
+#include "shelfbeam/placement/curve.hpp"
 #include "shelfbeam/placement/placement.hpp"
 
 namespace shelfbeam {
 
 /// placement.json as docs/formats/placement.md describes it; the same answer gives the same text, but for
-/// `seconds`.
-std::string placement_json(const Placement& placement, const SignalTable& table);
+/// `seconds`. The curve is left out where there is none.
+std::string placement_json(const Placement& placement, const SignalTable& table,
+                           const std::vector<CurvePoint>& curve = {});
+
+/// What `place --at-most` writes.
+std::string reach_json(const Reach& reach, const SignalTable& table);
+
+/// So many ids of labels at most stand in one list of critical or missed labels; their number is told.
+inline constexpr std::size_t most_listed_labels = 1000;
 
 /// Reads a placement.json against the table it belongs to. Throws InputError with file and place; an id that
 /// the table does not have is one.

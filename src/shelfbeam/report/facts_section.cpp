@@ -38,6 +38,7 @@ std::string placement_facts(const ReportData& data) {
   facts.add("Objective", objective_name(question));
   if (question.objective == Objective::effective_links)
     facts.add("A link counts from", percent(question.share, 0) + " of the requirement");
+  if (question.redundant) facts.add("When any one unit fails", "every label must still be reached");
   facts.add("Status", status_name(placement.status));
   facts.add("Solver", placement.solver);
   facts.add("Time", significant(placement.seconds, 3) + "\u00A0s");

@@ -51,7 +51,8 @@ std::string reached_labels(const ReportData& data) {
 std::string candidates_text(const ReportData& data) {
   const std::size_t n = data.input.matrix.columns();
   if (data.input.placement.question.model == CommunicationModel::non_cooperative)
-    return fmt::format("even by the best of {}", counted(n, "candidate"));
+    return fmt::format("even by the {}best of {}", data.input.placement.question.redundant ? "second " : "",
+                       counted(n, "candidate"));
   if (data.has_options())
     return fmt::format("even with the best option of {} on",
                        data.mounting_points == 1
@@ -70,6 +71,7 @@ Headline with_selection(const ReportData& data) {
                                                                                     : Headline::Tone::open;
   result.answer = fmt::format("{} {} {}", counted(placement.count(), "transceiver"),
                               placement.count() == 1 ? "reaches" : "reach", reached_labels(data));
+  if (placement.question.redundant) result.answer += ", even when any one of them fails";
   result.answer += all_met ? bound_clause(placement) : ".";
 
   std::size_t installed = 0;

@@ -12,47 +12,43 @@ namespace shelfbeam {
 
 namespace {
 
-// What is left of a label's signal without the chosen unit at `left_out`.
-double signal_without(const SignalMatrix& matrix, const Placement& placement, std::size_t label,
-                      std::uint32_t left_out) {
+std::vector<SignalEntry> entries_of(const SignalMatrix& matrix, std::size_t label) {
   const auto row = matrix.mean_row(label);
-  double sum = 0, largest = 0;
-  for (const std::uint32_t column : placement.selected) {
-    if (column == left_out) continue;
-    sum += static_cast<double>(row[column]);
-    largest = std::max(largest, static_cast<double>(row[column]));
-  }
-  return placement.question.model == CommunicationModel::cooperative ? sum : largest;
+  std::vector<SignalEntry> entries;
+  for (std::uint32_t j = 0; j < row.size(); ++j) entries.push_back({j, static_cast<double>(row[j])});
+  return entries;
 }
 
 LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placement, const Mounts& mounts,
-                           std::size_t label) {
-  const bool adds_up = placement.question.model == CommunicationModel::cooperative;
+                           const std::vector<bool>& chosen, std::size_t label) {
+  const Question& question = placement.question;
   const auto row = matrix.mean_row(label);
   const auto direct = [&](std::uint32_t column) {
     return matrix.direct.empty() ? 0.0 : static_cast<double>(matrix.direct[matrix.at(label, column)]);
   };
   LabelOutcome result;
   result.requirement = matrix.labels[label].requirement;
+  std::optional<std::uint32_t> second;
   for (const std::uint32_t column : placement.selected) {
     const auto signal = static_cast<double>(row[column]);
+    if (is_met(signal, result.requirement)) result.reached_by.push_back(column);
+    result.direct += direct(column);
     if (signal > result.strongest_signal) {
+      second = result.strongest;
       result.strongest = column;
       result.strongest_signal = signal;
-    }
-    if (is_met(signal, result.requirement)) result.reached_by.push_back(column);
-    if (adds_up) {
-      result.signal += signal;
-      result.direct += direct(column);
+    } else if (signal > 0 && (!second || signal > static_cast<double>(row[*second]))) {
+      second = column;
     }
   }
-  if (!adds_up) {
-    result.signal = result.strongest_signal;
-    if (result.strongest) result.direct = direct(*result.strongest);
-  }
-  std::vector<SignalEntry> entries;
-  for (std::uint32_t j = 0; j < row.size(); ++j) entries.push_back({j, static_cast<double>(row[j])});
-  result.best = mounts.most_signal(entries, placement.question.model);
+  const std::optional<std::uint32_t> counting = question.redundant ? second : result.strongest;
+  if (question.model == CommunicationModel::non_cooperative)
+    result.direct = counting ? direct(*counting) : 0;
+  else if (question.redundant && result.strongest)
+    result.direct -= direct(*result.strongest);
+  const std::vector<SignalEntry> entries = entries_of(matrix, label);
+  result.signal = received_signal(entries, chosen, question);
+  result.best = mounts.most_signal(entries, question);
   result.met = !placement.selected.empty() && is_met(result.signal, result.requirement);
   return result;
 }
@@ -88,8 +84,14 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
   Outcome outcome;
   for (const std::uint32_t column : placement.selected) outcome.units.push_back({column, 0, 0, 0});
   const Mounts mounts(shared_mounts(matrix), matrix.transceivers);
+  std::vector<bool> chosen(matrix.columns(), false);
+  for (const std::uint32_t column : placement.selected) chosen[column] = true;
+  // A unit is needed where its failure alone is too much, so nowhere in an answer to a redundant question.
+  Question nothing_fails = placement.question;
+  nothing_fails.redundant = false;
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    LabelOutcome label = label_outcome(matrix, placement, mounts, i);
+    LabelOutcome label = label_outcome(matrix, placement, mounts, chosen, i);
+    const std::vector<SignalEntry> entries = entries_of(matrix, i);
     if (label.met) ++outcome.met;
     if (label.reached_by.size() > 1) ++outcome.redundant;
     if (label.met && is_met(label.direct, label.requirement)) ++outcome.met_by_direct;
@@ -97,8 +99,10 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
       if (is_met(static_cast<double>(matrix.mean[matrix.at(i, unit.column)]), label.requirement))
         ++unit.reaches_alone;
       if (label.strongest == unit.column) ++unit.strongest_for;
-      if (label.met && !is_met(signal_without(matrix, placement, i, unit.column), label.requirement))
+      chosen[unit.column] = false;
+      if (label.met && !is_met(received_signal(entries, chosen, nothing_fails), label.requirement))
         ++unit.needed_by;
+      chosen[unit.column] = true;
     }
     outcome.labels.push_back(std::move(label));
   }

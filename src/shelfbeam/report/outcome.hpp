@@ -14,8 +14,9 @@ double margin_db(double signal, double requirement);
 
 /// What a placement does for one label.
 struct LabelOutcome {
-  double signal = 0;       ///< S_i: sum over the chosen units (cooperative), or the largest (non-cooperative)
-  double direct = 0;       ///< the part of `signal` that arrives without any reflection
+  double signal = 0;  ///< S_i: sum over the chosen units (cooperative), or the largest (non-cooperative);
+                      ///< of a redundant question without the strongest unit
+  double direct = 0;  ///< the part of `signal` that arrives without any reflection
   double requirement = 0;  ///< gamma tau
   double best = 0;         ///< the most it could get: from the best option of every mounting point together
   bool met = false;        ///< signal >= requirement (1 - met_tolerance)

@@ -30,6 +30,10 @@ struct ReportData {
   bool has_options() const { return mounting_points < input.matrix.columns(); }
   /// The condition under which a label gets LabelOutcome::best.
   const char* everything_on() const {
+    if (input.placement.question.redundant)
+      return has_options()
+                 ? "if the best option of every mounting point were on and the strongest unit failed"
+                 : "if every candidate were on and the strongest failed";
     return has_options() ? "if the best option of every mounting point were on"
                          : "if every candidate were on";
   }

@@ -6,7 +6,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "shelfbeam/math/vec3.hpp"
 
 namespace shelfbeam {
 
@@ -34,6 +37,7 @@ struct SignalTable {
     std::string id;
     double cost = 1;
     bool installed = false;
+    std::optional<Vec3> position = {};  ///< m; from signal files
   };
 
   std::vector<Label> labels;
@@ -41,6 +45,16 @@ struct SignalTable {
   /// Columns that are options of one mounting point, of which at most one can be chosen: two or more each,
   /// ascending, no column twice. Every other column has a point of its own.
   std::vector<std::vector<std::uint32_t>> mounts;
+  /// Pairs of columns that must not be chosen together, mounting points aside (signal/apart.hpp): the smaller
+  /// first, ascending, no pair twice, no two installed units.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;
+  /// Where the rows come from several matrices (stack_tables): which, in order; else empty.
+  struct Scenario {
+    std::string name;
+    std::size_t first = 0;  ///< row
+    std::size_t labels = 0;
+  };
+  std::vector<Scenario> scenarios;
   std::vector<std::size_t> row_begin;  ///< m + 1 offsets into `entries`
   std::vector<SignalEntry> entries;
 

@@ -3,12 +3,19 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/placement/mip.hpp"
 
 namespace shelfbeam::detail {
+
+/// The row of a label where units cooperate, as solvers get it: entries clipped at 1 and rounded up to a
+/// grid, with a right-hand side of 1 that lies half a step off it. Every selection that meets the label meets
+/// the row. What is to be met may have any other right-hand side before.
+milp::Row relaxed(milp::Row row);
 
 /// The rows of a question as a solver gets them, with the cuts found so far and the clock.
 class CoverModel {
@@ -33,6 +40,9 @@ class CoverModel {
  private:
   void build();
   double seconds_left() const;
+  void bound_label_rows(std::size_t most_units);
+  bool let_fail(const std::vector<std::uint32_t>& selected, const std::vector<std::uint32_t>& unmet);
+  bool add_failure(std::size_t label, std::uint32_t failed);
   void cut_off(const std::vector<std::uint32_t>& selected, std::size_t unmet_label);
 
   const SignalTable& table_;
@@ -43,6 +53,8 @@ class CoverModel {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   milp::Model model_;  ///< built when it is first needed
   bool built_ = false;
+  /// Redundant, cooperative: the pairs (label, unit) whose rows are in the model.
+  std::set<std::pair<std::size_t, std::uint32_t>> failures_;
 };
 
 }  // namespace shelfbeam::detail
