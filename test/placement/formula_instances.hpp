@@ -62,13 +62,14 @@ inline SignalTable bose_triples(std::uint32_t t) {
     for (std::uint32_t x = 0; x < q; ++x)
       for (std::uint32_t y = x + 1; y < q; ++y)
         triples.push_back({i * q + x, i * q + y, (i + 1) % 3 * q + (x + y) * (t + 1) % q});
-  return cover_table(triples, 3 * q);
+  return cover_table(triples, std::size_t{3} * q);
 }
 
 /// Grossman and Wool's CYC: columns are the edges of the hypercube, rows its cycles of four edges.
 inline SignalTable cube_cycles(std::uint32_t dimension) {
   const std::uint32_t corners = std::uint32_t{1} << dimension;
-  std::vector<std::uint32_t> edge(dimension * corners, 0);  // from the lower corner, by direction
+  std::vector<std::uint32_t> edge(std::size_t{dimension} * corners,
+                                  0);  // from the lower corner, by direction
   std::uint32_t edges = 0;
   for (std::uint32_t k = 0; k < dimension; ++k)
     for (std::uint32_t v = 0; v < corners; ++v)

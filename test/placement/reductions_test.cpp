@@ -88,7 +88,7 @@ SignalTable two_halves(test::RandomTables& random) {
   std::vector<std::vector<double>> matrix(static_cast<std::size_t>(random.whole(6, 14)),
                                           std::vector<double>(10, 0.0));
   for (auto& row : matrix) {
-    const auto first = static_cast<std::size_t>(5 * random.whole(0, 1));
+    const std::size_t first = random.chance(0.5) ? 0 : 5;
     for (int k = random.whole(2, 3); k > 0; --k)
       row[first + static_cast<std::size_t>(random.whole(0, 4))] = 1;
   }

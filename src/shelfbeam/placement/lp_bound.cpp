@@ -126,10 +126,9 @@ class RowGeneration {
   std::vector<BoundRow> violated_rows() {
     const std::size_t most = 50 + table_.columns() / 4;
     std::vector<BoundRow> batch;
-    for (const auto& row : pricing_.violated(result_.x, row_tolerance, most))
-      batch.push_back({row.label, {}});
-    // A row that is in the LP is violated by more than the solver says: nothing will come of it.
-    std::erase_if(batch, [&](const BoundRow& row) { return is_row_[row.label]; });
+    // A row that is in the LP is violated by no more than the solver's tolerance: nothing would come of it.
+    for (const auto& row : pricing_.violated(result_.x, row_tolerance, most, is_row_))
+      batch.push_back({row.label});
     result_.complete = batch.empty();
     if (batch.empty() && options_.cuts && question_.model == CommunicationModel::cooperative) {
       batch = cover_cuts(table_, question_, result_.labels, result_.x, most);

@@ -39,7 +39,8 @@ std::vector<std::uint32_t> RowPricing::hardest() const {
 }
 
 std::vector<RowPricing::Violated> RowPricing::violated(std::span<const double> x, double tolerance,
-                                                       std::size_t most) const {
+                                                       std::size_t most,
+                                                       const std::vector<bool>& known) const {
   std::vector<double> lacking(rows_);
   for_parts(rows_, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -49,7 +50,7 @@ std::vector<RowPricing::Violated> RowPricing::violated(std::span<const double> x
   });
   std::vector<Violated> worst(columns_ + 1);
   for (std::uint32_t i = 0; i < rows_; ++i)
-    if (lacking[i] > worst[strongest_[i]].by) worst[strongest_[i]] = {lacking[i], i};
+    if (!known[i] && lacking[i] > worst[strongest_[i]].by) worst[strongest_[i]] = {lacking[i], i};
   std::erase_if(worst, [&](const Violated& row) { return row.by <= tolerance; });
   std::sort(worst.begin(), worst.end(), [](const Violated& a, const Violated& b) {
     return a.by != b.by ? a.by > b.by : a.label < b.label;

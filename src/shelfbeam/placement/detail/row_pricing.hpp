@@ -23,8 +23,10 @@ class RowPricing {
   };
 
   /// The labels that `x` violates by more than `tolerance`, the worst of every strongest unit, worst first,
-  /// at most so many. One scan of the table on the threads of the present arena.
-  std::vector<Violated> violated(std::span<const double> x, double tolerance, std::size_t most) const;
+  /// at most so many; `known` (one a label) are left out. One scan of the table on the threads of the present
+  /// arena.
+  std::vector<Violated> violated(std::span<const double> x, double tolerance, std::size_t most,
+                                 const std::vector<bool>& known) const;
 
  private:
   std::size_t rows_;
