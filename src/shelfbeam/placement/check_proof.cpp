@@ -41,18 +41,19 @@ class ProofChecker {
   }
 
   bool label_is_met(std::uint32_t i) const {
-    return is_met(received_signal(table_, i, chosen_, question_.model),
+    return is_met(received_signal(table_, i, chosen_, question_),
                   requirement_of(table_.labels[i], question_.model));
   }
 
-  // What the row lacks of 1 - met_tolerance (cooperative) or of one unit that reaches it.
+  // What the row lacks of 1 - met_tolerance (cooperative), or of the units that must reach it.
   double lacking(const std::vector<double>& row) const {
     double sum = 0, best = 0;
     for (const std::uint32_t j : taken_) {
       sum += row[j];
       best = std::max(best, row[j]);
     }
-    return is_sum_ ? std::max(0.0, 1 - met_tolerance - sum) : 1 - best;
+    if (is_sum_) return std::max(0.0, 1 - met_tolerance - (question_.redundant ? sum - best : sum));
+    return std::max(0.0, (question_.redundant ? 2 : 1) - sum);
   }
 
   void take(std::uint32_t j) {

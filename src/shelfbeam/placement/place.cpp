@@ -8,6 +8,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/detail/placement_search.hpp"
 #include "shelfbeam/placement/greedy.hpp"
 #include "shelfbeam/placement/mip.hpp"
 #include "shelfbeam/placement/mounts.hpp"
@@ -97,6 +98,9 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
     const Selection greedy = greedy_start(table, question);
     if (options.solver == SolverChoice::greedy) {
       placement = greedy_placement(table, question, greedy);
+    } else if (greedy && options.solver == SolverChoice::automatic) {
+      placement = detail::search_placement(table, question, *greedy, backends.front(),
+                                           options.time_limit_s - elapsed(), control);
     } else {
       for (const milp::Backend& backend : backends) {
         MipAnswer answer =

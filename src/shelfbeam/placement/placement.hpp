@@ -20,6 +20,15 @@ enum class Status {
   stopped
 };
 
+/// What stands behind a lower bound.
+enum class BoundProof {
+  trivial,  ///< installed units, one more where a label is unmet, the cheapest of so many
+  dual,     ///< multipliers of rows, added up again from the table without the solver that found them
+  log,      ///< the log of an exhaustive search, checked step by step from the table without the search
+  search,   ///< an exhaustive search whose log was too long to be checked
+  solver    ///< the word of a MIP solver
+};
+
 struct Unreachable {
   std::uint32_t label = 0;
   double requirement = 0;
@@ -38,6 +47,10 @@ struct Placement {
   /// Proven, of objective_value. Lexicographic: of the second objective among the selections with the fewest
   /// units; while their number is not proven, the cheapest count_lower_bound units.
   double lower_bound = 0;
+  BoundProof bound_proof = BoundProof::trivial;  ///< of lower_bound, and of count_lower_bound
+  /// Of all placements with this value this has the largest smallest margin, and is the first by column among
+  /// those: the same for any number of threads.
+  bool ties_settled = false;
   bool unit_costs = false;  ///< no cost was given for the objective, so each link or signal counted 1
   /// Labels that no selection meets. Infeasible without any: each could be met, but not all by one selection,
   /// because candidates exclude one another (Mounts).

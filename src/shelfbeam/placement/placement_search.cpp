@@ -13,6 +13,7 @@
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/detail/local_search.hpp"
 #include "shelfbeam/placement/detail/lp_bound.hpp"
+#include "shelfbeam/placement/detail/proof.hpp"
 #include "shelfbeam/placement/detail/reduced_cover.hpp"
 #include "shelfbeam/placement/detail/search_matrix.hpp"
 #include "shelfbeam/placement/detail/search_problem.hpp"
@@ -56,8 +57,10 @@ class Engine {
   }
 
   Placement run() {
-    improve(table_.entries.size() < 3000 ? 2000 : 20000);
+    improve(table_.entries.size() < 3000 ? 2000 : is_small() ? 6000 : 20000);
     report();
+    constexpr std::uint64_t nodes_of_a_first_look = 200000;
+    if (!closed() && is_small()) climb(part_of_rest(0.2), nodes_of_a_first_look);
     if (!closed()) bound_by_lp(part_of_rest(0.5));
     if (!closed()) improve(200000, until(part_of_rest(0.2)));
     if (!closed()) climb(is_small() ? part_of_rest(0.6) : part_of_rest(0.35));
@@ -151,14 +154,21 @@ class Engine {
   void bound_by_lp(double seconds) {
     if (seconds <= 0 || control_.cancelled()) return;
     asked_ = fmt::format("{} {}", backend_.name, backend_.version);
-    LpBoundOptions options;
-    options.time_limit_s = seconds;
-    const LpBound lp = lp_bound(table_, question_, first_cost_, backend_, options, control_);
-    raise(lp.dual.bound, BoundProof::dual);
+    LpBound lp;
+    if (is_weighted_) {
+      LpBoundOptions options;
+      options.time_limit_s = seconds;
+      lp = lp_bound(table_, question_, first_cost_, backend_, options, control_);
+      raise(lp.dual.bound, BoundProof::dual);
+    } else {
+      CountBound count = count_bound(table_, question_, backend_, seconds, control_);
+      raise(static_cast<double>(count.count), BoundProof::dual);
+      lp = std::move(count.relaxation);
+    }
     std::vector<std::uint32_t> rows;
     std::vector<double> weights;
     for (std::size_t k = 0; k < lp.rows.size(); ++k) {
-      if (!lp.rows[k].taken.empty()) continue;
+      if (!lp.rows[k].taken.empty() || lp.rows[k].share > 0) continue;
       rows.push_back(lp.rows[k].label);
       weights.push_back(lp.y[k]);
     }
@@ -172,11 +182,12 @@ class Engine {
   }
 
   // From the bound upwards: is there a selection of so many units? The first that there is is the best.
-  void climb(double seconds) {
+  void climb(double seconds, std::uint64_t nodes = std::numeric_limits<std::uint64_t>::max()) {
     if (best_.size() > most_units_of_trees || table_.rows() * table_.columns() > std::size_t{20000000})
       return;
     TreeSearch::Limits limits;
     limits.until = until(seconds);
+    limits.nodes = nodes;
     limits.wants_proof = true;
     if (is_weighted_) {
       TreeGoal goal;
@@ -221,7 +232,7 @@ class Engine {
 
   void hand_over_to_mip() {
     if (out_of_time()) return;
-    if (question_.model == CommunicationModel::non_cooperative) {
+    if (question_.model == CommunicationModel::non_cooperative && !question_.redundant) {
       asked_ = fmt::format("{} {}", backend_.name, backend_.version);
       const ReducedAnswer answer =
           place_reduced(table_, question_, first_cost_, backend_, part_of_rest(0.9), control_);
@@ -282,7 +293,7 @@ class Engine {
     if (problem_.has_costs) goal.most_cost = problem_.cost_of(best_);
     goal.start = best_;
     TreeSearch::Limits limits;
-    constexpr double longest = 20;
+    constexpr double longest = 5;
     limits.until = until(std::min(longest, part_of_rest(0.5)));
     const TreeAnswer answer = tree_.run(goal, limits, control_);
     if (answer.selected) best_ = *answer.selected;

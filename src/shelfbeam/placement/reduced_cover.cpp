@@ -6,17 +6,21 @@
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/detail/cover_model.hpp"
 #include "shelfbeam/placement/detail/reductions.hpp"
+#include "shelfbeam/placement/mounts.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
 
 // The part as a table of its own, where units cost what is minimised.
-SignalTable table_of(const SignalTable& table, std::span<const double> cost, const CoverPart& part) {
+SignalTable table_of(const SignalTable& table, std::span<const double> cost, const CoverPart& part,
+                     const std::vector<bool>& is_out, std::vector<std::uint32_t>& columns) {
   SignalTable own;
   std::vector<std::uint32_t> place(table.columns(), ~std::uint32_t{0});
   for (const std::uint32_t j : part.columns) {
+    if (is_out[j]) continue;
     place[j] = static_cast<std::uint32_t>(own.transceivers.size());
+    columns.push_back(j);
     own.transceivers.push_back(table.transceivers[j]);
     own.transceivers.back().cost = cost[j];
     own.transceivers.back().installed = false;
@@ -27,6 +31,8 @@ SignalTable table_of(const SignalTable& table, std::span<const double> cost, con
       if (place[j] < own.columns()) options.push_back(place[j]);
     if (options.size() > 1) own.mounts.push_back(std::move(options));
   }
+  for (const auto& [a, b] : table.apart)
+    if (place[a] < own.columns() && place[b] < own.columns()) own.apart.emplace_back(place[a], place[b]);
   own.row_begin = {0};
   for (const std::uint32_t i : part.labels) {
     own.labels.push_back(table.labels[i]);
@@ -46,7 +52,9 @@ ReducedAnswer place_reduced(const SignalTable& table, const Question& question, 
   const auto left = [&] {
     return time_limit_s - std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  const Reduction reduction = reduce_cover(table, question, cost);
+  std::vector<bool> pinned(table.apart.empty() ? 0 : table.columns(), false);
+  for (const auto& [a, b] : table.apart) pinned[a] = pinned[b] = true;
+  const Reduction reduction = reduce_cover(table, question, cost, pinned);
   ReducedAnswer answer;
   if (reduction.infeasible) return answer;
   std::vector<std::uint32_t> selected = reduction.forced;
@@ -54,9 +62,14 @@ ReducedAnswer place_reduced(const SignalTable& table, const Question& question, 
   for (const std::uint32_t j : reduction.forced) answer.bound += cost[j];
   answer.proven = true;
   bool is_whole = true;
+  std::vector<bool> is_out(table.columns(), false);
+  const Mounts mounts(table);
+  for (const std::uint32_t j : reduction.forced)
+    mounts.for_each_excluded(j, [&](std::uint32_t other) { is_out[other] = true; });
   for (const CoverPart& part : reduction.parts) {
     if (part.labels.empty()) continue;
-    const SignalTable own = table_of(table, cost, part);
+    std::vector<std::uint32_t> columns;
+    const SignalTable own = table_of(table, cost, part, is_out, columns);
     Question sum;
     sum.model = question.model;
     sum.combination = Combination::weighted;
@@ -64,7 +77,7 @@ ReducedAnswer place_reduced(const SignalTable& table, const Question& question, 
     answer.proven = answer.proven && best.placement.status == Status::optimal;
     answer.bound += std::max(0.0, best.placement.lower_bound);
     is_whole = is_whole && !best.placement.selected.empty();
-    for (const std::uint32_t j : best.placement.selected) selected.push_back(part.columns[j]);
+    for (const std::uint32_t j : best.placement.selected) selected.push_back(columns[j]);
   }
   std::sort(selected.begin(), selected.end());
   if (is_whole) answer.selected = std::move(selected);

@@ -40,7 +40,9 @@ SearchMatrix::SearchMatrix(const SignalTable& table, CommunicationModel model)
     : SearchMatrix(table, model, all_rows(table)) {}
 
 Receiving receiving(const Question& question) {
-  return question.model == CommunicationModel::cooperative ? Receiving::sum : Receiving::best;
+  if (question.model == CommunicationModel::cooperative)
+    return question.redundant ? Receiving::sum_without_best : Receiving::sum;
+  return question.redundant ? Receiving::second_best : Receiving::best;
 }
 
 Margin margin_of(const SignalTable& table, const Question& question, const SearchMatrix& all,
@@ -61,7 +63,7 @@ Margin margin_of(const SignalTable& table, const Question& question, const Searc
   for (std::uint32_t i = 0; i < all.rows(); ++i) {
     if (received[i] > lowest) continue;
     const double requirement = requirement_of(table.labels[i], question.model);
-    const double signal = received_signal(table, i, chosen, question.model);
+    const double signal = received_signal(table, i, chosen, question);
     margin.is_met = margin.is_met && is_met(signal, requirement);
     if (signal / requirement < margin.smallest) {
       margin.smallest = signal / requirement;

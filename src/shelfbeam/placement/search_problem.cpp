@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shelfbeam/placement/export_model.hpp"
+#include "shelfbeam/placement/mounts.hpp"
 
 namespace shelfbeam::detail {
 
@@ -15,15 +16,11 @@ SearchProblem::SearchProblem(const SignalTable& t, const Question& q)
   if (most > 0) cost_unit = std::exp2(std::floor(std::log2(most)) - 39);
   for (const double coefficient : coefficients) cost.push_back(std::llround(coefficient / cost_unit));
   has_costs = std::any_of(cost.begin(), cost.end(), [](std::int64_t c) { return c != 0; });
-  for (const auto& mount : t.mounts)
-    for (const std::uint32_t a : mount)
-      for (const std::uint32_t b : mount)
-        if (a != b) excludes[a].push_back(b);
+  const Mounts mounts(t);
   for (std::uint32_t j = 0; j < t.columns(); ++j) {
-    if (!t.transceivers[j].installed) continue;
-    installed.push_back(j);
-    available[j] = false;
-    for (const std::uint32_t other : excludes[j]) available[other] = false;
+    mounts.for_each_excluded(j, [&](std::uint32_t other) { excludes[j].push_back(other); });
+    available[j] = mounts.available(j) && !t.transceivers[j].installed;
+    if (t.transceivers[j].installed) installed.push_back(j);
   }
 }
 

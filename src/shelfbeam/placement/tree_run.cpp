@@ -16,7 +16,12 @@ TreeRun::TreeRun(const SearchProblem& p, const SearchMatrix& a, const SearchMatr
       control_(control),
       is_searched_(a.rows(), false),
       most_cost_(g.most_cost),
-      margin_(g.least_margin) {
+      margin_(g.least_margin),
+      widest_(g.start) {
+  if (goal.kind == TreeGoal::Kind::widest) {
+    std::vector<float> memory;
+    margin_ = margin_of(problem.table, problem.question, all, goal.start, memory).smallest;
+  }
   for (std::size_t i = 0; i < matrix.rows(); ++i) is_searched_[matrix.row(i)] = true;
 }
 
@@ -45,26 +50,27 @@ Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float
   const Margin margin = margin_of(problem.table, problem.question, all, selected, memory);
   if (!margin.is_met) return margin;
   const std::lock_guard lock(mutex_);
-  const auto keep = [&] {
-    best.emplace(selected.begin(), selected.end());
-    std::sort(best->begin(), best->end());
-  };
+  std::vector<std::uint32_t> sorted(selected.begin(), selected.end());
+  std::sort(sorted.begin(), sorted.end());
   switch (goal.kind) {
     case TreeGoal::Kind::any:
       if (margin.smallest < goal.least_margin || found_any()) break;
-      keep();
+      best = std::move(sorted);
       found_.store(true, std::memory_order_relaxed);
       break;
     case TreeGoal::Kind::cheapest: {
       const std::int64_t cost = problem.cost_of(selected);
       if (cost > most_cost()) break;
-      keep();
+      best = std::move(sorted);
       most_cost_.store(cost - 1, std::memory_order_relaxed);
       break;
     }
     case TreeGoal::Kind::widest:
-      if (margin.smallest <= margin_.load(std::memory_order_relaxed)) break;
-      keep();
+      if (problem.cost_of(selected) > goal.most_cost) break;
+      if (const double now = margin_.load(std::memory_order_relaxed);
+          margin.smallest < now || (margin.smallest == now && sorted >= widest_))
+        break;
+      best = widest_ = std::move(sorted);
       margin_.store(margin.smallest, std::memory_order_relaxed);
   }
   return margin;

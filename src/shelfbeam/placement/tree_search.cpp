@@ -89,7 +89,7 @@ TreeAnswer TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const R
     if (run.best) {
       answer.selected = run.best;
       if (goal.kind == TreeGoal::Kind::cheapest) goal.most_cost = problem_.cost_of(*run.best) - 1;
-      if (goal.kind == TreeGoal::Kind::widest) goal.least_margin = run.exact_target();
+      if (goal.kind == TreeGoal::Kind::widest) goal.start = *run.best;
     }
     answer.is_complete = !run.was_cut() || (goal.kind == TreeGoal::Kind::any && run.best.has_value());
     if (answer.is_complete || !run.misses_rows() || control.cancelled() ||

@@ -20,12 +20,13 @@ struct TreeGoal {
   enum class Kind {
     any,       ///< one with a margin of `least_margin` at least
     cheapest,  ///< the least cost
-    widest     ///< the largest margin, if it is more than `least_margin`
+    widest     ///< the largest margin, of equal ones the first by column, if that is better than `start`
   };
   Kind kind = Kind::any;
   std::size_t most_units = 0;
   std::int64_t most_cost = std::numeric_limits<std::int64_t>::max();
-  double least_margin = 0;
+  double least_margin = 0;              ///< for any
+  std::vector<std::uint32_t> start;     ///< for widest: ascending; a selection that meets every label
   std::vector<std::uint32_t> included;  ///< further columns that it must hold
   std::vector<std::uint32_t> excluded;  ///< columns that it must not hold
 };

@@ -44,7 +44,7 @@ class TreeRun {
   bool found_any() const { return found_.load(std::memory_order_relaxed); }
   bool was_cut() const { return cut_.load(std::memory_order_relaxed); }
   std::uint64_t nodes() const { return nodes_.load(std::memory_order_relaxed); }
-  std::optional<std::vector<std::uint32_t>> best;
+  std::optional<std::vector<std::uint32_t>> best;  ///< ascending
 
  private:
   static constexpr std::uint64_t most_misses = 64;
@@ -56,6 +56,7 @@ class TreeRun {
   std::atomic<std::uint64_t> nodes_{0}, misses_{0};
   std::atomic<std::int64_t> most_cost_;
   std::atomic<double> margin_;
+  std::vector<std::uint32_t> widest_;
   std::atomic<bool> found_{false}, cut_{false};
 };
 
