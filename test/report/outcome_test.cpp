@@ -101,6 +101,27 @@ TEST(Outcome, EqualsAPlainRecomputation) {
     }
 }
 
+TEST(Outcome, CountsWhatTheWorstFailureLeaves) {
+  SignalMatrix matrix = random_matrix(2, 3, 0);
+  matrix.labels[0].requirement = matrix.labels[1].requirement = 1;
+  matrix.mean = {1, 1, 0, 0, 4, 0.5F};
+  matrix.direct = {1, 0.5F, 0, 0, 1, 0};
+  Placement placement;
+  placement.selected = {0, 1};
+  for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
+    placement.question = {.model = model, .redundant = true};
+    const Outcome outcome = outcome_of(matrix, placement);
+    EXPECT_TRUE(outcome.labels[0].met);
+    EXPECT_EQ(outcome.labels[0].signal, 1);
+    EXPECT_EQ(outcome.labels[0].direct, 0.5);
+    EXPECT_FALSE(outcome.labels[1].met);
+    EXPECT_EQ(outcome.labels[1].signal, 0);
+    EXPECT_EQ(outcome.labels[1].best, 0.5);
+    EXPECT_EQ(outcome.units[0].needed_by + outcome.units[1].needed_by, 0U);
+    EXPECT_EQ(outcome.met, 1U);
+  }
+}
+
 TEST(Outcome, KnownValues) {
   SignalMatrix matrix = random_matrix(2, 3, 0);
   matrix.labels[0].requirement = 2;

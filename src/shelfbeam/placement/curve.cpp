@@ -11,8 +11,8 @@ namespace shelfbeam {
 namespace {
 
 // Entries looked at, so that answers do not depend on the machine.
-constexpr std::size_t search_work = 10'000'000'000;
-constexpr std::size_t bound_work = 16'000'000'000;
+constexpr std::size_t search_work = 8'000'000'000;
+constexpr std::size_t bound_work = 10'000'000'000;
 
 class Curve {
  public:

@@ -15,9 +15,9 @@ namespace shelfbeam {
 ///
 ///   reached <= sum_i (1 - y_i) + the largest sum over k units of c_j,  c_j = sum_i y_i b_ij
 ///
-/// where a label that is met has sum_j b_ij T_j >= 1 (docs/methods/placement.md). Every y gives a bound for
-/// every k; subgradient steps look for good ones. Whatever they find, bounds are sums in double precision
-/// over entries that were rounded up.
+/// where a label that is met by k units has sum_j b_ij T_j >= 1 (docs/methods/placement.md). Every y gives a
+/// bound; subgradient steps look for good ones. Whatever they find, bounds are sums in double precision over
+/// entries that were rounded up.
 class ReachBound {
  public:
   /// For selections of at most `most_units`, no fewer than are installed.
@@ -26,7 +26,7 @@ class ReachBound {
   /// At most so many labels are reached by `units` <= most_units; does not fall with `units`.
   std::size_t labels(std::size_t units) const;
 
-  /// Takes at most so many steps towards a better bound for `units`, from where the last ones ended; ends
+  /// Takes about so many steps towards a better bound for `units`, from where the last ones ended; ends
   /// early where it is down to `reached`, which is known to be possible.
   void improve(std::size_t units, std::size_t reached, std::size_t steps, const RunControl& control);
 
@@ -36,15 +36,24 @@ class ReachBound {
  private:
   struct Entry {
     std::uint32_t column = 0;
-    float share = 0;  ///< b_ij, rounded up
+    float share = 0;  ///< a_ij, rounded up
   };
   struct Candidate {
     std::uint32_t column = 0;
     double value = 0;
   };
 
+  /// Bounds are of several kinds, by how much of each share is left out (docs/methods/placement.md).
+  struct Kind {
+    double left_out = 0;  ///< k d
+    std::vector<double> multiplier;
+  };
+
+  void improve(Kind& kind, std::size_t units, std::size_t reached, std::size_t steps,
+               const RunControl& control);
+  double lifted(const Kind& kind, std::size_t units, std::size_t label, const Entry& entry) const;
   std::vector<Candidate> best_candidates(const std::vector<double>& value) const;
-  double evaluate(std::size_t units, std::vector<bool>& counted);
+  double evaluate(const Kind& kind, std::size_t units, std::vector<bool>& counted);
 
   Mounts mounts_;
   std::vector<bool> installed_;
@@ -52,7 +61,8 @@ class ReachBound {
   bool redundant_;
   std::vector<std::size_t> row_begin_ = {0};  ///< of the labels that can be met at all
   std::vector<Entry> entries_;
-  std::vector<double> multiplier_;
+  std::vector<double> together_;  ///< what the shares of a met label add up to at least
+  std::vector<Kind> kinds_;
   std::vector<double> best_;  ///< per number of units
 };
 

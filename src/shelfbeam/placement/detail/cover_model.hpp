@@ -14,7 +14,7 @@ namespace shelfbeam::detail {
 
 /// The row of a label where units cooperate, as solvers get it: entries clipped at 1 and rounded up to a
 /// grid, with a right-hand side of 1 that lies half a step off it. Every selection that meets the label meets
-/// the row. What is to be met may have any other right-hand side before.
+/// the row. The right-hand side that the row had is not looked at.
 milp::Row relaxed(milp::Row row);
 
 /// The rows of a question as a solver gets them, with the cuts found so far and the clock.
