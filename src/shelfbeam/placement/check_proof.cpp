@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <stdexcept>
 
 #include "shelfbeam/placement/detail/proof.hpp"
@@ -72,7 +73,8 @@ class ProofChecker {
     return proof_.steps[at_++];
   }
 
-  std::vector<double> values(const std::vector<float>& weights, double price, double& need) const {
+  std::vector<double> values(const std::vector<float>& weights, double price, std::size_t units,
+                             double& need) const {
     std::vector<double> value(table_.columns(), 0.0);
     need = 0;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
@@ -80,8 +82,11 @@ class ProofChecker {
       if (weight < 0) throw std::out_of_range("a weight is negative");
       const double open = lacking(rows_[r]);
       if (open == 0) continue;
-      need += weight * open;
-      for (std::size_t j = 0; j < value.size(); ++j) value[j] += weight * std::min(open, rows_[r][j]);
+      const double shift = is_sum_ ? Proof::shift * open / static_cast<double>(units) : 0;
+      const double counted = open - static_cast<double>(units) * shift;
+      need += weight * counted;
+      for (std::size_t j = 0; j < value.size(); ++j)
+        value[j] += weight * std::min(counted, std::max(0.0, rows_[r][j] - shift));
     }
     for (std::size_t j = 0; j < value.size(); ++j) value[j] -= price * static_cast<double>(problem_.cost[j]);
     return value;
@@ -94,9 +99,11 @@ class ProofChecker {
     std::vector<double> positive;
     for (std::size_t j = 0; j < value.size(); ++j)
       if (allowed[j] && value[j] > 0) positive.push_back(value[j]);
-    std::sort(positive.rbegin(), positive.rend());
+    const std::size_t largest = std::min(count, positive.size());
+    std::partial_sort(positive.begin(), positive.begin() + static_cast<std::ptrdiff_t>(largest),
+                      positive.end(), std::greater<>());
     Sums sums;
-    for (std::size_t k = 0; k < std::min(count, positive.size()); ++k) {
+    for (std::size_t k = 0; k < largest; ++k) {
       sums.most += positive[k];
       if (k + 1 < count) sums.without_one += positive[k];
     }
@@ -115,11 +122,11 @@ class ProofChecker {
           if (const std::uint32_t row = next(); label_is_met(row)) return false;
           return units == 0;
         case Proof::sum_fails: {
-          const Weighing w = weighing();
+          const Weighing w = weighing(units);
           return w.paid + largest(w.value, allowed, units).most < w.need * (1 - slack);
         }
         case Proof::filter: {
-          const Weighing w = weighing();
+          const Weighing w = weighing(units);
           const double others = w.paid + largest(w.value, allowed, units).without_one;
           for (std::size_t j = 0; j < allowed.size(); ++j)
             if (others + w.value[j] < w.need * (1 - slack)) allowed[j] = false;
@@ -139,11 +146,12 @@ class ProofChecker {
     std::vector<double> value;
     double need = 0, paid = 0;
   };
-  Weighing weighing() {
+  Weighing weighing(std::size_t units) {
+    if (units == 0) throw std::out_of_range("no unit is left to weigh");
     const std::uint32_t id = next();
     const auto price = static_cast<double>(std::bit_cast<float>(next()));
     Weighing w;
-    w.value = values(proof_.weights.at(id >> 16).at(id & 0xFFFF), price, w.need);
+    w.value = values(proof_.weights.at(id >> 16).at(id & 0xFFFF), price, units, w.need);
     w.paid = price > 0 ? price * static_cast<double>(proof_.most_cost - spent_) : 0;
     return w;
   }

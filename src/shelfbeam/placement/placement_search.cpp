@@ -32,7 +32,7 @@ using Selection = std::vector<std::uint32_t>;
 constexpr std::size_t most_units_of_trees = 40;
 // Models of more entries than this are beyond a MIP solver in the time that planners have.
 constexpr std::size_t most_mip_entries = 400000;
-constexpr std::size_t most_checked_steps = 20000000;
+constexpr std::size_t most_checked_steps = 1000000;
 
 class Engine {
  public:

@@ -31,7 +31,8 @@ SHELFBEAM_INLINE inline float gain_of(const float* column, float scale, const Se
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < width; ++k) {
       const float a = given<sums>(column[i + k], rows.target);
-      total[k] += rows.weight[i + k] * smaller(a, rows.lacking[i + k]);
+      const float counted = sums ? larger(0.0F, a - rows.shift[i + k]) : a;
+      total[k] += rows.weight[i + k] * smaller(counted, rows.lacking[i + k]);
       supporters[i + k] += a >= scale * rows.share[i + k] ? 1.0F : 0.0F;
     }
   }
@@ -56,12 +57,12 @@ SHELFBEAM_INLINE inline bool suffices_for(const float* column, const float* lack
 }
 
 template <bool sums>
-SHELFBEAM_INLINE inline void add_load(const float* column, const float* lacking, float target,
-                                      std::size_t rows, float* load) {
+SHELFBEAM_INLINE inline void add_load(const float* column, const SearchKernels::Rows& rows, float* load) {
   SHELFBEAM_VECTORIZE
-  for (std::size_t i = 0; i < rows; ++i) {
-    const float most = lacking[i];
-    load[i] += most > 0 ? smaller(given<sums>(column[i], target), most) / most : 0.0F;
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    const float most = rows.lacking[i], a = given<sums>(column[i], rows.target);
+    const float counted = sums ? larger(0.0F, a - rows.shift[i]) : a;
+    load[i] += most > 0 ? smaller(counted, most) / most : 0.0F;
   }
 }
 
@@ -177,12 +178,12 @@ float SearchKernels::loss(const float* column, const float* weight, const float*
 }
 
 SHELFBEAM_FOR_EACH_CPU
-void SearchKernels::load(Receiving rule, const float* column, const float* lacking, float target,
-                         std::size_t rows, float* load) {
+void SearchKernels::load(Receiving rule, const float* column, const Rows& rows, float* load) {
+  const Rows r = rows;
   if (is_sum(rule))
-    add_load<true>(column, lacking, target, rows, load);
+    add_load<true>(column, r, load);
   else
-    add_load<false>(column, lacking, target, rows, load);
+    add_load<false>(column, r, load);
 }
 
 }  // namespace shelfbeam::detail

@@ -26,8 +26,8 @@ void TreeSearch::choose_rows(std::size_t units) {
   weights_.assign(all_.rows(), 1.0F);
   if (all_.rows() <= rows_at_first) return;
   const std::size_t padded = all_.padded_rows();
-  std::vector<float> weight(padded, 1.0F), lacking(padded, 0.0F), share(padded, 0.0F), unused(padded, 0.0F),
-      load(padded), gain(all_.columns());
+  std::vector<float> weight(padded, 1.0F), lacking(padded, 0.0F), share(padded, 0.0F), shift(padded, 0.0F),
+      unused(padded, 0.0F), load(padded), gain(all_.columns());
   std::fill_n(lacking.begin(), all_.rows(), 1.0F);
   std::vector<std::uint32_t> order;
   for (std::uint32_t j = 0; j < all_.columns(); ++j)
@@ -36,7 +36,7 @@ void TreeSearch::choose_rows(std::size_t units) {
   constexpr int steps = 60;
   constexpr float rate = 0.4F;
   for (int step = 0; step < steps; ++step) {
-    const SearchKernels::Rows rows{lacking.data(), weight.data(), share.data(), 1.0F, padded};
+    const SearchKernels::Rows rows{lacking.data(), weight.data(), share.data(), shift.data(), 1.0F, padded};
     for (const std::uint32_t j : order)
       gain[j] = SearchKernels::gain(rule_, all_.column(j), 1.0F, rows, unused.data());
     std::partial_sort(
@@ -44,7 +44,7 @@ void TreeSearch::choose_rows(std::size_t units) {
         [&](std::uint32_t a, std::uint32_t b) { return gain[a] > gain[b] || (gain[a] == gain[b] && a < b); });
     std::fill(load.begin(), load.end(), 0.0F);
     for (std::size_t k = 0; k < count; ++k)
-      SearchKernels::load(rule_, all_.column(order[k]), lacking.data(), 1.0F, padded, load.data());
+      SearchKernels::load(rule_, all_.column(order[k]), rows, load.data());
     float largest = 0;
     for (std::size_t i = 0; i < all_.rows(); ++i) {
       weight[i] *= std::exp(rate * std::clamp(1 - load[i], -2.0F, 1.0F));

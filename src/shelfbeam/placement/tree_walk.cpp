@@ -54,8 +54,8 @@ TreeWalk::TreeWalk(TreeRun& run, std::span<const float> weights, std::uint32_t n
 // Nothing received, and nothing lacking in the padding.
 void TreeWalk::look_through(Frame& frame, std::shared_ptr<const TreeWindow> window) {
   frame.window = std::move(window);
-  for (auto* values :
-       {&frame.value, &frame.best, &frame.lacking, &frame.weight, &frame.share, &frame.supporters})
+  for (auto* values : {&frame.value, &frame.best, &frame.lacking, &frame.weight, &frame.share, &frame.shift,
+                       &frame.counted, &frame.supporters})
     values->assign(frame.window->padded, 0.0F);
   for (std::size_t i = frame.window->rows.size(); i < frame.window->padded; ++i)
     frame.value[i] = frame.best[i] = padding;
@@ -123,16 +123,27 @@ void TreeWalk::score(Frame& frame, std::size_t units) {
                          (1 + search_tolerance);
   for (std::size_t i = 0; i < rows; ++i)
     frame.share[i] = static_cast<float>(static_cast<double>(frame.lacking[i]) / divisor);
+  if (is_sum(run_.rule))
+    for (std::size_t i = 0; i < rows; ++i) {
+      frame.shift[i] = static_cast<float>(Proof::shift) * frame.lacking[i] / static_cast<float>(units);
+      frame.counted[i] = frame.lacking[i] - static_cast<float>(units) * frame.shift[i];
+    }
+  else
+    frame.counted = frame.lacking;
   std::fill(frame.supporters.begin(), frame.supporters.end(), 0.0F);
   frame.gain.resize(frame.allowed.size());
-  const SearchKernels::Rows of_node{frame.lacking.data(), frame.weight.data(), frame.share.data(),
-                                    run_.target(), rows};
+  const SearchKernels::Rows of_node = rows_of(frame);
   for (std::size_t c = 0; c < frame.allowed.size(); ++c) {
     const std::uint32_t j = frame.allowed[c];
     const float scale = frame.by_cost ? static_cast<float>(run_.problem.cost[j]) : 1.0F;
     frame.gain[c] =
         SearchKernels::gain(run_.rule, frame.window->column(j), scale, of_node, frame.supporters.data());
   }
+}
+
+SearchKernels::Rows TreeWalk::rows_of(const Frame& frame) const {
+  return {frame.counted.data(), frame.weight.data(), frame.share.data(),
+          frame.shift.data(),   run_.target(),       frame.value.size()};
 }
 
 TreeWalk::Bound TreeWalk::surrogate(const Frame& frame, std::size_t units) {
@@ -153,7 +164,7 @@ TreeWalk::Bound TreeWalk::surrogate(const Frame& frame, std::size_t units) {
   };
   Bound bound;
   bound.need =
-      static_cast<double>(SearchKernels::need(frame.lacking.data(), frame.weight.data(), frame.value.size()));
+      static_cast<double>(SearchKernels::need(frame.counted.data(), frame.weight.data(), frame.value.size()));
   std::tie(bound.most, bound.without_one) = largest_sums(0);
   const std::int64_t left = cost_left();
   if (!run_.problem.has_costs || left <= 0 || run_.most_cost() == std::numeric_limits<std::int64_t>::max())
@@ -181,8 +192,8 @@ void TreeWalk::sharpen(Frame& frame, std::size_t units) {
                     });
   load_.assign(frame.value.size(), 0.0F);
   for (std::size_t k = 0; k < count; ++k)
-    SearchKernels::load(run_.rule, frame.window->column(frame.allowed[frame.order[k]]), frame.lacking.data(),
-                        run_.target(), load_.size(), load_.data());
+    SearchKernels::load(run_.rule, frame.window->column(frame.allowed[frame.order[k]]), rows_of(frame),
+                        load_.data());
   constexpr float rate = 0.4F, least = 1e-6F;
   float largest = 0;
   for (std::size_t i = 0; i < load_.size(); ++i) {

@@ -36,6 +36,8 @@ struct Proof {
     branch
   };
 
+  static constexpr double shift = 0.3;
+
   std::size_t most_units = 0;
   std::int64_t most_cost = 0;
   bool is_complete = false;

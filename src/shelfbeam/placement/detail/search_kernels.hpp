@@ -31,11 +31,13 @@ struct SearchKernels {
     const float* lacking;
     const float* weight;
     const float* share;  ///< of what a row lacks: columns that give at least that support it
+    const float* shift;  ///< of every signal that much is not counted (sum rules)
     float target;
     std::size_t count;
   };
-  /// Sum over rows of weight min(a, lacking) for one column, a its signal (sum rules) or whether that is
-  /// `target` at least; counts the column in `supporters` of the rows to which it gives scale x share.
+  /// Sum over rows of weight min(max(0, a - shift), lacking) for one column, a its signal (sum rules), or of
+  /// weight min(a, lacking), a whether the signal is `target` at least; counts the column in `supporters` of
+  /// the rows to which it gives scale x share.
   static float gain(Receiving rule, const float* column, float scale, const Rows& rows, float* supporters);
 
   /// Sum over rows of weight x lacking.
@@ -52,9 +54,8 @@ struct SearchKernels {
   static float loss(const float* column, const float* weight, const float* held, float demand,
                     std::size_t rows);
 
-  /// load_i += min(a, lacking_i) / lacking_i where something is lacking.
-  static void load(Receiving rule, const float* column, const float* lacking, float target, std::size_t rows,
-                   float* load);
+  /// load_i += min(max(0, a - shift_i), lacking_i) / lacking_i where something is lacking.
+  static void load(Receiving rule, const float* column, const Rows& rows, float* load);
 };
 
 }  // namespace shelfbeam::detail

@@ -90,7 +90,7 @@ class TreeWalk {
     std::shared_ptr<const TreeWindow> window, below;  ///< of this node and of its children,
     std::vector<std::uint32_t>
         kept;  ///< whose rows are these of the node's window; unused where both are one
-    std::vector<float> value, best, lacking, weight, share, supporters, gain;
+    std::vector<float> value, best, lacking, weight, share, shift, counted, supporters, gain;
     std::vector<std::uint32_t> allowed, order;
     std::uint32_t weights_id = unlogged;
     bool by_cost = false;  ///< shares are of the cost that is left, not of the units
@@ -109,6 +109,7 @@ class TreeWalk {
   void take_last(std::size_t depth);
   bool bound(std::size_t depth);
   void score(Frame& frame, std::size_t units);
+  SearchKernels::Rows rows_of(const Frame& frame) const;
   Bound surrogate(const Frame& frame, std::size_t units);
   void sharpen(Frame& frame, std::size_t units);
   std::size_t forbid_useless(Frame& frame, const Bound& bound);
