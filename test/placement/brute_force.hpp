@@ -154,8 +154,12 @@ struct BruteForce {
       }
       answer.margin = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < tested && allowed; ++i) {
-        allowed = met(table, question, signal[i], i, set, tolerance, omission);
-        answer.margin = std::min(answer.margin, ratio(table, question, signal[i], i, set));
+        const double requirement = question.model == CommunicationModel::cooperative
+                                       ? table.labels[i].requirement
+                                       : table.labels[i].single_requirement;
+        const double got = received(question, signal[i], set, omission);
+        allowed = got >= requirement * (1 - tolerance);
+        answer.margin = std::min(answer.margin, got / requirement);
       }
       if (!allowed) continue;
       answer.second_objective = second_objective(table, question, signal, set);
@@ -188,18 +192,20 @@ struct BruteForce {
   }
 
  private:
-  // Added up in the order of the columns, without the best of them where one may fail.
-  static double ratio(const SignalTable& table, const Question& question, const std::vector<double>& signal,
-                      std::size_t i, std::uint32_t set) {
+  // Added up in the order of the columns, without the best of them where one may fail: to the last bit what
+  // the contract says, for the order of sums decides near-ties.
+  static double received(const Question& question, const std::vector<double>& signal, std::uint32_t set,
+                         Omission omission) {
+    const bool redundant = question.redundant && omission != Omission::failure;
     const bool cooperative = question.model == CommunicationModel::cooperative;
     double result = 0, largest = 0;
     for (std::size_t j = 0; j < signal.size(); ++j) {
       if ((set >> j & 1U) == 0) continue;
-      const double counted = question.redundant ? std::min(largest, signal[j]) : signal[j];
+      const double counted = redundant ? std::min(largest, signal[j]) : signal[j];
       largest = std::max(largest, signal[j]);
       result = cooperative ? result + counted : std::max(result, counted);
     }
-    return result / (cooperative ? table.labels[i].requirement : table.labels[i].single_requirement);
+    return result;
   }
 
   static std::vector<std::vector<double>> dense(const SignalTable& table) {

@@ -122,6 +122,22 @@ TEST(Proof, WithABadPriceIsRefused) {
   EXPECT_TRUE(check_proof(table, question, proof));
 }
 
+// Where no column is left to choose, the chosen ones may do.
+TEST(Proof, ThatNoFurtherUnitHelpsDoesNotDenyTheChosenOnes) {
+  SignalTable table = test::make_table({{1, 0}}, 2);
+  table.transceivers[0].installed = true;
+  table.mounts = {{0, 1}};
+  Proof proof;
+  proof.is_complete = true;
+  proof.most_units = 2;
+  proof.most_cost = std::numeric_limits<std::int64_t>::max();
+  proof.rows = {0};
+  proof.steps = {Proof::single_fails};
+  EXPECT_FALSE(check_proof(table, alone, proof));
+  table.entries[0].signal = 0.5;
+  EXPECT_TRUE(check_proof(table, alone, proof));
+}
+
 void mutate(test::RandomTables& random, Proof& proof) {
   auto& steps = proof.steps;
   const auto place = [&](std::size_t size) {

@@ -174,6 +174,9 @@ class ProofChecker {
   }
 
   bool every_single_fails(const std::vector<bool>& allowed) {
+    bool is_unmet = false;  // without any
+    for (std::uint32_t i = 0; i < table_.rows() && !is_unmet; ++i) is_unmet = !label_is_met(i);
+    if (!is_unmet) return false;
     std::vector<double> open;
     for (const auto& row : rows_) open.push_back(lacking(row));
     for (std::uint32_t j = 0; j < allowed.size(); ++j) {

@@ -342,7 +342,17 @@ class Engine {
 Placement search_placement(const SignalTable& table, const Question& question,
                            const std::vector<std::uint32_t>& start, const milp::Backend& backend,
                            double time_limit_s, const RunControl& control) {
-  return Engine(table, question, start, backend, time_limit_s, control).run();
+  const Check known = check_selection(table, question, start);
+  const double most = 2 * (known.objective + known.transceiver_cost);
+  const auto is_too_dear = [&](const SignalTable::Transceiver& unit) { return unit.cost > most; };
+  if (question.combination == Combination::lexicographic || !(most > 0) ||
+      std::none_of(table.transceivers.begin(), table.transceivers.end(), is_too_dear))
+    return Engine(table, question, start, backend, time_limit_s, control).run();
+  // No answer as good as the known one has such a unit, at that price or less: so far off, it would only
+  // drown the others' prices in its rounding.
+  SignalTable cheaper = table;
+  for (auto& unit : cheaper.transceivers) unit.cost = std::min(unit.cost, most);
+  return Engine(cheaper, question, start, backend, time_limit_s, control).run();
 }
 
 }  // namespace shelfbeam::detail
