@@ -108,6 +108,26 @@ std::string describe_infeasible(const Placement& placement, const SignalTable& t
 
 }  // namespace
 
+namespace {
+
+const char* behind_bound(BoundProof proof) {
+  switch (proof) {
+    case BoundProof::trivial:
+      return "what is plain without a search";
+    case BoundProof::dual:
+      return "a dual solution, added up again from the matrix";
+    case BoundProof::log:
+      return "exhaustive search, its log checked";
+    case BoundProof::search:
+      return "exhaustive search, its log too long to be checked";
+    case BoundProof::solver:
+      return "the word of a MIP solver";
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string describe(const Placement& placement, const SignalTable& table) {
   const bool cooperative = placement.question.model == CommunicationModel::cooperative;
   const std::size_t labels = table.rows();
@@ -150,6 +170,8 @@ std::string describe(const Placement& placement, const SignalTable& table) {
       placement.question.combination == Combination::weighted)
     text += fmt::format("  objective {:.9g}, lower bound {:.9g}, gap {:.2f} %\n", placement.objective_value,
                         placement.lower_bound, 100 * placement.gap());
+  text += fmt::format("  bound: {}{}\n", behind_bound(placement.bound_proof),
+                      placement.ties_settled ? "; of equal placements this has the widest margin" : "");
   text +=
       fmt::format("  solver {}, {:.2f} s{}\n", placement.solver, placement.seconds,
                   placement.status == Status::stopped

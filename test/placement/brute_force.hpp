@@ -128,6 +128,46 @@ struct BruteForce {
     return best;
   }
 
+  /// A selection that meets every label.
+  struct Answer {
+    std::uint32_t set = 0;
+    std::vector<std::uint32_t> columns;
+    double second_objective = 0, price = 0;
+    double margin = 0;  ///< the least of what labels receive over their requirement; infinite without labels
+  };
+  static std::vector<Answer> answers(const SignalTable& table, const Question& question,
+                                     Omission omission = Omission::nothing) {
+    const std::size_t n = table.transceivers.size();
+    const std::vector<std::vector<double>> signal = dense(table);
+    const double tolerance = omission == Omission::tolerance ? -2e-9 : 1e-9;
+    const std::size_t tested = signal.size() - (omission == Omission::last_label && !signal.empty() ? 1 : 0);
+    std::vector<Answer> result;
+    for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
+      bool allowed = (omission == Omission::mounts || one_at_a_point(table, set)) &&
+                     (omission == Omission::apart || kept_apart(table, set));
+      Answer answer;
+      answer.set = set;
+      for (std::uint32_t j = 0; j < n; ++j) {
+        const bool in = (set >> j & 1U) != 0;
+        if (!in && table.transceivers[j].installed && omission != Omission::installed) allowed = false;
+        if (in) answer.columns.push_back(j), answer.price += table.transceivers[j].cost;
+      }
+      answer.margin = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < tested && allowed; ++i) {
+        const double requirement = question.model == CommunicationModel::cooperative
+                                       ? table.labels[i].requirement
+                                       : table.labels[i].single_requirement;
+        const double got = received(question, signal[i], set, omission);
+        allowed = got >= requirement * (1 - tolerance);
+        answer.margin = std::min(answer.margin, got / requirement);
+      }
+      if (!allowed) continue;
+      answer.second_objective = second_objective(table, question, signal, set);
+      result.push_back(std::move(answer));
+    }
+    return result;
+  }
+
   /// Whether the selection meets label i.
   static bool met(const SignalTable& table, const Question& question, const std::vector<double>& signal,
                   std::size_t i, std::uint32_t set, double tolerance, Omission omission) {
@@ -152,6 +192,22 @@ struct BruteForce {
   }
 
  private:
+  // Added up in the order of the columns, without the best of them where one may fail: to the last bit what
+  // the contract says, for the order of sums decides near-ties.
+  static double received(const Question& question, const std::vector<double>& signal, std::uint32_t set,
+                         Omission omission) {
+    const bool redundant = question.redundant && omission != Omission::failure;
+    const bool cooperative = question.model == CommunicationModel::cooperative;
+    double result = 0, largest = 0;
+    for (std::size_t j = 0; j < signal.size(); ++j) {
+      if ((set >> j & 1U) == 0) continue;
+      const double counted = redundant ? std::min(largest, signal[j]) : signal[j];
+      largest = std::max(largest, signal[j]);
+      result = cooperative ? result + counted : std::max(result, counted);
+    }
+    return result;
+  }
+
   static std::vector<std::vector<double>> dense(const SignalTable& table) {
     std::vector<std::vector<double>> signal(table.labels.size(),
                                             std::vector<double>(table.transceivers.size(), 0.0));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/placement/names.hpp"
 
 #include "random_table.hpp"
 #include "support/expect_input_error.hpp"
@@ -27,6 +28,8 @@ Placement solved() {
   placement.count_lower_bound = 1;
   placement.objective_value = 4;
   placement.lower_bound = 3.5;
+  placement.bound_proof = BoundProof::log;
+  placement.ties_settled = true;
   placement.unit_costs = true;
   placement.solver = "highs 1.10.0";
   placement.seconds = 0.25;
@@ -50,6 +53,8 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   "objective_value": 4.0,
   "lower_bound": 3.5,
   "gap": 0.125,
+  "bound_proof": "log",
+  "ties_settled": true,
   "unit_costs": true,
   "redundant_share": 0.0,
   "status": "stopped",
@@ -85,6 +90,29 @@ TEST(PlacementFile, IsReadBack) {
   const Placement read = read_placement(path, example());
   EXPECT_EQ(placement_json(read, example()), placement_json(solved(), example()));
   EXPECT_EQ(read.selected, solved().selected);
+}
+
+TEST(PlacementFile, OfEarlierVersionsSaysNothingOfProofs) {
+  const test::TempFolder folder;
+  std::string text = placement_json(solved(), example());
+  for (const std::string line : {"  \"bound_proof\": \"log\",\n", "  \"ties_settled\": true,\n"}) {
+    ASSERT_NE(text.find(line), std::string::npos);
+    text.erase(text.find(line), line.size());
+  }
+  const Placement read = read_placement(folder.write("p.json", text), example());
+  EXPECT_EQ(read.bound_proof, BoundProof::trivial);
+  EXPECT_FALSE(read.ties_settled);
+}
+
+TEST(PlacementFile, NamesEveryProof) {
+  const test::TempFolder folder;
+  Placement placement = solved();
+  for (const auto& [name, proof] : bound_proof_names) {
+    placement.bound_proof = proof;
+    const std::string text = placement_json(placement, example());
+    EXPECT_NE(text.find("\"bound_proof\": \"" + std::string(name) + "\""), std::string::npos);
+    EXPECT_EQ(read_placement(folder.write("p.json", text), example()).bound_proof, proof);
+  }
 }
 
 TEST(PlacementFile, WritesAnswersThatHaveNoNumbers) {
@@ -150,6 +178,7 @@ TEST(PlacementFile, RejectsWhatDoesNotFit) {
   expect("weighted", "wieghted", "combination", "weighted");
   expect("\"status\": \"stopped\"", "\"status\": \"stoped\"", "status", "stopped");
   expect("\"solver\"", "\"slover\"", "slover", "solver");
+  expect("\"bound_proof\": \"log\"", "\"bound_proof\": \"lok\"", "bound_proof", "log");
   expect("\"share\": 0.5", "\"share\": 0", "share", "0");
   expect("\"lower_bound\": 3.5", "\"lower_bound\": true", "lower_bound", "number");
   expect("\"unreachable\": []", "\"unreachable\": [{\"label\": \"X\", \"requirement\": 1, \"most\": 0}]",

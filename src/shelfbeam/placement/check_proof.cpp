@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 
 #include "shelfbeam/placement/detail/proof.hpp"
+#include "shelfbeam/placement/detail/search_matrix.hpp"
 #include "shelfbeam/placement/detail/search_problem.hpp"
 
 namespace shelfbeam::detail {
@@ -12,32 +14,48 @@ namespace {
 
 // Sums in double precision are off by far less.
 constexpr double slack = 1e-10;
+// Sums of another order, or of ratios, decide near-ties of the rule otherwise: so much less is asked for.
+constexpr double rounding = 1e-12;
+// What the search takes for met, and lower still: whoever meets the rule has that.
+constexpr double relaxed = (1 - met_tolerance) * (1 - search_tolerance);
 
 class ProofChecker {
  public:
   ProofChecker(const SignalTable& table, const Question& question, const Proof& proof)
       : table_(table), question_(question), problem_(table, question), proof_(proof) {
     is_sum_ = question.model == CommunicationModel::cooperative;
-    for (const std::uint32_t i : proof.rows) rows_.push_back(dense(i));
+    for (const std::uint32_t i : proof.rows) {
+      rows_.push_back(dense(known(i), 1 - met_tolerance));
+      if (!is_sum_) relaxed_rows_.push_back(dense(i, relaxed));
+    }
   }
 
   bool holds() {
     if (!proof_.is_complete) return false;
+    if (proof_.most_cost < 0) return true;  // no selection costs so little
     chosen_.assign(table_.columns(), false);
     std::vector<bool> allowed = problem_.available;
     for (const std::uint32_t j : problem_.installed) take(j);
     if (problem_.installed.size() > proof_.most_units) return true;
-    return node(allowed, proof_.most_units - problem_.installed.size()) && at_ == proof_.steps.size();
+    // There is nothing to choose beyond all columns.
+    const std::size_t units = std::min(proof_.most_units - problem_.installed.size(), table_.columns());
+    return node(allowed, units) && at_ == proof_.steps.size();
   }
 
  private:
-  std::vector<double> dense(std::uint32_t i) const {
+  std::uint32_t known(std::uint32_t label) const {
+    if (label >= table_.rows()) throw std::out_of_range("the table has no such label");
+    return label;
+  }
+
+  // What columns give a label: parts of its requirement, or whether they alone give `least` of it.
+  std::vector<double> dense(std::uint32_t i, double least) const {
     std::vector<double> row(table_.columns(), 0.0);
     const double requirement = requirement_of(table_.labels[i], question_.model);
     for (const SignalEntry& entry : table_.row(i))
-      row[entry.transceiver] = is_sum_                             ? entry.signal / requirement
-                               : is_met(entry.signal, requirement) ? 1.0
-                                                                   : 0.0;
+      row[entry.transceiver] = is_sum_                               ? entry.signal / requirement
+                               : entry.signal >= requirement * least ? 1.0
+                                                                     : 0.0;
     return row;
   }
 
@@ -46,14 +64,14 @@ class ProofChecker {
                   requirement_of(table_.labels[i], question_.model));
   }
 
-  // What the row lacks of 1 - met_tolerance (cooperative), or of the units that must reach it.
-  double lacking(const std::vector<double>& row) const {
+  // What the row lacks of `demand` (cooperative), or of the units that must reach it.
+  double lacking(const std::vector<double>& row, double demand = 1 - met_tolerance - rounding) const {
     double sum = 0, best = 0;
     for (const std::uint32_t j : taken_) {
       sum += row[j];
       best = std::max(best, row[j]);
     }
-    if (is_sum_) return std::max(0.0, 1 - met_tolerance - (question_.redundant ? sum - best : sum));
+    if (is_sum_) return std::max(0.0, demand - (question_.redundant ? sum - best : sum));
     return std::max(0.0, (question_.redundant ? 2 : 1) - sum);
   }
 
@@ -75,18 +93,21 @@ class ProofChecker {
 
   std::vector<double> values(const std::vector<float>& weights, double price, std::size_t units,
                              double& need) const {
+    // By the search's rule, which is below the contract's: what meets the one meets the other, and near-ties
+    // count as they did there.
+    const auto& rows = is_sum_ ? rows_ : relaxed_rows_;
     std::vector<double> value(table_.columns(), 0.0);
     need = 0;
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
       const auto weight = static_cast<double>(weights.at(r));
-      if (weight < 0) throw std::out_of_range("a weight is negative");
-      const double open = lacking(rows_[r]);
+      if (!(weight >= 0) || !std::isfinite(weight)) throw std::out_of_range("a weight is no such number");
+      const double open = lacking(rows[r], relaxed);
       if (open == 0) continue;
       const double shift = is_sum_ ? Proof::shift * open / static_cast<double>(units) : 0;
       const double counted = open - static_cast<double>(units) * shift;
       need += weight * counted;
       for (std::size_t j = 0; j < value.size(); ++j)
-        value[j] += weight * std::min(counted, std::max(0.0, rows_[r][j] - shift));
+        value[j] += weight * std::min(counted, std::max(0.0, rows[r][j] - shift));
     }
     for (std::size_t j = 0; j < value.size(); ++j) value[j] -= price * static_cast<double>(problem_.cost[j]);
     return value;
@@ -119,7 +140,7 @@ class ProofChecker {
         case Proof::cost_fails:
           return spent_ > proof_.most_cost || taken_.size() > proof_.most_units;
         case Proof::row_fails:
-          if (const std::uint32_t row = next(); label_is_met(row)) return false;
+          if (const std::uint32_t row = known(next()); label_is_met(row)) return false;
           return units == 0;
         case Proof::sum_fails: {
           const Weighing w = weighing(units);
@@ -150,13 +171,20 @@ class ProofChecker {
     if (units == 0) throw std::out_of_range("no unit is left to weigh");
     const std::uint32_t id = next();
     const auto price = static_cast<double>(std::bit_cast<float>(next()));
+    if (!(price >= 0) || !std::isfinite(price)) throw std::out_of_range("a price is no such number");
     Weighing w;
     w.value = values(proof_.weights.at(id >> 16).at(id & 0xFFFF), price, units, w.need);
-    w.paid = price > 0 ? price * static_cast<double>(proof_.most_cost - spent_) : 0;
+    const std::int64_t left = proof_.most_cost - spent_;
+    w.paid = price > 0 && left > 0 ? price * static_cast<double>(left) : 0;
+    // Such a price proves nothing, and differences of large numbers must not seem to.
+    if (w.paid > 2 * w.need) throw std::out_of_range("a price is too high");
     return w;
   }
 
   bool every_single_fails(const std::vector<bool>& allowed) {
+    bool is_unmet = false;  // without any
+    for (std::uint32_t i = 0; i < table_.rows() && !is_unmet; ++i) is_unmet = !label_is_met(i);
+    if (!is_unmet) return false;
     std::vector<double> open;
     for (const auto& row : rows_) open.push_back(lacking(row));
     for (std::uint32_t j = 0; j < allowed.size(); ++j) {
@@ -173,11 +201,11 @@ class ProofChecker {
   }
 
   bool branch(std::vector<bool> allowed, std::size_t units) {
-    const std::uint32_t label = next();
+    const std::uint32_t label = known(next());
     const bool by_cost = next() != 0;
     const std::uint32_t count = next();
     if (units == 0 || label_is_met(label)) return false;
-    const std::vector<double> row = dense(label);
+    const std::vector<double> row = dense(label, 1 - met_tolerance);
     const double open = lacking(row);
     const std::int64_t cost_left = proof_.most_cost - spent_;
     std::vector<bool> listed(table_.columns(), false);
@@ -212,7 +240,7 @@ class ProofChecker {
   SearchProblem problem_;
   const Proof& proof_;
   bool is_sum_ = true;
-  std::vector<std::vector<double>> rows_;
+  std::vector<std::vector<double>> rows_, relaxed_rows_;
   std::vector<std::uint32_t> taken_;
   std::vector<bool> chosen_;
   std::int64_t spent_ = 0;

@@ -157,7 +157,7 @@ class Walk {
     const std::vector<std::uint32_t> selected = selection();
     const Margin margin = margin_of(problem_.table, problem_.question, all_, selected, memory_);
     if (margin.is_met) {
-      if (const double price = cost(); price < best_cost_ || !best_) {
+      if (const double price = cost(); price < best_cost_) {
         best_ = selected;
         best_cost_ = price;
       }

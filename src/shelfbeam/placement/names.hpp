@@ -32,6 +32,11 @@ inline constexpr std::array status_names = {
     Named<Status>{"optimal", Status::optimal}, Named<Status>{"feasible", Status::feasible},
     Named<Status>{"infeasible", Status::infeasible}, Named<Status>{"stopped", Status::stopped}};
 
+inline constexpr std::array bound_proof_names = {
+    Named<BoundProof>{"trivial", BoundProof::trivial}, Named<BoundProof>{"dual", BoundProof::dual},
+    Named<BoundProof>{"log", BoundProof::log}, Named<BoundProof>{"search", BoundProof::search},
+    Named<BoundProof>{"solver", BoundProof::solver}};
+
 template <class Table, class Enum>
 constexpr std::string_view name_of(const Table& names, Enum value) {
   for (const auto& entry : names)

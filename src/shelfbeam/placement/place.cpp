@@ -109,6 +109,10 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
         placement.solver = fmt::format("{} {}", backend.name, backend.version);
         if (!answer.solver_failed) break;
       }
+      // What the solver adds to the bounds that need none rests on its word.
+      const Placement plain = greedy_placement(table, question, greedy);
+      if (placement.count_lower_bound > plain.count_lower_bound || placement.lower_bound > plain.lower_bound)
+        placement.bound_proof = BoundProof::solver;
     }
   }
   placement.seconds = elapsed();

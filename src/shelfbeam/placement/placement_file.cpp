@@ -165,6 +165,8 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
                {"objective_value", number(placement.objective_value)},
                {"lower_bound", number(placement.lower_bound)},
                {"gap", number(placement.gap())},
+               {"bound_proof", name_of(bound_proof_names, placement.bound_proof)},
+               {"ties_settled", placement.ties_settled},
                {"unit_costs", placement.unit_costs},
                {"redundant_share", redundant_share(placement, table)},
                {"status", name_of(status_names, placement.status)},
@@ -205,7 +207,7 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
                     "unit_costs",      "redundant_share", "status",
                     "solver",          "seconds",         "unreachable",
                     "scenarios",       "critical",        "curve",
-                    "certificate"});
+                    "bound_proof",     "ties_settled",    "certificate"});
   file["format"].integer(1, 1);
   Placement placement;
   placement.question.model = named(file["model"], model_names);
@@ -218,6 +220,8 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
   placement.count_lower_bound = number_or_infinity(file["count_lower_bound"]);
   placement.objective_value = number_or_infinity(file["objective_value"]);
   placement.lower_bound = number_or_infinity(file["lower_bound"]);
+  if (const auto found = file.find("bound_proof")) placement.bound_proof = named(*found, bound_proof_names);
+  if (const auto found = file.find("ties_settled")) placement.ties_settled = found->boolean();
   if (const auto found = file.find("unit_costs")) placement.unit_costs = found->boolean();
   placement.status = named(file["status"], status_names);
   placement.solver = file["solver"].text();

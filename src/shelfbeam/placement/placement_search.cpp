@@ -88,11 +88,13 @@ class Engine {
         const CostBounds second(table_, cost);
         double lower = second.cheapest(static_cast<std::size_t>(bound_));
         if (is_optimal) is_optimal = cheapest_of_the_fewest(cost, second, lower);
+        if (is_optimal) settle_ties();
         placement.objective_value = value_of(best_);
         placement.lower_bound =
             std::min(is_optimal ? placement.objective_value : lower, placement.objective_value);
+      } else if (is_optimal) {
+        settle_ties();
       }
-      if (is_optimal) settle_ties();
     }
     placement.status = is_optimal ? Status::optimal : Status::stopped;
     placement.ties_settled = ties_settled_;
@@ -133,7 +135,7 @@ class Engine {
 
   void raise(double bound, BoundProof proof) {
     bound = bounds_.rounded(bound);
-    if (!(bound > bound_)) return;
+    if (!(bound > bound_) || !std::isfinite(bound)) return;  // a selection is known: nothing is infeasible
     bound_ = std::min(bound, first_value(best_));
     proof_ = proof;
     report();
@@ -194,11 +196,12 @@ class Engine {
       goal.kind = TreeGoal::Kind::cheapest;
       goal.most_units = affordable(value_of(best_));
       if (goal.most_units > most_units_of_trees) return;
-      goal.most_cost = problem_.cost_of(best_) - 1;
+      goal.most_cost = clearly_less(problem_.cost_of(best_));
       const TreeAnswer answer = tree_.run(goal, limits, control_);
       offer(answer.selected);
       if (answer.is_complete)
-        raise(first_value(best_), proof_holds(answer.proof) ? BoundProof::log : BoundProof::search);
+        raise(surely(answer.proof.most_cost, goal.most_units),
+              proof_holds(answer.proof) ? BoundProof::log : BoundProof::search);
       return;
     }
     while (!closed() && !control_.cancelled() && Clock::now() < limits.until) {
@@ -260,28 +263,40 @@ class Engine {
     TreeGoal goal;
     goal.kind = TreeGoal::Kind::cheapest;
     goal.most_units = best_.size();
-    goal.most_cost = problem_.cost_of(best_) - 1;
+    goal.most_cost = clearly_less(problem_.cost_of(best_));
     TreeSearch::Limits limits;
     limits.until = until(part_of_rest(0.6));
     limits.wants_proof = true;
     if (best_.size() <= most_units_of_trees) {
       const TreeAnswer answer = tree_.run(goal, limits, control_);
-      if (answer.selected) best_ = *answer.selected;
+      if (answer.selected && value_of(*answer.selected) < value_of(best_)) best_ = *answer.selected;
       if (answer.is_complete) {
-        if (!proof_holds(answer.proof)) proof_ = BoundProof::search;
-        return true;
+        lower = std::max(lower, second.rounded(surely(answer.proof.most_cost, goal.most_units)));
+        rest_on(proof_holds(answer.proof) ? BoundProof::log : BoundProof::search);
+        if (is_closed()) return true;
       }
     }
     if (out_of_time() || table_.entries.size() > most_mip_entries) return false;
     asked_ = fmt::format("{} {}", backend_.name, backend_.version);
     const auto at_fewest = place_at_count(table_, question_, cost, best_, backend_.solve, rest(), control_);
     if (at_fewest.selected && value_of(*at_fewest.selected) < value_of(best_)) best_ = *at_fewest.selected;
-    lower = std::max(lower, second.rounded(at_fewest.bound));
-    if (at_fewest.proven || is_closed()) {
-      proof_ = BoundProof::solver;
-      return true;
+    if (const double bound = second.rounded(at_fewest.bound); at_fewest.proven || bound > lower) {
+      lower = std::max(lower, bound);
+      rest_on(BoundProof::solver);
     }
-    return false;
+    return at_fewest.proven || is_closed();
+  }
+
+  // Both bounds of an answer rest on the weaker of two proofs.
+  void rest_on(BoundProof proof) { proof_ = std::max(proof_, proof); }
+
+  // Sums that differ by rounding are not worth a search.
+  static std::int64_t clearly_less(std::int64_t cost) { return cost - std::max<std::int64_t>(1, cost >> 33); }
+
+  // What costs more than `most` units of cost, rounded for every column.
+  double surely(std::int64_t most, std::size_t units) const {
+    return std::max(
+        0.0, (static_cast<double>(most) + 1 - static_cast<double>(units + 1) / 2) * problem_.cost_unit);
   }
 
   void settle_ties() {
@@ -290,7 +305,11 @@ class Engine {
     goal.kind = TreeGoal::Kind::widest;
     goal.most_units = is_weighted_ ? affordable(value_of(best_)) : best_.size();
     if (goal.most_units > most_units_of_trees) return;
-    if (problem_.has_costs) goal.most_cost = problem_.cost_of(best_);
+    constexpr int bits_of_tolerance = 30;  // 1e-9 of it
+    if (problem_.has_costs) {
+      goal.most_cost = problem_.cost_of(best_);
+      goal.most_cost += goal.most_cost >> bits_of_tolerance;
+    }
     goal.start = best_;
     TreeSearch::Limits limits;
     constexpr double longest = 5;
@@ -323,7 +342,17 @@ class Engine {
 Placement search_placement(const SignalTable& table, const Question& question,
                            const std::vector<std::uint32_t>& start, const milp::Backend& backend,
                            double time_limit_s, const RunControl& control) {
-  return Engine(table, question, start, backend, time_limit_s, control).run();
+  const Check known = check_selection(table, question, start);
+  const double most = 2 * (known.objective + known.transceiver_cost);
+  const auto is_too_dear = [&](const SignalTable::Transceiver& unit) { return unit.cost > most; };
+  if (question.combination == Combination::lexicographic || !(most > 0) ||
+      std::none_of(table.transceivers.begin(), table.transceivers.end(), is_too_dear))
+    return Engine(table, question, start, backend, time_limit_s, control).run();
+  // No answer as good as the known one has such a unit, at that price or less: so far off, it would only
+  // drown the others' prices in its rounding.
+  SignalTable cheaper = table;
+  for (auto& unit : cheaper.transceivers) unit.cost = std::min(unit.cost, most);
+  return Engine(cheaper, question, start, backend, time_limit_s, control).run();
 }
 
 }  // namespace shelfbeam::detail

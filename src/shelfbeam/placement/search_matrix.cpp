@@ -12,7 +12,7 @@ namespace shelfbeam::detail {
 namespace {
 
 // Larger ratios are as good as this one, and sums of them stay finite.
-constexpr double largest = 1e6;
+constexpr float largest = 1e6F;
 
 std::vector<std::uint32_t> all_rows(const SignalTable& table) {
   std::vector<std::uint32_t> rows(table.rows());
@@ -32,7 +32,7 @@ SearchMatrix::SearchMatrix(const SignalTable& table, CommunicationModel model,
     const double requirement = requirement_of(table.labels[rows_[i]], model);
     for (const SignalEntry& entry : table.row(rows_[i]))
       values_[entry.transceiver * padded_ + i] =
-          static_cast<float>(std::min(entry.signal / requirement, largest));
+          static_cast<float>(std::min(entry.signal / requirement, static_cast<double>(largest)));
   }
 }
 
@@ -58,17 +58,22 @@ Margin margin_of(const SignalTable& table, const Question& question, const Searc
   for (std::size_t i = 0; i < all.rows(); ++i) least = std::min(least, received[i]);
   std::vector<bool> chosen(table.columns(), false);
   for (const std::uint32_t j : selected) chosen[j] = true;
-  // The smallest in truth is among these, and whoever is not met if any is.
-  const float lowest = least * (1 + 5 * static_cast<float>(search_tolerance));
+  double of_unmet = std::numeric_limits<double>::infinity();
+  // The smallest in truth is among these, and whoever is not met if any is. (Nobody knows among ratios that
+  // were cut off.)
+  const float lowest = least < largest / 10 ? least * (1 + 5 * static_cast<float>(search_tolerance))
+                                            : std::numeric_limits<float>::infinity();
   for (std::uint32_t i = 0; i < all.rows(); ++i) {
     if (received[i] > lowest) continue;
     const double requirement = requirement_of(table.labels[i], question.model);
     const double signal = received_signal(table, i, chosen, question);
-    margin.is_met = margin.is_met && is_met(signal, requirement);
-    if (signal / requirement < margin.smallest) {
-      margin.smallest = signal / requirement;
-      margin.label = i;
-    }
+    const double ratio = signal / requirement;
+    const bool met = is_met(signal, requirement);
+    // Ratios round: of two that are the same one may be met. The label that is not is to be told.
+    if (margin.is_met ? !met || ratio < margin.smallest : !met && ratio < of_unmet) margin.label = i;
+    if (!met) of_unmet = std::min(of_unmet, ratio);
+    margin.is_met = margin.is_met && met;
+    margin.smallest = std::min(margin.smallest, ratio);
   }
   return margin;
 }

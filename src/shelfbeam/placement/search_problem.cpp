@@ -13,7 +13,9 @@ SearchProblem::SearchProblem(const SignalTable& t, const Question& q)
   const std::vector<double> coefficients =
       q.combination == Combination::weighted ? first_objective(t, q) : objective_coefficients(t, q);
   const double most = coefficients.empty() ? 0 : *std::max_element(coefficients.begin(), coefficients.end());
-  if (most > 0) cost_unit = std::exp2(std::floor(std::log2(most)) - 39);
+  constexpr double bits = 60;  // of what all columns cost together
+  if (most > 0)
+    cost_unit = std::exp2(std::ceil(std::log2(most) + std::log2(static_cast<double>(t.columns()))) - bits);
   for (const double coefficient : coefficients) cost.push_back(std::llround(coefficient / cost_unit));
   has_costs = std::any_of(cost.begin(), cost.end(), [](std::int64_t c) { return c != 0; });
   const Mounts mounts(t);

@@ -68,7 +68,9 @@ Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float
     case TreeGoal::Kind::widest:
       if (problem.cost_of(selected) > goal.most_cost) break;
       if (const double now = margin_.load(std::memory_order_relaxed);
-          margin.smallest < now || (margin.smallest == now && sorted >= widest_))
+          margin.smallest < now ||
+          (margin.smallest == now &&
+           (sorted.size() > widest_.size() || (sorted.size() == widest_.size() && sorted >= widest_))))
         break;
       best = widest_ = std::move(sorted);
       margin_.store(margin.smallest, std::memory_order_relaxed);

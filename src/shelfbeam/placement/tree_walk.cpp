@@ -90,7 +90,7 @@ void TreeWalk::log_weights(Frame& frame, Proof::Tag tag, float price) {
   if (!logs_) return;
   constexpr std::size_t most = 1 << 16;
   if (frame.weights_id == unlogged) {
-    if (weights_.size() == most) {  // too long to be checked
+    if (weights_.size() == most || !run_.may_log(run_.matrix.rows())) {  // too long to be checked
       logs_ = false;
       steps_.assign(1, Proof::open);
       return;
@@ -118,7 +118,8 @@ void TreeWalk::move_log_to(Proof& proof) {
 // Gains and supporters of the allowed columns.
 void TreeWalk::score(Frame& frame, std::size_t units) {
   const std::size_t rows = frame.value.size();
-  frame.by_cost = run_.problem.question.combination == Combination::weighted && cost_left() > 0;
+  frame.by_cost = run_.problem.question.combination == Combination::weighted && run_.problem.has_costs &&
+                  cost_left() > 0 && run_.most_cost() < std::numeric_limits<std::int64_t>::max();
   const double divisor = (frame.by_cost ? static_cast<double>(cost_left()) : static_cast<double>(units)) *
                          (1 + search_tolerance);
   for (std::size_t i = 0; i < rows; ++i)
@@ -250,7 +251,8 @@ void TreeWalk::branch_on(std::size_t depth, std::uint32_t row, double least) {
   for (std::uint32_t c = 0; c < frame.allowed.size(); ++c) {
     const std::uint32_t j = frame.allowed[c];
     const double scale = frame.by_cost ? static_cast<double>(run_.problem.cost[j]) : 1;
-    if (static_cast<double>(run_.all.column(j)[row]) >= scale * least) frame.order.push_back(c);
+    const auto given = static_cast<double>(run_.all.column(j)[row]);
+    if (given > 0 && given >= scale * least) frame.order.push_back(c);
   }
   if (frame.gain.size() == frame.allowed.size())
     std::sort(frame.order.begin(), frame.order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -261,6 +263,10 @@ void TreeWalk::branch_on(std::size_t depth, std::uint32_t row, double least) {
   log(row);
   log(frame.by_cost ? 1 : 0);
   log(static_cast<std::uint32_t>(frame.order.size()));
+  if (logs_ && !run_.may_log(2 * frame.order.size())) {
+    logs_ = false;
+    steps_.assign(1, Proof::open);
+  }
 }
 
 // The row with the fewest columns that give it its share.
@@ -288,8 +294,9 @@ void TreeWalk::choose_branch(std::size_t depth) {
 // for, the search goes on with that row.
 void TreeWalk::complete(std::size_t depth) {
   Frame& frame = frames_[depth];
-  const double target = run_.exact_target();
+  constexpr double largest = 1e5;  // as in TreeRun::target
   const Margin margin = run_.offer(chosen_, memory_);
+  const double target = std::min(run_.exact_target(), largest);
   const std::size_t units = units_left(depth);
   const bool may_improve =
       !margin.is_met || (run_.goal.kind == TreeGoal::Kind::widest && margin.smallest < padding) ||

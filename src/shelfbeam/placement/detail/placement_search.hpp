@@ -13,8 +13,8 @@ namespace shelfbeam::detail {
 /// what reductions leave. `start` is a selection that the checker accepts. The answer lacks `seconds`.
 ///
 /// Where the tree search ends by proof, ties are settled, too: of all placements with the best value that
-/// with the largest smallest margin, of these the first by column. Then the answer is the same for any number
-/// of threads.
+/// with the largest smallest margin, of these that with the fewest units, of these the first by column. Then
+/// the answer is the same for any number of threads.
 Placement search_placement(const SignalTable& table, const Question& question,
                            const std::vector<std::uint32_t>& start, const milp::Backend& backend,
                            double time_limit_s, const RunControl& control);

@@ -25,7 +25,7 @@ struct Proof {
     sum_fails,
     /// weights, price: columns with which that would hold are no longer allowed; the same node goes on.
     filter,
-    /// Every allowed column leaves some label unmet, and b = 1.
+    /// Every allowed column leaves some label unmet, so do the chosen ones alone, and b = 1.
     single_fails,
     /// The chosen columns cost too much.
     cost_fails,

@@ -39,9 +39,9 @@ Receiving receiving(const Question& question);
 
 /// How well a selection does, by the contract's rule in double precision.
 struct Margin {
-  double smallest = 0;  ///< of what labels receive over what they require; infinite without labels
-  std::uint32_t label = 0;
-  bool is_met = true;  ///< every label is met
+  double smallest = 0;      ///< of what labels receive over what they require; infinite without labels
+  std::uint32_t label = 0;  ///< where that is; where labels are not met, the one that gets least
+  bool is_met = true;       ///< every label is met
 };
 
 /// `all` holds all rows of the table. `received` is memory to work in.

@@ -16,8 +16,8 @@ struct SearchProblem {
   const SignalTable& table;
   const Question& question;
   /// The second objective (lexicographic; zeros for count) or the whole sum (weighted) of a column, in units
-  /// of `cost_unit`, a power of two that is 2^-40 to 2^-39 of the largest: whole numbers up to 2^39 times
-  /// smaller than the largest are exact.
+  /// of `cost_unit`, a power of two of which all columns together cost 2^60 at most, whatever they are:
+  /// whole numbers are exact unless they differ by some fifteen digits. Each is off by half a unit at most.
   std::vector<std::int64_t> cost;
   double cost_unit = 1;
   bool has_costs = false;                            ///< any is not zero

@@ -20,7 +20,8 @@ struct TreeGoal {
   enum class Kind {
     any,       ///< one with a margin of `least_margin` at least
     cheapest,  ///< the least cost
-    widest     ///< the largest margin, of equal ones the first by column, if that is better than `start`
+    widest     ///< the largest margin, of equal ones the fewest units, of these the first by column, if that
+               ///< is better than `start`
   };
   Kind kind = Kind::any;
   std::size_t most_units = 0;

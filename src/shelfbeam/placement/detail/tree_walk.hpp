@@ -33,6 +33,10 @@ class TreeRun {
   /// Rows are missed so often that they had better be searched with.
   bool misses_rows() const { return misses_.load(std::memory_order_relaxed) > most_misses; }
   std::vector<std::uint32_t> missed_rows() const;
+  /// Whether the log may grow by so many words; all walks together have some hundred megabytes.
+  bool may_log(std::size_t words) {
+    return logged_.fetch_add(words, std::memory_order_relaxed) + words <= most_logged;
+  }
 
   const SearchProblem& problem;
   const SearchMatrix& all;
@@ -48,12 +52,13 @@ class TreeRun {
 
  private:
   static constexpr std::uint64_t most_misses = 64;
+  static constexpr std::uint64_t most_logged = std::uint64_t{1} << 25;
 
   const RunControl& control_;
   std::mutex mutex_;
   std::vector<bool> is_searched_;
   std::map<std::uint32_t, std::uint64_t> missed_;
-  std::atomic<std::uint64_t> nodes_{0}, misses_{0};
+  std::atomic<std::uint64_t> nodes_{0}, misses_{0}, logged_{0};
   std::atomic<std::int64_t> most_cost_;
   std::atomic<double> margin_;
   std::vector<std::uint32_t> widest_;
