@@ -2,6 +2,7 @@
 //
 //   build/release/bench_placement [SIGNAL...] [--limit S] [--scale X,Y...] [--only-count] [--json]
 //   build/release/bench_placement --symmetry [SIGNAL...] [--limit S] [--scale X,Y...]
+//   build/release/bench_placement --bounds [SIGNAL...] [--limit S] [--scale X,Y...]
 //
 // SIGNAL: any matrix that `shelfbeam place` reads. Without one the thesis environment is simulated: the
 // uniform estimator with 5,000 to 100,000 samples and the reuse estimator with 10,000.
@@ -9,6 +10,7 @@
 // longer.
 // --scale: all of it again with the requirements times X, Y, ..., for answers of more units.
 // --symmetry: instead, what neighbouring and mirrored candidates cost the tree search.
+// --bounds: instead, what reductions leave, and the bounds of linear programs with and without shares.
 
 #include "shelfbeam/placement/placement.hpp"
 
@@ -29,6 +31,7 @@
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/names.hpp"
 
+#include "placement_bounds.hpp"
 #include "placement_instances.hpp"
 #include "placement_symmetry.hpp"
 #include "support.hpp"
@@ -45,6 +48,7 @@ struct Settings {
   bool only_count = false;
   bool json = false;
   bool symmetry = false;
+  bool bounds = false;
 };
 
 struct Entrant {
@@ -158,14 +162,16 @@ Settings parse(int argc, char** argv) {
       settings.json = true;
     } else if (word == "--symmetry") {
       settings.symmetry = true;
+    } else if (word == "--bounds") {
+      settings.bounds = true;
     } else if (word.starts_with("--")) {
       throw std::invalid_argument("unknown option " + word);
     } else {
       settings.files.push_back(word);
     }
   }
-  if (settings.symmetry && (settings.json || settings.only_count))
-    throw std::invalid_argument("--symmetry prints a table of counts and has no --json or --only-count");
+  if (int{settings.symmetry} + int{settings.bounds} + int{settings.json || settings.only_count} > 1)
+    throw std::invalid_argument("--symmetry and --bounds go with --limit and --scale alone");
   return settings;
 }
 
@@ -176,6 +182,8 @@ int main(int argc, char** argv) {
     const Settings settings = parse(argc, argv);
     if (settings.symmetry)
       print_symmetry(settings.files, settings.scales, settings.limit);
+    else if (settings.bounds)
+      print_bounds(settings.files, settings.scales, settings.limit);
     else
       compare(settings);
   } catch (const std::exception& error) {
