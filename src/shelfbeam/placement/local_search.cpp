@@ -47,6 +47,7 @@ class Walk {
       if (move % between_looks == 0 &&
           (control.cancelled() || std::chrono::steady_clock::now() >= effort.until))
         return;
+      if (move % between_looks == 0) recount();  // sums that were added to and taken from drift
       now_ = move;
       while (meets_rows()) {
         if (!try_on_all()) continue;  // more rows are searched with
@@ -129,12 +130,13 @@ class Walk {
 
   const float* column(std::size_t j) const { return values_.data() + j * padded_; }
 
+  Receiving counting_rule() const { return rule_ == Receiving::sum_without_best ? rule_ : Receiving::sum; }
+
   void recount() {
     held_.assign(padded_, 0.0F);
     largest_.assign(padded_, 0.0F);
-    const Receiving rule = rule_ == Receiving::sum_without_best ? rule_ : Receiving::sum;
     for (std::size_t j = 0; j < in_.size(); ++j)
-      if (in_[j]) SearchKernels::receive(rule, column(j), padded_, held_.data(), largest_.data());
+      if (in_[j]) SearchKernels::receive(counting_rule(), column(j), padded_, held_.data(), largest_.data());
   }
 
   bool meets_rows() {
@@ -205,7 +207,12 @@ class Walk {
     if (out == none) return false;
     in_[out] = false;
     touched_[out] = now_;
-    recount();
+    if (rule_ == Receiving::sum_without_best) {
+      recount();
+    } else {
+      const float* const lost = column(out);
+      for (std::size_t r = 0; r < padded_; ++r) held_[r] -= lost[r];
+    }
     return true;
   }
 
@@ -227,8 +234,15 @@ class Walk {
     if (in != none) {
       in_[in] = true;
       touched_[in] = now_;
-      for (const std::uint32_t other : problem_.excludes[in]) in_[other] = false;
-      recount();
+      bool replaces = false;
+      for (const std::uint32_t other : problem_.excludes[in]) {
+        replaces = replaces || in_[other];
+        in_[other] = false;
+      }
+      if (replaces)
+        recount();
+      else
+        SearchKernels::receive(counting_rule(), column(in), padded_, held_.data(), largest_.data());
     }
     constexpr double rounding = 1e-12;
     while (cost() >= best_cost_ * (1 - rounding))
@@ -273,7 +287,7 @@ std::optional<std::vector<std::uint32_t>> local_search(const SearchProblem& prob
     tbb::parallel_for(
         std::uint32_t{0}, effort.walks,
         [&](std::uint32_t k) {
-          Walk walk(problem, all, start, k + 1);
+          Walk walk(problem, all, start, effort.seed + k);
           walk.run(effort, control);
           found[k] = walk.best();
           cost[k] = walk.best_cost();

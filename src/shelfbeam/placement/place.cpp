@@ -1,6 +1,7 @@
 #include <chrono>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,6 +30,13 @@ std::vector<milp::Backend> wanted_backends(const std::string& name) {
     known.push_back(backend.name);
   }
   throw InputError("MIP back end", fmt::format("'{}' is not built in", name), suggest(name, known));
+}
+
+/// Clp is faster than HiGHS on large linear programs. Nothing where it is not built in.
+const milp::Backend* for_large_lp(std::span<const milp::Backend> backends) {
+  for (const milp::Backend& backend : backends)
+    if (backend.name == "cbc") return &backend;
+  return nullptr;
 }
 
 /// The labels that no selection meets, whatever becomes of the others.
@@ -100,7 +108,7 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
       placement = greedy_placement(table, question, greedy);
     } else if (greedy && options.solver == SolverChoice::automatic) {
       placement = detail::search_placement(table, question, *greedy, backends.front(),
-                                           options.time_limit_s - elapsed(), control);
+                                           options.time_limit_s - elapsed(), control, for_large_lp(backends));
     } else {
       for (const milp::Backend& backend : backends) {
         MipAnswer answer =

@@ -11,6 +11,7 @@
 
 #include "shelfbeam/placement/bounds.hpp"
 #include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/detail/cover_search.hpp"
 #include "shelfbeam/placement/detail/local_search.hpp"
 #include "shelfbeam/placement/detail/lp_bound.hpp"
 #include "shelfbeam/placement/detail/proof.hpp"
@@ -33,14 +34,17 @@ constexpr std::size_t most_units_of_trees = 40;
 // Models of more entries than this are beyond a MIP solver in the time that planners have.
 constexpr std::size_t most_mip_entries = 400000;
 constexpr std::size_t most_checked_steps = 1000000;
+// Tables of more entries have linear programs that are large, too.
+constexpr std::size_t most_small_lp_entries = 5000000;
 
 class Engine {
  public:
   Engine(const SignalTable& table, const Question& question, Selection start, const milp::Backend& backend,
-         double time_limit_s, const RunControl& control)
+         double time_limit_s, const RunControl& control, const milp::Backend* for_large_lp)
       : table_(table),
         question_(question),
         backend_(backend),
+        lp_backend_(for_large_lp && table.entries.size() > most_small_lp_entries ? *for_large_lp : backend),
         control_(control),
         begin_(Clock::now()),
         end_(begin_ + std::chrono::duration_cast<Clock::duration>(
@@ -150,20 +154,28 @@ class Engine {
 
   void improve(std::uint64_t moves, Clock::time_point until = Clock::time_point::max()) {
     if (out_of_time()) return;
-    offer(local_search(problem_, matrix_, best_, {moves, 2, std::min(until, end_)}, control_));
+    constexpr std::uint32_t walks = 2;
+    constexpr std::uint64_t cover_moves = 10;  // for one of the other kind
+    if (is_plain_cover(table_, question_) && !is_small()) {
+      moves = std::min(moves, std::numeric_limits<std::uint64_t>::max() / cover_moves) * cover_moves;
+      offer(cover_search(table_, question_, best_, {moves, walks, std::min(until, end_), seed_}, control_));
+    } else {
+      offer(local_search(problem_, matrix_, best_, {moves, walks, std::min(until, end_), seed_}, control_));
+    }
+    seed_ += walks;  // from the same start the same numbers would lead the same way
   }
 
   void bound_by_lp(double seconds) {
     if (seconds <= 0 || control_.cancelled()) return;
-    asked_ = fmt::format("{} {}", backend_.name, backend_.version);
+    asked_ = fmt::format("{} {}", lp_backend_.name, lp_backend_.version);
     LpBound lp;
     if (is_weighted_) {
       LpBoundOptions options;
       options.time_limit_s = seconds;
-      lp = lp_bound(table_, question_, first_cost_, backend_, options, control_);
+      lp = lp_bound(table_, question_, first_cost_, lp_backend_, options, control_);
       raise(lp.dual.bound, BoundProof::dual);
     } else {
-      CountBound count = count_bound(table_, question_, backend_, seconds, control_);
+      CountBound count = count_bound(table_, question_, lp_backend_, seconds, control_);
       raise(static_cast<double>(count.count), BoundProof::dual);
       lp = std::move(count.relaxation);
     }
@@ -321,7 +333,7 @@ class Engine {
 
   const SignalTable& table_;
   const Question& question_;
-  const milp::Backend& backend_;
+  const milp::Backend &backend_, &lp_backend_;
   const RunControl& control_;
   Clock::time_point begin_, end_;
   SearchProblem problem_;
@@ -335,24 +347,26 @@ class Engine {
   BoundProof proof_ = BoundProof::trivial;
   bool ties_settled_ = false;
   std::string asked_;
+  std::uint32_t seed_ = 1;
 };
 
 }  // namespace
 
 Placement search_placement(const SignalTable& table, const Question& question,
                            const std::vector<std::uint32_t>& start, const milp::Backend& backend,
-                           double time_limit_s, const RunControl& control) {
+                           double time_limit_s, const RunControl& control,
+                           const milp::Backend* for_large_lp) {
   const Check known = check_selection(table, question, start);
   const double most = 2 * (known.objective + known.transceiver_cost);
   const auto is_too_dear = [&](const SignalTable::Transceiver& unit) { return unit.cost > most; };
   if (question.combination == Combination::lexicographic || !(most > 0) ||
       std::none_of(table.transceivers.begin(), table.transceivers.end(), is_too_dear))
-    return Engine(table, question, start, backend, time_limit_s, control).run();
+    return Engine(table, question, start, backend, time_limit_s, control, for_large_lp).run();
   // No answer as good as the known one has such a unit, at that price or less: so far off, it would only
   // drown the others' prices in its rounding.
   SignalTable cheaper = table;
   for (auto& unit : cheaper.transceivers) unit.cost = std::min(unit.cost, most);
-  return Engine(cheaper, question, start, backend, time_limit_s, control).run();
+  return Engine(cheaper, question, start, backend, time_limit_s, control, for_large_lp).run();
 }
 
 }  // namespace shelfbeam::detail

@@ -15,6 +15,7 @@ struct LocalSearchEffort {
   std::uint64_t moves = 20000;  ///< of each walk
   std::uint32_t walks = 2;      ///< with random numbers of their own, on all threads
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  std::uint32_t seed = 1;  ///< of the first walk, the next ones have those that follow
 };
 
 /// A better selection than `start`, which meets every label: one of fewer units (lexicographic) or of less

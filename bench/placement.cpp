@@ -1,0 +1,193 @@
+// Our search against MIP solvers on the same questions: one process, one after the other, side by side.
+//
+//   build/release/bench_placement [SIGNAL...] [--limit S] [--scale X,Y...] [--only-count] [--json]
+//   build/release/bench_placement --symmetry [SIGNAL...] [--limit S] [--scale X,Y...]
+//   build/release/bench_placement --bounds [SIGNAL...] [--limit S] [--scale X,Y...]
+//
+// SIGNAL: any matrix that `shelfbeam place` reads. Without one the thesis environment is simulated: the
+// uniform estimator with 5,000 to 100,000 samples and the reuse estimator with 10,000.
+// --limit: seconds for each answer (60). A ratio with > is of a solver that was stopped by it: it takes
+// longer.
+// --scale: all of it again with the requirements times X, Y, ..., for answers of more units.
+// --symmetry: instead, what neighbouring and mirrored candidates cost the tree search.
+// --bounds: instead, what reductions leave, and the bounds of linear programs with and without shares.
+
+#include "shelfbeam/placement/placement.hpp"
+
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/names.hpp"
+
+#include "placement_bounds.hpp"
+#include "placement_instances.hpp"
+#include "placement_symmetry.hpp"
+#include "support.hpp"
+
+namespace {
+
+using namespace shelfbeam;
+using namespace shelfbeam::bench;
+
+struct Settings {
+  std::vector<std::string> files;
+  std::vector<double> scales = {1};
+  double limit = 60;
+  bool only_count = false;
+  bool json = false;
+  bool symmetry = false;
+  bool bounds = false;
+};
+
+struct Entrant {
+  std::string name;
+  PlaceOptions options;
+};
+
+std::vector<Entrant> entrants(double limit) {
+  std::vector<Entrant> all = {{"shelfbeam", {.time_limit_s = limit}}};
+  for (const milp::Backend& backend : milp::backends())
+    all.push_back(
+        {std::string(backend.name),
+         {.solver = SolverChoice::mip, .backend = std::string(backend.name), .time_limit_s = limit}});
+  return all;
+}
+
+std::vector<Question> questions(bool only_count) {
+  std::vector<Question> all;
+  for (const auto model : {CommunicationModel::non_cooperative, CommunicationModel::cooperative}) {
+    all.push_back({.model = model, .objective = Objective::count});
+    if (only_count) continue;
+    // With cooperation links are the units times a constant: effective links tell selections apart.
+    all.push_back({.model = model,
+                   .objective = model == CommunicationModel::cooperative ? Objective::effective_links
+                                                                         : Objective::links});
+    all.push_back({.model = model, .objective = Objective::signal});
+  }
+  return all;
+}
+
+class Table {
+ public:
+  explicit Table(bool json) : json_(json) {
+    if (!json_)
+      fmt::print("{:<18} {:<16} {:<16} {:<10} {:>5} {:>11} {:>11} {:<10} {:>9} {:>8}\n", "instance", "model",
+                 "objective", "by", "count", "value", "bound", "status", "s", "ratio");
+  }
+
+  void add(const std::string& instance, const Question& question, const std::string& by,
+           const Placement& found, double seconds, double ours) {
+    const bool is_ours = ours == 0;
+    const bool was_stopped = found.status == Status::stopped;
+    const double ratio = is_ours ? 1 : seconds / ours;
+    if (json_) {
+      rows_.push_back({{"instance", instance},
+                       {"model", name_of(model_names, question.model)},
+                       {"objective", name_of(objective_names, question.objective)},
+                       {"by", by},
+                       {"count", found.count()},
+                       {"value", found.objective_value},
+                       {"bound", found.lower_bound},
+                       {"status", name_of(status_names, found.status)},
+                       {"seconds", seconds},
+                       {"ratio", ratio},
+                       {"ratio_is_at_least", was_stopped && !is_ours}});
+      return;
+    }
+    fmt::print("{:<18} {:<16} {:<16} {:<10} {:>5} {:>11.6g} {:>11.6g} {:<10} {:>9.3f} {:>8}\n", instance,
+               name_of(model_names, question.model), name_of(objective_names, question.objective), by,
+               found.count(), found.objective_value, found.lower_bound, name_of(status_names, found.status),
+               seconds, is_ours ? "" : fmt::format("{}{:.3g}", was_stopped ? ">" : "", ratio));
+    std::fflush(stdout);
+  }
+
+  void end() const {
+    if (json_) fmt::print("{}\n", rows_.dump(2));
+  }
+
+ private:
+  bool json_;
+  nlohmann::ordered_json rows_ = nlohmann::ordered_json::array();
+};
+
+void compare(const Settings& settings) {
+  Table table(settings.json);
+  for_instances(settings.files, settings.scales, [&](const std::string& name, const SignalTable& signals) {
+    for (const Question& question : questions(settings.only_count)) {
+      double ours = 0;
+      for (const Entrant& entrant : entrants(settings.limit)) {
+        Placement found;
+        const double seconds = wall_seconds([&] { found = place(signals, question, entrant.options); });
+        table.add(name, question, entrant.name, found, seconds, ours);
+        if (ours == 0) ours = seconds;
+      }
+    }
+  });
+  table.end();
+}
+
+Settings parse(int argc, char** argv) {
+  Settings settings;
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    const auto value = [&] {
+      if (k + 1 == argc) throw std::invalid_argument(word + " needs a value");
+      return std::string(argv[++k]);
+    };
+    const auto positive = [&](const std::string& text) {
+      const double number = std::strtod(text.c_str(), nullptr);
+      if (!(number > 0)) throw std::invalid_argument(word + " needs positive numbers, not " + text);
+      return number;
+    };
+    if (word == "--limit") {
+      settings.limit = positive(value());
+    } else if (word == "--scale") {
+      std::istringstream list(value());
+      for (std::string one; std::getline(list, one, ',');) settings.scales.push_back(positive(one));
+    } else if (word == "--only-count") {
+      settings.only_count = true;
+    } else if (word == "--json") {
+      settings.json = true;
+    } else if (word == "--symmetry") {
+      settings.symmetry = true;
+    } else if (word == "--bounds") {
+      settings.bounds = true;
+    } else if (word.starts_with("--")) {
+      throw std::invalid_argument("unknown option " + word);
+    } else {
+      settings.files.push_back(word);
+    }
+  }
+  if (int{settings.symmetry} + int{settings.bounds} + int{settings.json || settings.only_count} > 1)
+    throw std::invalid_argument("--symmetry and --bounds go with --limit and --scale alone");
+  return settings;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const Settings settings = parse(argc, argv);
+    if (settings.symmetry)
+      print_symmetry(settings.files, settings.scales, settings.limit);
+    else if (settings.bounds)
+      print_bounds(settings.files, settings.scales, settings.limit);
+    else
+      compare(settings);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+}
