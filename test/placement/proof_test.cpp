@@ -180,7 +180,7 @@ void mutate(test::RandomTables& random, Proof& proof) {
       if (!proof.rows.empty()) proof.rows[place(proof.rows.size())] = word();
       break;
     default:
-      if (random.chance(0.5))
+      if (random.chance(0.5) && proof.most_cost < std::numeric_limits<std::int64_t>::max() - 3)
         proof.most_cost += random.whole(-3, 3);
       else
         proof.most_units += static_cast<std::size_t>(random.whole(-1, 1));

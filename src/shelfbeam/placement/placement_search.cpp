@@ -67,7 +67,9 @@ class Engine {
     if (!closed() && is_small()) climb(part_of_rest(0.2), nodes_of_a_first_look);
     if (!closed()) bound_by_lp(part_of_rest(0.5));
     if (!closed()) improve(200000, until(part_of_rest(0.2)));
-    if (!closed()) climb(is_small() ? part_of_rest(0.6) : part_of_rest(0.35));
+    // Covers of many units are what MIP solvers are good at, once they are reduced, and trees are not.
+    if (!closed() && (is_small() || !is_plain_cover()))
+      climb(is_small() ? part_of_rest(0.6) : part_of_rest(0.35));
     if (!closed()) hand_over_to_mip();
     if (!closed()) climb(rest());
     if (!closed()) improve(std::numeric_limits<std::uint64_t>::max(), end_);
@@ -245,9 +247,13 @@ class Engine {
     return count;
   }
 
+  bool is_plain_cover() const {
+    return question_.model == CommunicationModel::non_cooperative && !question_.redundant;
+  }
+
   void hand_over_to_mip() {
     if (out_of_time()) return;
-    if (question_.model == CommunicationModel::non_cooperative && !question_.redundant) {
+    if (is_plain_cover()) {
       asked_ = fmt::format("{} {}", backend_.name, backend_.version);
       const ReducedAnswer answer =
           place_reduced(table_, question_, first_cost_, backend_, part_of_rest(0.9), control_);
@@ -324,7 +330,7 @@ class Engine {
     }
     goal.start = best_;
     TreeSearch::Limits limits;
-    constexpr double longest = 5;
+    const double longest = is_small() ? 5 : 1;
     limits.until = until(std::min(longest, part_of_rest(0.5)));
     const TreeAnswer answer = tree_.run(goal, limits, control_);
     if (answer.selected) best_ = *answer.selected;
