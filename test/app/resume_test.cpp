@@ -38,7 +38,7 @@ TEST_F(Killed, ARunGoesOnToTheSameBytes) {
     resumed.push_back("--resume");
     double delay = 0.02;
     int kills = 0, with_checkpoint = 0;
-    for (;; delay *= 1.15) {
+    for (;; delay *= 1.08) {
       test::Process process(test::command(arguments("signal.h5", resumed)));
       std::this_thread::sleep_for(std::chrono::duration<double>(delay));
       process.send(SIGKILL);
