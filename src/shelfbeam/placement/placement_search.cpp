@@ -61,16 +61,17 @@ class Engine {
   }
 
   Placement run() {
-    improve(table_.entries.size() < 3000 ? 2000 : is_small() ? 6000 : 20000);
+    improve(is_plain_cover(table_, question_) || is_small() ? 1000 : 20000);
     report();
     constexpr std::uint64_t nodes_of_a_first_look = 200000;
     if (!closed() && is_small()) climb(part_of_rest(0.2), nodes_of_a_first_look);
     if (!closed()) bound_by_lp(part_of_rest(0.5));
+    // What reductions leave is often little, and then nothing is as fast.
+    if (!closed() && reduces()) hand_over_to_mip(0.3);
     if (!closed()) improve(200000, until(part_of_rest(0.2)));
     // Covers of many units are what MIP solvers are good at, once they are reduced, and trees are not.
-    if (!closed() && (is_small() || !is_plain_cover()))
-      climb(is_small() ? part_of_rest(0.6) : part_of_rest(0.35));
-    if (!closed()) hand_over_to_mip();
+    if (!closed() && (is_small() || !reduces())) climb(is_small() ? part_of_rest(0.6) : part_of_rest(0.35));
+    if (!closed()) hand_over_to_mip(0.9);
     if (!closed()) climb(rest());
     if (!closed()) improve(std::numeric_limits<std::uint64_t>::max(), end_);
 
@@ -247,16 +248,17 @@ class Engine {
     return count;
   }
 
-  bool is_plain_cover() const {
+  // `place_reduced` takes the question.
+  bool reduces() const {
     return question_.model == CommunicationModel::non_cooperative && !question_.redundant;
   }
 
-  void hand_over_to_mip() {
+  void hand_over_to_mip(double part) {
     if (out_of_time()) return;
-    if (is_plain_cover()) {
+    if (reduces()) {
       asked_ = fmt::format("{} {}", backend_.name, backend_.version);
       const ReducedAnswer answer =
-          place_reduced(table_, question_, first_cost_, backend_, part_of_rest(0.9), control_);
+          place_reduced(table_, question_, first_cost_, backend_, part_of_rest(part), control_);
       offer(answer.selected);
       raise(answer.bound, BoundProof::solver);
     } else if (table_.entries.size() <= most_mip_entries && !is_small()) {
@@ -330,8 +332,9 @@ class Engine {
     }
     goal.start = best_;
     TreeSearch::Limits limits;
-    const double longest = is_small() ? 5 : 1;
-    limits.until = until(std::min(longest, part_of_rest(0.5)));
+    // No longer than all before, but for a second.
+    const double before = std::chrono::duration<double>(Clock::now() - begin_).count();
+    limits.until = until(std::min(std::clamp(before, 1.0, 5.0), part_of_rest(0.5)));
     const TreeAnswer answer = tree_.run(goal, limits, control_);
     if (answer.selected) best_ = *answer.selected;
     ties_settled_ = answer.is_complete;

@@ -1,0 +1,66 @@
+#include "shelfbeam/placement/detail/cover_search.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/checker.hpp"
+
+#include "placement/formula_instances.hpp"
+
+namespace shelfbeam {
+namespace {
+
+constexpr Question alone{.model = CommunicationModel::non_cooperative};
+
+std::vector<std::uint32_t> everything(const SignalTable& table) {
+  std::vector<std::uint32_t> all(table.columns());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
+
+// From all columns to the best that is known, with every seed.
+TEST(CoverSearch, FindsTheKnownOptima) {
+  const struct {
+    SignalTable table;
+    std::size_t fewest;
+  } known[] = {{test::affine_lines(3), 18}, {test::affine_lines(4), 61}, {test::cube_cycles(5), 24}};
+  for (const auto& [table, fewest] : known)
+    for (const std::uint32_t seed : {1U, 7U}) {
+      const auto found = detail::cover_search(table, alone, everything(table),
+                                              {.moves = 50000, .walks = 2, .seed = seed}, {});
+      ASSERT_TRUE(found);
+      EXPECT_TRUE(check_selection(table, alone, *found).met());
+      EXPECT_EQ(found->size(), fewest);
+    }
+}
+
+// Nothing is better than the optimum, installed units stay, and the same seed gives the same selection.
+TEST(CoverSearch, KeepsWhatIsInstalledAndClaimsNothing) {
+  SignalTable table = test::affine_lines(3);
+  table.transceivers[5].installed = table.transceivers[6].installed = true;
+  const detail::CoverSearchEffort effort{.moves = 20000};
+  const auto found = detail::cover_search(table, alone, everything(table), effort, {});
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(std::count(found->begin(), found->end(), 5U) == 1 &&
+              std::count(found->begin(), found->end(), 6U) == 1);
+  EXPECT_TRUE(check_selection(table, alone, *found).met());
+  EXPECT_EQ(detail::cover_search(table, alone, everything(table), effort, {}), found);
+  EXPECT_FALSE(detail::cover_search(table, alone, *found, effort, {}) &&
+               detail::cover_search(table, alone, *found, effort, {})->size() >= found->size());
+}
+
+TEST(CoverSearch, LeavesOtherQuestionsAlone) {
+  SignalTable table = test::affine_lines(2);
+  const auto all = everything(table);
+  EXPECT_FALSE(detail::cover_search(table, {}, all, {}, {}));
+  EXPECT_FALSE(detail::cover_search(table, {.model = alone.model, .redundant = true}, all, {}, {}));
+  table.apart = {{0, 1}};
+  EXPECT_FALSE(detail::cover_search(table, alone, all, {}, {}));
+}
+
+}  // namespace
+}  // namespace shelfbeam
