@@ -135,6 +135,14 @@ struct BruteForce {
     double second_objective = 0, price = 0;
     double margin = 0;  ///< the least of what labels receive over their requirement; infinite without labels
   };
+  /// In order: ties are settled by them.
+  static std::vector<std::string> ids(const SignalTable& table, const std::vector<std::uint32_t>& columns) {
+    std::vector<std::string> result;
+    for (const std::uint32_t j : columns) result.push_back(table.transceivers[j].id);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   static std::vector<Answer> answers(const SignalTable& table, const Question& question,
                                      Omission omission = Omission::nothing) {
     const std::size_t n = table.transceivers.size();

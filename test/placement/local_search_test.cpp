@@ -110,5 +110,25 @@ TEST(LocalSearchSlow, FindsTheBestKnownOfTheSupermarket) {
 }
 #endif
 
+// More labels than the search begins with, and sums and links that single precision takes for met and the
+// rule does not: such labels must be asked for more, not for ever.
+TEST(LocalSearch, GetsPastLabelsThatAreMetInSinglePrecisionOnly) {
+  constexpr std::size_t labels = 600;
+  for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
+    const bool adds_up = model == CommunicationModel::cooperative;
+    std::vector<std::vector<double>> matrix(labels, {1, 0, 1, 0});
+    for (std::size_t i = labels / 2; i < labels; ++i)
+      matrix[i] = {adds_up ? 0.5 : 1 - 2e-9, adds_up ? 0.5 - 5e-9 : 1 - 3e-8, 0, 1};
+    const SignalTable table = test::make_table(matrix, 4);
+    const Question question{model};
+    const SearchProblem problem(table, question);
+    const SearchMatrix all(table, model);
+    const auto found = local_search(problem, all, {0, 1, 2, 3}, {.moves = 2000}, {.threads = 1});
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(check_selection(table, question, *found).met());
+    EXPECT_EQ(found->size(), 2U);
+  }
+}
+
 }  // namespace
 }  // namespace shelfbeam::detail

@@ -203,35 +203,6 @@ TEST(Reductions, SeeWhatIsOutOfReach) {
   EXPECT_TRUE(reduce_cover(table, alone, std::vector<double>(2, 1.0)).infeasible);
 }
 
-// A label that gets more from every unit is met wherever the other one is.
-TEST(Reductions, DropDominatedLabelsOfCooperatingUnits) {
-  test::RandomTables random(43, {.labels = 10, .transceivers = 7, .borderline = false});
-  int dropped = 0, wrong = 0;
-  for (int k = 0; k < 400; ++k) {
-    const SignalTable table = random.next();
-    const std::vector<std::uint32_t> labels = detail::undominated_labels(table);
-    if (labels.size() == table.rows()) continue;
-    ++dropped;
-    for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
-      std::vector<std::uint32_t> selected;
-      for (std::uint32_t j = 0; j < table.columns(); ++j)
-        if ((set >> j & 1U) != 0) selected.push_back(j);
-      const std::vector<std::uint32_t> unmet = check_selection(table, {}, selected).unmet;
-      const auto is_kept = [&](std::uint32_t i) {
-        return std::binary_search(labels.begin(), labels.end(), i);
-      };
-      if (unmet.empty()) continue;
-      EXPECT_TRUE(std::any_of(unmet.begin(), unmet.end(), is_kept)) << k;
-      // Negative control: another label less, and some selection would pass.
-      if (std::none_of(unmet.begin(), unmet.end(),
-                       [&](std::uint32_t i) { return is_kept(i) && i != labels.front(); }))
-        ++wrong;
-    }
-  }
-  EXPECT_GT(dropped, 30);
-  EXPECT_GT(wrong, 30);
-}
-
 #ifdef SHELFBEAM_LARGE_INSTANCES
 TEST(Reductions, ShrinkTheSupermarket) {
   const SignalTable table = read_signal_table(SHELFBEAM_LARGE_INSTANCES "/super_s1_e0.txt.gz");

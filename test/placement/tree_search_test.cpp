@@ -40,8 +40,9 @@ struct Expected {
              !std::all_of(goal.included.begin(), goal.included.end(), has) ||
              std::any_of(goal.excluded.begin(), goal.excluded.end(), has);
     });
-    const auto rank = [](const BruteForce::Answer& answer) {
-      return std::tuple(-answer.margin, answer.columns.size(), answer.columns);
+    const auto rank = [&](const BruteForce::Answer& answer) {
+      return std::tuple(-answer.margin, answer.columns.size(),
+                        BruteForce::ids(problem.table, answer.columns));
     };
     for (const auto& answer : allowed)
       least_cost = std::min(least_cost.value_or(no_limit), problem.cost_of(answer.columns));

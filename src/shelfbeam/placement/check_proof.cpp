@@ -21,8 +21,9 @@ constexpr double relaxed = (1 - met_tolerance) * (1 - search_tolerance);
 
 class ProofChecker {
  public:
-  ProofChecker(const SignalTable& table, const Question& question, const Proof& proof)
-      : table_(table), question_(question), problem_(table, question), proof_(proof) {
+  ProofChecker(const SignalTable& table, const Question& question, const Proof& proof,
+               const CheckLimits& limits)
+      : table_(table), question_(question), problem_(table, question), proof_(proof), limits_(limits) {
     is_sum_ = question.model == CommunicationModel::cooperative;
     for (const std::uint32_t i : proof.rows) {
       rows_.push_back(dense(known(i), 1 - met_tolerance));
@@ -30,8 +31,16 @@ class ProofChecker {
     }
   }
 
+  ProofVerdict judge() {
+    if (!proof_.is_complete) return ProofVerdict::left_open;
+    const bool is_proven = holds();
+    if (ran_out_) return ProofVerdict::unfinished;
+    if (is_proven) return ProofVerdict::holds;
+    return is_open_ ? ProofVerdict::left_open : ProofVerdict::refuted;
+  }
+
+ private:
   bool holds() {
-    if (!proof_.is_complete) return false;
     if (proof_.most_cost < 0) return true;  // no selection costs so little
     chosen_.assign(table_.columns(), false);
     std::vector<bool> allowed = problem_.available;
@@ -42,7 +51,6 @@ class ProofChecker {
     return node(allowed, units) && at_ == proof_.steps.size();
   }
 
- private:
   std::uint32_t known(std::uint32_t label) const {
     if (label >= table_.rows()) throw std::out_of_range("the table has no such label");
     return label;
@@ -92,11 +100,14 @@ class ProofChecker {
   }
 
   std::vector<double> values(const std::vector<float>& weights, double price, std::size_t units,
-                             double& need) const {
+                             const std::vector<bool>& allowed, double& need) const {
     // By the search's rule, which is below the contract's: what meets the one meets the other, and near-ties
     // count as they did there.
     const auto& rows = is_sum_ ? rows_ : relaxed_rows_;
     std::vector<double> value(table_.columns(), 0.0);
+    std::vector<std::uint32_t> columns;
+    for (std::uint32_t j = 0; j < value.size(); ++j)
+      if (allowed[j]) columns.push_back(j);
     need = 0;
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const auto weight = static_cast<double>(weights.at(r));
@@ -106,10 +117,10 @@ class ProofChecker {
       const double shift = is_sum_ ? Proof::shift * open / static_cast<double>(units) : 0;
       const double counted = open - static_cast<double>(units) * shift;
       need += weight * counted;
-      for (std::size_t j = 0; j < value.size(); ++j)
+      for (const std::uint32_t j : columns)
         value[j] += weight * std::min(counted, std::max(0.0, rows[r][j] - shift));
     }
-    for (std::size_t j = 0; j < value.size(); ++j) value[j] -= price * static_cast<double>(problem_.cost[j]);
+    for (const std::uint32_t j : columns) value[j] -= price * static_cast<double>(problem_.cost[j]);
     return value;
   }
 
@@ -133,7 +144,7 @@ class ProofChecker {
 
   // Reads one node's steps; whether they prove it.
   bool node(std::vector<bool> allowed, std::size_t units) {
-    while (true) {
+    while (!is_over()) {
       for (std::size_t j = 0; j < allowed.size(); ++j)
         allowed[j] = allowed[j] && problem_.cost[j] <= proof_.most_cost - spent_;
       switch (next()) {
@@ -143,11 +154,11 @@ class ProofChecker {
           if (const std::uint32_t row = known(next()); label_is_met(row)) return false;
           return units == 0;
         case Proof::sum_fails: {
-          const Weighing w = weighing(units);
+          const Weighing w = weighing(units, allowed);
           return w.paid + largest(w.value, allowed, units).most < w.need * (1 - slack);
         }
         case Proof::filter: {
-          const Weighing w = weighing(units);
+          const Weighing w = weighing(units, allowed);
           const double others = w.paid + largest(w.value, allowed, units).without_one;
           for (std::size_t j = 0; j < allowed.size(); ++j)
             if (others + w.value[j] < w.need * (1 - slack)) allowed[j] = false;
@@ -157,23 +168,34 @@ class ProofChecker {
           return units == 1 && every_single_fails(allowed);
         case Proof::branch:
           return branch(std::move(allowed), units);
+        case Proof::open:
+          is_open_ = true;
+          return false;
         default:
           return false;
       }
     }
+    return false;
+  }
+
+  bool is_over() {
+    constexpr std::uint64_t between_looks = 64;
+    if (++looks_ % between_looks == 0)
+      ran_out_ = ran_out_ || limits_.control.cancelled() || std::chrono::steady_clock::now() >= limits_.until;
+    return ran_out_;
   }
 
   struct Weighing {
     std::vector<double> value;
     double need = 0, paid = 0;
   };
-  Weighing weighing(std::size_t units) {
+  Weighing weighing(std::size_t units, const std::vector<bool>& allowed) {
     if (units == 0) throw std::out_of_range("no unit is left to weigh");
     const std::uint32_t id = next();
     const auto price = static_cast<double>(std::bit_cast<float>(next()));
     if (!(price >= 0) || !std::isfinite(price)) throw std::out_of_range("a price is no such number");
     Weighing w;
-    w.value = values(proof_.weights.at(id >> 16).at(id & 0xFFFF), price, units, w.need);
+    w.value = values(proof_.weights.at(id >> 16).at(id & 0xFFFF), price, units, allowed, w.need);
     const std::int64_t left = proof_.most_cost - spent_;
     w.paid = price > 0 && left > 0 ? price * static_cast<double>(left) : 0;
     // Such a price proves nothing, and differences of large numbers must not seem to.
@@ -239,7 +261,9 @@ class ProofChecker {
   const Question& question_;
   SearchProblem problem_;
   const Proof& proof_;
-  bool is_sum_ = true;
+  const CheckLimits& limits_;
+  bool is_sum_ = true, is_open_ = false, ran_out_ = false;
+  std::uint64_t looks_ = 0;
   std::vector<std::vector<double>> rows_, relaxed_rows_;
   std::vector<std::uint32_t> taken_;
   std::vector<bool> chosen_;
@@ -249,12 +273,17 @@ class ProofChecker {
 
 }  // namespace
 
-bool check_proof(const SignalTable& table, const Question& question, const Proof& proof) {
+ProofVerdict judge_proof(const SignalTable& table, const Question& question, const Proof& proof,
+                         const CheckLimits& limits) {
   try {
-    return ProofChecker(table, question, proof).holds();
+    return ProofChecker(table, question, proof, limits).judge();
   } catch (const std::out_of_range&) {
-    return false;
+    return ProofVerdict::refuted;
   }
+}
+
+bool check_proof(const SignalTable& table, const Question& question, const Proof& proof) {
+  return judge_proof(table, question, proof) == ProofVerdict::holds;
 }
 
 }  // namespace shelfbeam::detail

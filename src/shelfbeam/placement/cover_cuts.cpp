@@ -97,7 +97,7 @@ std::vector<BoundRow> most_violated(std::span<const std::uint32_t> labels, std::
 std::vector<BoundRow> cover_cuts(const SignalTable& table, const Question& question,
                                  std::span<const std::uint32_t> labels, std::span<const double> x,
                                  std::size_t most) {
-  const CoverRows cover(table, question.model);
+  const CoverRows cover(table, question);
   return most_violated(labels, most, [&](std::uint32_t label) { return best_cover(label, cover, x); });
 }
 
@@ -105,7 +105,7 @@ std::vector<BoundRow> share_cuts(const SignalTable& table, const Question& quest
                                  std::span<const std::uint32_t> labels, std::span<const double> x,
                                  std::size_t most) {
   if (most_units == 0) return {};
-  const CoverRows cover(table, question.model);
+  const CoverRows cover(table, question, most_units);
   return most_violated(labels, most,
                        [&](std::uint32_t label) { return best_share(label, cover, x, most_units); });
 }

@@ -4,10 +4,9 @@
 #include <random>
 #include <utility>
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-
-#include "shelfbeam/placement/detail/reductions.hpp"
 
 namespace shelfbeam::detail {
 
@@ -71,9 +70,10 @@ class CoverWalk {
     constexpr std::uint64_t between_looks = 1024;
     std::uint32_t last = SparseCover::none;
     for (std::uint64_t move = 1; move <= effort.moves; ++move) {
-      if (move % between_looks == 0 &&
-          (control.cancelled() || std::chrono::steady_clock::now() >= effort.until))
-        return;
+      if (move % between_looks == 0) {
+        if (control.cancelled() || std::chrono::steady_clock::now() >= effort.until) return;
+        control.report("local search", -1, fmt::format("{} moves", move));
+      }
       now_ = move;
       while (open_.empty() || chosen_.size() >= fewest_) {
         if (open_.empty() && chosen_.size() < fewest_) {
@@ -189,12 +189,11 @@ bool is_plain_cover(const SignalTable& table, const Question& question) {
 }
 
 std::optional<std::vector<std::uint32_t>> cover_search(const SignalTable& table, const Question& question,
+                                                       const Reduction& reduction,
                                                        const std::vector<std::uint32_t>& start,
                                                        const CoverSearchEffort& effort,
                                                        const RunControl& control) {
   if (!is_plain_cover(table, question) || effort.walks == 0) return std::nullopt;
-  const std::vector<double> ones(table.columns(), 1.0);
-  const Reduction reduction = reduce_cover(table, question, ones);
   if (reduction.infeasible || start.size() <= reduction.forced.size()) return std::nullopt;
   const SparseCover cover(table, question, reduction);
   std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
@@ -205,7 +204,7 @@ std::optional<std::vector<std::uint32_t>> cover_search(const SignalTable& table,
         std::uint32_t{0}, effort.walks,
         [&](std::uint32_t k) {
           CoverWalk walk(cover, start.size() - reduction.forced.size(), effort.seed + k);
-          walk.run(effort, control);
+          walk.run(effort, k == 0 ? control : RunControl{control.threads, control.cancel});
           found[k] = walk.best();
         },
         tbb::simple_partitioner());

@@ -14,14 +14,14 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// sum_i y_i b_i and, per column, sum_i y_i a_ij.
-struct Combination {
+struct WeighedRows {
   double bound = 0;
   std::vector<double> weight;
 
-  Combination(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
+  WeighedRows(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
               std::span<const double> y, std::size_t most_units)
       : weight(table.columns(), 0.0) {
-    BoundRowReader reader(table, question.model, most_units);
+    BoundRowReader reader(table, question, most_units);
     for (std::size_t k = 0; k < rows.size(); ++k)
       if (y[k] > 0 && std::isfinite(y[k]))
         bound += y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
@@ -109,12 +109,12 @@ void take_points(std::vector<Point> points, std::size_t least, std::size_t most,
 DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
                      std::span<const double> y, std::span<const double> cost, const UnitCount& count) {
   const std::size_t n = table.columns();
-  const Combination combination(table, question, rows, y, count.most);
-  DualBound dual{combination.bound, std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), {}};
-  double added = combination.bound;
+  const WeighedRows weighed(table, question, rows, y, count.most);
+  DualBound dual{weighed.bound, std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), {}};
+  double added = weighed.bound;
   for (std::size_t j = 0; j < n; ++j) {
-    dual.reduced_cost.push_back(cost[j] - combination.weight[j]);
-    added += std::abs(cost[j]) + combination.weight[j];
+    dual.reduced_cost.push_back(cost[j] - weighed.weight[j]);
+    added += std::abs(cost[j]) + weighed.weight[j];
   }
 
   if (!std::isfinite(added)) {

@@ -7,10 +7,9 @@
 #include <random>
 #include <utility>
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-
-#include "shelfbeam/placement/greedy.hpp"
 
 namespace shelfbeam::detail {
 
@@ -37,20 +36,25 @@ class Walk {
     if (problem.question.combination == Combination::weighted)
       for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(problem.cost[j]);
     for (const std::uint32_t j : start) in_[j] = true;
-    best_cost_ = cost();
+    if (margin_of(problem.table, problem.question, all, start, memory_).is_met) best_cost_ = cost();
     take_rows(hardest_rows(rows_at_first));
   }
 
   void run(const LocalSearchEffort& effort, const RunControl& control) {
     constexpr std::uint64_t between_looks = 64;
+    const auto is_over = [&] {
+      return control.cancelled() || std::chrono::steady_clock::now() >= effort.until;
+    };
     for (std::uint64_t move = 1; move <= effort.moves; ++move) {
-      if (move % between_looks == 0 &&
-          (control.cancelled() || std::chrono::steady_clock::now() >= effort.until))
-        return;
+      if (move % between_looks == 0) {
+        if (is_over()) return;
+        control.report("local search", -1, fmt::format("{} moves", move));
+      }
       if (move % between_looks == 0) recount();  // sums that were added to and taken from drift
       now_ = move;
       while (meets_rows()) {
-        if (!try_on_all()) continue;  // more rows are searched with
+        if (is_over()) return;
+        if (!try_on_all()) continue;  // more is asked for
         if (!remove_cheapest()) return;
       }
       if (!exchange()) return;
@@ -175,20 +179,26 @@ class Walk {
     std::vector<std::uint32_t> fresh;
     for (std::size_t k = 0; k < std::min(rows_at_once, short_of.size()); ++k)
       fresh.push_back(short_of[k].second);
-    if (fresh.empty()) {  // met in float arithmetic only: as good as unmet
-      return remove_for_good(margin.label);
-    }
-    take_rows(fresh);
+    if (!fresh.empty())
+      take_rows(fresh);
+    else if (!is_known[margin.label])  // met in float arithmetic only
+      take_rows({margin.label});
+    else
+      ask_more_of(margin.label);
     return false;
   }
 
-  // Between the rule and float arithmetic: a little more is asked of the row from now on.
-  bool remove_for_good(std::uint32_t row) {
-    for (std::size_t r = 0; r < rows_.size(); ++r)
-      if (rows_[r] == row)
-        for (std::size_t j = 0; j < in_.size(); ++j) values_[j * padded_ + r] *= 1 - 1e-4F;
+  // Of a sum that float arithmetic takes for met and the rule does not. (Links are as the rule has them.)
+  void ask_more_of(std::uint32_t label) {
+    constexpr float less = 1 - 1e-4F;
+    const auto r = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), label) - rows_.begin());
+    for (std::size_t j = 0; j < in_.size(); ++j) values_[j * padded_ + r] *= less;
     recount();
-    return false;
+  }
+
+  double lost_with(std::uint32_t j) const {
+    return static_cast<double>(
+        SearchKernels::loss(column(j), weight_.data(), held_.data(), demand_, padded_));
   }
 
   bool remove_cheapest() {
@@ -196,9 +206,7 @@ class Walk {
     double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t j = 0; j < in_.size(); ++j) {
       if (!in_[j] || !is_free_[j] || touched_[j] == now_) continue;
-      const double loss = ratio(
-          static_cast<double>(SearchKernels::loss(column(j), weight_.data(), held_.data(), demand_, padded_)),
-          price_[j]);
+      const double loss = ratio(lost_with(j), price_[j]);
       if (out == none || loss < least || (loss == least && touched_[j] < touched_[out])) {
         out = j;
         least = loss;
@@ -220,12 +228,14 @@ class Walk {
   bool exchange() {
     const std::uint32_t row = unmet_[random_() % unmet_.size()];
     std::uint32_t in = none;
-    double most = -1;
+    double most = 0;
     for (const std::uint32_t j : supporters_[row]) {
       if (in_[j] || (touched_[j] > 0 && touched_[j] + 1 >= now_) || price_[j] >= best_cost_) continue;
-      const double worth = ratio(static_cast<double>(SearchKernels::worth(column(j), weight_.data(),
-                                                                          held_.data(), demand_, padded_)),
-                                 price_[j]);
+      double gained = static_cast<double>(
+          SearchKernels::worth(column(j), weight_.data(), held_.data(), demand_, padded_));
+      for (const std::uint32_t other : problem_.excludes[j])
+        if (in_[other]) gained -= lost_with(other);
+      const double worth = ratio(gained, price_[j]);
       if (in == none || worth > most || (worth == most && touched_[j] < touched_[in])) {
         in = j;
         most = worth;
@@ -236,8 +246,10 @@ class Walk {
       touched_[in] = now_;
       bool replaces = false;
       for (const std::uint32_t other : problem_.excludes[in]) {
-        replaces = replaces || in_[other];
+        if (!in_[other]) continue;
+        replaces = true;
         in_[other] = false;
+        touched_[other] = now_;
       }
       if (replaces)
         recount();
@@ -288,7 +300,7 @@ std::optional<std::vector<std::uint32_t>> local_search(const SearchProblem& prob
         std::uint32_t{0}, effort.walks,
         [&](std::uint32_t k) {
           Walk walk(problem, all, start, effort.seed + k);
-          walk.run(effort, control);
+          walk.run(effort, k == 0 ? control : RunControl{control.threads, control.cancel});
           found[k] = walk.best();
           cost[k] = walk.best_cost();
         },

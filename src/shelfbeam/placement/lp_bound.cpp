@@ -29,8 +29,8 @@ class RowGeneration {
         cost_(cost),
         options_(options),
         control_(control),
-        reader_(table, question.model, options.count.most),
-        pricing_(table, question.model),
+        reader_(table, question, options.count.most),
+        pricing_(table, question, options.count.most),
         lp_(load(table, cost, backend, options)),
         is_row_(table.rows(), false) {
     result_.dual = dual_bound(table, question, {}, {}, cost, options.count);

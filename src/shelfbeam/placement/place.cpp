@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <optional>
@@ -32,11 +33,11 @@ std::vector<milp::Backend> wanted_backends(const std::string& name) {
   throw InputError("MIP back end", fmt::format("'{}' is not built in", name), suggest(name, known));
 }
 
-/// Clp is faster than HiGHS on large linear programs. Nothing where it is not built in.
-const milp::Backend* for_large_lp(std::span<const milp::Backend> backends) {
-  for (const milp::Backend& backend : backends)
-    if (backend.name == "cbc") return &backend;
-  return nullptr;
+/// Clp is faster than HiGHS on large linear programs.
+std::vector<milp::Backend> for_large_lp(std::vector<milp::Backend> backends) {
+  std::stable_partition(backends.begin(), backends.end(),
+                        [](const milp::Backend& backend) { return backend.name == "cbc"; });
+  return backends;
 }
 
 /// The labels that no selection meets, whatever becomes of the others.
@@ -67,13 +68,6 @@ Placement infeasible(const SignalTable& table, const Question& question,
 
 using Selection = std::optional<std::vector<std::uint32_t>>;
 
-/// Nothing where the greedy method reaches no answer.
-Selection greedy_start(const SignalTable& table, const Question& question) {
-  Selection selected = greedy_selection(table, question);
-  if (!check_selection(table, question, *selected).met()) selected.reset();
-  return selected;
-}
-
 /// A selection with the bounds that need no search.
 Placement greedy_placement(const SignalTable& table, const Question& question, const Selection& selected) {
   Placement placement = place_by_mip(table, question, selected, {}, 0, {}).placement;
@@ -103,22 +97,32 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
   if (auto unreachable = unreachable_labels(table, question); !unreachable.empty()) {
     placement = infeasible(table, question, std::move(unreachable));
   } else {
-    const Selection greedy = greedy_start(table, question);
+    const bool searches = options.solver == SolverChoice::automatic;
+    const auto left = [&] { return options.time_limit_s - elapsed(); };
+    const std::vector<std::uint32_t> greedy = greedy_selection(table, question);
+    Selection known;
+    if (check_selection(table, question, greedy).met())
+      known = greedy;
+    else if (searches)
+      known = detail::first_selection(table, question, greedy, 0.2 * left(), options.seed, control);
     if (options.solver == SolverChoice::greedy) {
-      placement = greedy_placement(table, question, greedy);
-    } else if (greedy && options.solver == SolverChoice::automatic) {
-      placement = detail::search_placement(table, question, *greedy, backends.front(),
-                                           options.time_limit_s - elapsed(), control, for_large_lp(backends));
+      placement = greedy_placement(table, question, known);
+    } else if (known && searches) {
+      const auto of_large_lp = for_large_lp(backends);
+      placement = detail::search_placement(table, question, *known, {backends, of_large_lp}, left(),
+                                           options.seed, control);
+    } else if (searches && table.entries.size() > detail::SearchLimits{}.most_model_entries) {
+      placement = greedy_placement(table, question, known);
+      placement.solver = "search";
     } else {
       for (const milp::Backend& backend : backends) {
-        MipAnswer answer =
-            place_by_mip(table, question, greedy, backend.solve, options.time_limit_s - elapsed(), control);
+        MipAnswer answer = place_by_mip(table, question, known, backend.solve, left(), control);
         placement = std::move(answer.placement);
         placement.solver = fmt::format("{} {}", backend.name, backend.version);
         if (!answer.solver_failed) break;
       }
       // What the solver adds to the bounds that need none rests on its word.
-      const Placement plain = greedy_placement(table, question, greedy);
+      const Placement plain = greedy_placement(table, question, known);
       if (placement.count_lower_bound > plain.count_lower_bound || placement.lower_bound > plain.lower_bound)
         placement.bound_proof = BoundProof::solver;
     }

@@ -48,8 +48,8 @@ struct Placement {
   /// units; while their number is not proven, the cheapest count_lower_bound units.
   double lower_bound = 0;
   BoundProof bound_proof = BoundProof::trivial;  ///< of lower_bound, and of count_lower_bound
-  /// Of all placements with this value (up to 1e-9 of it) this has the largest smallest margin, of these the
-  /// fewest units, and is the first by column among those: the same for any number of threads.
+  /// Of all placements with this value (up to 1e-12 of it) this has the largest smallest margin, of these the
+  /// fewest units, and its ids, in order, come first among those: the same for any number of threads.
   bool ties_settled = false;
   bool unit_costs = false;  ///< no cost was given for the objective, so each link or signal counted 1
   /// Labels that no selection meets. Infeasible without any: each could be met, but not all by one selection,
@@ -75,6 +75,7 @@ struct PlaceOptions {
   SolverChoice solver = SolverChoice::automatic;
   std::string backend = {};  ///< MIP back end by name; empty: the preferred one, the next where it fails
   double time_limit_s = 60;
+  std::uint64_t seed = 1;  ///< of local search, the only part that draws random numbers
 };
 
 /// Answers the question for a table. Every returned selection has passed the checker (checker.hpp). Costs

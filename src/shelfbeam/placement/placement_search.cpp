@@ -4,11 +4,15 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/bounds.hpp"
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/detail/cover_search.hpp"
@@ -16,6 +20,7 @@
 #include "shelfbeam/placement/detail/lp_bound.hpp"
 #include "shelfbeam/placement/detail/proof.hpp"
 #include "shelfbeam/placement/detail/reduced_cover.hpp"
+#include "shelfbeam/placement/detail/reductions.hpp"
 #include "shelfbeam/placement/detail/search_matrix.hpp"
 #include "shelfbeam/placement/detail/search_problem.hpp"
 #include "shelfbeam/placement/detail/tree_search.hpp"
@@ -29,33 +34,29 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Selection = std::vector<std::uint32_t>;
 
-// Answers of more units than this are beyond the tree.
-constexpr std::size_t most_units_of_trees = 40;
-// Models of more entries than this are beyond a MIP solver in the time that planners have.
-constexpr std::size_t most_mip_entries = 400000;
-constexpr std::size_t most_checked_steps = 1000000;
-// Tables of more entries have linear programs that are large, too.
-constexpr std::size_t most_small_lp_entries = 5000000;
+// Values that differ by less are equal; sums of other orders differ by less.
+constexpr double equal_values = 1e-9;
 
 class Engine {
  public:
-  Engine(const SignalTable& table, const Question& question, Selection start, const milp::Backend& backend,
-         double time_limit_s, const RunControl& control, const milp::Backend* for_large_lp)
+  Engine(const SignalTable& table, const Question& question, const Selection& start, const Solvers& solvers,
+         double time_limit_s, const SearchLimits& limits, std::uint64_t seed, const RunControl& control)
       : table_(table),
         question_(question),
-        backend_(backend),
-        lp_backend_(for_large_lp && table.entries.size() > most_small_lp_entries ? *for_large_lp : backend),
-        control_(control),
-        begin_(Clock::now()),
-        end_(begin_ + std::chrono::duration_cast<Clock::duration>(
-                          std::chrono::duration<double>(std::clamp(time_limit_s, 0.0, 1e8)))),
+        solvers_(solvers),
+        limits_(limits),
+        progress_(*this, control.progress),
+        control_{control.threads, control.cancel, control.progress == nullptr ? nullptr : &progress_},
+        end_(after(std::clamp(time_limit_s, 0.0, 1e8))),
         problem_(table, question),
-        matrix_(table, question.model),
-        tree_(problem_, matrix_),
         first_cost_(first_objective(table, question)),
         bounds_(table, first_cost_),
-        best_(std::move(start)) {
-    is_weighted_ = question.combination == Combination::weighted;
+        is_weighted_(question.combination == Combination::weighted),
+        seed_(static_cast<std::uint32_t>(mix_key(seed, 0))) {
+    const std::size_t places = table.rows() * table.columns();
+    if (places <= limits.most_places_of_local_search) matrix_.emplace(table, question.model);
+    if (places <= limits.most_places_of_trees) tree_.emplace(problem_, *matrix_);
+    accept(start);
     bound_ = is_weighted_ ? bounds_.cheapest(least_count(table, question))
                           : static_cast<double>(least_count(table, question));
   }
@@ -66,92 +67,123 @@ class Engine {
     constexpr std::uint64_t nodes_of_a_first_look = 200000;
     if (!closed() && is_small()) climb(part_of_rest(0.2), nodes_of_a_first_look);
     if (!closed()) bound_by_lp(part_of_rest(0.5));
-    // What reductions leave is often little, and then nothing is as fast.
-    if (!closed() && reduces()) hand_over_to_mip(0.3);
-    if (!closed()) improve(200000, until(part_of_rest(0.2)));
+    // What reductions leave is often little, and then nothing is as fast; nor is anything for small models.
+    if (!closed() && !is_small()) ask_mip(reduces() ? part_of_rest(0.3) : std::min(part_of_rest(0.15), 5.0));
+    if (!closed()) improve(200000, after(std::min(part_of_rest(0.2), 20.0)));
     // Covers of many units are what MIP solvers are good at, once they are reduced, and trees are not.
-    if (!closed() && (is_small() || !reduces())) climb(is_small() ? part_of_rest(0.6) : part_of_rest(0.35));
-    if (!closed()) hand_over_to_mip(0.9);
+    if (!closed() && (is_small() || !reduces())) climb(part_of_rest(is_small() ? 0.6 : 0.35));
+    if (!closed() && (!is_small() || reduces())) ask_mip(part_of_rest(0.9));
     if (!closed()) climb(rest());
     if (!closed()) improve(std::numeric_limits<std::uint64_t>::max(), end_);
 
+    bool is_optimal = closed();
+    double lower = bound_;
+    if (!is_weighted_ && question_.objective != Objective::count) {
+      const std::vector<double> cost = objective_coefficients(table_, question_);
+      const CostBounds second(table_, cost);
+      lower = second.cheapest(static_cast<std::size_t>(bound_));
+      if (is_optimal) is_optimal = cheapest_of_the_fewest(cost, second, lower);
+    }
+    if (is_optimal) settle_ties();
     Placement placement;
     placement.question = question_;
     placement.unit_costs = label_costs(table_, question_.objective).unit;
-    bool is_optimal = closed();
-    if (is_weighted_) {
-      if (is_optimal && is_small()) settle_ties();
-      placement.objective_value = value_of(best_);
-      placement.lower_bound =
-          is_optimal ? placement.objective_value : std::min(bound_, placement.objective_value);
-      placement.count_lower_bound = static_cast<double>(
-          std::max(least_count(table_, question_), bounds_.fewest(placement.lower_bound)));
-    } else {
-      placement.count_lower_bound = bound_;
-      placement.objective_value = static_cast<double>(best_.size());
-      placement.lower_bound = bound_;
-      if (question_.objective != Objective::count) {
-        const std::vector<double> cost = objective_coefficients(table_, question_);
-        const CostBounds second(table_, cost);
-        double lower = second.cheapest(static_cast<std::size_t>(bound_));
-        if (is_optimal) is_optimal = cheapest_of_the_fewest(cost, second, lower);
-        if (is_optimal) settle_ties();
-        placement.objective_value = value_of(best_);
-        placement.lower_bound =
-            std::min(is_optimal ? placement.objective_value : lower, placement.objective_value);
-      } else if (is_optimal) {
-        settle_ties();
-      }
-    }
+    placement.selected = best_;
+    placement.objective_value = is_weighted_ || question_.objective != Objective::count
+                                    ? value_of(best_)
+                                    : static_cast<double>(best_.size());
+    placement.lower_bound = std::min(lower, placement.objective_value);
+    placement.count_lower_bound = is_weighted_
+                                      ? static_cast<double>(std::max(least_count(table_, question_),
+                                                                     bounds_.fewest(placement.lower_bound)))
+                                      : bound_;
     placement.status = is_optimal ? Status::optimal : Status::stopped;
     placement.ties_settled = ties_settled_;
     placement.bound_proof = proof_;
-    placement.selected = best_;
     placement.solver = asked_.empty() ? "search" : "search with " + asked_;
     return placement;
   }
 
  private:
-  double rest() const { return std::chrono::duration<double>(end_ - Clock::now()).count(); }
-  double part_of_rest(double part) const { return part * rest(); }
-  Clock::time_point until(double seconds) const {
+  // Whatever is at work, those who watch are told the best selection and the bound.
+  class Progress : public ProgressSink {
+   public:
+    Progress(const Engine& engine, ProgressSink* sink) : engine_(engine), sink_(sink) {}
+    void report(std::string_view task, double, std::string_view detail) override {
+      if (sink_ == nullptr) return;
+      const std::string stage = task == Engine::task ? "" : fmt::format("; {}", task);
+      sink_->report(Engine::task, -1, fmt::format("{}{} {}", engine_.state(), stage, detail));
+    }
+
+   private:
+    const Engine& engine_;
+    ProgressSink* sink_;
+  };
+  static constexpr std::string_view task = "placing";
+
+  static Clock::time_point after(double seconds) {
     return Clock::now() +
            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::max(seconds, 0.0)));
   }
+  double rest() const { return std::chrono::duration<double>(end_ - Clock::now()).count(); }
+  double part_of_rest(double part) const { return part * rest(); }
   bool out_of_time() const { return control_.cancelled() || rest() <= 0; }
 
-  // What the first stage minimises: the count, or the whole sum.
-  double first_value(const Selection& selected) const {
-    if (!is_weighted_) return static_cast<double>(selected.size());
-    return value_of(selected);
-  }
+  // The second objective (lexicographic), or the whole sum (weighted).
   double value_of(const Selection& selected) const {
     const Check check = check_selection(table_, question_, selected);
     return check.objective + (is_weighted_ ? check.transceiver_cost : 0);
   }
-  bool closed() const {
-    const double value = first_value(best_);
-    return value - bound_ <= 1e-9 * value;
-  }
+  bool closed() const { return solver_closed_ || best_value_ - bound_ <= equal_values * best_value_; }
   // A tree may end within seconds.
-  bool is_small() const { return best_.size() <= 9 && table_.entries.size() <= most_mip_entries; }
-
-  void report() const {
-    control_.report("placing", -1, fmt::format("{:.6g}, at least {:.6g}", first_value(best_), bound_));
+  bool is_small() const {
+    return best_.size() <= limits_.small_answer && table_.entries.size() <= limits_.most_mip_entries;
+  }
+  // `reduce_cover` takes the question.
+  bool reduces() const {
+    return question_.model == CommunicationModel::non_cooperative && !question_.redundant;
   }
 
+  std::string state() const {
+    const double gap = best_value_ > bound_ ? 100 * (best_value_ - bound_) / best_value_ : 0;
+    return fmt::format("best {:.6g}, at least {:.6g}, gap {:.1f} %", best_value_, bound_, gap);
+  }
+  void report() const { control_.report(task, -1, {}); }
+
+  // Every selection comes in here, and none without the checker. `best_value_` is what the first stage
+  // minimises: the count, or the whole sum.
+  bool accept(const Selection& selected) {
+    const Check check = check_selection(table_, question_, selected);
+    if (!check.met()) return false;
+    best_ = selected;
+    best_value_ = is_weighted_ ? check.objective + check.transceiver_cost : static_cast<double>(best_.size());
+    return true;
+  }
+  void offer(const std::optional<Selection>& found) {
+    if (!found) return;
+    const double known = best_value_;
+    const Selection before = best_;
+    if (!accept(*found)) return;
+    if (best_value_ >= known) {
+      best_ = before;
+      best_value_ = known;
+    } else {
+      report();
+    }
+  }
+
+  // A bound above a selection that the checker accepts is wrong. A solver may err, and is not believed; what
+  // we proved ourselves must not.
   void raise(double bound, BoundProof proof) {
     bound = bounds_.rounded(bound);
-    if (!(bound > bound_) || !std::isfinite(bound)) return;  // a selection is known: nothing is infeasible
-    bound_ = std::min(bound, first_value(best_));
+    if (!(bound > bound_)) return;
+    if (bound > best_value_ * (1 + 1e-6)) {
+      if (proof == BoundProof::solver) return;
+      throw std::logic_error(
+          fmt::format("a lower bound of {} contradicts a selection of {}", bound, best_value_));
+    }
+    bound_ = std::min(bound, best_value_);
     proof_ = proof;
-    report();
-  }
-
-  void offer(const std::optional<Selection>& found) {
-    if (!found || !check_selection(table_, question_, *found).met()) return;
-    if (first_value(*found) >= first_value(best_)) return;
-    best_ = *found;
     report();
   }
 
@@ -159,29 +191,64 @@ class Engine {
     if (out_of_time()) return;
     constexpr std::uint32_t walks = 2;
     constexpr std::uint64_t cover_moves = 10;  // for one of the other kind
+    until = std::min(until, end_);
     if (is_plain_cover(table_, question_) && !is_small()) {
       moves = std::min(moves, std::numeric_limits<std::uint64_t>::max() / cover_moves) * cover_moves;
-      offer(cover_search(table_, question_, best_, {moves, walks, std::min(until, end_), seed_}, control_));
-    } else {
-      offer(local_search(problem_, matrix_, best_, {moves, walks, std::min(until, end_), seed_}, control_));
+      offer(cover_search(table_, question_, reduction(), best_, {moves, walks, until, seed_}, control_));
+    } else if (matrix_) {
+      offer(local_search(problem_, *matrix_, best_, {moves, walks, until, seed_}, control_));
     }
     seed_ += walks;  // from the same start the same numbers would lead the same way
   }
 
-  void bound_by_lp(double seconds) {
-    if (seconds <= 0 || control_.cancelled()) return;
-    asked_ = fmt::format("{} {}", lp_backend_.name, lp_backend_.version);
-    LpBound lp;
-    if (is_weighted_) {
-      LpBoundOptions options;
-      options.time_limit_s = seconds;
-      lp = lp_bound(table_, question_, first_cost_, lp_backend_, options, control_);
-      raise(lp.dual.bound, BoundProof::dual);
-    } else {
-      CountBound count = count_bound(table_, question_, lp_backend_, seconds, control_);
-      raise(static_cast<double>(count.count), BoundProof::dual);
-      lp = std::move(count.relaxation);
+  const Reduction& reduction() {
+    if (!reduction_) {
+      std::vector<bool> pinned(table_.apart.empty() ? 0 : table_.columns(), false);
+      for (const auto& [a, b] : table_.apart) pinned[a] = pinned[b] = true;
+      reduction_ = reduce_cover(table_, question_, first_cost_, pinned, [this] { return out_of_time(); });
     }
+    return *reduction_;
+  }
+
+  // Calls ask(back end) until one has an answer that can be relied on.
+  template <class Ask>
+  auto ask_in_turn(std::span<const milp::Backend> backends, Ask ask) {
+    for (std::size_t k = 0;; ++k) {
+      asked_ = fmt::format("{} {}", backends[k].name, backends[k].version);
+      auto answer = ask(backends[k]);
+      if (!answer.failed || k + 1 == backends.size()) return answer;
+    }
+  }
+
+  void bound_by_lp(double seconds) {
+    if (seconds <= 0 || out_of_time()) return;
+    struct Relaxation : LpBound {
+      bool failed = false;
+    };
+    const Clock::time_point until = after(seconds);
+    const auto backends =
+        table_.entries.size() > limits_.most_small_lp_entries ? solvers_.for_large_lp : solvers_.preferred;
+    const Relaxation lp = ask_in_turn(backends, [&](const milp::Backend& backend) {
+      const double left = std::chrono::duration<double>(until - Clock::now()).count();
+      Relaxation relaxation;
+      if (is_weighted_) {
+        LpBoundOptions options;
+        options.time_limit_s = left;
+        relaxation = {lp_bound(table_, question_, first_cost_, backend, options, control_)};
+        raise(relaxation.dual.bound, BoundProof::dual);
+      } else {
+        CountBound count = count_bound(table_, question_, backend, left, control_);
+        raise(static_cast<double>(count.count), BoundProof::dual);
+        relaxation = {std::move(count.relaxation)};
+      }
+      relaxation.failed = relaxation.rounds == 0 && !out_of_time();
+      return relaxation;
+    });
+    begin_tree_with(lp);
+    relaxation_ = lp.dual;
+  }
+
+  void begin_tree_with(const LpBound& lp) {
     std::vector<std::uint32_t> rows;
     std::vector<double> weights;
     for (std::size_t k = 0; k < lp.rows.size(); ++k) {
@@ -189,43 +256,55 @@ class Engine {
       rows.push_back(lp.rows[k].label);
       weights.push_back(lp.y[k]);
     }
-    if (rows.empty()) return;
-    tree_.begin_with(rows, weights);
+    if (tree_ && !rows.empty()) tree_->begin_with(rows, weights);
   }
 
-  bool proof_holds(const Proof& proof) const {
-    return proof.is_complete && proof.steps.size() <= most_checked_steps &&
-           check_proof(table_, question_, proof);
+  // What an exhausted tree proves, once its log has been examined.
+  std::optional<BoundProof> strength_of(const Proof& proof) const {
+    if (proof.steps.size() > limits_.most_checked_steps) return BoundProof::search;
+    switch (judge_proof(table_, question_, proof, {end_, control_})) {
+      case ProofVerdict::holds:
+        return BoundProof::log;
+      case ProofVerdict::left_open:
+      case ProofVerdict::unfinished:
+        return BoundProof::search;
+      case ProofVerdict::refuted:
+        break;
+    }
+    return std::nullopt;  // whatever the search says, it has not shown it
   }
+
+  bool has_tree(std::size_t units) const { return tree_ && units <= limits_.most_units_of_trees; }
 
   // From the bound upwards: is there a selection of so many units? The first that there is is the best.
   void climb(double seconds, std::uint64_t nodes = std::numeric_limits<std::uint64_t>::max()) {
-    if (best_.size() > most_units_of_trees || table_.rows() * table_.columns() > std::size_t{20000000})
-      return;
+    if (!has_tree(best_.size()) || out_of_time()) return;
     TreeSearch::Limits limits;
-    limits.until = until(seconds);
+    limits.until = after(seconds);
     limits.nodes = nodes;
     limits.wants_proof = true;
     if (is_weighted_) {
       TreeGoal goal;
       goal.kind = TreeGoal::Kind::cheapest;
-      goal.most_units = affordable(value_of(best_));
-      if (goal.most_units > most_units_of_trees) return;
+      goal.most_units = affordable(best_value_);
+      if (!has_tree(goal.most_units)) return;
       goal.most_cost = clearly_less(problem_.cost_of(best_));
-      const TreeAnswer answer = tree_.run(goal, limits, control_);
+      const TreeAnswer answer = tree_->run(goal, limits, control_);
       offer(answer.selected);
-      if (answer.is_complete)
-        raise(surely(answer.proof.most_cost, goal.most_units),
-              proof_holds(answer.proof) ? BoundProof::log : BoundProof::search);
+      if (!answer.is_complete) return;
+      if (const auto strength = strength_of(answer.proof))
+        raise(surely(answer.proof.most_cost, goal.most_units), *strength);
       return;
     }
     while (!closed() && !control_.cancelled() && Clock::now() < limits.until) {
       TreeGoal goal;
       goal.most_units = static_cast<std::size_t>(std::llround(bound_));
-      const TreeAnswer answer = tree_.run(goal, limits, control_);
+      const TreeAnswer answer = tree_->run(goal, limits, control_);
       offer(answer.selected);
       if (!answer.is_complete || answer.selected) break;
-      raise(bound_ + 1, proof_holds(answer.proof) ? BoundProof::log : BoundProof::search);
+      const auto strength = strength_of(answer.proof);
+      if (!strength) break;
+      raise(bound_ + 1, *strength);
     }
   }
 
@@ -242,69 +321,112 @@ class Engine {
     std::size_t count = problem_.installed.size();
     for (const double one : ascending) {
       spent += one;
-      if (spent > cost * (1 + 1e-9)) break;
+      if (spent > cost * (1 + equal_values)) break;
       ++count;
     }
     return count;
   }
 
-  // `place_reduced` takes the question.
-  bool reduces() const {
-    return question_.model == CommunicationModel::non_cooperative && !question_.redundant;
+  // Units that no better selection has, by their reduced costs, and what such a selection costs at most.
+  std::vector<std::uint32_t> useless_units(double& worth) const {
+    const bool is_whole = bounds_.rounded(0.5) > 0.5;
+    worth = is_whole ? best_value_ - 1 : best_value_ * (1 - equal_values);
+    return relaxation_ ? fix_columns(*relaxation_, worth).left_out : std::vector<std::uint32_t>{};
   }
 
-  void hand_over_to_mip(double part) {
+  void ask_mip(double seconds) {
     if (out_of_time()) return;
+    const Clock::time_point until = after(seconds);
+    const auto left = [&] { return std::chrono::duration<double>(until - Clock::now()).count(); };
     if (reduces()) {
-      asked_ = fmt::format("{} {}", backend_.name, backend_.version);
-      const ReducedAnswer answer =
-          place_reduced(table_, question_, first_cost_, backend_, part_of_rest(part), control_);
+      double worth = 0;
+      const std::vector<std::uint32_t> useless = useless_units(worth);
+      const ReducedAnswer answer = ask_in_turn(solvers_.preferred, [&](const milp::Backend& backend) {
+        return place_reduced(table_, question_, first_cost_, reduction(), useless, backend.solve, left(),
+                             control_);
+      });
+      offer(answer.selected);
+      // With a useless unit it costs more than `worth`.
+      const double bound = useless.empty() ? answer.bound : std::min(answer.bound, next_above(worth));
+      raise(bound, BoundProof::solver);
+      if (answer.proven) close_by_solver(answer.selected);
+    } else if (table_.entries.size() <= limits_.most_mip_entries) {
+      Question first = question_;
+      if (!is_weighted_) first.objective = Objective::count;
+      const ReducedAnswer answer = ask_in_turn(solvers_.preferred, [&](const milp::Backend& backend) {
+        const MipAnswer mip = place_by_mip(table_, first, best_, backend.solve, left(), control_);
+        const Placement& placement = mip.placement;
+        return ReducedAnswer{placement.selected, placement.lower_bound, placement.status == Status::optimal,
+                             mip.solver_failed};
+      });
       offer(answer.selected);
       raise(answer.bound, BoundProof::solver);
-    } else if (table_.entries.size() <= most_mip_entries && !is_small()) {
-      mip(part_of_rest(0.7));
+      if (answer.proven) close_by_solver(answer.selected);
     }
   }
 
-  void mip(double seconds) {
-    asked_ = fmt::format("{} {}", backend_.name, backend_.version);
-    Question first = question_;
-    if (!is_weighted_) first.objective = Objective::count;
-    const MipAnswer answer = place_by_mip(table_, first, best_, backend_.solve, seconds, control_);
-    offer(answer.placement.selected);
-    raise(answer.placement.lower_bound, BoundProof::solver);
+  // Costs that are whole numbers leave nothing between.
+  double next_above(double worth) const { return best_value_ - worth >= 0.5 ? best_value_ : worth; }
+
+  // Solvers end at a gap of their own, which is wider than ours.
+  void close_by_solver(const std::optional<Selection>& proven) {
+    if (!proven || closed() || value_of_first(*proven) > best_value_ * (1 + equal_values)) return;
+    solver_closed_ = true;
+    if (!is_weighted_) bound_ = best_value_;
+    proof_ = BoundProof::solver;
+  }
+  double value_of_first(const Selection& selected) const {
+    return is_weighted_ ? value_of(selected) : static_cast<double>(selected.size());
   }
 
   // The second objective among the selections of the fewest units; whether its least value is proven.
   bool cheapest_of_the_fewest(const std::vector<double>& cost, const CostBounds& second, double& lower) {
-    constexpr double proof_gap = 1e-9;
-    const auto is_closed = [&] { return value_of(best_) - lower <= proof_gap * value_of(best_); };
+    double value = value_of(best_);
+    const auto is_closed = [&] { return value - lower <= equal_values * value; };
+    const auto take = [&](const std::optional<Selection>& found) {
+      if (!found || found->size() != best_.size()) return;
+      const double other = value_of(*found);
+      if (other < value && accept(*found)) value = other;
+    };
+    const auto lift = [&](double bound, BoundProof proof) {
+      bound = second.rounded(bound);
+      if (!(bound > lower)) return;
+      lower = bound;
+      rest_on(proof);
+    };
     if (is_closed()) return true;
-    TreeGoal goal;
-    goal.kind = TreeGoal::Kind::cheapest;
-    goal.most_units = best_.size();
-    goal.most_cost = clearly_less(problem_.cost_of(best_));
-    TreeSearch::Limits limits;
-    limits.until = until(part_of_rest(0.6));
-    limits.wants_proof = true;
-    if (best_.size() <= most_units_of_trees) {
-      const TreeAnswer answer = tree_.run(goal, limits, control_);
-      if (answer.selected && value_of(*answer.selected) < value_of(best_)) best_ = *answer.selected;
-      if (answer.is_complete) {
-        lower = std::max(lower, second.rounded(surely(answer.proof.most_cost, goal.most_units)));
-        rest_on(proof_holds(answer.proof) ? BoundProof::log : BoundProof::search);
-        if (is_closed()) return true;
-      }
+    if (!is_small()) {
+      LpBoundOptions options;
+      options.time_limit_s = part_of_rest(0.3);
+      options.count = {best_.size(), best_.size()};
+      const LpBound lp = lp_bound(table_, question_, cost, solvers_.preferred.front(), options, control_);
+      lift(lp.dual.bound, BoundProof::dual);
+      begin_tree_with(lp);
+      if (is_closed()) return true;
     }
-    if (out_of_time() || table_.entries.size() > most_mip_entries) return false;
-    asked_ = fmt::format("{} {}", backend_.name, backend_.version);
-    const auto at_fewest = place_at_count(table_, question_, cost, best_, backend_.solve, rest(), control_);
-    if (at_fewest.selected && value_of(*at_fewest.selected) < value_of(best_)) best_ = *at_fewest.selected;
-    if (const double bound = second.rounded(at_fewest.bound); at_fewest.proven || bound > lower) {
-      lower = std::max(lower, bound);
-      rest_on(BoundProof::solver);
+    if (has_tree(best_.size()) && !out_of_time()) {
+      TreeGoal goal;
+      goal.kind = TreeGoal::Kind::cheapest;
+      goal.most_units = best_.size();
+      goal.most_cost = clearly_less(problem_.cost_of(best_));
+      TreeSearch::Limits limits;
+      limits.until = after(part_of_rest(0.6));
+      limits.wants_proof = true;
+      const TreeAnswer answer = tree_->run(goal, limits, control_);
+      take(answer.selected);
+      if (answer.is_complete)
+        if (const auto strength = strength_of(answer.proof))
+          lift(surely(answer.proof.most_cost, goal.most_units), *strength);
+      if (is_closed()) return true;
     }
-    return at_fewest.proven || is_closed();
+    if (out_of_time() || table_.entries.size() > limits_.most_mip_entries) return false;
+    const ReducedAnswer answer = ask_in_turn(solvers_.preferred, [&](const milp::Backend& backend) {
+      return place_at_count(table_, question_, cost, best_, backend.solve, rest(), control_);
+    });
+    take(answer.selected);
+    lift(answer.bound, BoundProof::solver);
+    if (answer.proven) rest_on(BoundProof::solver);
+    return answer.proven || is_closed();
   }
 
   // Both bounds of an answer rest on the weaker of two proofs.
@@ -319,63 +441,91 @@ class Engine {
         0.0, (static_cast<double>(most) + 1 - static_cast<double>(units + 1) / 2) * problem_.cost_unit);
   }
 
+  // Nothing dearer may win, but for what sums of prices such as 0.1 and 0.2 are off.
   void settle_ties() {
-    if (best_.size() > most_units_of_trees || out_of_time()) return;
+    const std::size_t most_units = is_weighted_ ? affordable(best_value_) : best_.size();
+    if (!has_tree(most_units) || out_of_time()) return;
     TreeGoal goal;
     goal.kind = TreeGoal::Kind::widest;
-    goal.most_units = is_weighted_ ? affordable(value_of(best_)) : best_.size();
-    if (goal.most_units > most_units_of_trees) return;
-    constexpr int bits_of_tolerance = 30;  // 1e-9 of it
+    goal.most_units = most_units;
+    constexpr int bits_of_rounding = 40;  // 1e-12 of it
     if (problem_.has_costs) {
       goal.most_cost = problem_.cost_of(best_);
-      goal.most_cost += goal.most_cost >> bits_of_tolerance;
+      goal.most_cost += goal.most_cost >> bits_of_rounding;
     }
     goal.start = best_;
     TreeSearch::Limits limits;
-    // No longer than all before, but for a second.
+    // No longer than all before, but for a moment; where units are many they are rarely settled.
     const double before = std::chrono::duration<double>(Clock::now() - begin_).count();
-    limits.until = until(std::min(std::clamp(before, 1.0, 5.0), part_of_rest(0.5)));
-    const TreeAnswer answer = tree_.run(goal, limits, control_);
-    if (answer.selected) best_ = *answer.selected;
+    const double longest = is_small() ? 2 : 1;
+    limits.until = after(std::min(std::clamp(before, 0.3, longest), part_of_rest(0.5)));
+    const TreeAnswer answer = tree_->run(goal, limits, control_);
+    if (answer.selected) accept(*answer.selected);
     ties_settled_ = answer.is_complete;
   }
 
   const SignalTable& table_;
   const Question& question_;
-  const milp::Backend &backend_, &lp_backend_;
-  const RunControl& control_;
-  Clock::time_point begin_, end_;
+  const Solvers& solvers_;
+  const SearchLimits& limits_;
+  Progress progress_;
+  RunControl control_;
+  Clock::time_point begin_ = Clock::now(), end_;
   SearchProblem problem_;
-  SearchMatrix matrix_;
-  TreeSearch tree_;
+  std::optional<SearchMatrix> matrix_;
+  std::optional<TreeSearch> tree_;
+  std::optional<Reduction> reduction_;
+  std::optional<DualBound> relaxation_;
   std::vector<double> first_cost_;
   CostBounds bounds_;
-  bool is_weighted_ = false;
+  bool is_weighted_;
   Selection best_;
+  double best_value_ = std::numeric_limits<double>::infinity();
   double bound_ = 0;
   BoundProof proof_ = BoundProof::trivial;
+  bool solver_closed_ = false;  ///< a solver says that its gap is closed
   bool ties_settled_ = false;
   std::string asked_;
-  std::uint32_t seed_ = 1;
+  std::uint32_t seed_;
 };
 
 }  // namespace
 
+std::optional<std::vector<std::uint32_t>> first_selection(const SignalTable& table, const Question& question,
+                                                          const std::vector<std::uint32_t>& start,
+                                                          double time_limit_s, std::uint64_t seed,
+                                                          const RunControl& control,
+                                                          const SearchLimits& limits) {
+  if (table.rows() * table.columns() > limits.most_places_of_local_search) return std::nullopt;
+  const SearchProblem problem(table, question);
+  const SearchMatrix matrix(table, question.model);
+  LocalSearchEffort effort;
+  effort.moves = 5000;
+  effort.until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                    std::chrono::duration<double>(std::clamp(time_limit_s, 0.0, 1e8)));
+  effort.seed = static_cast<std::uint32_t>(mix_key(seed, 1));
+  const auto found = local_search(problem, matrix, start, effort, control);
+  return found && check_selection(table, question, *found).met() ? found : std::nullopt;
+}
+
 Placement search_placement(const SignalTable& table, const Question& question,
-                           const std::vector<std::uint32_t>& start, const milp::Backend& backend,
-                           double time_limit_s, const RunControl& control,
-                           const milp::Backend* for_large_lp) {
+                           const std::vector<std::uint32_t>& start, const Solvers& solvers,
+                           double time_limit_s, std::uint64_t seed, const RunControl& control,
+                           const SearchLimits& limits) {
+  const auto answer = [&](const SignalTable& asked) {
+    return Engine(asked, question, start, solvers, time_limit_s, limits, seed, control).run();
+  };
   const Check known = check_selection(table, question, start);
   const double most = 2 * (known.objective + known.transceiver_cost);
   const auto is_too_dear = [&](const SignalTable::Transceiver& unit) { return unit.cost > most; };
   if (question.combination == Combination::lexicographic || !(most > 0) ||
       std::none_of(table.transceivers.begin(), table.transceivers.end(), is_too_dear))
-    return Engine(table, question, start, backend, time_limit_s, control, for_large_lp).run();
+    return answer(table);
   // No answer as good as the known one has such a unit, at that price or less: so far off, it would only
   // drown the others' prices in its rounding.
   SignalTable cheaper = table;
   for (auto& unit : cheaper.transceivers) unit.cost = std::min(unit.cost, most);
-  return Engine(cheaper, question, start, backend, time_limit_s, control, for_large_lp).run();
+  return answer(cheaper);
 }
 
 }  // namespace shelfbeam::detail

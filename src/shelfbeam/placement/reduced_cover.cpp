@@ -5,7 +5,6 @@
 
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/detail/cover_model.hpp"
-#include "shelfbeam/placement/detail/reductions.hpp"
 #include "shelfbeam/placement/mounts.hpp"
 
 namespace shelfbeam::detail {
@@ -47,14 +46,12 @@ SignalTable table_of(const SignalTable& table, std::span<const double> cost, con
 }  // namespace
 
 ReducedAnswer place_reduced(const SignalTable& table, const Question& question, std::span<const double> cost,
-                            const milp::Backend& backend, double time_limit_s, const RunControl& control) {
+                            const Reduction& reduction, std::span<const std::uint32_t> left_out,
+                            const SolveFunction& solve, double time_limit_s, const RunControl& control) {
   const auto begin = std::chrono::steady_clock::now();
   const auto left = [&] {
     return time_limit_s - std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  std::vector<bool> pinned(table.apart.empty() ? 0 : table.columns(), false);
-  for (const auto& [a, b] : table.apart) pinned[a] = pinned[b] = true;
-  const Reduction reduction = reduce_cover(table, question, cost, pinned);
   ReducedAnswer answer;
   if (reduction.infeasible) return answer;
   std::vector<std::uint32_t> selected = reduction.forced;
@@ -63,6 +60,7 @@ ReducedAnswer place_reduced(const SignalTable& table, const Question& question, 
   answer.proven = true;
   bool is_whole = true;
   std::vector<bool> is_out(table.columns(), false);
+  for (const std::uint32_t j : left_out) is_out[j] = true;
   const Mounts mounts(table);
   for (const std::uint32_t j : reduction.forced)
     mounts.for_each_excluded(j, [&](std::uint32_t other) { is_out[other] = true; });
@@ -73,8 +71,9 @@ ReducedAnswer place_reduced(const SignalTable& table, const Question& question, 
     Question sum;
     sum.model = question.model;
     sum.combination = Combination::weighted;
-    const MipAnswer best = place_by_mip(own, sum, std::nullopt, backend.solve, left(), control);
+    const MipAnswer best = place_by_mip(own, sum, std::nullopt, solve, left(), control);
     answer.proven = answer.proven && best.placement.status == Status::optimal;
+    answer.failed = answer.failed || best.solver_failed;
     answer.bound += std::max(0.0, best.placement.lower_bound);
     is_whole = is_whole && !best.placement.selected.empty();
     for (const std::uint32_t j : best.placement.selected) selected.push_back(columns[j]);
@@ -90,7 +89,7 @@ ReducedAnswer place_at_count(const SignalTable& table, const Question& question,
   CoverModel model(table, question, solve, time_limit_s, control);
   const double known = check_selection(table, question, start).objective;
   const CoverModel::Outcome outcome = model.minimise(cost, known, start.size());
-  return {outcome.selected, outcome.bound, outcome.proven};
+  return {outcome.selected, outcome.bound, outcome.proven, outcome.failed};
 }
 
 }  // namespace shelfbeam::detail

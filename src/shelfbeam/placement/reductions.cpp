@@ -30,8 +30,9 @@ std::vector<std::uint32_t> indices(const std::vector<bool>& keep) {
 class CoverReducer {
  public:
   CoverReducer(const SignalTable& table, const Question& question, std::span<const double> cost,
-               const std::vector<bool>& pinned)
+               const std::vector<bool>& pinned, const std::function<bool()>& stop)
       : table_(table),
+        stop_(stop),
         cost_(cost),
         pinned_(pinned.empty() ? std::vector<bool>(table.columns(), false) : pinned),
         mount_(table.columns(), none),
@@ -39,7 +40,7 @@ class CoverReducer {
         open_(table.columns(), true),
         forced_(table.columns(), false),
         unmet_(table.rows(), true) {
-    const CoverRows cover(table, question.model);
+    const CoverRows cover(table, question);
     for (std::uint32_t i = 0; i < table.rows(); ++i)
       cover.for_entries(i, [&](std::uint32_t j, double) { rows_.add(i, j); });
     for (std::uint32_t k = 0; k < table.mounts.size(); ++k)
@@ -51,13 +52,15 @@ class CoverReducer {
       if (table_.transceivers[j].installed) force(j);
     drop_met_labels();
     drop_dominated_labels();
-    while (!infeasible_ && (force_columns() || drop_dominated_columns())) drop_dominated_labels();
+    while (!infeasible_ && !stops() && (force_columns() || drop_dominated_columns())) drop_dominated_labels();
     Reduction result{infeasible_, indices(forced_), {}};
     if (!infeasible_) result.parts = parts();
     return result;
   }
 
  private:
+  bool stops() const { return stop_ && stop_(); }
+
   void force(std::uint32_t column) {
     if (mount_[column] != none)
       for (const std::uint32_t option : table_.mounts[mount_[column]]) open_[option] = false;
@@ -119,6 +122,7 @@ class CoverReducer {
                      [&](std::uint32_t a, std::uint32_t b) { return size[a] < size[b]; });
     std::vector<std::vector<std::uint32_t>> kept(table_.columns());
     for (const std::uint32_t k : order) {
+      if (k % 64 == 0 && stops()) return;
       std::uint32_t rarest = none;
       bool dominated = false;
       rows.for_each(k, [&](std::uint32_t j) {
@@ -149,6 +153,7 @@ class CoverReducer {
     // One after the other, each against those that are left: of equal ones the first stays.
     for (auto j = static_cast<std::uint32_t>(table_.columns()); j-- > 0;) {
       if (!open_[j] || pinned_[j]) continue;
+      if (j % 64 == 0 && stops()) break;
       const std::vector<std::uint32_t>* fewest = nullptr;
       reach.for_each(j, [&](std::uint32_t k) {
         if (fewest == nullptr || columns[k].size() < fewest->size()) fewest = &columns[k];
@@ -202,6 +207,7 @@ class CoverReducer {
   }
 
   const SignalTable& table_;
+  const std::function<bool()>& stop_;
   std::span<const double> cost_;
   std::vector<bool> pinned_;
   std::vector<std::uint32_t> mount_;  ///< index into SignalTable::mounts, or none
@@ -215,36 +221,8 @@ class CoverReducer {
 }  // namespace
 
 Reduction reduce_cover(const SignalTable& table, const Question& question, std::span<const double> cost,
-                       const std::vector<bool>& pinned) {
-  return CoverReducer(table, question, cost, pinned).run();
-}
-
-std::vector<std::uint32_t> undominated_labels(const SignalTable& table) {
-  const CoverRows cover(table, CommunicationModel::cooperative);
-  std::vector<std::vector<std::uint32_t>> neighbours(table.columns());
-  std::vector<bool> keep(table.rows(), true);
-  for (std::uint32_t i = 0; i < table.rows(); ++i) {
-    const auto row = table.row(i);
-    const auto strongest =
-        std::max_element(row.begin(), row.end(),
-                         [](const SignalEntry& a, const SignalEntry& b) { return a.signal < b.signal; });
-    if (strongest != row.end()) neighbours[strongest->transceiver].push_back(i);
-  }
-  for (const auto& labels : neighbours) {
-    std::vector<std::vector<double>> share;
-    for (const std::uint32_t i : labels) {
-      share.emplace_back(table.columns(), 0.0);
-      cover.for_entries(i, [&](std::uint32_t j, double a) { share.back()[j] = a; });
-    }
-    for (std::size_t k = 0; k < labels.size(); ++k)
-      for (std::size_t l = 0; l < labels.size() && keep[labels[k]]; ++l) {
-        if (k == l || !keep[labels[l]]) continue;
-        const bool gets_more = std::equal(share[l].begin(), share[l].end(), share[k].begin(),
-                                          [](double other, double own) { return other <= own; });
-        if (gets_more) keep[labels[k]] = false;
-      }
-  }
-  return indices(keep);
+                       const std::vector<bool>& pinned, const std::function<bool()>& stop) {
+  return CoverReducer(table, question, cost, pinned, stop).run();
 }
 
 }  // namespace shelfbeam::detail

@@ -6,10 +6,10 @@
 
 namespace shelfbeam::detail {
 
-RowPricing::RowPricing(const SignalTable& table, CommunicationModel model)
+RowPricing::RowPricing(const SignalTable& table, const Question& question, std::size_t most_units)
     : rows_(table.rows()),
       columns_(table.columns()),
-      cover_(table, model),
+      cover_(table, question, most_units),
       strongest_(rows_, static_cast<std::uint32_t>(columns_)),
       total_(rows_, 0.0) {
   for_parts(rows_, [&](std::size_t first, std::size_t last) {

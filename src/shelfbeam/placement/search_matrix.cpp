@@ -13,6 +13,8 @@ namespace {
 
 // Larger ratios are as good as this one, and sums of them stay finite.
 constexpr float largest = 1e6F;
+// The last number below 1: links that fail the rule by less than rounding must not seem to pass.
+constexpr float just_short = 1 - std::numeric_limits<float>::epsilon() / 2;
 
 std::vector<std::uint32_t> all_rows(const SignalTable& table) {
   std::vector<std::uint32_t> rows(table.rows());
@@ -30,9 +32,12 @@ SearchMatrix::SearchMatrix(const SignalTable& table, CommunicationModel model,
       values_(padded_ * columns_, 0.0F) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const double requirement = requirement_of(table.labels[rows_[i]], model);
-    for (const SignalEntry& entry : table.row(rows_[i]))
-      values_[entry.transceiver * padded_ + i] =
-          static_cast<float>(std::min(entry.signal / requirement, static_cast<double>(largest)));
+    for (const SignalEntry& entry : table.row(rows_[i])) {
+      float& value = values_[entry.transceiver * padded_ + i];
+      value = static_cast<float>(std::min(entry.signal / requirement, static_cast<double>(largest)));
+      if (model == CommunicationModel::non_cooperative && !is_met(entry.signal, requirement))
+        value = std::min(value, just_short);
+    }
   }
 }
 

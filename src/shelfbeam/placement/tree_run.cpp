@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include <fmt/format.h>
+
 #include "shelfbeam/placement/detail/tree_walk.hpp"
 
 namespace shelfbeam::detail {
@@ -28,9 +30,13 @@ TreeRun::TreeRun(const SearchProblem& p, const SearchMatrix& a, const SearchMatr
 bool TreeRun::ends() {
   constexpr std::uint64_t between_looks = 64;
   const std::uint64_t node = nodes_.fetch_add(1, std::memory_order_relaxed);
-  if (node % between_looks == 0 && (control_.cancelled() || node >= limits.nodes ||
-                                    std::chrono::steady_clock::now() >= limits.until || misses_rows()))
-    cut_.store(true, std::memory_order_relaxed);
+  if (node % between_looks == 0) {
+    if (control_.cancelled() || node >= limits.nodes || std::chrono::steady_clock::now() >= limits.until ||
+        misses_rows())
+      cut_.store(true, std::memory_order_relaxed);
+    if (const std::unique_lock lock(reporting_, std::try_to_lock); lock.owns_lock() && control_.progress)
+      control_.report("tree search", -1, fmt::format("{} nodes, {} units", node, goal.most_units));
+  }
   return was_cut() || found_any();
 }
 
@@ -68,9 +74,9 @@ Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float
     case TreeGoal::Kind::widest:
       if (problem.cost_of(selected) > goal.most_cost) break;
       if (const double now = margin_.load(std::memory_order_relaxed);
-          margin.smallest < now ||
-          (margin.smallest == now &&
-           (sorted.size() > widest_.size() || (sorted.size() == widest_.size() && sorted >= widest_))))
+          margin.smallest < now || (margin.smallest == now && (sorted.size() > widest_.size() ||
+                                                               (sorted.size() == widest_.size() &&
+                                                                !problem.is_first_by_id(sorted, widest_)))))
         break;
       best = widest_ = std::move(sorted);
       margin_.store(margin.smallest, std::memory_order_relaxed);

@@ -118,10 +118,12 @@ void TreeWalk::move_log_to(Proof& proof) {
 // Gains and supporters of the allowed columns.
 void TreeWalk::score(Frame& frame, std::size_t units) {
   const std::size_t rows = frame.value.size();
+  const std::int64_t most_cost = run_.most_cost();  // once: other threads lower it
   frame.by_cost = run_.problem.question.combination == Combination::weighted && run_.problem.has_costs &&
-                  cost_left() > 0 && run_.most_cost() < std::numeric_limits<std::int64_t>::max();
-  const double divisor = (frame.by_cost ? static_cast<double>(cost_left()) : static_cast<double>(units)) *
-                         (1 + search_tolerance);
+                  most_cost > spent_ && most_cost < std::numeric_limits<std::int64_t>::max();
+  const double divisor =
+      static_cast<double>(frame.by_cost ? most_cost - spent_ : static_cast<std::int64_t>(units)) *
+      (1 + search_tolerance);
   for (std::size_t i = 0; i < rows; ++i)
     frame.share[i] = static_cast<float>(static_cast<double>(frame.lacking[i]) / divisor);
   if (is_sum(run_.rule))
@@ -454,7 +456,11 @@ void TreeWalk::children_in_parallel() {
     forbid(frames_[0], j);
   }
   tbb::parallel_for(
-      std::size_t{0}, children_.size(), [&](std::size_t k) { children_[k]->visit(1); },
+      std::size_t{0}, children_.size(),
+      [&](std::size_t k) {
+        children_[k]->visit(1);
+        children_[k]->frames_.clear();  // of many children they would add up
+      },
       tbb::simple_partitioner());
 }
 

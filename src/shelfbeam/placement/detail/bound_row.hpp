@@ -13,8 +13,10 @@ namespace shelfbeam::detail {
 /// rounding can do.
 class BoundRowReader {
  public:
-  BoundRowReader(const SignalTable& table, CommunicationModel model, std::size_t most_units)
-      : cover_(table, model), most_units_(static_cast<double>(most_units)), taken_(table.columns(), false) {}
+  BoundRowReader(const SignalTable& table, const Question& question, std::size_t most_units)
+      : cover_(table, question, most_units),
+        most_units_(static_cast<double>(most_units)),
+        taken_(table.columns(), false) {}
 
   /// Calls visit(column, coefficient), ascending, and returns the right-hand side; 0 where the inequality
   /// says nothing.

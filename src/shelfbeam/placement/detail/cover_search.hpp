@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/detail/reductions.hpp"
 #include "shelfbeam/placement/instance.hpp"
 
 namespace shelfbeam::detail {
@@ -23,9 +24,11 @@ bool is_plain_cover(const SignalTable& table, const Question& question);
 
 /// A selection of fewer units than `start`, which meets every label, by a search for set covering with
 /// weights on rows (Gao and others, Engineering Applications of Artificial Intelligence 38, 2015), on what
-/// the reductions leave. A move costs what its columns reach and not a scan of the matrix. Nothing where none
-/// was found; limited by moves, so that it is reproducible, but where `until` comes first.
+/// `reduction` (of the number of units) leaves. A move costs what its columns reach and not a scan of the
+/// matrix. Nothing where none was found; limited by moves, so that it is reproducible, but where `until`
+/// comes first.
 std::optional<std::vector<std::uint32_t>> cover_search(const SignalTable& table, const Question& question,
+                                                       const Reduction& reduction,
                                                        const std::vector<std::uint32_t>& start,
                                                        const CoverSearchEffort& effort,
                                                        const RunControl& control);

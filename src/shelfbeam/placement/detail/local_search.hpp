@@ -18,11 +18,11 @@ struct LocalSearchEffort {
   std::uint32_t seed = 1;  ///< of the first walk, the next ones have those that follow
 };
 
-/// A better selection than `start`, which meets every label: one of fewer units (lexicographic) or of less
-/// cost (weighted), by exchanges with weights on rows that stay unmet (as in weighting searches for set
-/// covering, Gao et al. 2015), on the rows that have been unmet so far. Whatever is returned has passed the
-/// contract's rule on all rows. Limited by moves, so that it is reproducible, but where `until` comes first.
-/// Nothing where none was found.
+/// A better selection than `start`: one of fewer units (lexicographic) or of less cost (weighted), or any
+/// that meets every label where `start` does not, by exchanges with weights on rows that stay unmet (as in
+/// weighting searches for set covering, Gao et al. 2015), on the rows that have been unmet so far. Whatever
+/// is returned has passed the contract's rule on all rows. Limited by moves, so that it is reproducible, but
+/// where `until` comes first. Nothing where none was found.
 std::optional<std::vector<std::uint32_t>> local_search(const SearchProblem& problem, const SearchMatrix& all,
                                                        const std::vector<std::uint32_t>& start,
                                                        const LocalSearchEffort& effort,

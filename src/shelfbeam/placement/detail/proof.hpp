@@ -1,9 +1,11 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/instance.hpp"
 
 namespace shelfbeam::detail {
@@ -18,10 +20,12 @@ namespace shelfbeam::detail {
 struct Proof {
   enum Tag : std::uint32_t {
     open,  ///< not examined: proves nothing
-    /// row: it lacks more than its b best allowed columns give.
+    /// row: it is unmet, and b = 0.
     row_fails,
-    /// weights, price: sum_i w_i lacking_i > price C + the b largest sum_i w_i min(a_ij, lacking_i) - price
-    /// c_j among allowed columns (none negative).
+    /// weights, price: no b allowed columns are worth enough. With s_i = `shift` lacking_i / b (0 where links
+    /// are counted) and d_i = lacking_i - b s_i: sum_i w_i d_i > price C + the b largest sum_i w_i min(d_i,
+    /// max(0, a_ij - s_i)) - price c_j among allowed columns (none negative). It is no answer because b
+    /// columns that give lacking_i together give d_i beyond s_i each.
     sum_fails,
     /// weights, price: columns with which that would hold are no longer allowed; the same node goes on.
     filter,
@@ -29,13 +33,15 @@ struct Proof {
     single_fails,
     /// The chosen columns cost too much.
     cost_fails,
-    /// row, mix, count, then that many columns, each followed by the child that takes it; it is not allowed
-    /// in later children. Pigeonhole: a selection that meets the row has a column with a_ij >= lacking_i
-    /// times
-    /// ((1 - mix) / b + mix c_j / C); all of these that are allowed are listed. `mix` is 0 or 1.
+    /// row, by_cost, count, then that many columns, each followed by the child that takes it; it is not
+    /// allowed in later children. Pigeonhole: a selection that meets the row has a column with
+    /// a_ij >= lacking_i / b, and, with costs, one with a_ij >= lacking_i c_j / C. All of these that are
+    /// allowed are listed.
     branch
   };
 
+  /// Where units add up, what each gives of its even share is not counted: whoever gives more then stands
+  /// out, and the bound is sharper than without.
   static constexpr double shift = 0.3;
 
   std::size_t most_units = 0;
@@ -47,8 +53,23 @@ struct Proof {
   std::vector<std::uint32_t> steps;  ///< prices as the bits of a float
 };
 
-/// Whether a proof holds, in double precision from the table alone: nothing of the search is used but the
-/// proof.
+struct CheckLimits {
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  RunControl control = {};
+};
+
+enum class ProofVerdict {
+  holds,
+  left_open,   ///< the search has not logged all that it did
+  unfinished,  ///< the limits came first
+  refuted
+};
+
+/// Examines a proof in double precision from the table alone: nothing of the search is used but the proof.
+ProofVerdict judge_proof(const SignalTable& table, const Question& question, const Proof& proof,
+                         const CheckLimits& limits = {});
+
+/// Whether it holds.
 bool check_proof(const SignalTable& table, const Question& question, const Proof& proof);
 
 }  // namespace shelfbeam::detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -27,8 +28,7 @@ struct Reduction {
 /// Reduces sum_j l_ij T_j >= 1, until nothing changes any more:
 /// - a label with one column: that is forced, its labels are met, the other options of its point are out;
 /// - a label reached by all columns of another label is met with it, so it is dropped; of equal ones the
-/// first
-///   stays;
+///   first stays;
 /// - a column is dropped where another one reaches all of its labels, costs no more, and may stand in for it:
 ///   has a point of its own or is an option of the same point. So is one that reaches no label any more.
 ///
@@ -37,13 +37,9 @@ struct Reduction {
 /// a label needs them, and all that are left are in one part. For an objective at the fewest units (every
 /// unit counts 1) `cost` is that objective: a column is then exchanged for another one at no greater value.
 ///
-/// Not valid where labels must be reached twice.
+/// Where `stop` says so it ends with what it has, which is as valid and only less reduced. Not valid where
+/// labels must be reached twice.
 Reduction reduce_cover(const SignalTable& table, const Question& question, std::span<const double> cost,
-                       const std::vector<bool>& pinned = {});
-
-/// For units that cooperate: the labels, ascending, without those that get from every unit at least the share
-/// of their requirement (up to 1) that another label gets; what meets that one meets them, but for rounding.
-/// Only labels with the same strongest unit are compared, for these are neighbours.
-std::vector<std::uint32_t> undominated_labels(const SignalTable& table);
+                       const std::vector<bool>& pinned = {}, const std::function<bool()>& stop = {});
 
 }  // namespace shelfbeam::detail

@@ -12,7 +12,8 @@ namespace shelfbeam::detail {
 /// strongest unit are neighbours, and one of them is enough at a time.
 class RowPricing {
  public:
-  RowPricing(const SignalTable& table, CommunicationModel model);
+  /// For answers of at most so many units.
+  RowPricing(const SignalTable& table, const Question& question, std::size_t most_units);
 
   /// For every strongest unit the label that could get least, in ascending order.
   std::vector<std::uint32_t> hardest() const;

@@ -11,7 +11,8 @@
 namespace shelfbeam::detail {
 
 /// M_ij / (gamma_i tau_i) in single precision, column by column, for some rows of a table. A guide: whoever
-/// decides anything by it leaves a margin of `search_tolerance`, or asks the table.
+/// decides anything by it leaves a margin of `search_tolerance`, or asks the table. Only whether a link alone
+/// reaches a label (non-cooperative) is as the rule has it: at 1 or above.
 class SearchMatrix {
  public:
   static constexpr std::size_t block = 16;  ///< rows are padded to a multiple, with zeros

@@ -25,6 +25,12 @@ struct SearchProblem {
   std::vector<std::uint32_t> installed;
   std::vector<bool> available;  ///< neither installed nor excluded by what is
 
+  std::vector<std::uint32_t> place_by_id;  ///< of a column among all, in the order of their ids
+
+  /// Of two selections of equal size, each ascending: whether the ids of the first, in order, come before
+  /// those of the second, in order.
+  bool is_first_by_id(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const;
+
   std::int64_t cost_of(std::span<const std::uint32_t> selected) const {
     std::int64_t sum = 0;
     for (const std::uint32_t j : selected) sum += cost[j];

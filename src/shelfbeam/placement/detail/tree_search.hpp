@@ -20,7 +20,7 @@ struct TreeGoal {
   enum class Kind {
     any,       ///< one with a margin of `least_margin` at least
     cheapest,  ///< the least cost
-    widest     ///< the largest margin, of equal ones the fewest units, of these the first by column, if that
+    widest     ///< the largest margin, of equal ones the fewest units, of these the first by id, if that
                ///< is better than `start`
   };
   Kind kind = Kind::any;

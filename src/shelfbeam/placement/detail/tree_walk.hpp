@@ -55,7 +55,7 @@ class TreeRun {
   static constexpr std::uint64_t most_logged = std::uint64_t{1} << 25;
 
   const RunControl& control_;
-  std::mutex mutex_;
+  std::mutex mutex_, reporting_;
   std::vector<bool> is_searched_;
   std::map<std::uint32_t, std::uint64_t> missed_;
   std::atomic<std::uint64_t> nodes_{0}, misses_{0}, logged_{0};
