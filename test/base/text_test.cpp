@@ -12,6 +12,15 @@ namespace {
 
 using namespace std::string_view_literals;
 
+TEST(Text, GroupsThousands) {
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1000), "1,000");
+  EXPECT_EQ(grouped(1234567), "1,234,567");
+  EXPECT_EQ(counted(1, "label"), "1 label");
+  EXPECT_EQ(counted(2000, "entry", "entries"), "2,000 entries");
+}
+
 TEST(Text, NearestWord) {
   constexpr std::array words = {"reflectance"sv, "roughness"sv, "ior"sv};
   EXPECT_EQ(nearest("reflectanse", words), "reflectance");

@@ -19,15 +19,6 @@ TEST(TextFormat, EscapesWhatMarkupWouldTakeForItsOwn) {
   EXPECT_EQ(escape("Käse, 奶酪"), "Käse, 奶酪");
 }
 
-TEST(TextFormat, GroupsThousands) {
-  EXPECT_EQ(grouped(0), "0");
-  EXPECT_EQ(grouped(999), "999");
-  EXPECT_EQ(grouped(1000), "1,000");
-  EXPECT_EQ(grouped(1234567), "1,234,567");
-  EXPECT_EQ(counted(1, "label"), "1 label");
-  EXPECT_EQ(counted(2000, "entry", "entries"), "2,000 entries");
-}
-
 TEST(TextFormat, KeepsSignificantDigits) {
   EXPECT_EQ(significant(0), "0");
   EXPECT_EQ(significant(0.0185), "0.0185");

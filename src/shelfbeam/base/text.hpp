@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +23,12 @@ bool matches_glob(std::string_view text, std::string_view pattern);
 std::vector<std::string_view> split(std::string_view line, char separator);
 
 std::string_view trim(std::string_view text);
+
+/// 12345 -> "12,345".
+std::string grouped(std::uint64_t count);
+
+/// "1 label", "2 labels", "12,345 labels".
+std::string counted(std::uint64_t count, std::string_view singular, std::string_view plural = {});
 
 /// Whether the bytes are well-formed UTF-8 (RFC 3629).
 bool is_utf8(std::string_view text);

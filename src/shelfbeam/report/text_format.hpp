@@ -1,19 +1,14 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
+
+#include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam {
 
 /// Text made safe for HTML and SVG content and quoted attributes; control characters become U+FFFD.
 std::string escape(std::string_view text);
-
-/// 12345 -> "12,345".
-std::string grouped(std::uint64_t count);
-
-/// "1 label", "2 labels", "12,345 labels".
-std::string counted(std::uint64_t count, std::string_view singular, std::string_view plural = {});
 
 /// Fixed decimals with a true minus sign, never "-0".
 std::string fixed(double value, int decimals);
