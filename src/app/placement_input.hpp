@@ -8,15 +8,15 @@
 #include "shelfbeam/placement/instance.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
+#include "requirements.hpp"
+
 namespace shelfbeam::app {
 
 /// Where `place` and `export` take their matrix from; several files are scenarios for one placement.
 struct PlacementInput {
   std::vector<std::filesystem::path> signals;  ///< one a scenario
   double threshold = 0;                        ///< 0: not given
-  std::vector<std::filesystem::path> costs;
-  double min_spacing = 0;  ///< m; 0: not given
-  std::vector<std::filesystem::path> forbidden;
+  Requirements requirements;
 
   /// Throws InputError when the output is one of the files that are read.
   void keep(const std::filesystem::path& output) const;

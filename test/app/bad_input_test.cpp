@@ -363,14 +363,13 @@ TEST_F(BadMatrix, PairsApart) {
 TEST_F(BadMatrix, ScenariosThatDoNotAgree) {
   const std::string open = folder.write("open.csv", "label,T1,T2\nL1,1,2\n").string();
   const std::string shut = folder.write("shut.csv", "label,T2,T3\nL1,1,2\n").string();
-  const std::string same = folder.write("sub/open.csv", "label,T1,T2\nL1,1,2\n").string();
   const auto refused = [&](const std::vector<std::string>& files, const std::vector<std::string>& parts) {
     std::vector<std::string> arguments{"place", "--threshold", "1"};
     arguments.insert(arguments.end(), files.begin(), files.end());
     expect_refused(folder, arguments, parts);
   };
   refused({open, shut}, {"error: " + shut, "'T3'", open});
-  refused({open, same}, {"error: " + same, "'open'", "rename"});
+  refused({open, open}, {"error: " + open, "'open'", "once"});
   refused({open, path("none.csv")}, {path("none.csv"), "cannot be read"});
   expect_refused(folder, {"place", open, shut, "-o", shut}, {shut, "is the input"});
 }

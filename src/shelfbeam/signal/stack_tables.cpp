@@ -82,7 +82,7 @@ SignalTable stack_tables(std::vector<NamedTable> tables) {
         throw InputError(tables[k].file,
                          fmt::format("has the name '{}' of a scenario, and so has '{}'", tables[k].name,
                                      tables[earlier].file),
-                         "rename one of the files");
+                         "name every file once");
   SignalTable all;
   all.transceivers = tables.front().table.transceivers;
   all.row_begin = {0};
