@@ -1,6 +1,8 @@
 #include "arguments.hpp"
 
+#include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <string>
 #include <system_error>
@@ -18,6 +20,18 @@ CLI::Validator positive_number() {
     const double value = std::strtod(text.c_str(), &end);
     const bool fits = !text.empty() && *end == '\0' && std::isfinite(value) && value > 0;
     return fits ? std::string() : fmt::format("'{}' is no finite number above 0", text);
+  };
+  return {check, "POSITIVE"};
+}
+
+// CLI11 reads what does not fit as the largest number that does.
+CLI::Validator positive_count() {
+  const auto check = [](const std::string& text) {
+    std::size_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const bool fits = error == std::errc() && stop == end && value > 0;
+    return fits ? std::string() : fmt::format("'{}' is no whole number above 0, or too large a one", text);
   };
   return {check, "POSITIVE"};
 }

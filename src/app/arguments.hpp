@@ -10,6 +10,8 @@ namespace shelfbeam::app {
 
 /// A finite number above 0.
 CLI::Validator positive_number();
+/// A whole number above 0 that fits its type.
+CLI::Validator positive_count();
 /// A path that is not empty.
 CLI::Validator a_path();
 

@@ -1,8 +1,9 @@
+#include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -37,18 +38,34 @@ struct Answer {
 };
 
 Answer reach(const Options& options, const SignalTable& table, const RunControl& control) {
-  const Reach reach =
-      reach_most(table, options.question.question(), options.at_most, options.solver.options(), control);
+  const Reach reach = reach_most(table, options.question.question(), options.at_most,
+                                 options.solver.options(options.common.seed), control);
   return {reach_json(reach, table), describe(reach, table), exit_code(reach.status)};
 }
 
 Answer cover(const Options& options, const SignalTable& table, const RunControl& control) {
-  const Placement placement = place(table, options.question.question(), options.solver.options(), control);
-  std::vector<CurvePoint> curve;
-  if (options.curve && placement.has_selection())
-    curve = reach_curve(table, placement.question, placement.selected, control);
-  return {placement_json(placement, table, curve), describe(placement, table) + describe(curve, table),
-          exit_code(placement.status)};
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  Placement placement =
+      place(table, options.question.question(), options.solver.options(options.common.seed), control);
+  ReachCurve curve;
+  std::string remark;
+  if (options.curve && placement.has_selection()) {
+    // What is left of the limit, but a tenth of it at least.
+    const auto after = [&](Clock::time_point from, double part) {
+      const double seconds = std::min(part * options.solver.time_limit_s, 1e8);
+      return from + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    };
+    curve = reach_curve(table, placement.question, placement.selected, control,
+                        std::max(after(start, 1), after(Clock::now(), 0.1)));
+    agree(placement, curve, table);
+    placement.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  } else if (options.curve) {
+    remark = "  no curve without a placement: '--at-most K' tells what K transceivers reach\n";
+  }
+  return {placement_json(placement, table, curve),
+          describe(placement, table) + describe(curve, table) + remark,
+          curve.is_complete ? exit_code(placement.status) : stopped_early};
 }
 
 int run_place(const Options& options) {
@@ -83,7 +100,7 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
   verb->add_option("-o,--output", options->output, "Write the answer as JSON to this file")->check(a_path());
   auto* at_most = verb->add_option("--at-most", options->at_most,
                                    "Reach the most labels with at most so many transceivers")
-                      ->check(CLI::PositiveNumber);
+                      ->check(positive_count());
   verb->add_flag("--curve", options->curve, "Also tell what share of the labels fewer transceivers reach")
       ->excludes(at_most);
   add_question_options(*verb, options->question);

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "shelfbeam/placement/budget.hpp"
-#include "shelfbeam/placement/curve.hpp"
 #include "shelfbeam/placement/placement.hpp"
+
+#include "placement_text.hpp"
 
 namespace shelfbeam::app {
 
@@ -30,17 +29,11 @@ struct SolverFlags {
   std::string backend;
   double time_limit_s = 60;
 
-  PlaceOptions options() const;
+  PlaceOptions options(std::uint64_t seed = 1) const;
 };
 
 void add_question_options(CLI::App& verb, QuestionFlags& flags);
 void add_solver_options(CLI::App& verb, SolverFlags& flags, double default_time_limit_s);
-
-/// The answer in a few lines for a terminal.
-std::string describe(const Placement& placement, const SignalTable& table);
-
-std::string describe(const Reach& reach, const SignalTable& table);
-std::string describe(const std::vector<CurvePoint>& curve, const SignalTable& table);
 
 /// done, answer_is_no or stopped_early.
 int exit_code(Status status);

@@ -32,7 +32,7 @@ TEST(Help, TellsOnlyWhatWorks) {
   for (const auto& command : commands) {
     std::string help = expect_silent(command);
     std::transform(help.begin(), help.end(), help.begin(), [](unsigned char c) { return std::tolower(c); });
-    for (const char* later : {"search", "verify", "certif", "refine", "ies"}) {
+    for (const char* later : {"verify", "certif", "refine", "ies"}) {
       const auto at = help.find(later);
       const bool is_word = at != std::string::npos && (at == 0 || std::isalpha(help[at - 1]) == 0);
       EXPECT_FALSE(is_word) << command[0] << ": " << later;
@@ -41,6 +41,11 @@ TEST(Help, TellsOnlyWhatWorks) {
   const std::string help = expect_silent({"--help"});
   for (const std::string& verb : verbs) EXPECT_NE(help.find("\n  " + verb + " "), std::string::npos) << verb;
   EXPECT_NE(help.find("Exit codes: 0 done; 1"), std::string::npos);
+  for (const char* verb : {"place", "plan"}) {
+    const std::string solvers = expect_silent({verb, "--help"});
+    for (const char* solver : {"auto: ", "search: ", "mip: ", "greedy: "})
+      EXPECT_NE(solvers.find(solver), std::string::npos) << verb << ' ' << solver;
+  }
 }
 
 TEST(Version, IsAThreePartNumber) {
@@ -137,7 +142,9 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"place", matrix, "--threshold", "2", "--share", "-1"}, "--share"},
       {{"place", matrix, "--threshold", "2", "--model", "coop"}, "--model"},
       {{"place", matrix, "--threshold", "2", "--objective", "cost"}, "--objective"},
-      {{"place", matrix, "--threshold", "2", "--solver", "search"}, "--solver"},
+      {{"place", matrix, "--threshold", "2", "--solver", "exact"}, "--solver"},
+      {{"place", matrix, "--threshold", "2", "--at-most", "99999999999999999999999"},
+       "--at-most: '99999999999999999999999' is no whole number above 0, or too large a one"},
       {{"place", matrix, "--threshold", "2", "--backend", "cplex"}, "--backend"},
       {{"place", matrix, "--threshold", "2", "--weighted", "--lexicographic"}, "excludes"},
       {{"plan", store, "-o", out, "--relative-error", "0"}, "--relative-error"},

@@ -99,7 +99,7 @@ TEST_F(ExitCode, ThreeAtTheTimeLimit) {
         expect_silent({"place", path("hard.csv"), "--threshold", "6", "-o", path("p.json"), "--time-limit",
                        "0.001", "--backend", std::string(backend.name)},
                       3);
-    EXPECT_NE(out.find("stopped early: incumbent"), std::string::npos) << out;
+    EXPECT_NE(out.find("\n  stopped: value "), std::string::npos) << out;
     EXPECT_NE(out.find("gap"), std::string::npos) << out;
     const Json placement = json("p.json");
     EXPECT_EQ(placement["status"], "stopped");
@@ -108,6 +108,16 @@ TEST_F(ExitCode, ThreeAtTheTimeLimit) {
     EXPECT_LT(placement["count_lower_bound"], placement["count"]);
     EXPECT_GT(placement["gap"], 0.0);
   }
+}
+
+TEST_F(ExitCode, ThreeWhereOnlyTheCurveWasCutShort) {
+  folder.write("hard.csv", hard_matrix());
+  const std::string out = expect_silent({"place", path("hard.csv"), "--threshold", "6", "--solver", "greedy",
+                                         "--curve", "-o", path("p.json"), "--time-limit", "1e-6"},
+                                        3);
+  EXPECT_NE(out.find("the curve was stopped early"), std::string::npos) << out;
+  EXPECT_EQ(json("p.json")["status"], "feasible");
+  EXPECT_EQ(json("p.json")["curve_complete"], false);
 }
 
 using Clock = std::chrono::steady_clock;

@@ -301,8 +301,11 @@ TEST_F(Workflow, OnePlacementForSeveralScenarios) {
 TEST_F(Workflow, TellsWhatFewerTransceiversReach) {
   folder.write("m.csv", "label,A,B,C\nL1,1,0,1\nL2,1,0,1\nL3,1,0,0\nL4,0,1,1\nL5,0,1,1\nL6,0,1,0\n");
   std::string text = expect_silent({"place", path("m.csv"), "--threshold", "1", "--at-most", "1"});
-  EXPECT_NE(text.find("1 transceiver reaches 4 of 6 labels, 66.7 % (cooperative); no 1 reach more, proven."),
-            std::string::npos)
+  EXPECT_NE(
+      text.find(
+          "1 transceiver reaches 4 of 6 labels, 66.7 % (cooperative); no single transceiver reaches more, "
+          "proven.\n  chosen: C\n  optimal: reached 4, upper bound 4, gap 0.0 %; "),
+      std::string::npos)
       << text;
   const auto reach = test::Json::parse(expect_silent(
       {"place", path("m.csv"), "--threshold", "1", "--at-most", "1", "--json", "-o", path("reach.json")}));
@@ -314,8 +317,92 @@ TEST_F(Workflow, TellsWhatFewerTransceiversReach) {
   const auto whole =
       test::Json::parse(expect_silent({"place", path("m.csv"), "--threshold", "1", "--curve", "--json"}));
   EXPECT_EQ(whole["curve"].size(), 2U);
+  EXPECT_EQ(whole["curve_complete"], true);
   EXPECT_EQ(whole["curve"][0]["at_most"], 4);
   EXPECT_EQ(whole["critical"][0]["count"], 3);
+  for (const char* many : {"4294967296", "18446744073709551615"}) {
+    text = expect_silent({"place", path("m.csv"), "--threshold", "1", "--at-most", many});
+    EXPECT_EQ(text.find("2 transceivers reach all 6 labels (cooperative).\n"), 0U) << text;
+  }
+  // The curve knows a better placement than the greedy one, and that nothing is better still.
+  const auto greedy = test::Json::parse(
+      expect_silent({"place", path("m.csv"), "--threshold", "1", "--solver", "greedy", "--json"}));
+  EXPECT_EQ(greedy["count"], 3);
+  EXPECT_EQ(greedy["count_lower_bound"], 1);
+  text = expect_silent({"place", path("m.csv"), "--threshold", "1", "--solver", "greedy", "--curve"});
+  EXPECT_EQ(text.find("2 transceivers reach all 6 labels (cooperative); fewer cannot, proven.\n"), 0U)
+      << text;
+  text = expect_silent({"place", path("m.csv"), "--threshold", "2", "--curve"}, 1);
+  EXPECT_NE(text.find("'--at-most K'"), std::string::npos) << text;
+}
+
+TEST_F(Workflow, AnswersSayWhatTheyRestOn) {
+  folder.write("m.csv", "label,A,B,C\nL1,1,0,1\nL2,1,0,1\nL3,1,0,0\nL4,0,1,1\nL5,0,1,1\nL6,0,1,0\n");
+  std::vector<std::string> ask = {"place", path("m.csv"), "--threshold", "1"};
+  const auto text = [&](const std::vector<std::string>& more, int code = 0) {
+    std::vector<std::string> all = ask;
+    all.insert(all.end(), more.begin(), more.end());
+    return expect_silent(all, code);
+  };
+  const auto expect = [](const std::string& out, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts) EXPECT_NE(out.find(part), std::string::npos) << part << '\n' << out;
+  };
+  expect(text({}),
+         {"\n  labels that hang on one unit: A 3, B 3\n", "\n  optimal: value 2, lower bound 2, gap 0.0 %; ",
+          ", solver search\n", "\n  bound: exhaustive search, its log checked; of equal"});
+  expect(text({"--solver", "search"}), {"optimal", "solver search\n"});
+  expect(text({"--solver", "greedy"}),
+         {"labels (cooperative); at least 1 transceiver is needed.\n",
+          "\n  feasible: value 3, lower bound 1, gap 66.7 %; ", "solver greedy\n"});
+  const std::string lost =
+      "L3: at most 0, needs 1 (light arrives from one place only, and the unit there may fail)";
+  expect(text({"--survive-failure"}, 1), {"2 cannot be reached even by all candidates together when", lost,
+                                          "\n  infeasible; ", "solver not needed\n"});
+  expect(text({"--survive-failure", "--model", "non-cooperative"}, 1),
+         {"whichever unit fails: 2 cannot be reached by two units at once.\n", lost});
+  folder.write("pairs.csv", "a,b\nA,B\n");
+  expect(text({"--forbid", path("pairs.csv")}, 1),
+         {"because some pairs must not be chosen together (proven by",
+          "\n  1 pair of candidates is kept apart: some pairs must not be chosen together\n"});
+  folder.write("dark.csv", "label,A\nL1,1\nL2,0\n");
+  ask[1] = path("dark.csv");
+  expect(text({}, 1), {"L2: at most 0, needs 1 (no light arrives at all: is it inside something"});
+}
+
+TEST_F(Workflow, ScenariosAreToldApartByTheirFolders) {
+  for (const char* store : {"full", "empty"})
+    expect_silent({"plan", path("store.json"), "-o", path(store), "--samples", "320"});
+  const auto placed = [&](const std::vector<std::string>& files) {
+    std::vector<std::string> arguments = {"place", "--json"};
+    for (const std::string& file : files) arguments.push_back(path(file));
+    return test::Json::parse(expect_silent(arguments));
+  };
+  test::Json answer = placed({"full/signal.h5", "empty/signal.h5"});
+  EXPECT_EQ(answer["scenarios"][0]["name"], "full/signal");
+  EXPECT_EQ(answer["scenarios"][1]["name"], "empty/signal");
+  EXPECT_TRUE(answer["critical"][0]["labels"][0].get<std::string>().starts_with("full/signal:")) << answer;
+  // As little as is needed, and the ending where nothing else differs.
+  std::filesystem::copy_file(folder / "full/signal.h5", folder / "night.h5");
+  std::filesystem::copy_file(folder / "full/signal.h5", folder / "night.hdf5");
+  std::filesystem::copy_file(folder / "full/signal.h5", folder / "signal.h5");
+  answer = placed({"full/signal.h5", "empty/signal.h5", "night.h5"});
+  EXPECT_EQ(answer["scenarios"][2]["name"], "night");
+  answer = placed({"night.h5", "night.hdf5"});
+  EXPECT_EQ(answer["scenarios"][0]["name"], "night.h5");
+  EXPECT_EQ(answer["scenarios"][1]["name"], "night.hdf5");
+  test::expect_refused(folder, {"place", path("night.h5"), path("full/../night.h5")},
+                       {"night.h5", "scenario"});
+}
+
+TEST_F(Workflow, AFileHoldsOneObjective) {
+  folder.write("m.csv", "label,A,B\nL1,1,1\n");
+  const std::vector<std::string> ask = {"export", path("m.csv"), "-o",    path("m.lp"), "--threshold",
+                                        "1",      "--objective", "links", "--model",    "non-cooperative"};
+  test::expect_refused(folder, ask, {"--objective links", "--weighted"});
+  std::vector<std::string> weighted = ask;
+  weighted.push_back("--weighted");
+  expect_silent(weighted);
+  EXPECT_NE(bytes("m.lp").find("2 "), std::string::npos) << "a unit and its link";
 }
 
 }  // namespace

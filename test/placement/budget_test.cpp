@@ -1,6 +1,8 @@
 #include "shelfbeam/placement/budget.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -152,7 +154,8 @@ TEST(Budget, ByHand) {
     EXPECT_EQ(reach.reached, 4U);
     EXPECT_EQ(reach.upper_bound, 4U);
     EXPECT_EQ(reach.missed, (std::vector<std::uint32_t>{2, 5}));
-    for (const std::size_t units : {2U, 3U, 50U}) {
+    for (const std::size_t units : {std::size_t{2}, std::size_t{3}, std::size_t{50}, std::size_t{1} << 32,
+                                    std::numeric_limits<std::size_t>::max()}) {
       reach = reach_most(table, {model}, units, {});
       EXPECT_EQ(reach.selected, (std::vector<std::uint32_t>{0, 1})) << "fewest units that reach all";
       EXPECT_EQ(reach.status, Status::optimal);
@@ -160,6 +163,41 @@ TEST(Budget, ByHand) {
     EXPECT_EQ(reach_most(table, {.model = model, .redundant = true}, 1, {}).upper_bound, 0U);
     EXPECT_EQ(reach_most(table, {.model = model, .redundant = true}, 3, {}).reached, 4U);
   }
+}
+
+// Signals that are worth an eighth of the requirement on average.
+SignalTable dense_table(std::size_t labels, std::size_t units) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(0, 0.25);
+  std::vector<std::vector<double>> matrix(labels, std::vector<double>(units));
+  for (auto& row : matrix)
+    for (double& entry : row) entry = uniform(random);
+  return test::make_table(matrix, units);
+}
+
+// Nothing was cut short, so nothing was stopped.
+TEST(Budget, TellsWhereTheTableIsTooLarge) {
+  const SignalTable table = dense_table(900, 450);  // 405,000 entries
+  const Reach reach = reach_most(table, {}, 6, {});
+  EXPECT_TRUE(reach.too_large);
+  EXPECT_EQ(reach.status, Status::feasible);
+  EXPECT_EQ(reach.solver, "greedy");
+  EXPECT_EQ(reach.bound_proof, BoundProof::dual);
+  EXPECT_GT(reach.gap(), 0);
+  EXPECT_LT(reach.gap(), 1);
+  EXPECT_FALSE(reach_most(dense_table(20, 10), {}, 3, {}).too_large);
+}
+
+// Without the limit this takes some ten seconds of search, and as much for the bound.
+TEST(Budget, KeepsToTheTimeLimit) {
+  const SignalTable table = dense_table(4000, 1000);
+  const Reach reach = reach_most(table, {}, 7, {.time_limit_s = 0.5});
+  EXPECT_LT(reach.seconds, 4);
+  EXPECT_EQ(reach.status, Status::stopped);
+  EXPECT_LT(reach.reached, reach.upper_bound);
+  const Reach small = reach_most(dense_table(200, 100), {}, 7, {.time_limit_s = 0.5});
+  EXPECT_LT(small.seconds, 4);
+  EXPECT_EQ(small.status, Status::stopped);
 }
 
 TEST(Budget, WritesItsAnswer) {
@@ -179,7 +217,10 @@ TEST(Budget, WritesItsAnswer) {
   "labels": 2,
   "reached": 1,
   "reached_upper_bound": 1,
+  "gap": 0.0,
+  "bound_proof": "dual",
   "status": "optimal",
+  "too_large": false,
   "solver": "highs",
   "seconds": 0.5,
   "missed": [

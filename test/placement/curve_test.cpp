@@ -1,6 +1,9 @@
 #include "shelfbeam/placement/curve.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -75,7 +78,10 @@ TEST(PlacementCurve, EnclosesTheBestForEveryNumber) {
       first += table.transceivers[j].installed ? 1 : 0;
     }
     const auto best = BruteForce::budgets(table, question);
-    const std::vector<CurvePoint> curve = reach_curve(table, question, selected);
+    const ReachCurve found = reach_curve(table, question, selected);
+    EXPECT_TRUE(found.is_complete);
+    EXPECT_EQ(found.selected, selected) << "fewer units do not exist";
+    const std::vector<CurvePoint>& curve = found.points;
     first = std::max<std::size_t>(1, first);
     ASSERT_EQ(curve.size(), selected.size() < first ? 0 : selected.size() - first + 1);
     for (std::size_t p = 0; p < curve.size(); ++p) {
@@ -136,6 +142,114 @@ TEST(Critical, AreTheLabelsThatHangOnOneUnit) {
   EXPECT_GT(none_where_one_may_fail, 100);
 }
 
+ReachCurve curve_of(std::vector<CurvePoint> points, std::vector<std::uint32_t> selected) {
+  return {std::move(points), std::move(selected)};
+}
+
+TEST(PlacementCurve, AgreesWithItsPlacement) {
+  const SignalTable table = test::make_table({{1, 0, 1}, {1, 0, 0}, {0, 1, 1}}, 3);
+  Placement stopped;
+  stopped.selected = {0, 1, 2};
+  stopped.objective_value = 3;
+  stopped.count_lower_bound = stopped.lower_bound = 1;
+  stopped.ties_settled = true;
+
+  // Two units do, which the curve has seen, and it has proven that one does not.
+  Placement placement = stopped;
+  ReachCurve curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
+  agree(placement, curve, table);
+  EXPECT_EQ(placement.selected, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(placement.objective_value, 2);
+  EXPECT_EQ(placement.count_lower_bound, 2);
+  EXPECT_EQ(placement.lower_bound, 2);
+  EXPECT_EQ(placement.bound_proof, BoundProof::dual);
+  EXPECT_EQ(placement.status, Status::optimal);
+  EXPECT_FALSE(placement.ties_settled);
+  EXPECT_EQ(curve.points.size(), 2U);
+
+  // What the placement has proven: fewer than two miss a label.
+  placement = stopped;
+  placement.count_lower_bound = placement.lower_bound = 2;
+  placement.bound_proof = BoundProof::log;
+  curve = curve_of({{1, 2, 3}, {2, 2, 3}, {3, 3, 3}}, placement.selected);
+  agree(placement, curve, table);
+  EXPECT_EQ(curve.points[0].at_most, 2U);
+  EXPECT_EQ(curve.points[1].at_most, 3U);
+  EXPECT_EQ(placement.bound_proof, BoundProof::log);
+  EXPECT_EQ(placement.count(), 3U);
+  EXPECT_EQ(placement.status, Status::stopped);
+
+  // A second objective: the number's bound rises, that of the objective stays, and prices are no count.
+  placement = stopped;
+  placement.question = {CommunicationModel::non_cooperative, Objective::links};
+  placement.objective_value = 99;
+  curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
+  agree(placement, curve, table);
+  EXPECT_EQ(placement.objective_value, 3);
+  EXPECT_EQ(placement.count_lower_bound, 2);
+  EXPECT_EQ(placement.lower_bound, 1);
+  EXPECT_EQ(placement.status, Status::stopped);
+  placement = stopped;
+  placement.question.combination = Combination::weighted;
+  curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
+  agree(placement, curve, table);
+  EXPECT_EQ(placement.count(), 3U);
+  EXPECT_EQ(placement.lower_bound, 1);
+}
+
+// The greedy method's placement and bound are often not the best, and the curve often knows better.
+TEST(PlacementCurve, ContradictsNoPlacement) {
+  test::RandomTables tables(84, everything);
+  int fewer = 0, raised = 0, capped = 0;
+  for (int k = 0; k < 9000; ++k) {
+    const SignalTable table = tables.next();
+    const Question question = tables.next_question();
+    Placement placement = place(table, question, {.solver = SolverChoice::greedy});
+    if (!placement.has_selection()) continue;
+    const Placement before = placement;
+    ReachCurve curve = reach_curve(table, question, placement.selected);
+    const std::vector<CurvePoint> alone = curve.points;
+    agree(placement, curve, table);
+    const BruteForce brute(table, question);
+    ASSERT_TRUE(check_selection(table, question, placement.selected).met());
+    ASSERT_LE(placement.count_lower_bound, static_cast<double>(brute.fewest));
+    ASSERT_LE(placement.lower_bound, placement.objective_value * (1 + 1e-12));
+    for (const CurvePoint& point : curve.points) {
+      const bool is_enough = static_cast<double>(point.units) >= placement.count_lower_bound;
+      ASSERT_EQ(point.at_most == table.rows(), is_enough || table.rows() == 0) << k;
+      ASSERT_LE(point.at_least, point.at_most) << k;
+      ASSERT_TRUE(point.at_least < table.rows() || point.units >= placement.count() ||
+                  question.combination == Combination::weighted);
+    }
+    fewer += placement.count() < before.count();
+    raised += placement.count_lower_bound > before.count_lower_bound;
+    for (std::size_t p = 0; p < curve.points.size(); ++p)
+      capped += curve.points[p].at_most < alone[p].at_most;
+  }
+  EXPECT_GT(fewer, 10);
+  EXPECT_GT(raised, 100);
+  EXPECT_GT(capped, 5);
+}
+
+// Without the limit this takes some ten seconds.
+TEST(PlacementCurve, SaysThatItWasCutShort) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(0, 0.25);
+  std::vector<std::vector<double>> matrix(3000, std::vector<double>(800));
+  for (auto& row : matrix)
+    for (double& entry : row) entry = uniform(random);
+  const SignalTable table = test::make_table(matrix, 800);
+  const Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
+  const auto start = std::chrono::steady_clock::now();
+  const ReachCurve curve =
+      reach_curve(table, {}, greedy.selected, {}, start + std::chrono::milliseconds(300));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(4));
+  EXPECT_FALSE(curve.is_complete);
+  EXPECT_EQ(curve.points.size(), greedy.count());
+  EXPECT_EQ(curve.points.back().at_least, table.rows());
+  EXPECT_NE(placement_json(greedy, table, curve).find("\"curve_complete\": false"), std::string::npos);
+}
+
 TEST(PlacementCurve, IsWritten) {
   const SignalTable table = test::make_table({{1, 0}, {1, 0}, {0, 1}}, 2);
   const Placement found = place(table, {}, {});
@@ -145,7 +259,8 @@ TEST(PlacementCurve, IsWritten) {
     std::erase_if(flat, [](char c) { return c == ' ' || c == '\n'; });
     EXPECT_NE(flat.find(part), std::string::npos) << part << flat;
   };
-  expect(R"("curve":[{"units":1,"at_least":2,"at_most":2},{"units":2,"at_least":3,"at_most":3}])");
+  expect(
+      R"("curve":[{"units":1,"at_least":2,"at_most":2},{"units":2,"at_least":3,"at_most":3}],"curve_complete":true)");
   expect(
       R"("critical":[{"unit":"T0","count":2,"labels":["L0","L1"]},{"unit":"T1","count":1,"labels":["L2"]}])");
 }

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/placement.hpp"
 
+#include "formula_instances.hpp"
 #include "random_table.hpp"
 #include "support/expect_input_error.hpp"
 
@@ -142,7 +144,8 @@ TEST(Placement, SaysWhoAnsweredAndForHowLong) {
     EXPECT_EQ(found.solver, std::string(backend.name) + " " + std::string(backend.version));
     EXPECT_GT(found.seconds, 0);
   }
-  EXPECT_EQ(place(table, {}, {}).solver, "search");
+  for (const auto solver : {SolverChoice::automatic, SolverChoice::search})
+    EXPECT_EQ(place(table, {}, {.solver = solver}).solver, "search");
   const Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
   EXPECT_EQ(greedy.solver, "greedy");
   EXPECT_EQ(greedy.status, Status::feasible);
@@ -190,6 +193,45 @@ TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
       EXPECT_GT(found.gap(), 0);
     }
   }
+}
+
+// Rows of three units out of many: what reductions leave is left to the MIP, which the search alone does not
+// ask. It says so, and its bound is its own.
+TEST(Placement, SearchLeavesNothingToAMip) {
+  const SignalTable table = test::cube_cycles(5);
+  const Question question{alone};
+  const Placement with_mip = place(table, question, {.time_limit_s = 1});
+  EXPECT_EQ(with_mip.bound_proof, BoundProof::solver) << "negative control";
+  const Placement search = place(table, question, {.solver = SolverChoice::search, .time_limit_s = 1});
+  EXPECT_TRUE(check_selection(table, question, search.selected).met());
+  EXPECT_NE(search.bound_proof, BoundProof::solver);
+  EXPECT_EQ(search.status, Status::stopped);
+  EXPECT_GT(search.count_lower_bound, 1);
+  EXPECT_EQ(search.solver.find("search"), 0U);
+}
+
+// Greedy is stuck, so the search has nothing to begin with.
+TEST(Placement, SearchSaysWhereItHasNoStart) {
+  SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
+  table.mounts = {{0, 1}};
+  const Placement found = place(table, {}, {.solver = SolverChoice::search});
+  EXPECT_EQ(found.status, Status::stopped);
+  EXPECT_FALSE(found.has_selection());
+  EXPECT_EQ(found.solver, "search");
+}
+
+TEST(Placement, SeedsLeadOtherWaysToTheSameValue) {
+  const SignalTable proven = test::affine_lines(3);
+  std::set<std::vector<std::uint32_t>> unproven;
+  for (const std::uint64_t seed : {1ULL, 2ULL, 1ULL << 40}) {
+    const Placement found = place(proven, {alone}, {.seed = seed});
+    EXPECT_EQ(found.status, Status::optimal);
+    EXPECT_EQ(found.objective_value, 18);
+    unproven.insert(place(test::cube_cycles(7), {alone},
+                          {.solver = SolverChoice::search, .time_limit_s = 0.5, .seed = seed})
+                        .selected);
+  }
+  EXPECT_GT(unproven.size(), 1U);
 }
 
 TEST(Placement, ReturnsTheGreedyAnswerWhenCancelled) {

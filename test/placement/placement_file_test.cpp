@@ -4,9 +4,11 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/placement/names.hpp"
+#include "shelfbeam/signal/apart.hpp"
 
 #include "random_table.hpp"
 #include "support/expect_input_error.hpp"
@@ -44,6 +46,9 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   "combination": "weighted",
   "share": 0.5,
   "survives_failure": false,
+  "min_spacing": null,
+  "forbidden_pairs": 0,
+  "labels": 2,
   "selected": [
     "T0",
     "T1"
@@ -90,6 +95,54 @@ TEST(PlacementFile, IsReadBack) {
   const Placement read = read_placement(path, example());
   EXPECT_EQ(placement_json(read, example()), placement_json(solved(), example()));
   EXPECT_EQ(read.selected, solved().selected);
+}
+
+TEST(PlacementFile, StatesWhatWasKeptApart) {
+  const test::TempFolder folder;
+  SignalTable table = test::make_table({{1, 0, 1}, {0, 1, 1}}, 3);
+  table.transceivers[0].position = {0, 0, 3};
+  table.transceivers[1].position = {2, 0, 3};
+  table.transceivers[2].position = {9, 0, 3};
+  keep_apart(table, 2.5, "table");
+  for (const Status status : {Status::optimal, Status::infeasible}) {
+    if (status == Status::infeasible) {  // without what unit 2 gives
+      table.entries = {{0, 1}, {1, 1}};
+      table.row_begin = {0, 1, 2};
+    }
+    const Placement found = place(table, {}, {});
+    EXPECT_EQ(found.status, status);
+    const std::string text = placement_json(found, table);
+    EXPECT_NE(text.find("\"min_spacing\": 2.5,\n  \"forbidden_pairs\": 1,\n"), std::string::npos) << text;
+    // A report's table knows nothing of it.
+    SignalTable bare = table;
+    bare.apart.clear();
+    bare.min_spacing = 0;
+    const Placement read = read_placement(folder.write("p.json", text), bare);
+    EXPECT_EQ(read.min_spacing, 2.5);
+    EXPECT_EQ(read.forbidden_pairs, 1U);
+    EXPECT_EQ(placement_json(read, bare), text);
+  }
+}
+
+// The example of the documentation is an answer to the question that its labels and units make up.
+TEST(PlacementFile, ReadsTheDocumentedExample) {
+  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/placement.md");
+  const std::string fence = "```json\n";
+  const std::size_t begin = page.find(fence) + fence.size();
+  const std::string example = page.substr(begin, page.find("```", begin) - begin);
+  SignalTable table = test::make_table({{1, 0, 0}, {1, 0, 0}, {0.5, 0.75, 0}, {0, 0.25, 1.5}}, 3);
+  const std::vector<std::string> labels = {"A1-front-0", "A1-front-1", "B2-back-6", "B2-back-7"};
+  for (std::size_t i = 0; i < labels.size(); ++i) table.labels[i].id = labels[i];
+  const std::vector<std::string> units = {"G0-3-2", "G0-9-7", "G0-15-12"};
+  for (std::size_t j = 0; j < units.size(); ++j) table.transceivers[j].id = units[j];
+
+  const test::TempFolder folder;
+  const Placement read = read_placement(folder.write("p.json", example), table);
+  using Json = nlohmann::ordered_json;
+  EXPECT_EQ(Json::parse(placement_json(read, table)).dump(1), Json::parse(example).dump(1));
+  Placement found = place(table, {}, {});
+  found.seconds = read.seconds;
+  EXPECT_EQ(Json::parse(placement_json(found, table)).dump(1), Json::parse(example).dump(1));
 }
 
 TEST(PlacementFile, OfEarlierVersionsSaysNothingOfProofs) {
@@ -174,6 +227,9 @@ TEST(PlacementFile, RejectsWhatDoesNotFit) {
   expect("\"T1\"", "\"T0\"", "selected[1]", "T0");
   expect("\"T1\"", "1", "selected[1]", "number");
   expect("\"count\": 2", "\"count\": 3", "count", "3");
+  expect("\"labels\": 2", "\"labels\": 3", "labels", "the matrix has 2 labels");
+  expect("\"min_spacing\": null", "\"min_spacing\": -1", "min_spacing", "-1");
+  expect("\"forbidden_pairs\": 0", "\"forbidden_pairs\": -1", "forbidden_pairs", "-1");
   expect("\"format\": 1", "\"format\": 2", "format", "2");
   expect("weighted", "wieghted", "combination", "weighted");
   expect("\"status\": \"stopped\"", "\"status\": \"stoped\"", "status", "stopped");

@@ -90,7 +90,8 @@ void compare(const SignalTable& table, const Question& question, const Placement
   EXPECT_EQ(answer.selected, by_tie_rule(table, best));
 }
 
-Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
+Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits,
+          const PlaceOptions& options = {}) {
   test::RandomTables random(seed, limits);
   Tally tally;
   for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
@@ -98,11 +99,11 @@ Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) 
     const SignalTable table = random.next();
     const Question question = random.next_question();
     const auto begin = std::chrono::steady_clock::now();
-    const Placement answer = place(table, question, {}, {.threads = 1});
+    const Placement answer = place(table, question, options, {.threads = 1});
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(4));
     compare(table, question, answer, tally);
     if (k % 8 == 0 && answer.ties_settled) {
-      EXPECT_EQ(place(table, question, {}, {.threads = 4}).selected, answer.selected);
+      EXPECT_EQ(place(table, question, options, {.threads = 4}).selected, answer.selected);
     }
   }
   return tally;
@@ -126,6 +127,12 @@ TEST(PlacementSearch, EqualsEnumeration) {
 
 TEST(PlacementSearch, EqualsEnumerationWhereCandidatesExcludeOneAnotherAndUnitsMayFail) {
   expect_kinds(run(12, 1500, beyond_the_paper), 1500);
+}
+
+TEST(PlacementSearch, EqualsEnumerationWithoutAMip) {
+  const Tally tally = run(17, 500, {.transceivers = 11}, {.solver = SolverChoice::search});
+  expect_kinds(tally, 500);
+  EXPECT_EQ(tally.by[static_cast<int>(BoundProof::solver)], 0);
 }
 
 TEST(PlacementSearchSlow, EqualsEnumerationOnManyMore) {

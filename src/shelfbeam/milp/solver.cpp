@@ -2,7 +2,12 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/milp/lp_session.hpp"
 #include "shelfbeam/milp/verify.hpp"
 
@@ -48,6 +53,17 @@ std::span<const Backend> backends() {
 #endif
   };
   return table;
+}
+
+std::span<const Backend> wanted_backends(std::string_view name) {
+  const std::span<const Backend> all = backends();
+  if (name.empty()) return all;
+  std::vector<std::string_view> known;
+  for (const Backend& backend : all) {
+    if (backend.name == name) return {&backend, 1};
+    known.push_back(backend.name);
+  }
+  throw InputError("MIP back end", fmt::format("'{}' is not built in", name), suggest(name, known));
 }
 
 }  // namespace shelfbeam::milp

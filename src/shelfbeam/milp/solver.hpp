@@ -53,4 +53,7 @@ struct Backend {
 /// The back ends built in, the preferred one first; never empty.
 std::span<const Backend> backends();
 
+/// The one of this name, or all where none is named. Throws InputError for a name that is not built in.
+std::span<const Backend> wanted_backends(std::string_view name);
+
 }  // namespace shelfbeam::milp

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/detail/reach_model.hpp"
 #include "shelfbeam/placement/detail/reach_search.hpp"
@@ -18,22 +17,11 @@ namespace shelfbeam {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 // Entries looked at, so that answers do not depend on the machine: about ten seconds each.
 constexpr std::size_t search_work = 2'000'000'000;
 constexpr std::size_t bound_work = 4'000'000'000;
-
-std::vector<milp::Backend> wanted_backends(const PlaceOptions& options) {
-  if (options.solver == SolverChoice::greedy) return {};
-  const auto all = milp::backends();
-  if (options.backend.empty()) return {all.begin(), all.end()};
-  std::vector<std::string_view> known;
-  for (const milp::Backend& backend : all) {
-    if (backend.name == options.backend) return {backend};
-    known.push_back(backend.name);
-  }
-  throw InputError("MIP back end", fmt::format("'{}' is not built in", options.backend),
-                   suggest(options.backend, known));
-}
 
 /// Takes a selection that is better than the one so far.
 bool offer(Reach& reach, const SignalTable& table, const std::vector<std::uint32_t>& selected) {
@@ -50,14 +38,21 @@ bool offer(Reach& reach, const SignalTable& table, const std::vector<std::uint32
 
 }  // namespace
 
+double Reach::gap() const {
+  return upper_bound > reached ? static_cast<double>(upper_bound - reached) / static_cast<double>(upper_bound)
+                               : 0;
+}
+
 Reach reach_most(const SignalTable& table, const Question& question, std::size_t units,
                  const PlaceOptions& options, const RunControl& control) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto start = Clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto at = [&](double part) {
+    const double seconds = part * std::clamp(options.time_limit_s, 0.0, 1e8);
+    return start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   };
   check_question(table, question);
-  const auto backends = wanted_backends(options);
+  const auto backends = milp::wanted_backends(options.backend);
 
   Reach reach;
   reach.question = question;
@@ -69,30 +64,43 @@ Reach reach_most(const SignalTable& table, const Question& question, std::size_t
     throw InputError("--at-most",
                      fmt::format("is {}, and {} units are installed already", units, reach.selected.size()),
                      "allow at least these");
+  units = std::min(units, table.columns());
   reach.missed = check_selection(table, question, reach.selected).unmet;
   reach.reached = table.rows() - reach.missed.size();
 
+  const bool may_ask = options.solver == SolverChoice::automatic || options.solver == SolverChoice::mip;
+  const bool fits = detail::ReachModel::fits(table, question);
+  const bool is_asked = may_ask && fits;
+  reach.too_large = may_ask && !fits;
+
   detail::ReachSearch search(table, question);
-  search.improve(units, search_work, control);
+  search.improve(units, search_work, control, at(is_asked ? 0.3 : 0.5));
   offer(reach, table, search.selected());
 
   ReachBound bound(table, question, units);
-  bound.improve(units, reach.reached, std::min<std::size_t>(1000, 1 + bound_work / (2 * bound.entries() + 1)),
-                control);
+  const auto lower_to = [&](std::size_t most, BoundProof proof) {
+    if (most >= reach.upper_bound) return;
+    reach.upper_bound = most;
+    reach.bound_proof = proof;
+  };
   reach.upper_bound = bound.labels(units);
+  bound.improve(units, reach.reached, std::min<std::size_t>(1000, 1 + bound_work / (2 * bound.entries() + 1)),
+                control, at(is_asked ? 0.5 : 1));
+  lower_to(bound.labels(units), BoundProof::dual);
 
-  if (detail::ReachModel::fits(table, question))
+  if (is_asked)
     for (const milp::Backend& backend : backends) {
       detail::ReachModel model(table, question, units);
       const auto outcome = model.solve(backend.solve, options.time_limit_s - elapsed(), control);
       reach.solver = fmt::format("{} {}", backend.name, backend.version);
-      reach.upper_bound = std::min(reach.upper_bound, outcome.most_reached);
+      lower_to(outcome.most_reached, BoundProof::solver);
       if (outcome.selected) offer(reach, table, *outcome.selected);
       if (!outcome.failed) break;
     }
-  reach.status = reach.upper_bound <= reach.reached       ? Status::optimal
-                 : options.solver == SolverChoice::greedy ? Status::feasible
-                                                          : Status::stopped;
+  const bool was_cut_short = control.cancelled() || Clock::now() >= at(1);
+  reach.status = reach.upper_bound <= reach.reached ? Status::optimal
+                 : is_asked || was_cut_short        ? Status::stopped
+                                                    : Status::feasible;
   reach.seconds = elapsed();
   return reach;
 }

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/instance.hpp"
+#include "shelfbeam/placement/placement.hpp"
 
 namespace shelfbeam {
 
@@ -17,12 +18,24 @@ struct CurvePoint {
   std::size_t at_most = 0;   ///< labels, proven
 };
 
-/// One point for every number of units from the installed ones (at least 1) to those of the selection, which
-/// meets every label; neither column falls. The first comes from the greedy method forwards and from the
-/// selection backwards, the second from ReachBound. Large tables get fewer steps, so that 20 million entries
-/// take about a minute.
-std::vector<CurvePoint> reach_curve(const SignalTable& table, const Question& question,
-                                    const std::vector<std::uint32_t>& selected,
-                                    const RunControl& control = {});
+struct ReachCurve {
+  std::vector<CurvePoint> points;       ///< one for every number of units; neither column falls
+  std::vector<std::uint32_t> selected;  ///< the fewest units seen that meet every label; ascending
+  bool is_complete = true;              ///< no interruption and no limit cut it short
+};
+
+/// A point for every number of units from the installed ones (at least 1) to those of `selected`, which meets
+/// every label. The first column comes from the greedy method forwards and from the selection backwards, the
+/// second from ReachBound. Large tables get fewer steps, so that 20 million entries take about a minute; it
+/// ends early, with wider points, where `until` comes.
+ReachCurve reach_curve(
+    const SignalTable& table, const Question& question, const std::vector<std::uint32_t>& selected,
+    const RunControl& control = {},
+    std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max());
+
+/// Lets a placement and the curve that began with its selection take over what the other knows: fewer units
+/// that meet every label (lexicographic questions), a higher bound of their number, and that fewer than this
+/// bound miss a label.
+void agree(Placement& placement, ReachCurve& curve, const SignalTable& table);
 
 }  // namespace shelfbeam

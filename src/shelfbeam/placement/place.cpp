@@ -4,11 +4,10 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/detail/placement_search.hpp"
 #include "shelfbeam/placement/greedy.hpp"
@@ -22,22 +21,12 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-std::vector<milp::Backend> wanted_backends(const std::string& name) {
-  const auto all = milp::backends();
-  if (name.empty()) return {all.begin(), all.end()};
-  std::vector<std::string_view> known;
-  for (const milp::Backend& backend : all) {
-    if (backend.name == name) return {backend};
-    known.push_back(backend.name);
-  }
-  throw InputError("MIP back end", fmt::format("'{}' is not built in", name), suggest(name, known));
-}
-
 /// Clp is faster than HiGHS on large linear programs.
-std::vector<milp::Backend> for_large_lp(std::vector<milp::Backend> backends) {
-  std::stable_partition(backends.begin(), backends.end(),
+std::vector<milp::Backend> for_large_lp(std::span<const milp::Backend> backends) {
+  std::vector<milp::Backend> sorted(backends.begin(), backends.end());
+  std::stable_partition(sorted.begin(), sorted.end(),
                         [](const milp::Backend& backend) { return backend.name == "cbc"; });
-  return backends;
+  return sorted;
 }
 
 /// The labels that no selection meets, whatever becomes of the others.
@@ -91,13 +80,14 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   check_question(table, question);
-  const auto backends = wanted_backends(options.backend);
+  const auto backends = milp::wanted_backends(options.backend);
 
   Placement placement;
   if (auto unreachable = unreachable_labels(table, question); !unreachable.empty()) {
     placement = infeasible(table, question, std::move(unreachable));
   } else {
-    const bool searches = options.solver == SolverChoice::automatic;
+    const bool without_mip = options.solver == SolverChoice::search;
+    const bool searches = without_mip || options.solver == SolverChoice::automatic;
     const auto left = [&] { return options.time_limit_s - elapsed(); };
     const std::vector<std::uint32_t> greedy = greedy_selection(table, question);
     Selection known;
@@ -109,9 +99,10 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
       placement = greedy_placement(table, question, known);
     } else if (known && searches) {
       const auto of_large_lp = for_large_lp(backends);
-      placement = detail::search_placement(table, question, *known, {backends, of_large_lp}, left(),
-                                           options.seed, control);
-    } else if (searches && table.entries.size() > detail::SearchLimits{}.most_model_entries) {
+      placement = detail::search_placement(table, question, *known, {backends, of_large_lp, without_mip},
+                                           left(), options.seed, control);
+    } else if (without_mip ||
+               (searches && table.entries.size() > detail::SearchLimits{}.most_model_entries)) {
       placement = greedy_placement(table, question, known);
       placement.solver = "search";
     } else {
@@ -127,6 +118,8 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
         placement.bound_proof = BoundProof::solver;
     }
   }
+  placement.min_spacing = table.min_spacing;
+  placement.forbidden_pairs = table.apart.size();
   placement.seconds = elapsed();
   return placement;
 }

@@ -15,7 +15,7 @@ enum class Status {
   optimal,     ///< proven
   feasible,    ///< every label is met; nothing is claimed about the rest (greedy)
   infeasible,  ///< proven: see `unreachable`
-  /// A limit or an interruption came first, the solver failed, or the greedy method found no way: best
+  /// A limit or an interruption came first, the solver failed, or no way was found to begin with: best
   /// selection, if there is any, and bound so far.
   stopped
 };
@@ -51,11 +51,15 @@ struct Placement {
   /// Of all placements with this value (up to 1e-12 of it) this has the largest smallest margin, of these the
   /// fewest units, and its ids, in order, come first among those: the same for any number of threads.
   bool ties_settled = false;
-  bool unit_costs = false;  ///< no cost was given for the objective, so each link or signal counted 1
+  bool unit_costs = false;          ///< no cost was given for the objective, so each link or signal counted 1
+  double min_spacing = 0;           ///< m; SignalTable::min_spacing
+  std::size_t forbidden_pairs = 0;  ///< candidates that must not be chosen together: SignalTable::apart
   /// Labels that no selection meets. Infeasible without any: each could be met, but not all by one selection,
   /// because candidates exclude one another (Mounts).
   std::vector<Unreachable> unreachable;
-  std::string solver;  ///< "greedy", or name and version of the MIP back end; empty where neither was needed
+  /// "search", "search with highs 1.10.0" (the back end that solved its linear programs or a MIP), "greedy",
+  /// name and version of the MIP back end, or empty: labels are unreachable, which needs no solver.
+  std::string solver;
   double seconds = 0;  ///< wall time
 
   std::size_t count() const { return selected.size(); }
@@ -66,16 +70,19 @@ struct Placement {
 };
 
 enum class SolverChoice {
-  automatic,  ///< the preferred MIP back end
-  mip,
-  greedy
+  automatic,  ///< the search, which leaves to a MIP back end what that is better at
+  search,  ///< the search alone: a back end solves its linear programs, whose bounds are added up again, but
+           ///< no part of the answer or of its proof is a MIP solver's
+  mip,     ///< a MIP back end alone
+  greedy   ///< the paper's heuristic, with bounds that need no search
 };
 
 struct PlaceOptions {
   SolverChoice solver = SolverChoice::automatic;
   std::string backend = {};  ///< MIP back end by name; empty: the preferred one, the next where it fails
   double time_limit_s = 60;
-  std::uint64_t seed = 1;  ///< of local search, the only part that draws random numbers
+  std::uint64_t seed =
+      1;  ///< of the local search, which alone draws random numbers; no proven value depends on it
 };
 
 /// Answers the question for a table. Every returned selection has passed the checker (checker.hpp). Costs

@@ -135,17 +135,16 @@ Json critical(const Placement& placement, const SignalTable& table) {
   return result;
 }
 
-Json curve_points(const std::vector<CurvePoint>& curve) {
+Json curve_points(const std::vector<CurvePoint>& points) {
   Json result = Json::array();
-  for (const CurvePoint& point : curve)
+  for (const CurvePoint& point : points)
     result.push_back({{"units", point.units}, {"at_least", point.at_least}, {"at_most", point.at_most}});
   return result;
 }
 
 }  // namespace
 
-std::string placement_json(const Placement& placement, const SignalTable& table,
-                           const std::vector<CurvePoint>& curve) {
+std::string placement_json(const Placement& placement, const SignalTable& table, const ReachCurve& curve) {
   Json selected = Json::array();
   for (const std::uint32_t j : placement.selected) selected.push_back(table.transceivers[j].id);
   Json unreachable = Json::array();
@@ -159,6 +158,9 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
                {"combination", name_of(combination_names, question.combination)},
                {"share", question.share},
                {"survives_failure", question.redundant},
+               {"min_spacing", placement.min_spacing > 0 ? Json(placement.min_spacing) : Json(nullptr)},
+               {"forbidden_pairs", placement.forbidden_pairs},
+               {"labels", table.rows()},
                {"selected", selected},
                {"count", placement.count()},
                {"count_lower_bound", count(placement.count_lower_bound)},
@@ -175,7 +177,10 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
                {"unreachable", unreachable},
                {"scenarios", scenarios(placement, table)},
                {"critical", critical(placement, table)}};
-  if (!curve.empty()) file["curve"] = curve_points(curve);
+  if (!curve.points.empty()) {
+    file["curve"] = curve_points(curve.points);
+    file["curve_complete"] = curve.is_complete;
+  }
   return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -191,7 +196,10 @@ std::string reach_json(const Reach& reach, const SignalTable& table) {
                      {"labels", table.rows()},
                      {"reached", reach.reached},
                      {"reached_upper_bound", reach.upper_bound},
+                     {"gap", number(reach.gap())},
+                     {"bound_proof", name_of(bound_proof_names, reach.bound_proof)},
                      {"status", name_of(status_names, reach.status)},
+                     {"too_large", reach.too_large},
                      {"solver", reach.solver},
                      {"seconds", number(reach.seconds)},
                      {"missed", first_ids(reach.missed, table)}};
@@ -207,7 +215,9 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
                     "unit_costs",      "redundant_share", "status",
                     "solver",          "seconds",         "unreachable",
                     "scenarios",       "critical",        "curve",
-                    "bound_proof",     "ties_settled",    "certificate"});
+                    "bound_proof",     "ties_settled",    "min_spacing",
+                    "forbidden_pairs", "labels",          "curve_complete",
+                    "certificate"});
   file["format"].integer(1, 1);
   Placement placement;
   placement.question.model = named(file["model"], model_names);
@@ -216,6 +226,14 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
     placement.question.combination = named(*found, combination_names);
   if (const auto found = file.find("share")) placement.question.share = found->positive();
   if (const auto found = file.find("survives_failure")) placement.question.redundant = found->boolean();
+  if (const auto found = file.find("min_spacing"); found && !found->is_null())
+    placement.min_spacing = found->positive();
+  if (const auto found = file.find("forbidden_pairs"))
+    placement.forbidden_pairs =
+        static_cast<std::size_t>(found->integer(0, std::numeric_limits<std::int64_t>::max()));
+  if (const auto found = file.find("labels"); found && found->number() != static_cast<double>(table.rows()))
+    found->fail(fmt::format("is {}, but the matrix has {} labels", found->number(), table.rows()),
+                "use the matrix that this placement was computed from");
   placement.selected = read_selected(file["selected"], table);
   placement.count_lower_bound = number_or_infinity(file["count_lower_bound"]);
   placement.objective_value = number_or_infinity(file["objective_value"]);

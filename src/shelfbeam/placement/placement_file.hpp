@@ -14,7 +14,7 @@ namespace shelfbeam {
 /// placement.json as docs/formats/placement.md describes it; the same answer gives the same text, but for
 /// `seconds`. The curve is left out where there is none.
 std::string placement_json(const Placement& placement, const SignalTable& table,
-                           const std::vector<CurvePoint>& curve = {});
+                           const ReachCurve& curve = {});
 
 /// What `place --at-most` writes.
 std::string reach_json(const Reach& reach, const SignalTable& table);

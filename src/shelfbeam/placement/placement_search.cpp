@@ -335,7 +335,7 @@ class Engine {
   }
 
   void ask_mip(double seconds) {
-    if (out_of_time()) return;
+    if (out_of_time() || solvers_.only_linear) return;
     const Clock::time_point until = after(seconds);
     const auto left = [&] { return std::chrono::duration<double>(until - Clock::now()).count(); };
     if (reduces()) {
@@ -419,7 +419,8 @@ class Engine {
           lift(surely(answer.proof.most_cost, goal.most_units), *strength);
       if (is_closed()) return true;
     }
-    if (out_of_time() || table_.entries.size() > limits_.most_mip_entries) return false;
+    if (out_of_time() || solvers_.only_linear || table_.entries.size() > limits_.most_mip_entries)
+      return false;
     const ReducedAnswer answer = ask_in_turn(solvers_.preferred, [&](const milp::Backend& backend) {
       return place_at_count(table_, question_, cost, best_, backend.solve, rest(), control_);
     });

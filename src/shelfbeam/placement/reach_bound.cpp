@@ -107,16 +107,16 @@ double ReachBound::evaluate(const Kind& kind, std::size_t units, std::vector<boo
   return wanted;
 }
 
-void ReachBound::improve(std::size_t units, std::size_t reached, std::size_t steps,
-                         const RunControl& control) {
+void ReachBound::improve(std::size_t units, std::size_t reached, std::size_t steps, const RunControl& control,
+                         Clock::time_point until) {
   if (units == 0) return;
   const std::size_t each = (steps + kinds_.size() - 1) / kinds_.size();
   for (Kind& kind : kinds_)
-    if (labels(units) > reached) improve(kind, units, reached, each, control);
+    if (labels(units) > reached) improve(kind, units, reached, each, control, until);
 }
 
 void ReachBound::improve(Kind& kind, std::size_t units, std::size_t reached, std::size_t steps,
-                         const RunControl& control) {
+                         const RunControl& control, Clock::time_point until) {
   std::vector<double>& multiplier = kind.multiplier;
   double length = 1;
   double least = std::numeric_limits<double>::infinity();
@@ -124,7 +124,7 @@ void ReachBound::improve(Kind& kind, std::size_t units, std::size_t reached, std
   std::vector<double> best_multiplier = multiplier;
   std::vector<bool> counted;
   std::vector<double> excess(multiplier.size());
-  for (std::size_t step = 0; step < steps && !control.cancelled(); ++step) {
+  for (std::size_t step = 0; step < steps && !control.cancelled() && Clock::now() < until; ++step) {
     const double value = evaluate(kind, units, counted);
     if (labels(units) <= reached) break;
     if (value < least * (1 - 1e-6)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,6 +21,8 @@ namespace shelfbeam {
 /// entries that were rounded up.
 class ReachBound {
  public:
+  using Clock = std::chrono::steady_clock;
+
   /// For selections of at most `most_units`, no fewer than are installed.
   ReachBound(const SignalTable& table, const Question& question, std::size_t most_units);
 
@@ -27,8 +30,9 @@ class ReachBound {
   std::size_t labels(std::size_t units) const;
 
   /// Takes about so many steps towards a better bound for `units`, from where the last ones ended; ends
-  /// early where it is down to `reached`, which is known to be possible.
-  void improve(std::size_t units, std::size_t reached, std::size_t steps, const RunControl& control);
+  /// early where it is down to `reached`, which is known to be possible, and where `until` comes.
+  void improve(std::size_t units, std::size_t reached, std::size_t steps, const RunControl& control,
+               Clock::time_point until = Clock::time_point::max());
 
   /// What one step has to look at.
   std::size_t entries() const { return entries_.size(); }
@@ -50,7 +54,7 @@ class ReachBound {
   };
 
   void improve(Kind& kind, std::size_t units, std::size_t reached, std::size_t steps,
-               const RunControl& control);
+               const RunControl& control, Clock::time_point until);
   double lifted(const Kind& kind, std::size_t units, std::size_t label, const Entry& entry) const;
   std::vector<Candidate> best_candidates(const std::vector<double>& value) const;
   double evaluate(const Kind& kind, std::size_t units, std::vector<bool>& counted);

@@ -164,9 +164,12 @@ void ReachSearch::prune() {
   }
 }
 
-void ReachSearch::improve(std::size_t most_units, std::size_t work, const RunControl& control) {
+void ReachSearch::improve(std::size_t most_units, std::size_t work, const RunControl& control,
+                          std::chrono::steady_clock::time_point until) {
   const std::size_t end = work_ + work;
-  const auto goes_on = [&] { return work_ < end && !control.cancelled(); };
+  const auto goes_on = [&] {
+    return work_ < end && !control.cancelled() && std::chrono::steady_clock::now() < until;
+  };
   bool better = true;
   while (better && goes_on()) {
     better = false;

@@ -60,6 +60,7 @@ void keep_apart(SignalTable& table, double metres, const std::string& name) {
         table.apart.emplace_back(std::min(a, b), std::max(a, b));
     }
   order(table.apart);
+  table.min_spacing = std::max(table.min_spacing, metres);
 }
 
 void forbid_pairs(SignalTable& table, const std::filesystem::path& path) {

@@ -48,6 +48,7 @@ struct SignalTable {
   /// Pairs of columns that must not be chosen together, mounting points aside (signal/apart.hpp): the smaller
   /// first, ascending, no pair twice, no two installed units.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;
+  double min_spacing = 0;  ///< m; the distance that pairs of `apart` stand for, 0 without one (keep_apart)
   /// Where the rows come from several matrices (stack_tables): which, in order; else empty.
   struct Scenario {
     std::string name;

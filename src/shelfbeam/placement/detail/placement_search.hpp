@@ -15,6 +15,7 @@ namespace shelfbeam::detail {
 /// Who is asked for linear and mixed-integer programs, in this order: the next where one fails.
 struct Solvers {
   std::span<const milp::Backend> preferred, for_large_lp;
+  bool only_linear = false;  ///< no mixed-integer programs: no solver has a part in the answer or its proof
 };
 
 /// What is too much for what; the defaults suit two cores and a minute. Entries and places are of the matrix.

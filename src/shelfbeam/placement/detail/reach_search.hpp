@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,8 +30,9 @@ class ReachSearch {
   /// Leaves out the unit without which fewest labels are missed; false where all are installed.
   bool drop();
   /// Exchanges units for others, adds up to `most_units` and at last leaves out those that reach nothing,
-  /// as long as it helps and no more than about `work` entries have been looked at.
-  void improve(std::size_t most_units, std::size_t work, const RunControl& control);
+  /// as long as it helps, no more than about `work` entries have been looked at, and `until` has not come.
+  void improve(std::size_t most_units, std::size_t work, const RunControl& control,
+               std::chrono::steady_clock::time_point until);
 
   std::vector<std::uint32_t> selected() const;
   std::size_t count() const { return count_; }

@@ -1,0 +1,54 @@
+#include "shelfbeam/placement/words.hpp"
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/text.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+std::string what_is_forbidden(const Placement& placement) {
+  if (placement.min_spacing > 0) return fmt::format("units must be {:.6g} m apart", placement.min_spacing);
+  return placement.forbidden_pairs > 0 ? "some pairs must not be chosen together" : "";
+}
+
+}  // namespace
+
+std::string_view behind_bound(BoundProof proof) {
+  switch (proof) {
+    case BoundProof::trivial:
+      return "what is plain without a search";
+    case BoundProof::dual:
+      return "a dual solution, added up again from the matrix";
+    case BoundProof::log:
+      return "exhaustive search, its log checked";
+    case BoundProof::search:
+      return "exhaustive search, its log too long to be checked";
+    case BoundProof::solver:
+      return "the word of a MIP solver";
+  }
+  return {};
+}
+
+std::string kept_apart(const Placement& placement) {
+  const std::string forbidden = what_is_forbidden(placement);
+  if (forbidden.empty()) return {};
+  const std::size_t pairs = placement.forbidden_pairs;
+  return fmt::format("{} {} kept apart: {}", counted(pairs, "pair of candidates", "pairs of candidates"),
+                     pairs == 1 ? "is" : "are", forbidden);
+}
+
+std::string why_exclusive(const Placement& placement, bool has_options) {
+  const std::string options = has_options ? "a mounting point holds one unit" : "";
+  const std::string forbidden = what_is_forbidden(placement);
+  return options + (options.empty() || forbidden.empty() ? "" : " and ") + forbidden;
+}
+
+std::string_view why_nothing(const Question& question, bool is_heard) {
+  if (!is_heard) return "no light arrives at all: is it inside something, or facing into it?";
+  if (question.redundant) return "light arrives from one place only, and the unit there may fail";
+  return "light arrives only from candidates that an installed unit rules out";
+}
+
+}  // namespace shelfbeam
