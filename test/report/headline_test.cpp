@@ -115,12 +115,79 @@ TEST(Headline, SaysThatOptionsExcludeOneAnother) {
   EXPECT_TRUE(any_remark(s.input, "an exact search may find one"));
 }
 
+TEST(Headline, SaysWhatWasKeptApart) {
+  Supermarket s;
+  EXPECT_FALSE(any_remark(s.input, "apart"));
+  EXPECT_FALSE(pieces(report_html(s.input)).contains("Pairs of candidates kept apart"));
+  s.placement.forbidden_pairs = 1200;
+  EXPECT_TRUE(any_remark(s.input, "1,200 pairs of candidates are kept apart: some pairs must not be chosen"));
+  s.placement.min_spacing = 2.5;
+  EXPECT_NE(
+      headline(ReportData(s.input)).answer.find("926 labels, every new one at least 2.5 m from all others; "),
+      std::string::npos);
+  EXPECT_TRUE(any_remark(s.input, "1,200 pairs of candidates are kept apart: units must be 2.5 m apart."));
+  const auto cells = pieces(report_html(s.input));
+  for (const char* fact :
+       {"Least distance between two units", "2.5\u00A0m", "Pairs of candidates kept apart", "1,200"})
+    EXPECT_TRUE(cells.contains(fact)) << fact;
+
+  const std::size_t pairs = s.placement.forbidden_pairs;
+  s.placement = {};
+  s.placement.status = Status::infeasible;
+  s.placement.forbidden_pairs = pairs;
+  EXPECT_EQ(
+      headline(ReportData(s.input)).answer,
+      "No selection can do it: each label could be reached, but not all of them at once, because some pairs "
+      "must not be chosen together.");
+  s.placement.min_spacing = 2;
+  EXPECT_NE(headline(ReportData(s.input)).answer.find("because units must be 2 m apart."), std::string::npos);
+}
+
+TEST(Headline, SaysWhatTheBoundRestsOn) {
+  Supermarket s;
+  s.placement.bound_proof = BoundProof::dual;
+  s.placement.ties_settled = false;
+  EXPECT_TRUE(any_remark(s.input, "rests on a dual solution, added up again from the matrix."));
+  EXPECT_FALSE(any_remark(s.input, "largest smallest margin"));
+  EXPECT_TRUE(pieces(report_html(s.input)).contains("a dual solution, added up again from the matrix"));
+  EXPECT_TRUE(pieces(report_html(s.input)).contains("not all were compared"));
+  s.placement.ties_settled = true;
+  EXPECT_TRUE(any_remark(s.input, "largest smallest margin"));
+  EXPECT_TRUE(pieces(report_html(s.input)).contains("the one with the largest smallest margin"));
+}
+
+TEST(Headline, SaysWhatSurvivesAFailure) {
+  Supermarket s;
+  const std::string legend = "signals without each label's strongest unit";
+  EXPECT_FALSE(pieces(report_html(s.input)).contains(legend));
+  s.placement.question.redundant = true;
+  EXPECT_TRUE(pieces(report_html(s.input)).contains(legend));
+  s.placement = {};
+  s.placement.question = {.model = CommunicationModel::non_cooperative, .redundant = true};
+  s.placement.status = Status::infeasible;
+  s.placement.unreachable = {{0, 1, 0.5}};
+  EXPECT_EQ(headline(ReportData(s.input)).answer,
+            "No selection can do it: 1 of 926 labels cannot be reached, each by two units at once, of which "
+            "one may "
+            "fail.");
+  EXPECT_NE(report_html(s.input).find("the best single candidate that is left when the strongest fails."),
+            std::string::npos);
+}
+
 TEST(Headline, AsksWhyALabelGetsNoLight) {
   Supermarket s;
   s.placement = {};
   s.placement.status = Status::infeasible;
   s.placement.unreachable = {{0, 1, 0.5}, {3, 1, 0}};
   const std::string asked = "no light arrives at all: is it inside something, or facing into it?";
+  // Some light is there: where one unit may fail, that of one is as good as none.
+  EXPECT_FALSE(any_remark(s.input, asked));
+  EXPECT_EQ(pieces(report_html(s.input)).count(asked), 0U);
+  s.placement.question.redundant = true;
+  EXPECT_TRUE(pieces(report_html(s.input))
+                  .contains("light arrives from one place only, and the unit there may fail"));
+  s.placement.question.redundant = false;
+  for (std::size_t j = 0; j < s.matrix.columns(); ++j) s.matrix.mean[s.matrix.at(3, j)] = 0;
   EXPECT_EQ(pieces(report_html(s.input)).count(asked), 1U);
   EXPECT_TRUE(any_remark(s.input, "At one of them " + asked));
   s.placement.unreachable[1].most = 0.1;

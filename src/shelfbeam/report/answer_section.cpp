@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/placement/words.hpp"
 #include "shelfbeam/report/headline.hpp"
 #include "shelfbeam/report/html_table.hpp"
 #include "shelfbeam/report/sections.hpp"
@@ -16,8 +17,9 @@ std::string card(const std::string& name, const std::string& value, const std::s
                      escape(name), escape(value), escape(note));
 }
 
-std::string shortfall(const Unreachable& label) {
-  if (label.most <= 0) return "no light arrives at all: is it inside something, or facing into it?";
+std::string shortfall(const ReportData& data, const Unreachable& label) {
+  if (label.most <= 0)
+    return std::string(why_nothing(data.input.placement.question, data.is_heard(label.label)));
   const double db = -margin_db(label.most, label.requirement);
   return fixed(db, db < 0.095 ? 2 : 1) + "\u00A0dB";
 }
@@ -103,12 +105,14 @@ std::string unreachable_section(const ReportData& data) {
     const LabelRow& label = data.label(worst[k].label);
     table.add_row({label.id, fixed(label.position.x, 2), fixed(label.position.y, 2),
                    fixed(label.position.z, 2), data.unit.number(worst[k].requirement),
-                   data.unit.number(worst[k].most), shortfall(worst[k])});
+                   data.unit.number(worst[k].most), shortfall(data, worst[k])});
   }
-  std::string html =
-      paragraph(data.input.placement.question.model == CommunicationModel::cooperative
-                    ? fmt::format("The most a label could get is its signal {}.", data.everything_on())
-                    : "The most a label could get is its signal from the best single candidate.");
+  std::string html = paragraph(
+      data.input.placement.question.model == CommunicationModel::cooperative
+          ? fmt::format("The most a label could get is its signal {}.", data.everything_on())
+          : fmt::format(
+                "The most a label could get is its signal from the best single candidate{}.",
+                data.input.placement.question.redundant ? " that is left when the strongest fails" : ""));
   html += table.html();
   if (worst.size() > most_rows)
     html += paragraph(fmt::format("The {} that are furthest off; placement.json lists all {}.", most_rows,

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "shelfbeam/placement/words.hpp"
 #include "shelfbeam/report/headline.hpp"
 #include "shelfbeam/report/html_table.hpp"
 #include "shelfbeam/report/sections.hpp"
@@ -39,7 +40,16 @@ std::string placement_facts(const ReportData& data) {
   if (question.objective == Objective::effective_links)
     facts.add("A link counts from", percent(question.share, 0) + " of the requirement");
   if (question.redundant) facts.add("When any one unit fails", "every label must still be reached");
+  if (placement.min_spacing > 0)
+    facts.add("Least distance between two units", plain(placement.min_spacing) + "\u00A0m");
+  if (placement.min_spacing > 0 || placement.forbidden_pairs > 0)
+    facts.add("Pairs of candidates kept apart", grouped(placement.forbidden_pairs));
   facts.add("Status", status_name(placement.status));
+  if (placement.status != Status::infeasible) {
+    facts.add("The bound rests on", std::string(behind_bound(placement.bound_proof)));
+    facts.add("Of equal placements",
+              placement.ties_settled ? "the one with the largest smallest margin" : "not all were compared");
+  }
   facts.add("Solver", placement.solver);
   facts.add("Time", significant(placement.seconds, 3) + "\u00A0s");
   if (data.has_selection()) {

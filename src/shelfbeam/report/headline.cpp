@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/placement/words.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -50,9 +52,10 @@ std::string reached_labels(const ReportData& data) {
 
 std::string candidates_text(const ReportData& data) {
   const std::size_t n = data.input.matrix.columns();
-  if (data.input.placement.question.model == CommunicationModel::non_cooperative)
-    return fmt::format("even by the {}best of {}", data.input.placement.question.redundant ? "second " : "",
-                       counted(n, "candidate"));
+  const Question& question = data.input.placement.question;
+  if (question.model == CommunicationModel::non_cooperative)
+    return question.redundant ? "each by two units at once, of which one may fail"
+                              : fmt::format("even by the best of {}", counted(n, "candidate"));
   if (data.has_options())
     return fmt::format("even with the best option of {} on",
                        data.mounting_points == 1
@@ -72,6 +75,9 @@ Headline with_selection(const ReportData& data) {
   result.answer = fmt::format("{} {} {}", counted(placement.count(), "transceiver"),
                               placement.count() == 1 ? "reaches" : "reach", reached_labels(data));
   if (placement.question.redundant) result.answer += ", even when any one of them fails";
+  if (placement.min_spacing > 0)
+    result.answer +=
+        fmt::format(", every new one at least {} m from all others", plain(placement.min_spacing));
   result.answer += all_met ? bound_clause(placement) : ".";
 
   std::size_t installed = 0;
@@ -97,13 +103,12 @@ Headline infeasible(const ReportData& data) {
   if (lost > 0)
     result.answer = fmt::format("No selection can do it: {} of {} cannot be reached, {}.", grouped(lost),
                                 counted(all, "label"), candidates_text(data));
-  else if (data.has_options())
-    result.answer =
-        "No selection can do it: each label could be reached, but not all of them at once, because a "
-        "mounting "
-        "point holds one unit.";
-  const auto dark = std::count_if(placement.unreachable.begin(), placement.unreachable.end(),
-                                  [](const Unreachable& label) { return label.most <= 0; });
+  else if (const std::string why = why_exclusive(placement, data.has_options()); !why.empty())
+    result.answer = fmt::format(
+        "No selection can do it: each label could be reached, but not all of them at once, because {}.", why);
+  const auto dark =
+      std::count_if(placement.unreachable.begin(), placement.unreachable.end(),
+                    [&](const Unreachable& label) { return label.most <= 0 && !data.is_heard(label.label); });
   if (dark > 0)
     result.remarks.push_back(
         dark == 1 ? "At one of them no light arrives at all: is it inside something, or facing into it?"
@@ -121,17 +126,22 @@ Headline nothing_found(const ReportData& data) {
   const Placement& placement = data.input.placement;
   const std::size_t least = least_count(placement);
   const bool greedy = placement.solver == "greedy";
+  const bool gave_up = greedy || placement.solver == "search";
   Headline result;
   result.answer =
       fmt::format("{}{}.",
-                  greedy ? "The greedy method found no selection"
-                         : fmt::format("No selection was found within {}", time_text(placement.seconds)),
+                  greedy    ? "The greedy method found no selection"
+                  : gave_up ? "The search found no selection"
+                            : fmt::format("No selection was found within {}", time_text(placement.seconds)),
                   least == 0 ? ""
                              : fmt::format("; it is proven that at least {} {} needed", grouped(least),
                                            least == 1 ? "transceiver is" : "transceivers are"));
   result.remarks.push_back(
       fmt::format("The question is open: {} may find one. The plans below show what each label would get {}.",
-                  greedy ? "an exact search" : "more time", data.everything_on()));
+                  greedy    ? "an exact search"
+                  : gave_up ? "a MIP solver"
+                            : "more time",
+                  data.everything_on()));
   return result;
 }
 
@@ -155,6 +165,15 @@ std::string objective_remark(const Placement& placement) {
     text += fmt::format("; at least {} is proven (gap {})", bound, percent(placement.gap()));
   text += placement.unit_costs ? ". No costs were given, so each counts 1." : ".";
   return text;
+}
+
+std::string proof_remark(const ReportData& data) {
+  const Placement& placement = data.input.placement;
+  if (placement.status == Status::infeasible || least_count(placement) == 0) return {};
+  return fmt::format("What is proven rests on {}.{}", behind_bound(placement.bound_proof),
+                     placement.ties_settled
+                         ? " Of all selections that are as good this has the largest smallest margin."
+                         : "");
 }
 
 std::string closeness_remark(const ReportData& data) {
@@ -234,6 +253,8 @@ Headline headline(const ReportData& data) {
     if (std::string remark = objective_remark(placement); !remark.empty())
       result.remarks.push_back(std::move(remark));
   }
+  if (const std::string apart = kept_apart(placement); !apart.empty()) result.remarks.push_back(apart + ".");
+  if (std::string remark = proof_remark(data); !remark.empty()) result.remarks.push_back(std::move(remark));
   result.remarks.push_back(sampling_remark(data));
   return result;
 }

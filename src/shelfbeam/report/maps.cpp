@@ -199,7 +199,10 @@ std::string Maps::unit_legend() const {
   if (fresh) html += key("unit", "chosen unit");
   if (old) html += key("unit-old", "chosen unit, already installed");
   if (leans) html += key("unit-aim", "leans this way");
-  return html + key("cross", data_.has_selection() ? "candidate, not chosen" : "candidate");
+  html += key("cross", data_.has_selection() ? "candidate, not chosen" : "candidate");
+  if (data_.input.placement.question.redundant)
+    html += "<li>signals without each label's strongest unit</li>";
+  return html;
 }
 
 std::string Maps::signal_legend() const {

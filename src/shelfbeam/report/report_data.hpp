@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "shelfbeam/report/levels.hpp"
@@ -36,6 +37,11 @@ struct ReportData {
                  : "if every candidate were on and the strongest failed";
     return has_options() ? "if the best option of every mounting point were on"
                          : "if every candidate were on";
+  }
+  /// The label has some entry above 0.
+  bool is_heard(std::uint32_t row) const {
+    const auto signals = input.matrix.mean_row(row);
+    return std::any_of(signals.begin(), signals.end(), [](float signal) { return signal > 0; });
   }
   bool has_direct() const { return input.matrix.direct.size() == input.matrix.mean.size(); }
   const LabelRow& label(std::uint32_t row) const { return input.matrix.labels[row]; }
