@@ -44,6 +44,10 @@ void export_matrix(const Options& options) {
 
 void export_model(const Options& options) {
   const Question question = options.question.question();
+  if (question.objective != Objective::count && question.combination == Combination::lexicographic)
+    throw InputError(fmt::format("--objective {}", options.question.objective),
+                     "comes second, and a file holds one objective: that of the number",
+                     "add --weighted for one sum, or leave the objective out");
   const milp::Model model = placement_model(options.input.table(question), question);
   if (options.output.extension() == ".lp")
     milp::write_lp(model, options.output);
