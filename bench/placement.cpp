@@ -1,28 +1,13 @@
 // Our search against MIP solvers on the same questions: one process, one after the other, side by side.
-//
-//   build/release/bench_placement [SIGNAL...] [--limit S] [--scale X,Y...] [--only-count] [--json]
-//   build/release/bench_placement --symmetry [SIGNAL...] [--limit S] [--scale X,Y...]
-//   build/release/bench_placement --bounds [SIGNAL...] [--limit S] [--scale X,Y...]
-//
-// SIGNAL: any matrix that `shelfbeam place` reads. Without one the thesis environment is simulated: the
-// uniform estimator with 5,000 to 100,000 samples and the reuse estimator with 10,000.
-// --limit: seconds for each answer (60). A ratio with > is of a solver that was stopped by it: it takes
-// longer.
-// --scale: all of it again with the requirements times X, Y, ..., for answers of more units.
-// --symmetry: instead, what neighbouring and mirrored candidates cost the tree search.
-// --bounds: instead, what reductions leave, and the bounds of linear programs with and without shares.
 
 #include "shelfbeam/placement/placement.hpp"
 
-#include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -41,6 +26,24 @@ namespace {
 using namespace shelfbeam;
 using namespace shelfbeam::bench;
 
+constexpr const char* usage =
+    R"(bench_placement [SIGNAL...] [--limit S] [--scale X,Y...] [--only-count] [--json]
+bench_placement --symmetry [SIGNAL...] [--limit S] [--scale X,Y...]
+bench_placement --bounds [SIGNAL...] [--limit S] [--scale X,Y...]
+
+Asks our search and every MIP solver the same placement questions, and prints times and their ratios.
+
+SIGNAL        any matrix that 'shelfbeam place' reads; without one the thesis environment is simulated: the
+              uniform estimator with 5,000 to 100,000 samples and the reuse estimator with 10,000
+--limit S     seconds for each answer (60). Where one was stopped by it the ratio is a bound: > or <, and - where
+              both were
+--scale X,Y   all of it again with the requirements times X, Y, ..., for answers of more units
+--only-count  without second objectives
+--json        rows as JSON
+--symmetry    instead: what neighbouring and mirrored candidates cost the tree search
+--bounds      instead: what reductions leave, and the bounds of linear programs with and without shares
+)";
+
 struct Settings {
   std::vector<std::string> files;
   std::vector<double> scales = {1};
@@ -49,6 +52,7 @@ struct Settings {
   bool json = false;
   bool symmetry = false;
   bool bounds = false;
+  bool help = false;
 };
 
 struct Entrant {
@@ -87,11 +91,16 @@ class Table {
                  "objective", "by", "count", "value", "bound", "status", "s", "ratio");
   }
 
+  /// The first of a question is ours, with which the others are compared.
   void add(const std::string& instance, const Question& question, const std::string& by,
-           const Placement& found, double seconds, double ours) {
-    const bool is_ours = ours == 0;
+           const Placement& found, double seconds, bool is_ours) {
     const bool was_stopped = found.status == Status::stopped;
-    const double ratio = is_ours ? 1 : seconds / ours;
+    if (is_ours) ours_ = {seconds, was_stopped};
+    const double ratio = seconds / ours_.seconds;
+    const char* const sign = !was_stopped && !ours_.was_stopped ? ""
+                             : !ours_.was_stopped               ? ">"
+                             : !was_stopped                     ? "<"
+                                                                : "-";
     if (json_) {
       rows_.push_back({{"instance", instance},
                        {"model", name_of(model_names, question.model)},
@@ -103,13 +112,16 @@ class Table {
                        {"status", name_of(status_names, found.status)},
                        {"seconds", seconds},
                        {"ratio", ratio},
-                       {"ratio_is_at_least", was_stopped && !is_ours}});
+                       {"ratio_is", is_ours ? "" : sign}});
       return;
     }
     fmt::print("{:<18} {:<16} {:<16} {:<10} {:>5} {:>11.6g} {:>11.6g} {:<10} {:>9.3f} {:>8}\n", instance,
                name_of(model_names, question.model), name_of(objective_names, question.objective), by,
                found.count(), found.objective_value, found.lower_bound, name_of(status_names, found.status),
-               seconds, is_ours ? "" : fmt::format("{}{:.3g}", was_stopped ? ">" : "", ratio));
+               seconds,
+               is_ours        ? ""
+               : *sign == '-' ? "-"
+                              : fmt::format("{}{:.3g}", sign, ratio));
     std::fflush(stdout);
   }
 
@@ -118,7 +130,13 @@ class Table {
   }
 
  private:
+  struct Ours {
+    double seconds = 0;
+    bool was_stopped = false;
+  };
+
   bool json_;
+  Ours ours_;
   nlohmann::ordered_json rows_ = nlohmann::ordered_json::array();
 };
 
@@ -126,12 +144,12 @@ void compare(const Settings& settings) {
   Table table(settings.json);
   for_instances(settings.files, settings.scales, [&](const std::string& name, const SignalTable& signals) {
     for (const Question& question : questions(settings.only_count)) {
-      double ours = 0;
+      bool is_ours = true;
       for (const Entrant& entrant : entrants(settings.limit)) {
         Placement found;
         const double seconds = wall_seconds([&] { found = place(signals, question, entrant.options); });
-        table.add(name, question, entrant.name, found, seconds, ours);
-        if (ours == 0) ours = seconds;
+        table.add(name, question, entrant.name, found, seconds, is_ours);
+        is_ours = false;
       }
     }
   });
@@ -164,6 +182,8 @@ Settings parse(int argc, char** argv) {
       settings.symmetry = true;
     } else if (word == "--bounds") {
       settings.bounds = true;
+    } else if (word == "--help") {
+      settings.help = true;
     } else if (word.starts_with("--")) {
       throw std::invalid_argument("unknown option " + word);
     } else {
@@ -180,7 +200,9 @@ Settings parse(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     const Settings settings = parse(argc, argv);
-    if (settings.symmetry)
+    if (settings.help)
+      fmt::print("{}", usage);
+    else if (settings.symmetry)
       print_symmetry(settings.files, settings.scales, settings.limit);
     else if (settings.bounds)
       print_bounds(settings.files, settings.scales, settings.limit);

@@ -30,7 +30,7 @@ std::vector<std::uint32_t> everything(const SignalTable& table) {
   return all;
 }
 
-// From all columns to the best that is known, with every seed.
+// Starting from all columns, two walks reach the best value that is known, whichever of these seeds they have.
 TEST(CoverSearch, FindsTheKnownOptima) {
   const struct {
     SignalTable table;
@@ -45,7 +45,7 @@ TEST(CoverSearch, FindsTheKnownOptima) {
     }
 }
 
-// Installed units stay, the same seed gives the same selection, and no selection is not better than known.
+// Installed units stay, the same seed gives the same selection, and what is no better is not returned.
 TEST(CoverSearch, KeepsWhatIsInstalledAndClaimsNothing) {
   SignalTable table = test::affine_lines(3);
   table.transceivers[5].installed = table.transceivers[6].installed = true;
