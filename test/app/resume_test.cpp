@@ -36,7 +36,7 @@ TEST_F(Killed, ARunGoesOnToTheSameBytes) {
     expect_silent(arguments("whole.h5", rule));
     auto resumed = rule;
     resumed.push_back("--resume");
-    double delay = 0.02;
+    double delay = 0.005;
     int kills = 0, with_checkpoint = 0;
     for (;; delay *= 1.08) {
       test::Process process(test::command(arguments("signal.h5", resumed)));
