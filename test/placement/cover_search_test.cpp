@@ -30,7 +30,8 @@ std::vector<std::uint32_t> everything(const SignalTable& table) {
   return all;
 }
 
-// Starting from all columns, two walks reach the best value that is known, whichever of these seeds they have.
+// Starting from all columns, two walks reach the best value that is known, whichever of these seeds they
+// have.
 TEST(CoverSearch, FindsTheKnownOptima) {
   const struct {
     SignalTable table;
