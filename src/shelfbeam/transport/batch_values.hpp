@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "shelfbeam/transport/shadow_rays.hpp"
+
 namespace shelfbeam {
 
 /// What one batch of one item gives: means over its samples, of the entries that are not zero.
@@ -26,6 +28,7 @@ struct BatchValues {
   std::vector<Value> values;
   std::vector<LayerValue> layers;  ///< only of estimators that tell bounces apart
   std::uint64_t rays = 0;          ///< traced in all; not cleared
+  ShadowRays shadow_rays;          ///< of walks from labels; not cleared
 };
 
 }  // namespace shelfbeam

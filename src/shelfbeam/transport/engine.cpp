@@ -166,8 +166,13 @@ void Engine::sample(const std::vector<std::uint32_t>& items, std::uint32_t round
 bool Engine::sample(std::uint32_t item, std::uint32_t batch, BatchValues& values) {
   values.clear();
   values.rays = 0;
+  values.shadow_rays = {};
   if (!estimator_.sample(item, batch, control_.cancel, values)) return false;
   rays_.fetch_add(values.rays, std::memory_order_relaxed);
+  {
+    const std::scoped_lock lock(shadow_rays_mutex_);
+    shadow_rays_ += values.shadow_rays;
+  }
   done_.fetch_add(1, std::memory_order_relaxed);
   report();
   return true;

@@ -118,6 +118,7 @@ class LabelWalk {
       light = emitters.point(j, to_unit(place[0]), to_unit(place[1]));
     }
     const double weight = n_ * (step == 0 ? 1 : throughput_);
+    ++tally_.shadow_rays.connections;
 
     const Vec3 way = light.position - at.position;
     const double squared = length_squared(way);
@@ -129,6 +130,8 @@ class LabelWalk {
       if (value > 0) {
         const Passage passage = world_.rays.passage(at, light.position);
         ++tally_.rays;
+        ++tally_.shadow_rays.traced;
+        if (passage.share == 0) ++tally_.shadow_rays.occluded;
         const bool shared = rules_.strategy == Strategy::mis && !is_point;
         if (passage.share > 0)
           tally_.add(bounces, j,

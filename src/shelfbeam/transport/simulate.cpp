@@ -30,6 +30,7 @@ SimulationSummary summarise(const SignalMatrix& head, const detail::Engine& engi
   summary.most_samples = most->samples;
   summary.most_batches = most->batches;
   summary.rays = engine.rays();
+  summary.shadow_rays = engine.shadow_rays();
   summary.seconds_to_halve = engine.seconds_to_halve();
   for (ErrorQuantiles& errors : summary.errors) {
     const LogHistogram histogram = engine.survey().relative_errors(errors.above);

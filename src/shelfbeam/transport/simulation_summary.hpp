@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "shelfbeam/transport/shadow_rays.hpp"
+
 namespace shelfbeam {
 
 /// Relative standard errors of the entries above a share of their label's requirement, good to 1 %.
@@ -20,6 +22,7 @@ struct SimulationSummary {
   std::uint64_t least_samples = 0, most_samples = 0;  ///< first rays a label
   std::uint32_t least_batches = 0, most_batches = 0;
   std::uint64_t rays = 0;       ///< traced in this run, not before a resumption
+  ShadowRays shadow_rays;       ///< of these; all 0 where no walks from labels are connected
   double seconds = 0;           ///< of this run
   double seconds_to_halve = 0;  ///< predicted from there on, until the errors are half as large
   std::array<ErrorQuantiles, 2> errors = {{{0.3}, {0.02}}};

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "shelfbeam/transport/shadow_rays.hpp"
+
 namespace shelfbeam {
 
 /// Sums of contributions by number of bounces (the last level takes all from there on) and by index: of a
@@ -24,6 +26,7 @@ class Tally {
   double sum(std::size_t level, std::size_t k) const { return sums_[level * width_ + k]; }
 
   std::uint64_t rays = 0;  ///< traced in all; not cleared
+  ShadowRays shadow_rays;  ///< of walks from labels; not cleared
 
  private:
   std::size_t width_, levels_;

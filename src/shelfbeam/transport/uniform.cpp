@@ -78,6 +78,7 @@ bool UniformEstimator::sample(std::size_t item, std::uint32_t batch, const Cance
   }
   if (!cancelled && !rules_.samples_direct) sample_direct_light(item, batch, tally);
   values.rays += tally.rays;
+  values.shadow_rays += tally.shadow_rays;
   if (cancelled) return false;
 
   const double samples = per_batch_;

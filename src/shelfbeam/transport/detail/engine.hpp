@@ -46,6 +46,7 @@ class Engine {
   std::uint32_t fewest_batches() const;
   bool has_checkpoint() const { return checkpoint_ && checkpoint_->has_saved(); }
   std::uint64_t rays() const { return rays_ + known_.rays(); }
+  const ShadowRays& shadow_rays() const { return shadow_rays_; }
   /// Predicted until the errors are half as large.
   double seconds_to_halve() const;
 
@@ -86,6 +87,9 @@ class Engine {
 
   std::optional<CheckpointFile> checkpoint_;
   double saved_at_ = 0, save_took_ = 0;  ///< s
+
+  ShadowRays shadow_rays_;
+  std::mutex shadow_rays_mutex_;
 
   double last_batch_s_ = 0;
   std::uint32_t next_look_ = 2;       ///< batches after which the errors are looked at for those who watch
