@@ -1,0 +1,38 @@
+"""What a section says in the end: a statement of the paper, our figures for it, and whether they agree."""
+
+from dataclasses import dataclass, field
+
+AGREES, PARTLY, DIFFERS, OURS = "agrees", "in part", "differs", "no claim"
+
+
+@dataclass(frozen=True)
+class Finding:
+    """`paper` and `ours` are short enough for a column of a table; `sentence` says it in words."""
+
+    reference: str  # section, table or figure of the paper
+    claim: str  # in our words
+    paper: str
+    ours: str
+    verdict: str
+    sentence: str
+    why: str = ""
+
+
+@dataclass
+class Section:
+    title: str
+    reference: str
+    question: str
+    body: list = field(default_factory=list)  # pieces of HTML
+    findings: list = field(default_factory=list)
+    tables: dict = field(default_factory=dict)  # CSV files: name -> (header, rows)
+
+    def add(self, *pieces):
+        self.body.extend(pieces)
+
+    def find(self, claim, paper, ours, verdict, sentence, why="", reference=None):
+        self.findings.append(Finding(reference or self.reference, claim, paper, ours, verdict, sentence, why))
+
+
+def verdict(holds, holds_in_part=False):
+    return AGREES if holds else PARTLY if holds_in_part else DIFFERS

@@ -1,0 +1,81 @@
+"""Runs the program, and keeps what it wrote: a second run goes on where the first was."""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+
+class Failure(Exception):
+    """Something that the reader of the message can change."""
+
+
+def say(text):
+    print(f"reproduce: {text}", file=sys.stderr, flush=True)
+
+
+class Program:
+    """The shelfbeam binary with a folder for what it writes.
+
+    A file is written again only where it is missing, older than what it was made from, or was asked for with
+    other arguments. The arguments are kept beside it.
+    """
+
+    def __init__(self, binary, folder):
+        self.binary = str(binary)
+        self.folder = Path(folder)
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.runs = 0
+
+    def has_option(self, verb, option):
+        shown = subprocess.run([self.binary, verb, "--help"], capture_output=True, text=True, check=True).stdout
+        return option in shown.split() or any(word.split(",")[0] == option for word in shown.split())
+
+    def version(self):
+        return subprocess.run([self.binary, "--version"], capture_output=True, text=True, check=True).stdout.strip()
+
+    def run(self, name, arguments, inputs=(), accepted=(0,)):
+        """Writes the file `name` of the folder (with `-o`); gives its path.
+
+        With `--json` among the arguments what the program prints is kept in NAME.json. `accepted` are the exit
+        codes that count as done: 1 is an answer of no, 3 one that a time limit cut short.
+        """
+        output = self.folder / name
+        command = [self.binary, *map(str, arguments), "-o", str(output), "--quiet"]
+        record = self.folder / f"{name}.run"
+        if self._is_current(output, record, command, inputs):
+            return output
+        say(" ".join(["shelfbeam", *map(str, arguments), "-o", name]))
+        begun = time.monotonic()
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode not in accepted:
+            raise Failure(f"{' '.join(command)}\nended with {done.returncode}: {done.stderr.strip()}")
+        self.runs += 1
+        if "--json" in arguments:
+            write_text(self.folder / f"{name}.json", done.stdout)
+        write_text(record, json.dumps({"command": command[1:], "exit_code": done.returncode,
+                                       "seconds": time.monotonic() - begun}))
+        return output
+
+    def record(self, name):
+        """Exit code and wall time (s) of the run that wrote a file."""
+        with open(self.folder / f"{name}.run", encoding="utf-8") as file:
+            return json.load(file)
+
+    @staticmethod
+    def _is_current(output, record, command, inputs):
+        if not output.exists() or not record.exists():
+            return False
+        written = record.stat().st_mtime
+        if any(Path(path).stat().st_mtime > written for path in inputs):
+            return False
+        return json.loads(record.read_text(encoding="utf-8"))["command"] == command[1:]
+
+
+def write_text(path, text):
+    """Writes a file so that it appears whole or not at all."""
+    path = Path(path)
+    new = path.with_name(path.name + ".new")
+    new.write_text(text, encoding="utf-8")
+    new.replace(path)

@@ -1,0 +1,60 @@
+"""Zeros of the matrix before and after a cut-off: 3.5.4 and Fig. 3.6."""
+
+from reproduction import page, paper, spy
+from reproduction.charts import Chart, series_legend
+from reproduction.findings import Section, verdict
+from reproduction.text import grouped, percent, spread
+
+CUTS = (0, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 1)
+
+
+def zeros(signals, cut):
+    """Share of entries that are zero, or below a share of the requirement."""
+    values = signals.mean
+    return float((values <= 0).mean() if cut == 0 else (values < cut * signals.requirement[:, None]).mean())
+
+
+def section(study):
+    result = Section("Sparsity of the matrix", "3.5.4, Fig. 3.6",
+                     "How many entries of M are zero, before and after small ones are taken for nothing?")
+    samples = study.effort.samples
+    all_signals = [study.uniform(n) for n in samples] + [study.reference]
+    names = [f"{grouped(n)} samples" for n in samples] + ["reference"]
+    rows = [(f"{100 * cut:g} %" if cut else "none", *(percent(zeros(one, cut), 1) for one in all_signals)) for cut in CUTS]
+    header = ("cut-off, share of the requirement", *names)
+    result.tables["zeros"] = (header, rows)
+    inside = [cut for cut in CUTS if all(0.4 <= zeros(one, cut) <= 0.5 for one in all_signals[:-1])]
+    shown_cut = inside[0] if inside else 0.2
+    shown = [(names[0], all_signals[0]), (names[len(samples) - 1], all_signals[len(samples) - 1])]
+    reference = "as Fig. 3.6"
+    figures = [page.figure(f"{name}, cut-off {100 * cut:g} % of the requirement", spy.picture(
+        one.mean >= cut * one.requirement[:, None], f"Entries of M above {100 * cut:g} % of the requirement"), "", reference)
+               for cut in (shown_cut, 1) for name, one in shown]
+    chart = Chart((0.01, 1), (0, 1.02), "cut-off, share of the requirement", "zeros", log_x=True)
+    chart.ticks([0.01, 0.03, 0.1, 0.3, 1], [0, 0.2, 0.4, 0.6, 0.8, 1], [percent(v) for v in (0.01, 0.03, 0.1, 0.3, 1)],
+                [percent(v) for v in (0, 0.2, 0.4, 0.6, 0.8, 1)])
+    lines = [0, len(samples) - 1, len(samples)]
+    for k, place in enumerate(lines):
+        chart.line([(cut, zeros(all_signals[place], cut)) for cut in CUTS[1:]], k)
+    result.add(page.row_of(figures), page.row_of([
+        page.figure("Zeros against the cut-off", chart.svg("Share of zeros against the cut-off")
+                    + series_legend([names[place] for place in lines])),
+        page.figure("Zeros", page.table(header, rows, numeric=range(1, len(header))))]),
+        page.paragraph("Rows of the pictures are labels, columns transceivers; coloured where the signal counts. At a cut-off of "
+                       "100 % this is the reach matrix of the non-cooperative model.", "note"))
+    before = [zeros(one, 0) for one in all_signals[:-1]]
+    result.find("M is highly dense, 0 to 7 % zeros", "0 to 7 %", spread(before, lambda v: percent(v, 1)),
+                verdict(all(v <= 0.07 for v in before), any(v <= 0.07 for v in before)),
+                f"Before the cut-off {spread(before, lambda v: percent(v, 1))} of the entries are zero, the more the fewer samples.")
+    after = [zeros(one, shown_cut) for one in all_signals[:-1]]
+    result.find("After a cut-off 40 to 50 % zeros", "40 to 50 %", f"{spread(after, lambda v: percent(v, 1))} at {100 * shown_cut:g} %",
+                verdict(bool(inside), any(0.4 <= v <= 0.5 for v in after)),
+                f"A cut-off at {100 * shown_cut:g} % of the requirement makes {spread(after, lambda v: percent(v, 1))} of the entries "
+                "zero; the paper does not print where it cuts.")
+    edges = [zeros(one, 0.05) for one in (all_signals[0], all_signals[len(samples) - 1])]
+    result.find("Noise shows in the sparsity pattern", "seen in Fig. 3.6",
+                f"zeros at a cut of 5 %: {percent(edges[0], 1)} against {percent(edges[1], 1)}",
+                verdict(edges[0] > 1.2 * edges[1], edges[0] > edges[1]),
+                f"At a cut-off of 5 % the noisiest matrix has {percent(edges[0], 1)} zeros and the best of the series "
+                f"{percent(edges[1], 1)}: noise moves small entries to both sides of any cut.", reference="Fig. 3.6")
+    return result
