@@ -4,7 +4,7 @@ import math
 
 from reproduction import svg
 
-WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 560, 340, 84, 20, 30, 62
+WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 560, 340, 76, 30, 48, 62
 SHAPES = ("M0 -5.5A5.5 5.5 0 1 1 0 5.5A5.5 5.5 0 1 1 0 -5.5Z", "M0 -7L6.5 5H-6.5Z", "M-5 -5H5V5H-5Z", "M0 -7L7 0L0 7L-7 0Z")
 
 
@@ -82,14 +82,14 @@ class Chart:
         """A dashed line at a value of x."""
         x = self.x(value)
         to_left = x > (LEFT + WIDTH) / 2
-        self.body += svg.line(x, TOP - 12, x, HEIGHT - BOTTOM, "mark")
+        self.body += svg.line(x, TOP - 14, x, HEIGHT - BOTTOM, "mark")
         self.body += svg.text(x + (-6 if to_left else 6), TOP - 2, words, "t strong end" if to_left else "t strong")
 
     def svg(self, description):
         floor = HEIGHT - BOTTOM
         axis = svg.line(LEFT, floor, WIDTH - RIGHT, floor, "axis")
         titles = svg.text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10, self.x_title, "t mid")
-        titles += svg.text(16, (TOP + floor) / 2, self.y_title, "t mid", -90)
+        titles += svg.text(8, 18, self.y_title)
         return svg.picture(WIDTH, HEIGHT, "chart", description, self.grid + self.body + axis + titles)
 
 

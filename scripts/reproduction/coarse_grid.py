@@ -68,7 +68,7 @@ def section(study):
     for spacing in (2, 3):
         for model in MODELS:
             more = [m for s, m in coarse[model] if s == spacing and m != ""]
-            summary.append((f"{spacing} m", model, f"{sum(m == 0 for m in more)} of {len(coarse[model]) // 2 if False else sum(s == spacing for s, _ in coarse[model])}",
+            summary.append((f"{spacing} m", model, f"{sum(m == 0 for m in more)} of {sum(s == spacing for s, _ in coarse[model])}",
                             f"+{max(more)}" if more else "none"))
     same, within = interchangeable(signals.mean >= signals.requirement[:, None])
     apart, symmetric = {}, {}
@@ -80,9 +80,9 @@ def section(study):
     mirrored = (signals.mean + signals.mean[np.ix_(study.mirror().labels, study.mirror().units)]) / 2
     even = write_variant(path, study.program.folder / f"even-{signals.samples}.h5", mean=mirrored)
     times = {(model, kind): study.place(f"even-{kind}-{model}", file, "--model", model, "--solver", "mip")
-             for model in MODELS for kind, file in (("as simulated", path), ("exactly symmetric", even))}
+             for model in MODELS for kind, file in (("simulated", path), ("symmetric", even))}
     symmetry_rows = [(model, full[model].units, "none" if symmetric[model].count is None else 2 * symmetric[model].count, f"{apart[model]:.1f} m",
-                      *(seconds(times[model, kind].seconds) for kind in ("as simulated", "exactly symmetric"))) for model in MODELS]
+                      *(seconds(times[model, kind].seconds) for kind in ("simulated", "symmetric"))) for model in MODELS]
     symmetry_header = ("model", "fewest", "fewest of mirrored pairs", "placement to its mirror image", "MIP, as simulated", "MIP, exactly symmetric matrix")
     result.tables["symmetry_of_placements"] = (symmetry_header, symmetry_rows)
     best = coarse["cooperative"]
@@ -106,7 +106,7 @@ def section(study):
                 "Symmetric ones of the same number " + ("exist" if all(s.count and 2 * s.count == full[m].count for m, s in symmetric.items()) else
                 "need not exist: mirrored pairs take " + " and ".join(f"{'no number' if symmetric[m].count is None else 2 * symmetric[m].count} ({m})" for m in MODELS))
                 + ", but of equal placements the program takes the one with the widest margin, wherever it is.")
-    slower = [times[model, "exactly symmetric"].seconds / times[model, "as simulated"].seconds for model in MODELS]
+    slower = [times[model, "symmetric"].seconds / times[model, "simulated"].seconds for model in MODELS]
     result.find("Symmetry costs the solver time", "suspected", f"exactly symmetric: {spread(slower, '{:.1f}'.format)} times as long",
                 verdict(min(slower) > 1.5, max(slower) > 1.5),
                 f"On an exactly symmetric matrix the MIP solver takes {spread(slower, '{:.1f}'.format)} times as long as on the simulated one.")

@@ -2,15 +2,15 @@
 
 import time
 
-from reproduction import (certificate, coarse_grid, environment, excess, greedy, matrix_histogram, measurements, occlusion, page,
-                          placements, redundancy, reuse, sample_count, solver_time, sparsity, symmetry, thresholds)
+from reproduction import (certificate, coarse_grid, environment, excess, firmness, greedy, matrix_histogram, measurements, occlusion, page,
+                          placements, redundancy, reuse, sample_count, solver_time, sparsity, symmetry)
 from reproduction.findings import OURS
 from reproduction.program import say, write_text
 from reproduction.text import escape, grouped
 
 SECTIONS = (environment.section, measurements.section, symmetry.section, sample_count.section, occlusion.section, placements.non_cooperative,
             greedy.section, placements.cooperative, redundancy.section, excess.section, solver_time.section, sparsity.section,
-            matrix_histogram.section, coarse_grid.section, thresholds.section, reuse.section)
+            matrix_histogram.section, coarse_grid.section, firmness.section, reuse.section)
 
 
 def _cards(study):
@@ -49,7 +49,7 @@ def write(study, is_quick):
     introduction += page.paragraph("The paper gives no dimensions of its environment and no strength of its devices, so its numbers of transceivers "
                                    "need not be ours. What can be compared are trends, shares and statements.", "note")
     summary = study.simulation(study.uniform_file(study.effort.samples[0]))
-    footer = (f"{escape(study.program.version())} · estimators ‘{escape(study.uniform(study.most_samples).estimator)}’ and "
+    footer = (f"shelfbeam {escape(study.program.version())} · estimators ‘{escape(study.uniform(study.most_samples).estimator)}’ and "
               f"‘{escape(study.reference.estimator)}’ · {grouped(round(summary['rays_per_second']))} rays a second · answers have "
               f"{study.effort.time_limit:g} s each")
     html = page.document("The paper’s study, done again", introduction, _cards(study), study.map.definitions(), sections, footer)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-AGREES, PARTLY, DIFFERS, OURS = "agrees", "in part", "differs", "no claim"
+AGREES, PARTLY, DIFFERS, OURS = "agrees", "in part", "differs", "ours"
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,7 @@ def section(study):
     result = Section("Signals of four transceivers", "2.11.1, Figs 2.9–2.12",
                      "How does the light of one transceiver spread over the three shelf levels, with and without a "
                      "threshold?")
-    rows, correlations, ratios = [], [], []
+    rows, correlations, ratios, shelf_ratios = [], [], [], []
     levels = study.levels(signals)
     for figure, words, column in sources:
         values = signals.mean[:, column]
@@ -36,6 +36,8 @@ def section(study):
         correlations.append(-rank_correlation(apart, values))
         means = [float(values[level].mean()) for level in levels]
         ratios.append(max(means) / min(means))
+        shelves = [float(values[[i for i in level if not signals.label_ids[i].startswith("F")]].mean()) for level in levels]
+        shelf_ratios.append(max(shelves) / min(shelves))
         reached = [int((values[level] >= signals.requirement[level]).sum()) for level in levels]
         result.add(page.figure(f"{figure}: transceiver {words} ({signals.unit_ids[column]})",
                                page.small_maps(maps(study, signals, column, strongest)) + signal_legend(),
@@ -64,9 +66,9 @@ def section(study):
                 f"highest over lowest level mean {spread(ratios, '{:.2f}'.format)}",
                 verdict(sum(small) >= 2, any(ratio < 2 for ratio in ratios)),
                 f"The means of the three levels differ by factors of {spread(ratios, '{:.2f}'.format)}.",
-                "" if all(small) else "Below a transceiver it shines at an angle, and high shelves are nearer to it: of "
-                f"the four, {listed([w for (_, w, _), s in zip(sources, small) if not s])} "
-                f"{'differs' if small.count(False) == 1 else 'differ'} by half or more.")
+                "" if all(small) else f"By half or more {'differs' if small.count(False) == 1 else 'differ'} "
+                f"{listed([w for (_, w, _), s in zip(sources, small) if not s])}; without the freezer, whose labels belong to level two, "
+                f"the factors are {spread(shelf_ratios, '{:.2f}'.format)}.")
     _outliers(study, signals, sources[3], result)
     return result
 
@@ -81,7 +83,7 @@ def _outliers(study, signals, source, result):
     seen = exact.direct[strong, column] > 0
     base = float((exact.direct[far, column] > 0).mean())
     share = float(seen.mean())
-    result.find("Far labels with much signal are within line of sight", "Fig. 2.12", f"{percent(share)} of the 20 strongest",
+    result.find("Far labels with much signal are within line of sight", "seen in the figure", f"{percent(share)} of the 20 strongest",
                 verdict(share > 0.75 and share > base, share > base),
                 f"Of the 20 strongest labels in the farther half of transceiver {words}, {percent(share)} see it "
                 f"({percent(base)} of that whole half do).", reference="Fig. 2.12")

@@ -18,7 +18,7 @@ def table(header, rows, numeric=(), paper=(), wide=(), caption=""):
         return f' class="{" ".join(names)}"' if names else ""
 
     head = "".join(f'<th scope="col"{classes(k)}>{escape(words)}</th>' for k, words in enumerate(header))
-    body = "".join("<tr>" + "".join(f"<td{classes(k)}>{cell if str(cell).startswith('<') else escape(cell)}</td>"
+    body = "".join("<tr>" + "".join(f"<td{classes(k)}>{escape(cell)}</td>"
                                     for k, cell in enumerate(row)) + "</tr>\n" for row in rows)
     title = f"<caption>{escape(caption)}</caption>" if caption else ""
     return f'<div class="scroll"><table>{title}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody></table></div>\n'
@@ -66,6 +66,14 @@ def _section(number, section):
             f'<p class="question">{escape(section.question)}</p>\n{findings}{"".join(section.body)}</section>\n')
 
 
+def _overview(rows):
+    """The table of all statements; on narrow pages a row becomes a block."""
+    body = "".join(f'<tr><td>{where}</td><td class="w">{escape(claim)}</td><td class="w paper" data-is="paper">{escape(theirs)}</td>'
+                   f'<td class="w" data-is="here">{escape(ours)}</td><td>{pill}</td></tr>\n' for where, claim, theirs, ours, pill in rows)
+    head = "".join(f'<th scope="col">{words}</th>' for words in ("where", "the paper says", "paper", "here", ""))
+    return f'<div class="scroll"><table class="overview"><thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody></table></div>\n'
+
+
 def summary_sentence(findings):
     """How many of the paper's statements hold here."""
     count = {verdict: sum(one.verdict == verdict for one in findings) for verdict in (AGREES, PARTLY, DIFFERS)}
@@ -85,7 +93,7 @@ def document(title, introduction, cards, definitions, sections, footer):
                     f"</dd></div>\n" for name, value, words in cards)
     rows = [(f'<a href="#s{number}">{escape(one.reference)}</a>', one.claim, one.paper, one.ours, _pill(one.verdict))
             for number, one in findings if one.verdict != OURS]
-    overview = table(("where", "the paper says", "paper", "here", ""), rows, paper=(2,), wide=(1, 2, 3))
+    overview = _overview(rows)
     body = "".join(_section(number, section) for number, section in enumerate(sections, 1))
     return ('<!DOCTYPE html>\n<html lang="en" xmlns="http://www.w3.org/1999/xhtml">\n<head>\n<meta charset="utf-8"/>\n'
             '<meta name="viewport" content="width=device-width, initial-scale=1"/>\n'

@@ -1,6 +1,7 @@
 """Runs the program, and keeps what it wrote: a second run goes on where the first was."""
 
 import json
+import re
 import subprocess
 import sys
 import time
@@ -30,7 +31,7 @@ class Program:
 
     def has_option(self, verb, option):
         shown = subprocess.run([self.binary, verb, "--help"], capture_output=True, text=True, check=True).stdout
-        return option in shown.split() or any(word.split(",")[0] == option for word in shown.split())
+        return re.search(rf"(^|[\s,]){re.escape(option)}\b", shown) is not None
 
     def version(self):
         return subprocess.run([self.binary, "--version"], capture_output=True, text=True, check=True).stdout.strip()
@@ -46,7 +47,7 @@ class Program:
         record = self.folder / f"{name}.run"
         if self._is_current(output, record, command, inputs):
             return output
-        say(" ".join(["shelfbeam", *map(str, arguments), "-o", name]))
+        say(f"{arguments[0]} {name}")
         begun = time.monotonic()
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode not in accepted:

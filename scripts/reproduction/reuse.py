@@ -2,13 +2,33 @@
 
 import numpy as np
 
-from reproduction import page
+from reproduction import page, paper
 from reproduction.charts import Chart, decades, series_legend
 from reproduction.findings import OURS, Section
 from reproduction.placements import missed
 from reproduction.sample_count import ABOVE, links, relative_error
 from reproduction.sparsity import zeros
 from reproduction.text import grouped, percent, seconds
+
+
+def _tables(study):
+    """Tables 3.1 to 3.3 on the matrices of path reuse: header and rows, the paper's for its most samples first."""
+    header = ("samples", "3.1: fewest", "redundant", "and links", "redundant", "3.2: greedy", "and links", "3.3: fewest", "and signal", "and links")
+    last = paper.SAMPLES[-1]
+    rows = [(f"paper, {grouped(last)}", *(word for k, share in paper.OPTIMAL[last] for word in (k, f"{share} %")),
+             *(k for k, _ in paper.GREEDY[last]), *paper.COOPERATIVE[last])]
+    for samples in study.effort.reuse_samples:
+        path = study.reuse_file(samples)
+
+        def answer(model, objective, solver="auto", samples=samples, path=path):
+            return study.place(f"reuse-{samples}-{model}-{objective}-{solver}", path, "--model", model, "--objective", objective, "--solver", solver)
+
+        best = [answer("non-cooperative", objective) for objective in ("count", "links")]
+        greedy = [answer("non-cooperative", objective, "greedy") for objective in ("count", "links")]
+        together = [answer("cooperative", objective) for objective in ("count", "signal", "effective-links")]
+        rows.append((grouped(study.reuse(samples).samples), *(word for one in best for word in (one.units, percent(one.redundant_share))),
+                     *(one.units for one in greedy), *(one.units for one in together)))
+    return header, rows
 
 
 def section(study):
@@ -24,7 +44,7 @@ def section(study):
         summary = study.simulation(path)
         error = relative_error(signals, reference)
         points[kind].append((summary["seconds"], error))
-        row = [kind, grouped(signals.samples), seconds(summary["seconds"]), percent(error, 1), int((links(signals) != truth).sum()),
+        row = [kind, grouped(signals.samples), seconds(summary["seconds"]), percent(error, 1), grouped(int((links(signals) != truth).sum())),
                percent(zeros(signals, 0.2), 1)]
         for model in ("non-cooperative", "cooperative"):
             answer = study.place(f"{kind}-{samples}-{model}", path, "--model", model)
@@ -40,10 +60,13 @@ def section(study):
     chart.ticks(x_ticks, y_ticks, y_words=[percent(v, 0 if v >= 0.01 else 1) for v in y_ticks])
     for k, kind in enumerate(("uniform", "reuse")):
         chart.line(points[kind], k)
+    tables = _tables(study)
+    result.tables["reuse_tables"] = tables
     result.add(page.row_of([page.figure("Error against time", chart.svg("Relative error against time") + series_legend(["uniform", "path reuse"]),
                                         f"Entries from {percent(ABOVE)} of the requirement on, against the reference: path reuse with "
                                         f"{grouped(reference.samples)} samples and another seed.")]),
-               page.table(header, rows, numeric=range(1, 10)))
+               page.table(header, rows, numeric=range(1, 10)),
+               page.table(*tables, numeric=range(1, 10), caption="Tables 3.1 to 3.3 with path reuse"))
     a, b = study.uniform(effort.samples[-1]), study.reuse(effort.reuse_samples[-1])
     matter = reference.mean >= ABOVE * reference.requirement[:, None]
     work = [study.simulation(path)["seconds"] for path in (study.uniform_file(effort.samples[-1]), study.reuse_file(effort.reuse_samples[-1]))]

@@ -27,25 +27,27 @@ def section(study):
     shown_cut = inside[0] if inside else 0.2
     shown = [(names[0], all_signals[0]), (names[len(samples) - 1], all_signals[len(samples) - 1])]
     reference = "as Fig. 3.6"
-    figures = [page.figure(f"{name}, cut-off {100 * cut:g} % of the requirement", spy.picture(
+    figures = [page.figure(f"{name}, cut at {100 * cut:g} %", spy.picture(
         one.mean >= cut * one.requirement[:, None], f"Entries of M above {100 * cut:g} % of the requirement"), "", reference)
-               for cut in (shown_cut, 1) for name, one in shown]
+               for name, one in shown for cut in (shown_cut, 1)]
     chart = Chart((0.01, 1), (0, 1.02), "cut-off, share of the requirement", "zeros", log_x=True)
     chart.ticks([0.01, 0.03, 0.1, 0.3, 1], [0, 0.2, 0.4, 0.6, 0.8, 1], [percent(v) for v in (0.01, 0.03, 0.1, 0.3, 1)],
                 [percent(v) for v in (0, 0.2, 0.4, 0.6, 0.8, 1)])
     lines = [0, len(samples) - 1, len(samples)]
     for k, place in enumerate(lines):
         chart.line([(cut, zeros(all_signals[place], cut)) for cut in CUTS[1:]], k)
-    result.add(page.row_of(figures), page.row_of([
+    result.add(page.row_of(figures, "quad"), page.row_of([
         page.figure("Zeros against the cut-off", chart.svg("Share of zeros against the cut-off")
                     + series_legend([names[place] for place in lines])),
         page.figure("Zeros", page.table(header, rows, numeric=range(1, len(header))))]),
-        page.paragraph("Rows of the pictures are labels, columns transceivers; coloured where the signal counts. At a cut-off of "
-                       "100 % this is the reach matrix of the non-cooperative model.", "note"))
+        page.paragraph("Rows of the pictures are labels, columns transceivers; coloured where the signal is at least the cut-off, a "
+                       "share of the requirement. At 100 % this is the reach matrix of the non-cooperative model.", "note"))
     before = [zeros(one, 0) for one in all_signals[:-1]]
     result.find("M is highly dense, 0 to 7 % zeros", "0 to 7 %", spread(before, lambda v: percent(v, 1)),
                 verdict(all(v <= 0.07 for v in before), any(v <= 0.07 for v in before)),
-                f"Before the cut-off {spread(before, lambda v: percent(v, 1))} of the entries are zero, the more the fewer samples.")
+                f"Before the cut-off {spread(before, lambda v: percent(v, 2))} of the entries are zero"
+                + (", most with the fewest samples." if before[0] == max(before) > min(before) else "."),
+                "" if max(before) > 0 else "Here every label gets a little light from every candidate even with the fewest samples.")
     after = [zeros(one, shown_cut) for one in all_signals[:-1]]
     result.find("After a cut-off 40 to 50 % zeros", "40 to 50 %", f"{spread(after, lambda v: percent(v, 1))} at {100 * shown_cut:g} %",
                 verdict(bool(inside), any(0.4 <= v <= 0.5 for v in after)),

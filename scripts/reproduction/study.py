@@ -30,10 +30,11 @@ class Effort:
     cut_offs: tuple  # shares of the requirement below which signals are taken for 0
     solver_samples: tuple  # for which the solvers are timed
     backends: tuple
+    seeds: int  # runs with the fewest samples
 
 
-FULL = Effort(paper.SAMPLES, (5000, 25000, 50000), 50000, 60, (0, 0.02, 0.05, 0.1, 0.2), paper.SAMPLES, ("highs", "cbc"))
-QUICK = Effort((5000, 25000), (2500,), 5000, 20, (0, 0.1, 0.2), (5000,), ("highs",))
+FULL = Effort(paper.SAMPLES, (5000, 25000, 50000), 50000, 60, (0, 0.02, 0.05, 0.1, 0.2), paper.SAMPLES, ("highs", "cbc"), 10)
+QUICK = Effort((5000, 25000), (2500,), 5000, 20, (0, 0.05), (5000,), ("highs",), 2)
 
 
 def read_store(path):

@@ -27,16 +27,10 @@ def rect(x, y, width, height, css_class, title=""):
     return f"{head}><title>{escape(title)}</title></rect>\n" if title else f"{head}/>\n"
 
 
-def text(x, y, words, css_class="t", turn=0):
-    turned = f' transform="rotate({turn} {number(x)} {number(y)})"' if turn else ""
-    return f'<text class="{css_class}" x="{number(x)}" y="{number(y)}"{turned}>{escape(words)}</text>\n'
+def text(x, y, words, css_class="t"):
+    return f'<text class="{css_class}" x="{number(x)}" y="{number(y)}">{escape(words)}</text>\n'
 
 
 def use(symbol, x, y, title=""):
     head = f'<use href="#{symbol}" x="{number(x)}" y="{number(y)}"'
     return f"{head}><title>{escape(title)}</title></use>\n" if title else f"{head}/>\n"
-
-
-def polygon(points, css_class):
-    return (f'<polygon class="{css_class}" points="'
-            + " ".join(f"{number(x)},{number(y)}" for x, y in points) + '"/>\n')

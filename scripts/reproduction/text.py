@@ -12,7 +12,7 @@ def grouped(number):
 
 
 def percent(share, digits=0):
-    return f"{100 * share:.{digits}f} %"
+    return f"{100 * share:.{digits}f}\u00a0%"
 
 
 def plural(count, noun, nouns=None):
@@ -33,3 +33,8 @@ def spread(values, form):
 
 def seconds(value):
     return f"{value:.2f} s" if value < 10 else f"{value:.0f} s"
+
+
+def minus(value, digits=2):
+    """A number with a true minus sign."""
+    return f"{value:.{digits}f}".replace("-", "−")
