@@ -3,6 +3,8 @@
 import json
 from dataclasses import dataclass
 
+MODELS = ("cooperative", "non-cooperative")
+
 
 @dataclass(frozen=True)
 class Answer:
@@ -38,8 +40,15 @@ def read_answer(path):
         read = json.load(file)
     if read.get("format") != 1:
         raise ValueError(f"{path}: not an answer of format 1")
-    return Answer(tuple(read["selected"]), read["count"], read["count_lower_bound"], read["status"],
-                  read["redundant_share"], read["seconds"], read["solver"])
+    return Answer(
+        tuple(read["selected"]),
+        read["count"],
+        read["count_lower_bound"],
+        read["status"],
+        read["redundant_share"],
+        read["seconds"],
+        read["solver"],
+    )
 
 
 def table_answer(folder, samples, model, objective, solver):

@@ -5,7 +5,12 @@ import math
 from reproduction import svg
 
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 560, 340, 76, 30, 48, 62
-SHAPES = ("M0 -5.5A5.5 5.5 0 1 1 0 5.5A5.5 5.5 0 1 1 0 -5.5Z", "M0 -7L6.5 5H-6.5Z", "M-5 -5H5V5H-5Z", "M0 -7L7 0L0 7L-7 0Z")
+SHAPES = (
+    "M0 -5.5A5.5 5.5 0 1 1 0 5.5A5.5 5.5 0 1 1 0 -5.5Z",
+    "M0 -7L6.5 5H-6.5Z",
+    "M-5 -5H5V5H-5Z",
+    "M0 -7L7 0L0 7L-7 0Z",
+)
 
 
 def round_step(most, steps=4.5):
@@ -16,7 +21,9 @@ def round_step(most, steps=4.5):
 
 
 def decades(low, high):
-    return [10.0**k for k in range(math.floor(math.log10(low) + 1e-9), math.ceil(math.log10(high) - 1e-9) + 1)]
+    return [
+        10.0**k for k in range(math.floor(math.log10(low) + 1e-9), math.ceil(math.log10(high) - 1e-9) + 1)
+    ]
 
 
 def short(value):
@@ -72,8 +79,10 @@ class Chart:
         self.body += svg.path(places, f"line s{series}")
         for k, (x, y) in enumerate(places):
             title = f"<title>{titles[k]}</title>" if titles else ""
-            self.body += (f'<path class="dot s{series}" transform="translate({svg.number(x)} {svg.number(y)})" '
-                          f'd="{SHAPES[series]}">{title}</path>\n')
+            self.body += (
+                f'<path class="dot s{series}" transform="translate({svg.number(x)} {svg.number(y)})" '
+                f'd="{SHAPES[series]}">{title}</path>\n'
+            )
 
     def guide(self, points):
         self.body += svg.path([(self.x(x), self.y(y)) for x, y in points], "guide")
@@ -83,7 +92,9 @@ class Chart:
         x = self.x(value)
         to_left = x > (LEFT + WIDTH) / 2
         self.body += svg.line(x, TOP - 14, x, HEIGHT - BOTTOM, "mark")
-        self.body += svg.text(x + (-6 if to_left else 6), TOP - 2, words, "t strong end" if to_left else "t strong")
+        self.body += svg.text(
+            x + (-6 if to_left else 6), TOP - 2, words, "t strong end" if to_left else "t strong"
+        )
 
     def svg(self, description):
         floor = HEIGHT - BOTTOM
@@ -93,7 +104,9 @@ class Chart:
         return svg.picture(WIDTH, HEIGHT, "chart", description, self.grid + self.body + axis + titles)
 
 
-def histogram(edges, counts, x_title, y_title, description, mark=None, ticks=None, words=None, log_x=False, most=None):
+def histogram(
+    edges, counts, x_title, y_title, description, mark=None, ticks=None, words=None, log_x=False, most=None
+):
     most = most or max(1, max(counts))
     step = round_step(most)
     chart = Chart((edges[0], edges[-1]), (0, 1.05 * most), x_title, y_title, log_x=log_x)
@@ -108,6 +121,8 @@ def histogram(edges, counts, x_title, y_title, description, mark=None, ticks=Non
 def series_legend(names):
     items = ""
     for k, name in enumerate(names):
-        items += (f'<li><svg class="key" viewBox="-16 -16 32 32" aria-hidden="true"><path class="line s{k}" '
-                  f'd="M-15 0H15"/><path class="dot s{k}" d="{SHAPES[k]}"/></svg>{name}</li>')
+        items += (
+            f'<li><svg class="key" viewBox="-16 -16 32 32" aria-hidden="true"><path class="line s{k}" '
+            f'd="M-15 0H15"/><path class="dot s{k}" d="{SHAPES[k]}"/></svg>{name}</li>'
+        )
     return f'<ul class="legend">{items}</ul>\n'

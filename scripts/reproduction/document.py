@@ -2,15 +2,51 @@
 
 import time
 
-from reproduction import (certificate, coarse_grid, environment, excess, firmness, greedy, matrix_histogram, measurements, occlusion, page,
-                          placements, redundancy, reuse, sample_count, solver_time, sparsity, symmetry)
+from reproduction import (
+    certificate,
+    coarse_grid,
+    cooperative,
+    cut_off,
+    environment,
+    excess,
+    firmness,
+    greedy,
+    matrix_histogram,
+    measurements,
+    non_cooperative,
+    occlusion,
+    page,
+    paper,
+    redundancy,
+    reuse,
+    sample_count,
+    solver_time,
+    sparsity,
+    symmetry,
+)
 from reproduction.findings import OURS
 from reproduction.program import say, write_text
 from reproduction.text import escape, grouped
 
-SECTIONS = (environment.section, measurements.section, symmetry.section, sample_count.section, occlusion.section, placements.non_cooperative,
-            greedy.section, placements.cooperative, redundancy.section, excess.section, solver_time.section, sparsity.section,
-            matrix_histogram.section, coarse_grid.section, firmness.section, reuse.section)
+SECTIONS = (
+    environment.section,
+    measurements.section,
+    symmetry.section,
+    sample_count.section,
+    occlusion.section,
+    non_cooperative.section,
+    greedy.section,
+    cooperative.section,
+    redundancy.section,
+    excess.section,
+    solver_time.section,
+    cut_off.section,
+    sparsity.section,
+    matrix_histogram.section,
+    coarse_grid.section,
+    firmness.section,
+    reuse.section,
+)
 
 
 def _cards(study):
@@ -18,11 +54,21 @@ def _cards(study):
     last = study.most_samples
     coop = study.table_answer(last, "cooperative", "count")
     alone = study.table_answer(last, "non-cooperative", "count")
-    return [("labels and candidates", f"{len(reference.labels)} × {len(reference.units)}", "ours; the paper says a few hundred"),
-            ("samples a label", f"{grouped(study.effort.samples[0])} – {grouped(last)}", "the paper's estimator"),
-            ("cooperative", coop.units, f"transceivers at {grouped(last)} samples; paper {placements.paper.COOPERATIVE[last][0]}"),
-            ("non-cooperative", alone.units, f"transceivers; paper {placements.paper.OPTIMAL[last][0][0]}"),
-            ("threshold", f"{reference.requirement[0]:g}", "W/m², fixed beforehand")]
+    return [
+        (
+            "labels and candidates",
+            f"{len(reference.labels)} × {len(reference.units)}",
+            "ours; the paper says a few hundred",
+        ),
+        ("samples a label", f"{grouped(study.effort.samples[0])} – {grouped(last)}", "the paper's estimator"),
+        (
+            "cooperative",
+            coop.units,
+            f"transceivers at {grouped(last)} samples; paper {paper.COOPERATIVE[last][0]}",
+        ),
+        ("non-cooperative", alone.units, f"transceivers; paper {paper.OPTIMAL[last][0][0]}"),
+        ("threshold", f"{reference.requirement[0]:g}", "W/m², fixed beforehand"),
+    ]
 
 
 def write(study, is_quick):
@@ -32,29 +78,59 @@ def write(study, is_quick):
     sections = []
     makers = [*SECTIONS, *([certificate.section] if certificate.is_there(study) else [])]
     for number, make in enumerate(makers, 1):
-        say(f"section {number} of {len(makers)}: {make.__module__.removeprefix('reproduction.').replace('_', ' ')}")
+        say(
+            f"section {number} of {len(makers)}:"
+            f" {make.__module__.removeprefix('reproduction.').replace('_', ' ')}"
+        )
         sections.append(make(study))
 
     for section in sections:
         for name, (header, rows) in section.tables.items():
             write_text(study.folder / f"{name}.csv", page.csv_text(header, rows))
-    findings = [(number, one.reference, one.claim, one.paper, one.ours, one.verdict, one.sentence, one.why)
-                for number, section in enumerate(sections, 1) for one in section.findings]
-    write_text(study.folder / "findings.csv", page.csv_text(("section", "reference", "claim", "paper", "ours", "verdict", "sentence", "why"),
-                                                            findings))
+    findings = [
+        (number, one.reference, one.claim, one.paper, one.ours, one.verdict, one.sentence, one.why)
+        for number, section in enumerate(sections, 1)
+        for one in section.findings
+    ]
+    write_text(
+        study.folder / "findings.csv",
+        page.csv_text(
+            ("section", "reference", "claim", "paper", "ours", "verdict", "sentence", "why"), findings
+        ),
+    )
     introduction = page.paragraph(
-        f"The study of ‘Optimal Transceiver Placement in Retail Environments: A Path Tracing Approach’, done again on our version of its test "
-        f"environment with its estimator{' (quick: fewer samples and solver runs than the full study)' if is_quick else ''}. Every number is "
-        "computed from the files beside this one, and so is every judgement.")
-    introduction += page.paragraph("The paper gives no dimensions of its environment and no strength of its devices, so its numbers of transceivers "
-                                   "need not be ours. What can be compared are trends, shares and statements.", "note")
+        "The study of ‘Optimal Transceiver Placement in Retail Environments: A Path Tracing Approach’, done"
+        " again on our version of its test environment with its"
+        f" estimator{' (quick: fewer samples and solver runs than the full study)' if is_quick else ''}."
+        " Every number is computed from the files beside this one, and so is every judgement."
+    )
+    introduction += page.paragraph(
+        (
+            "The paper gives no dimensions of its environment and no strength of its devices, so its numbers"
+            " of transceivers need not be ours. What can be compared are trends, shares and statements."
+        ),
+        "note",
+    )
     summary = study.simulation(study.uniform_file(study.effort.samples[0]))
-    footer = (f"shelfbeam {escape(study.program.version())} · estimators ‘{escape(study.uniform(study.most_samples).estimator)}’ and "
-              f"‘{escape(study.reference.estimator)}’ · {grouped(round(summary['rays_per_second']))} rays a second · answers have "
-              f"{study.effort.time_limit:g} s each")
-    html = page.document("The paper’s study, done again", introduction, _cards(study), study.map.definitions(), sections, footer)
+    footer = (
+        f"shelfbeam {escape(study.program.version())} · estimators"
+        f" ‘{escape(study.uniform(study.most_samples).estimator)}’ and ‘{escape(study.reference.estimator)}’"
+        f" · {grouped(round(summary['rays_per_second']))} rays a second · answers have"
+        f" {study.effort.time_limit:g} s each"
+    )
+    html = page.document(
+        "The paper’s study, done again",
+        introduction,
+        _cards(study),
+        study.map.definitions(),
+        sections,
+        footer,
+    )
     path = study.folder / "study.html"
     write_text(path, html)
     judged = [one for section in sections for one in section.findings if one.verdict != OURS]
-    say(f"{page.summary_sentence(judged)} {time.monotonic() - begun:.0f} s, {study.program.runs} runs of the program")
+    say(
+        f"{page.summary_sentence(judged)} {time.monotonic() - begun:.0f} s, {study.program.runs} runs of the"
+        " program"
+    )
     return path

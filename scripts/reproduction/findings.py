@@ -33,6 +33,10 @@ class Section:
     def find(self, claim, paper, ours, verdict, sentence, why="", reference=None):
         self.findings.append(Finding(reference or self.reference, claim, paper, ours, verdict, sentence, why))
 
+    def tell(self, sentence, why=""):
+        """Something that the paper does not speak of."""
+        self.findings.append(Finding(self.reference, "", "", "", OURS, sentence, why))
+
 
 def verdict(holds, holds_in_part=False):
     return AGREES if holds else PARTLY if holds_in_part else DIFFERS

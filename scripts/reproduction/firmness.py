@@ -3,41 +3,74 @@
 from collections import Counter
 
 from reproduction import page
-from reproduction.findings import OURS, Section
-from reproduction.placements import missed
+from reproduction.answers import MODELS
+from reproduction.findings import Section
+from reproduction.coverage import missed
 from reproduction.study import STORE
 from reproduction.text import grouped, plural
 
 FACTORS = (0.98, 1, 1.02)
-MODELS = ("cooperative", "non-cooperative")
 
 
 def _thresholds(study, result):
     threshold = study.reference.requirement[0]
-    files = [(grouped(n), study.uniform_file(n)) for n in study.effort.samples] + [("reference", study.reference_file)]
+    files = [(grouped(n), study.uniform_file(n)) for n in study.effort.samples] + [
+        ("reference", study.reference_file)
+    ]
     rows, moved = [], 0
     for words, path in files:
         row = [words]
         for model in MODELS:
-            answers = [study.place(f"threshold-{path.stem}-{model}-{factor:g}", path, "--model", model, "--threshold",
-                                   f"{factor * threshold:.6g}") for factor in FACTORS]
+            answers = [
+                study.place(
+                    f"threshold-{path.stem}-{model}-{factor:g}",
+                    path,
+                    "--model",
+                    model,
+                    "--threshold",
+                    f"{factor * threshold:.6g}",
+                )
+                for factor in FACTORS
+            ]
             row += [answer.units for answer in answers]
             moved += len({answer.count for answer in answers}) > 1
         rows.append(tuple(row))
     header = ("samples", *(f"{model}, {words}" for model in MODELS for words in ("−2 %", "as it is", "+2 %")))
     result.tables["thresholds"] = (header, rows)
-    result.add(page.table(header, rows, numeric=range(1, 7), caption="Transceivers with the threshold 2 % lower and higher"))
-    result.find("", "", "", OURS, f"Of {2 * len(files)} counts {moved} {'changes' if moved == 1 else 'change'} within ±2 % of the threshold "
-                f"({threshold:g} W/m²).", "" if moved == 0 else "Where a count changes, a label is borderline, and a plan at this threshold "
-                "rests on less than the materials are known.")
+    result.add(
+        page.table(
+            header, rows, numeric=range(1, 7), caption="Transceivers with the threshold 2 % lower and higher"
+        )
+    )
+    result.tell(
+        (
+            f"Of {2 * len(files)} counts {moved} {'changes' if moved == 1 else 'change'} within ±2 % of the"
+            f" threshold ({threshold:g} W/m²)."
+        ),
+        (
+            ""
+            if moved == 0
+            else (
+                "Where a count changes, a label is borderline, and a plan at this threshold "
+                "rests on less than the materials are known."
+            )
+        ),
+    )
 
 
 def _seeds(study, result):
     samples, seeds = study.effort.samples[0], study.effort.seeds
     rows, counts = [], {model: Counter() for model in MODELS}
     for seed in range(1, seeds + 1):
-        path = study.uniform_file(samples) if seed == 1 else study.program.run(
-            f"uniform-{samples}-{seed}.h5", ["simulate", STORE, "--estimator", "uniform", "--samples", samples, "--seed", seed], [STORE])
+        path = (
+            study.uniform_file(samples)
+            if seed == 1
+            else study.program.run(
+                f"uniform-{samples}-{seed}.h5",
+                ["simulate", STORE, "--estimator", "uniform", "--samples", samples, "--seed", seed],
+                [STORE],
+            )
+        )
         row = [seed]
         for model in MODELS:
             answer = study.place(f"seed-{samples}-{seed}-{model}", path, "--model", model)
@@ -46,18 +79,31 @@ def _seeds(study, result):
         rows.append(tuple(row))
     header = ("seed", *(words for model in MODELS for words in (model, "missed in truth")))
     result.tables["seeds"] = (header, rows)
-    result.add(page.details(f"{plural(seeds, 'seed')}, one by one", page.table(header, rows, numeric=range(1, 5))))
+    result.add(
+        page.details(f"{plural(seeds, 'seed')}, one by one", page.table(header, rows, numeric=range(1, 5)))
+    )
 
     def words(model):
-        return " and ".join(f"{count} in {plural(times, 'run')}" for count, times in sorted(counts[model].items()))
+        return " and ".join(
+            f"{count} in {plural(times, 'run')}" for count, times in sorted(counts[model].items())
+        )
 
-    result.find("", "", "", OURS, f"With {grouped(samples)} samples and {plural(seeds, 'seed')} the counts are {words(MODELS[0])} with and "
-                f"{words(MODELS[1])} without cooperation; the paper has one run of each.")
+    result.tell(
+        f"With {grouped(samples)} samples and {plural(seeds, 'seed')} the counts are"
+        f" {words(MODELS[0])} with and {words(MODELS[1])} without cooperation; the paper has one run of"
+        " each."
+    )
 
 
 def section(study):
-    result = Section("How firm the counts are", "3.5", "Do the numbers of transceivers hang on the threshold, or on the random numbers, that "
-                     "happened to be chosen?")
+    result = Section(
+        "How firm the counts are",
+        "3.5",
+        (
+            "Do the numbers of transceivers hang on the threshold, or on the random numbers, that "
+            "happened to be chosen?"
+        ),
+    )
     _thresholds(study, result)
     _seeds(study, result)
     return result

@@ -5,7 +5,7 @@ import numpy as np
 from reproduction import page, paper
 from reproduction.charts import Chart, round_step, series_legend
 from reproduction.findings import Section, verdict
-from reproduction.placements import coverage_map
+from reproduction.coverage import coverage_map
 from reproduction.text import grouped, listed, percent, spread
 
 
@@ -33,12 +33,18 @@ def nearest_distances(positions):
 
 
 def section(study):
-    result = Section("The greedy algorithm", "3.5.1, Table 3.2, Fig. 3.3",
-                     "How much worse is the greedy algorithm, and do its transceivers stand in clusters?")
+    result = Section(
+        "The greedy algorithm",
+        "3.5.1, Table 3.2, Fig. 3.3",
+        "How much worse is the greedy algorithm, and do its transceivers stand in clusters?",
+    )
     rows, extra, more_links = [], [], []
     for samples in study.effort.samples:
         row = [grouped(samples)]
-        found = [study.table_answer(samples, "non-cooperative", objective, "greedy") for objective in ("count", "links")]
+        found = [
+            study.table_answer(samples, "non-cooperative", objective, "greedy")
+            for objective in ("count", "links")
+        ]
         for k, answer in enumerate(found):
             units, share = paper.GREEDY[samples][k]
             row += [answer.units, units, percent(answer.redundant_share), f"{share} %"]
@@ -47,8 +53,18 @@ def section(study):
         extra.append(found[0].count - best.count)
         more_links.append(found[1].redundant_share > found[0].redundant_share)
         rows.append(tuple(row))
-    header = ("samples", "transceivers", "paper", "redundant", "paper", "and links: transceivers", "paper", "redundant",
-              "paper", "fewest possible")
+    header = (
+        "samples",
+        "transceivers",
+        "paper",
+        "redundant",
+        "paper",
+        "and links: transceivers",
+        "paper",
+        "redundant",
+        "paper",
+        "fewest possible",
+    )
     result.tables["table_3_2"] = (header, rows)
     result.add(page.table(header, rows, numeric=range(1, 10), paper=(2, 4, 6, 8), caption="Table 3.2"))
 
@@ -66,8 +82,16 @@ def section(study):
         note = f"Numbers are in the order of the choice. Closest pair: {near[name].min():.1f} m."
         if own != set(answer.selected):
             note += " (By its own rules for ties the program chooses others.)"
-        figures.append(coverage_map(study, signals, [signals.unit_ids[j] for j, _ in order], f"{name}, {samples:,} samples".capitalize(),
-                                    note, reference))
+        figures.append(
+            coverage_map(
+                study,
+                signals,
+                [signals.unit_ids[j] for j, _ in order],
+                f"{name}, {samples:,} samples".capitalize(),
+                note,
+                reference,
+            )
+        )
     best = study.table_answer(samples, "non-cooperative", "links")
     near["optimal"] = nearest_distances(signals.units[signals.columns(best.selected)])
     most = max(map(max, series))
@@ -76,33 +100,77 @@ def section(study):
     chart.ticks(list(range(1, max(map(len, series)) + 1)), [k * step for k in range(int(most / step) + 1)])
     for k, gains in enumerate(series):
         chart.line(list(enumerate(gains, 1)), k)
-    table_rows = [(name, len(values), f"{values.min():.1f}", f"{np.median(values):.1f}") for name, values in near.items()]
-    result.tables["clustering"] = (("placement", "transceivers", "closest pair, m", "median distance to the nearest, m"), table_rows)
-    result.tables["greedy_choices"] = (("placement", "choice", "labels newly reached"),
-                                       [(name, k, gain) for name, gains in zip(names, series) for k, gain in enumerate(gains, 1)])
-    result.add(page.row_of(figures), page.row_of([
-        page.figure("What each choice adds", chart.svg("Labels newly reached by each greedy choice") + series_legend(names)),
-        page.figure("Clustering", page.table(*result.tables["clustering"], numeric=(1, 2, 3)))]))
+    table_rows = [
+        (name, len(values), f"{values.min():.1f}", f"{np.median(values):.1f}")
+        for name, values in near.items()
+    ]
+    result.tables["clustering"] = (
+        ("placement", "transceivers", "closest pair, m", "median distance to the nearest, m"),
+        table_rows,
+    )
+    result.tables["greedy_choices"] = (
+        ("placement", "choice", "labels newly reached"),
+        [(name, k, gain) for name, gains in zip(names, series) for k, gain in enumerate(gains, 1)],
+    )
+    result.add(
+        page.row_of(figures),
+        page.row_of(
+            [
+                page.figure(
+                    "What each choice adds",
+                    chart.svg("Labels newly reached by each greedy choice") + series_legend(names),
+                ),
+                page.figure("Clustering", page.table(*result.tables["clustering"], numeric=(1, 2, 3))),
+            ]
+        ),
+    )
 
     printed = [paper.GREEDY[n][0][0] - paper.OPTIMAL[n][0][0] for n in study.effort.samples]
-    result.find("Greedy needs more transceivers than necessary", f"{spread(printed, '{}'.format)} more", f"{spread(extra, '{}'.format)} more",
-                verdict(min(extra) > 0, max(extra) > 0),
-                f"The greedy algorithm takes {spread(extra, '{}'.format)} transceivers more than needed (paper: {spread(printed, '{}'.format)}).",
-                reference="Table 3.2")
+    result.find(
+        "Greedy needs more transceivers than necessary",
+        f"{spread(printed, '{}'.format)} more",
+        f"{spread(extra, '{}'.format)} more",
+        verdict(min(extra) > 0, max(extra) > 0),
+        (
+            f"The greedy algorithm takes {spread(extra, '{}'.format)} transceivers more than needed (paper:"
+            f" {spread(printed, '{}'.format)})."
+        ),
+        reference="Table 3.2",
+    )
     tail = series[0][-1], series[0][-2], series[0][-3]
     share = sum(tail) / sum(series[0])
-    result.find("It adds transceivers late, to close small gaps", "described", f"last three choices add {percent(share)} of the labels",
-                verdict(share < 0.1, share < 0.2),
-                f"Its last three of {len(series[0])} choices add {listed(tail[::-1])} of {sum(series[0])} labels.", reference="3.5.1")
+    result.find(
+        "It adds transceivers late, to close small gaps",
+        "described",
+        f"last three choices add {percent(share)} of the labels",
+        verdict(share < 0.1, share < 0.2),
+        f"Its last three of {len(series[0])} choices add {listed(tail[::-1])} of {sum(series[0])} labels.",
+        reference="3.5.1",
+    )
     closest, optimal = near[names[0]].min(), near["optimal"].min()
-    result.find("Its transceivers stand in clusters", "seen in Fig. 3.3", f"closest pair {closest:.1f} m, optimal {optimal:.1f} m",
-                verdict(closest < 0.6 * optimal, closest < optimal),
-                f"Its closest pair stands {closest:.1f} m apart, that of the optimal placement {optimal:.1f} m.", reference="Fig. 3.3")
+    result.find(
+        "Its transceivers stand in clusters",
+        "seen in Fig. 3.3",
+        f"closest pair {closest:.1f} m, optimal {optimal:.1f} m",
+        verdict(closest < 0.6 * optimal, closest < optimal),
+        f"Its closest pair stands {closest:.1f} m apart, that of the optimal placement {optimal:.1f} m.",
+        reference="Fig. 3.3",
+    )
     rises = [paper.GREEDY[n][1][1] > paper.GREEDY[n][0][1] for n in study.effort.samples]
-    result.find("A link term can increase its redundancy", f"in {sum(rises)} of {len(rises)} rows", f"in {sum(more_links)} of {len(more_links)} rows",
-                verdict(any(more_links)),
-                f"With the link term the redundant share is larger in {sum(more_links)} of {len(more_links)} rows, with "
-                f"{listed([row[5] for row in rows])} transceivers instead of {listed([row[1] for row in rows])}.",
-                "The link term charges a transceiver for labels that are reached already, so small ones look cheap and many are taken.",
-                reference="Table 3.2")
+    result.find(
+        "A link term can increase its redundancy",
+        f"in {sum(rises)} of {len(rises)} rows",
+        f"in {sum(more_links)} of {len(more_links)} rows",
+        verdict(any(more_links)),
+        (
+            f"With the link term the redundant share is larger in {sum(more_links)} of"
+            f" {len(more_links)} rows, with {listed([row[5] for row in rows])} transceivers instead of"
+            f" {listed([row[1] for row in rows])}."
+        ),
+        (
+            "The link term charges a transceiver for labels that are reached already, so small ones look"
+            " cheap and many are taken."
+        ),
+        reference="Table 3.2",
+    )
     return result

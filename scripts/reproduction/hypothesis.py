@@ -13,8 +13,10 @@ def _beta_fraction(a, b, x):
     d = 1 / (d if abs(d) > tiny else tiny)
     result = d
     for m in range(1, 400):
-        for numerator in (m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m)),
-                          -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1))):
+        for numerator in (
+            m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m)),
+            -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1)),
+        ):
             d = 1 + numerator * d
             d = 1 / (d if abs(d) > tiny else tiny)
             c = 1 + numerator / c
@@ -29,7 +31,9 @@ def incomplete_beta(a, b, x):
     """The regularised incomplete beta function I_x(a, b)."""
     if x <= 0 or x >= 1:
         return float(x >= 1)
-    front = math.exp(math.lgamma(a + b) - math.lgamma(a) - math.lgamma(b) + a * math.log(x) + b * math.log1p(-x))
+    front = math.exp(
+        math.lgamma(a + b) - math.lgamma(a) - math.lgamma(b) + a * math.log(x) + b * math.log1p(-x)
+    )
     if x < (a + 1) / (a + b + 2):
         return front * _beta_fraction(a, b, x) / a
     return 1 - front * _beta_fraction(b, a, 1 - x) / b
@@ -91,8 +95,17 @@ def pair_test(a, b, error_a, error_b, freedom, level=0.01):
     spread_z = float((np.mean(z**2) - expected) / math.sqrt((fourth - expected**2) / len(z)))
     spread_limit = next(k / 1000 for k in range(10000) if normal_tail(k / 1000) <= level / 2)
     largest = float(np.abs(z).max())
-    return PairTest(z, largest, limit, float(np.mean(z**2)), expected, spread_z, spread_limit,
-                    float(np.mean(np.abs(z) > 1.96)), largest <= limit and spread_z <= spread_limit)
+    return PairTest(
+        z,
+        largest,
+        limit,
+        float(np.mean(z**2)),
+        expected,
+        spread_z,
+        spread_limit,
+        float(np.mean(np.abs(z) > 1.96)),
+        largest <= limit and spread_z <= spread_limit,
+    )
 
 
 def rank_correlation(a, b):

@@ -21,20 +21,59 @@ def section(study):
     log_counts = [int(c) for c in np.histogram(np.clip(values, log_edges[0], None), log_edges)[0]]
     ticks = [10.0**k for k in range(int(low), int(high) + 1)]
     mark = (threshold, "threshold")
-    result.add(page.row_of([
-        page.figure("All entries", histogram(linear, counts, "signal, W/m²", "pairs", "Histogram of M", mark,
-                                             [k * 0.02 for k in range(int(top / 0.02) + 1)]),
-                    f"{grouped(study.most_samples)} samples. Entries beyond the axis are in the last bar.", "as Fig. 3.7"),
-        page.figure("The same on a logarithmic axis", histogram(log_edges, log_counts, "signal, W/m²", "pairs",
-                                                                "Histogram of M, logarithmic", mark, ticks, [short(t) for t in ticks],
-                                                                log_x=True))]))
-    quantiles = [(f"{100 * q:g} %", f"{np.quantile(values, q):.5f}", percent(np.quantile(values, q) / threshold, 1))
-                 for q in (0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99)]
+    result.add(
+        page.row_of(
+            [
+                page.figure(
+                    "All entries",
+                    histogram(
+                        linear,
+                        counts,
+                        "signal, W/m²",
+                        "pairs",
+                        "Histogram of M",
+                        mark,
+                        [k * 0.02 for k in range(int(top / 0.02) + 1)],
+                    ),
+                    f"{grouped(study.most_samples)} samples. Entries beyond the axis are in the last bar.",
+                    "as Fig. 3.7",
+                ),
+                page.figure(
+                    "The same on a logarithmic axis",
+                    histogram(
+                        log_edges,
+                        log_counts,
+                        "signal, W/m²",
+                        "pairs",
+                        "Histogram of M, logarithmic",
+                        mark,
+                        ticks,
+                        [short(t) for t in ticks],
+                        log_x=True,
+                    ),
+                ),
+            ]
+        )
+    )
+    quantiles = [
+        (f"{100 * q:g} %", f"{np.quantile(values, q):.5f}", percent(np.quantile(values, q) / threshold, 1))
+        for q in (0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99)
+    ]
     result.tables["matrix_quantiles"] = (("quantile", "signal, W/m²", "share of the requirement"), quantiles)
-    result.tables["matrix_histogram"] = (("from", "to", "pairs"), list(zip(map(float, log_edges), map(float, log_edges[1:]), log_counts)))
+    result.tables["matrix_histogram"] = (
+        ("from", "to", "pairs"),
+        list(zip(map(float, log_edges), map(float, log_edges[1:]), log_counts)),
+    )
     result.add(page.table(*result.tables["matrix_quantiles"], numeric=(1, 2)))
     below = float(np.mean(values < threshold / 4))
-    result.find("Most signals are small", "seen in Fig. 3.7", f"{percent(below)} below a quarter of the threshold",
-                verdict(below > 0.5), f"{percent(below)} of all pairs have less than a quarter of the threshold, and "
-                f"{percent(np.mean(values >= threshold))} reach it.")
+    result.find(
+        "Most signals are small",
+        "seen in Fig. 3.7",
+        f"{percent(below)} below a quarter of the threshold",
+        verdict(below > 0.5),
+        (
+            f"{percent(below)} of all pairs have less than a quarter of the threshold, and "
+            f"{percent(np.mean(values >= threshold))} reach it."
+        ),
+    )
     return result

@@ -7,14 +7,19 @@ import numpy as np
 
 def partners(points, normals, axis):
     """For every point the index of its mirror image about x = axis; ValueError where one has none."""
+
     def key(point, normal):
         return tuple(np.round([*point, *normal], 6) + 0.0)
 
     where = {key(point, normal): k for k, (point, normal) in enumerate(zip(points, normals))}
     flip = np.array([-1.0, 1.0, 1.0])
     try:
-        return np.array([where[key(flip * point + [2 * axis, 0, 0], flip * normal)]
-                         for point, normal in zip(points, normals)])
+        return np.array(
+            [
+                where[key(flip * point + [2 * axis, 0, 0], flip * normal)]
+                for point, normal in zip(points, normals)
+            ]
+        )
     except KeyError as error:
         raise ValueError(f"nothing is opposite of {error}") from error
 

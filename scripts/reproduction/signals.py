@@ -6,7 +6,17 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-LABEL_SETS = ("id", "type", "position", "normal", "requirement", "link_cost", "signal_cost", "batches", "samples")
+LABEL_SETS = (
+    "id",
+    "type",
+    "position",
+    "normal",
+    "requirement",
+    "link_cost",
+    "signal_cost",
+    "batches",
+    "samples",
+)
 UNIT_SETS = ("id", "type", "position", "axis", "cost", "installed")
 
 
@@ -36,11 +46,21 @@ class Signals:
 
 def read_signals(path):
     with h5py.File(path) as file:
-        return Signals(Path(path), file["mean"][:].astype(float), file["standard_error"][:].astype(float),
-                       file["direct"][:].astype(float), list(file["labels/id"].asstr()[:]), file["labels/position"][:], file["labels/normal"][:],
-                       file["labels/requirement"][:], list(file["transceivers/id"].asstr()[:]),
-                       file["transceivers/position"][:], int(file["labels/batches"][:].min()),
-                       int(file["labels/samples"][:].min()), file.attrs["estimator"].decode())
+        return Signals(
+            Path(path),
+            file["mean"][:].astype(float),
+            file["standard_error"][:].astype(float),
+            file["direct"][:].astype(float),
+            list(file["labels/id"].asstr()[:]),
+            file["labels/position"][:],
+            file["labels/normal"][:],
+            file["labels/requirement"][:],
+            list(file["transceivers/id"].asstr()[:]),
+            file["transceivers/position"][:],
+            int(file["labels/batches"][:].min()),
+            int(file["labels/samples"][:].min()),
+            file.attrs["estimator"].decode(),
+        )
 
 
 def write_variant(source, path, mean=None, columns=None, costs=None):

@@ -32,29 +32,50 @@ class StoreMap:
 
     def definitions(self):
         """Marks and the store itself, for all maps of a page."""
-        marks = "".join(f'<g id="g{k}"><circle class="k g" style="fill:var(--g{k})" r="{5 + 1.1 * k:.1f}"/></g>\n'
-                        for k in range(CLASSES))
-        marks += '<g id="gz"><circle class="k gz" r="3.5"/></g>\n<g id="faint"><circle class="k faint" r="3"/></g>\n'
+        marks = "".join(
+            f'<g id="g{k}"><circle class="k g" style="fill:var(--g{k})" r="{5 + 1.1 * k:.1f}"/></g>\n'
+            for k in range(CLASSES)
+        )
+        marks += (
+            '<g id="gz"><circle class="k gz" r="3.5"/></g>\n<g id="faint"><circle class="k faint"'
+            ' r="3"/></g>\n'
+        )
         marks += '<g id="missed"><path class="k missed" d="M0 -12L10.5 6H-10.5Z"/></g>\n'
-        marks += '<g id="once"><circle class="k once" r="7"/></g>\n<g id="often"><circle class="k often" r="9.5"/></g>\n'
-        marks += '<g id="lost"><circle class="k lost" r="9"/></g>\n<g id="won"><circle class="k won" r="9"/></g>\n'
+        marks += (
+            '<g id="once"><circle class="k once" r="7"/></g>\n<g id="often"><circle class="k often"'
+            ' r="9.5"/></g>\n'
+        )
+        marks += (
+            '<g id="lost"><circle class="k lost" r="9"/></g>\n<g id="won"><circle class="k won" r="9"/></g>\n'
+        )
         marks += '<g id="unit"><circle class="k unit" r="15"/></g>\n'
-        marks += '<g id="source"><path class="k source" d="M0 -15L4 -4L15 0L4 4L0 15L-4 4L-15 0L-4 -4Z"/></g>\n'
+        marks += (
+            '<g id="source"><path class="k source" d="M0 -15L4 -4L15 0L4 4L0 15L-4 4L-15 0L-4 -4Z"/></g>\n'
+        )
         marks += '<g id="cross"><path class="cand" d="M-6 0h12m-6 -6v12"/></g>\n'
-        return (f'<svg class="defs" width="0" height="0" aria-hidden="true"><defs>\n{marks}'
-                f'<g id="store-layer">\n{self._store()}</g>\n</defs></svg>\n')
+        return (
+            f'<svg class="defs" width="0" height="0" aria-hidden="true"><defs>\n{marks}'
+            f'<g id="store-layer">\n{self._store()}</g>\n</defs></svg>\n'
+        )
 
     def _store(self):
         x, y = self.at(0, self.depth)
         body = svg.rect(x, y, SCALE * self.width, SCALE * self.depth, "floor")
         for fixture in self.store["fixtures"]:
             left, top = self.at(fixture["at"][0], fixture["at"][1] + fixture["depth"])
-            body += svg.rect(left, top, SCALE * fixture["length"], SCALE * fixture["depth"], f"fx {fixture['type']}")
+            body += svg.rect(
+                left, top, SCALE * fixture["length"], SCALE * fixture["depth"], f"fx {fixture['type']}"
+            )
         return body
 
     def picture(self, marks, description, css_class="m"):
-        return svg.picture(2 * MARGIN + SCALE * self.width, 2 * MARGIN + SCALE * self.depth, css_class, description,
-                           '<use href="#store-layer"/>\n' + marks)
+        return svg.picture(
+            2 * MARGIN + SCALE * self.width,
+            2 * MARGIN + SCALE * self.depth,
+            css_class,
+            description,
+            '<use href="#store-layer"/>\n' + marks,
+        )
 
     def label_place(self, position, normal):
         """Where a label's mark stands: on its own side of the shelf."""
@@ -84,13 +105,17 @@ class StoreMap:
         return "".join(svg.use("cross", *self.at(*position[:2])) for position in positions)
 
     def labels(self, signals, rows, symbols):
-        return "".join(svg.use(symbol, *self.label_place(signals.labels[i], signals.normals[i]))
-                       for i, symbol in zip(rows, symbols))
+        return "".join(
+            svg.use(symbol, *self.label_place(signals.labels[i], signals.normals[i]))
+            for i, symbol in zip(rows, symbols)
+        )
 
 
 def key(symbol, words):
-    return (f'<li><svg class="key" viewBox="-16 -16 32 32" aria-hidden="true"><use href="#{symbol}"/></svg>'
-            f"{escape(words)}</li>")
+    return (
+        f'<li><svg class="key" viewBox="-16 -16 32 32" aria-hidden="true"><use href="#{symbol}"/></svg>'
+        f"{escape(words)}</li>"
+    )
 
 
 def legend(items):
@@ -101,6 +126,8 @@ def signal_legend():
     def words(k):
         return f"{100 * class_floor(k):.2g} %"
 
-    return legend([("source", "the transceiver")]
-                  + [(f"g{k}", f"from {words(k)}") for k in reversed(range(CLASSES))]
-                  + [("gz", "less"), ("faint", "below the threshold")])
+    return legend(
+        [("source", "the transceiver")]
+        + [(f"g{k}", f"from {words(k)}") for k in reversed(range(CLASSES))]
+        + [("gz", "less"), ("faint", "below the threshold")]
+    )

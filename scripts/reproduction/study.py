@@ -33,7 +33,16 @@ class Effort:
     seeds: int  # runs with the fewest samples
 
 
-FULL = Effort(paper.SAMPLES, (5000, 25000, 50000), 50000, 60, (0, 0.02, 0.05, 0.1, 0.2), paper.SAMPLES, ("highs", "cbc"), 10)
+FULL = Effort(
+    paper.SAMPLES,
+    (5000, 25000, 50000),
+    50000,
+    60,
+    (0, 0.02, 0.05, 0.1, 0.2),
+    paper.SAMPLES,
+    ("highs", "cbc"),
+    10,
+)
 QUICK = Effort((5000, 25000), (2500,), 5000, 20, (0, 0.05), (5000,), ("highs",), 2)
 
 
@@ -60,10 +69,18 @@ class Study:
     def make_tables(self):
         """Tables 3.1 to 3.3, by the script that is there for them; its signal files serve the other sections."""
         say("the paper's tables")
-        environment = dict(os.environ, SHELFBEAM=self.program.binary, TIME_LIMIT=f"{self.effort.time_limit:g}",
-                           SAMPLES=" ".join(map(str, self.effort.samples)))
-        done = subprocess.run([str(TOP / "scripts/thesis-tables"), str(self.tables_folder.resolve())], env=environment,
-                              stdout=subprocess.DEVNULL, check=False)
+        environment = dict(
+            os.environ,
+            SHELFBEAM=self.program.binary,
+            TIME_LIMIT=f"{self.effort.time_limit:g}",
+            SAMPLES=" ".join(map(str, self.effort.samples)),
+        )
+        done = subprocess.run(
+            [str(TOP / "scripts/thesis-tables"), str(self.tables_folder.resolve())],
+            env=environment,
+            stdout=subprocess.DEVNULL,
+            check=False,
+        )
         if done.returncode != 0:
             raise Failure(f"scripts/thesis-tables ended with {done.returncode}")
 
@@ -75,8 +92,11 @@ class Study:
         return read_signals(self.uniform_file(samples))
 
     def reuse_file(self, samples, seed=1):
-        return self.program.run(f"reuse-{samples}-{seed}.h5", ["simulate", STORE, "--estimator", "reuse", "--samples",
-                                                               samples, "--seed", seed, "--json"], [STORE])
+        return self.program.run(
+            f"reuse-{samples}-{seed}.h5",
+            ["simulate", STORE, "--estimator", "reuse", "--samples", samples, "--seed", seed, "--json"],
+            [STORE],
+        )
 
     @lru_cache(maxsize=None)
     def reuse(self, samples, seed=1):
@@ -106,20 +126,33 @@ class Study:
     def place(self, name, signal_file, *arguments, limit=None):
         """An answer of `place`; exit codes 1 and 3 are answers, too."""
         limit = limit or self.effort.time_limit
-        path = self.program.run(f"{name}.json", ["place", signal_file, *arguments, "--time-limit", f"{limit:g}"],
-                                [signal_file], accepted=(0, 1, 3))
+        path = self.program.run(
+            f"{name}.json",
+            ["place", signal_file, *arguments, "--time-limit", f"{limit:g}"],
+            [signal_file],
+            accepted=(0, 1, 3),
+        )
         return read_answer(path)
 
     def levels(self, signals):
         """Rows of the paper's three levels: lowest shelf, middle shelf and freezer, top shelf."""
         height = signals.labels[:, 2].round(6)
         shelves = sorted({z for z, one in zip(height, signals.label_ids) if not one.startswith("F")})
-        return [[i for i, z in enumerate(height)
-                 if (1 if signals.label_ids[i].startswith("F") else shelves.index(z)) == level]
-                for level in range(len(shelves))]
+        return [
+            [
+                i
+                for i, z in enumerate(height)
+                if (1 if signals.label_ids[i].startswith("F") else shelves.index(z)) == level
+            ]
+            for level in range(len(shelves))
+        ]
 
     def sources(self, signals):
         """The four transceivers of Figs 2.9 to 2.12: (figure, words, column)."""
         x, y = self.store["room"]["size"][:2]
-        return [("Fig. 2.9", "bottom left", signals.unit_at(0, 0)), ("Fig. 2.10", "bottom right", signals.unit_at(x, 0)),
-                ("Fig. 2.11", "centre", signals.unit_at(x / 2, y / 2)), ("Fig. 2.12", "top middle", signals.unit_at(x / 2, y))]
+        return [
+            ("Fig. 2.9", "bottom left", signals.unit_at(0, 0)),
+            ("Fig. 2.10", "bottom right", signals.unit_at(x, 0)),
+            ("Fig. 2.11", "centre", signals.unit_at(x / 2, y / 2)),
+            ("Fig. 2.12", "top middle", signals.unit_at(x / 2, y)),
+        ]

@@ -9,8 +9,10 @@ def number(value):
 
 
 def picture(width, height, css_class, description, body):
-    return (f'<svg viewBox="0 0 {number(width)} {number(height)}" class="{css_class}" role="img" '
-            f'aria-label="{escape(description)}">\n{body}</svg>\n')
+    return (
+        f'<svg viewBox="0 0 {number(width)} {number(height)}" class="{css_class}" role="img" '
+        f'aria-label="{escape(description)}">\n{body}</svg>\n'
+    )
 
 
 def line(x1, y1, x2, y2, css_class):
@@ -18,12 +20,16 @@ def line(x1, y1, x2, y2, css_class):
 
 
 def path(points, css_class):
-    return f'<path class="{css_class}" d="M' + "L".join(f"{number(x)} {number(y)}" for x, y in points) + '"/>\n'
+    return (
+        f'<path class="{css_class}" d="M' + "L".join(f"{number(x)} {number(y)}" for x, y in points) + '"/>\n'
+    )
 
 
 def rect(x, y, width, height, css_class, title=""):
-    head = (f'<rect class="{css_class}" x="{number(x)}" y="{number(y)}" width="{number(width)}" '
-            f'height="{number(height)}"')
+    head = (
+        f'<rect class="{css_class}" x="{number(x)}" y="{number(y)}" width="{number(width)}" '
+        f'height="{number(height)}"'
+    )
     return f"{head}><title>{escape(title)}</title></rect>\n" if title else f"{head}/>\n"
 
 

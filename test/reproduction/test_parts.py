@@ -21,7 +21,7 @@ from reproduction import certificate, hypothesis, page, spy
 from reproduction.answers import read_answer
 from reproduction.charts import Chart, histogram
 from reproduction.coarse_grid import grids, interchangeable
-from reproduction.findings import AGREES, DIFFERS, OURS, PARTLY, Section, verdict
+from reproduction.findings import AGREES, DIFFERS, PARTLY, Section, verdict
 from reproduction.greedy import nearest_distances, picks
 from reproduction.mirror import distance_to_mirror_image, partners
 from reproduction.program import Failure, Program
@@ -47,7 +47,9 @@ def signal_file(path, mean, positions=None):
         file["labels/samples"] = np.full(m, 640, dtype="<u8")
         file["transceivers/id"] = np.array([f"T{j}" for j in range(n)], dtype="S4")
         file["transceivers/type"] = np.array(["t"] * n, dtype="S1")
-        file["transceivers/position"] = np.array([[j, 1.0, 3.0] for j in range(n)]) if positions is None else positions
+        file["transceivers/position"] = (
+            np.array([[j, 1.0, 3.0] for j in range(n)]) if positions is None else positions
+        )
         file["transceivers/axis"] = np.array([[0.0, 0.0, -1.0]] * n)
         file["transceivers/cost"] = np.ones(n)
         file["transceivers/installed"] = np.zeros(n, dtype="u1")
@@ -58,8 +60,15 @@ def signal_file(path, mean, positions=None):
 class Distributions(unittest.TestCase):
     # Critical values of printed tables.
     def test_student(self):
-        for t, freedom, tail in ((2.042, 30, 0.05), (2.576, 1e7, 0.01), (12.706, 1, 0.05), (3.646, 30, 0.001)):
-            self.assertAlmostEqual(hypothesis.student_tail(t, freedom), tail, delta=3e-4 * max(1, tail / 0.01))
+        for t, freedom, tail in (
+            (2.042, 30, 0.05),
+            (2.576, 1e7, 0.01),
+            (12.706, 1, 0.05),
+            (3.646, 30, 0.001),
+        ):
+            self.assertAlmostEqual(
+                hypothesis.student_tail(t, freedom), tail, delta=3e-4 * max(1, tail / 0.01)
+            )
             self.assertAlmostEqual(hypothesis.student_limit(tail, freedom), t, delta=2e-3 * t)
         self.assertAlmostEqual(hypothesis.normal_tail(1.96), 0.025, places=4)
 
@@ -112,11 +121,15 @@ class Placements(unittest.TestCase):
         self.assertEqual(picks(reach, False), [(0, 3), (1, 1), (2, 1)])
         with self.assertRaises(ValueError):
             picks(np.zeros((1, 2), dtype=bool), False)
-        self.assertEqual(list(nearest_distances(np.array([[0.0, 0, 0], [3, 4, 0], [0, 1, 0]]))), [1, math.hypot(3, 3), 1])
+        self.assertEqual(
+            list(nearest_distances(np.array([[0.0, 0, 0], [3, 4, 0], [0, 1, 0]]))), [1, math.hypot(3, 3), 1]
+        )
 
     def test_redundancy(self):
         with tempfile.TemporaryDirectory() as folder:
-            signals = read_signals(signal_file(f"{folder}/a.h5", np.array([[1.0, 1.0, 0.0], [0.6, 0.6, 0.1], [2.0, 0.1, 0.0]])))
+            signals = read_signals(
+                signal_file(f"{folder}/a.h5", np.array([[1.0, 1.0, 0.0], [0.6, 0.6, 0.1], [2.0, 0.1, 0.0]]))
+            )
             self.assertEqual(redundancy(signals, [0, 1]), (2 / 3, 1 / 3))
             self.assertEqual(redundancy(signals, [0, 2])[1], 0)
 
@@ -129,7 +142,9 @@ class Placements(unittest.TestCase):
             self.assertEqual(sorted(layouts[0.5, 0.5][:4]), [0, 5, 18, 23])
             coarse = {(spacing, start): list(columns) for spacing, start, columns in grids(signals.units)}
             self.assertEqual(coarse[2, (1, 0)], [1, 3, 5, 13, 15, 17])
-            self.assertEqual(sum(len(columns) for (spacing, _), columns in coarse.items() if spacing == 2), 24)
+            self.assertEqual(
+                sum(len(columns) for (spacing, _), columns in coarse.items() if spacing == 2), 24
+            )
 
     def test_interchangeable(self):
         reach = np.array([[1, 1, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]], dtype=bool)
@@ -138,10 +153,22 @@ class Placements(unittest.TestCase):
     def test_answers(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "a.json"
-            answer = {"format": 1, "selected": ["T1", "T2"], "count": 2, "count_lower_bound": 2, "status": "optimal",
-                      "redundant_share": 0.254, "seconds": 1, "solver": "x"}
-            for change, units in (({}, "2"), ({"status": "stopped", "count_lower_bound": 1}, "[1, 2]"), ({"status": "stopped"}, "2~"),
-                                  ({"status": "feasible", "count_lower_bound": 1}, "2")):
+            answer = {
+                "format": 1,
+                "selected": ["T1", "T2"],
+                "count": 2,
+                "count_lower_bound": 2,
+                "status": "optimal",
+                "redundant_share": 0.254,
+                "seconds": 1,
+                "solver": "x",
+            }
+            for change, units in (
+                ({}, "2"),
+                ({"status": "stopped", "count_lower_bound": 1}, "[1, 2]"),
+                ({"status": "stopped"}, "2~"),
+                ({"status": "feasible", "count_lower_bound": 1}, "2"),
+            ):
                 path.write_text(json.dumps({**answer, **change}), encoding="utf-8")
                 self.assertEqual(read_answer(path).units, units)
             self.assertEqual(read_answer(path).with_share, "2 25%")
@@ -155,18 +182,27 @@ class Files(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             mean = np.arange(6.0).reshape(2, 3)
             source = signal_file(f"{folder}/a.h5", mean)
-            variant = read_signals(write_variant(source, f"{folder}/b.h5", mean=np.where(mean >= 2, mean, 0), columns=[0, 2]))
+            variant = read_signals(
+                write_variant(source, f"{folder}/b.h5", mean=np.where(mean >= 2, mean, 0), columns=[0, 2])
+            )
             self.assertEqual(variant.mean.tolist(), [[0, 2], [3, 5]])
             self.assertEqual(variant.unit_ids, ["T0", "T2"])
             self.assertEqual(read_signals(source).mean.tolist(), mean.tolist())
 
     def test_program_goes_on_where_it_was(self):
         with tempfile.TemporaryDirectory() as folder:
-            binary = fake_program(folder, 'echo ran >>"$(dirname "$0")/log"\ncase $1 in fail) exit 4 ;; esac\nprintf x >"${@: -2:1}"')
+            binary = fake_program(
+                folder,
+                'echo ran >>"$(dirname "$0")/log"\ncase $1 in fail) exit 4 ;; esac\nprintf x >"${@: -2:1}"',
+            )
             source, log = Path(folder) / "in", Path(folder) / "log"
             source.write_text("1", encoding="utf-8")
             program = Program(binary, f"{folder}/work")
-            for arguments, runs in ((["place", source], 1), (["place", source], 1), (["place", source, "--model", "m"], 2)):
+            for arguments, runs in (
+                (["place", source], 1),
+                (["place", source], 1),
+                (["place", source, "--model", "m"], 2),
+            ):
                 program.run("out", arguments, [source])
                 self.assertEqual(log.read_text(encoding="utf-8").count("ran"), runs)
             os.utime(source, (time.time() + 9, time.time() + 9))
@@ -191,14 +227,15 @@ def fake_program(folder, script):
 
 class Certificates(unittest.TestCase):
     HELP = 'case $* in *--help*) echo "  --confidence FLOAT  Certify"; exit ;; esac\n'
-    PLAN = '''mkdir -p "${@: -2:1}"
+    PLAN = """mkdir -p "${@: -2:1}"
 cat >"${@: -2:1}/placement.json" <<END
 {"count": 4, "count_lower_bound": 4, "status": "optimal", "certificate": {"confidence": 0.99, "verdict": "certified"}}
-END'''
+END"""
 
     def study(self, folder, script):
         class Study:
             program = Program(fake_program(folder, script), f"{folder}/work")
+
         return Study()
 
     def test_section_where_the_program_certifies(self):
@@ -206,7 +243,10 @@ END'''
             study = self.study(folder, self.HELP + self.PLAN)
             self.assertTrue(certificate.is_there(study))
             section = certificate.section(study)
-            self.assertEqual([row[:3] for row in section.tables["certified_plan"][1]], [("cooperative", 4, 4), ("non-cooperative", 4, 4)])
+            self.assertEqual(
+                [row[:3] for row in section.tables["certified_plan"][1]],
+                [("cooperative", 4, 4), ("non-cooperative", 4, 4)],
+            )
             self.assertIn(("verdict", "certified"), section.tables["certificate_cooperative"][1])
             self.assertIn("equal", section.findings[0].why)
 
@@ -221,10 +261,12 @@ class Pages(unittest.TestCase):
 
     def test_document_is_well_formed(self):
         section = Section("A & B", "3.5", "Is 1 < 2?")
-        section.find("a < b", "1", "2", AGREES, "It is \"so\".", "As <measured>.")
-        section.find("", "", "", OURS, "Ours.")
-        section.add(page.table(("a", "b"), [("<", 1)], numeric=(1,)),
-                    page.figure("c", histogram([0, 1, 2], [3, 0], "x", "y", "d", (1, "mark"), [0, 1, 2])))
+        section.find("a < b", "1", "2", AGREES, 'It is "so".', "As <measured>.")
+        section.tell("Ours.")
+        section.add(
+            page.table(("a", "b"), [("<", 1)], numeric=(1,)),
+            page.figure("c", histogram([0, 1, 2], [3, 0], "x", "y", "d", (1, "mark"), [0, 1, 2])),
+        )
         html = page.document("T", "", [("n", "v", "w")], "", [section], "f")
         root = ElementTree.fromstring(html.split("\n", 1)[1])
         self.assertEqual(len(root.findall(".//{*}section")), 2)
@@ -248,8 +290,10 @@ class Pages(unittest.TestCase):
         data = spy.png(bits)
         self.assertEqual(struct.unpack(">II", data[16:24]), (19, 5))
         start = data.index(b"IDAT")
-        length = struct.unpack(">I", data[start - 4:start])[0]
-        lines = np.frombuffer(zlib.decompress(data[start + 4:start + 4 + length]), dtype=np.uint8).reshape(5, -1)
+        length = struct.unpack(">I", data[start - 4 : start])[0]
+        lines = np.frombuffer(zlib.decompress(data[start + 4 : start + 4 + length]), dtype=np.uint8).reshape(
+            5, -1
+        )
         self.assertTrue((np.unpackbits(lines[:, 1:], axis=1)[:, :19] == bits).all())
 
 

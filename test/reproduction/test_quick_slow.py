@@ -30,7 +30,9 @@ class QuickStudy(unittest.TestCase):
 
     @staticmethod
     def reproduce(*arguments):
-        done = subprocess.run([str(TOP / "scripts/reproduce"), *arguments], capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            [str(TOP / "scripts/reproduce"), *arguments], capture_output=True, text=True, check=False
+        )
         if done.returncode != 0:
             raise AssertionError(done.stderr)
         return done
@@ -40,33 +42,62 @@ class QuickStudy(unittest.TestCase):
             return list(csv.DictReader(file)) if name == "findings" else list(csv.reader(file))
 
     def figures(self):
-        return {re.sub(r"\s+", " ", "".join(figure.find("{*}figcaption").itertext())): figure for figure in self.root.iter()
-                if figure.tag.endswith("}figure")}
+        return {
+            re.sub(r"\s+", " ", "".join(figure.find("{*}figcaption").itertext())): figure
+            for figure in self.root.iter()
+            if figure.tag.endswith("}figure")
+        }
 
     def test_every_figure_of_the_paper_has_its_like(self):
         captions = self.figures()
-        for name in ("Fig. 2.8", "Fig. 2.9", "Fig. 2.10", "Fig. 2.11", "Fig. 2.12", "Fig. 2.13", "Fig. 3.2a", "Fig. 3.2b", "Fig. 3.3a",
-                     "Fig. 3.3b", "Fig. 3.4a", "Fig. 3.4b", "Fig. 3.5a", "Fig. 3.5b", "Fig. 3.6", "Fig. 3.7"):
-            found = [figure for caption, figure in captions.items() if re.search(re.escape(name) + r"\b", caption)]
+        for name in (
+            "Fig. 2.8",
+            "Fig. 2.9",
+            "Fig. 2.10",
+            "Fig. 2.11",
+            "Fig. 2.12",
+            "Fig. 2.13",
+            "Fig. 3.2a",
+            "Fig. 3.2b",
+            "Fig. 3.3a",
+            "Fig. 3.3b",
+            "Fig. 3.4a",
+            "Fig. 3.4b",
+            "Fig. 3.5a",
+            "Fig. 3.5b",
+            "Fig. 3.6",
+            "Fig. 3.7",
+        ):
+            found = [
+                figure for caption, figure in captions.items() if re.search(re.escape(name) + r"\b", caption)
+            ]
             self.assertTrue(found, name)
             for figure in found:
                 self.assertTrue(figure.findall(SVG) or figure.findall(".//{*}img"), name)
         for caption, figure in captions.items():
             if caption.startswith("Fig. 2."):
-                self.assertEqual(len([svg for svg in figure.findall(SVG) if svg.get("class") == "m"]), 6, caption)
+                self.assertEqual(
+                    len([svg for svg in figure.findall(SVG) if svg.get("class") == "m"]), 6, caption
+                )
 
     def test_references_lead_somewhere(self):
         ids = {element.get("id") for element in self.root.iter() if element.get("id")}
         targets = {element.get("href") for element in self.root.iter() if element.get("href")}
         self.assertGreater(len(targets), 20)
-        self.assertEqual({target for target in targets if not target.startswith("#") or target[1:] not in ids}, set())
+        self.assertEqual(
+            {target for target in targets if not target.startswith("#") or target[1:] not in ids}, set()
+        )
 
     def test_tables_are_those_of_the_answers(self):
         table = self.rows("table_3_1")
         self.assertEqual([row[2] for row in table[1:]], ["8", "6"])
         self.assertEqual(table[1][4], "54 %")
         for row, samples in zip(table[1:], (5000, 25000)):
-            answer = json.loads((self.folder / f"work/tables/{samples}-non-cooperative-count-auto.json").read_text(encoding="utf-8"))
+            answer = json.loads(
+                (self.folder / f"work/tables/{samples}-non-cooperative-count-auto.json").read_text(
+                    encoding="utf-8"
+                )
+            )
             self.assertEqual(answer["status"], "optimal")
             self.assertEqual(row[1], str(answer["count"]))
             self.assertEqual(row[3], f"{100 * answer['redundant_share']:.0f} %")
@@ -113,7 +144,9 @@ class QuickStudy(unittest.TestCase):
 
     def test_wrong_arguments(self):
         for arguments in (["--fast"], ["--time-limit", "-1"]):
-            done = subprocess.run([str(TOP / "scripts/reproduce"), *arguments], capture_output=True, text=True, check=False)
+            done = subprocess.run(
+                [str(TOP / "scripts/reproduce"), *arguments], capture_output=True, text=True, check=False
+            )
             self.assertEqual(done.returncode, 2)
 
 
