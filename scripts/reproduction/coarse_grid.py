@@ -35,6 +35,18 @@ def interchangeable(reach):
     return same, int(within.any(axis=1).sum())
 
 
+def neighbours_in_common(reach, units):
+    """The median share of labels that both of two neighbouring candidates reach, of those that either does."""
+    apart = np.linalg.norm(units[:, None] - units[None], axis=2)
+    pairs = [(a, b) for a, b in np.argwhere(apart < 1.01) if a < b]
+    shares = [
+        (reach[:, a] & reach[:, b]).sum() / (reach[:, a] | reach[:, b]).sum()
+        for a, b in pairs
+        if (reach[:, a] | reach[:, b]).any()
+    ]
+    return float(np.median(shares))
+
+
 def pair_files(study, signals):
     """Matrices whose columns are pairs of mirror images: sums of both, and the larger, each at the price of two."""
     mirror = study.mirror()
@@ -60,7 +72,7 @@ def section(study):
     signals, path = study.reference, study.reference_file
     rows, coarse, full = [], {model: [] for model in MODELS}, {}
     for model in MODELS:
-        full[model] = study.place(f"reference-{model}-count", path, "--model", model)
+        full[model] = study.fewest_in_truth(model)
         rows.append(
             ("1 m", model, len(signals.units), full[model].units, "", seconds(full[model].seconds), "1.0")
         )
@@ -97,7 +109,9 @@ def section(study):
                     f"+{max(more)}" if more else "none",
                 )
             )
-    same, within = interchangeable(signals.mean >= signals.requirement[:, None])
+    reach = signals.mean >= signals.requirement[:, None]
+    same, within = interchangeable(reach)
+    alike = neighbours_in_common(reach, signals.units)
     apart, symmetric = {}, {}
     for model in MODELS:
         chosen = signals.units[signals.columns(full[model].selected)]
@@ -203,13 +217,14 @@ def section(study):
         ),
     )
     result.find(
-        "Some transceivers cover identical sets of labels",
+        "Some transceivers cover identical sets of labels, close ones similar sets",
         "quite possible",
-        f"{same} of {len(signals.units)}",
-        verdict(same > 0),
+        f"{same} of {len(signals.units)}; neighbours share {percent(alike)}",
+        verdict(same > 0, within > 0),
         (
             f"{same} of {len(signals.units)} candidates reach exactly what another one reaches, and"
-            f" {within} reach only a part of what another one does ({percent(within / len(signals.units))})."
+            f" {within} reach only a part of what another one does ({percent(within / len(signals.units))});"
+            f" candidates 1 m apart have {percent(alike)} of what either reaches in common (median)."
         ),
     )
     return result

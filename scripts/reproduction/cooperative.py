@@ -1,8 +1,9 @@
 """Optimal cooperative placements: Table 3.3 and Fig. 3.4."""
 
 from reproduction import page, paper
-from reproduction.coverage import coverage_map, missed, noise
+from reproduction.coverage import coverage_map, missed
 from reproduction.findings import Section, verdict
+from reproduction.seeds import judge_trend
 from reproduction.text import grouped, listed, spread
 
 
@@ -64,21 +65,8 @@ def section(study):
         page.row_of(figures),
     )
     single = [row[0] for row in counts]
-    truth = study.place("reference-cooperative-count", study.reference_file)
     printed = [paper.COOPERATIVE[n][0] for n in study.effort.samples]
-    result.find(
-        "More samples, fewer transceivers",
-        spread(printed, "{}".format),
-        spread(single, "{}".format),
-        verdict(single[-1] < single[0]),
-        (
-            f"The count is {listed([str(c) for c in single])} for"
-            f" {listed([grouped(n) for n in study.effort.samples])} samples and {truth.units} on the"
-            f" reference matrix; the paper has {listed([str(c) for c in printed])}."
-        ),
-        "" if single[-1] < single[0] else noise(study),
-        reference="Table 3.3",
-    )
+    judge_trend(study, result, "cooperative", single, printed, "Table 3.3")
     result.find(
         "All objectives need the same number of transceivers",
         "equal in every row",

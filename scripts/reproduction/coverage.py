@@ -45,6 +45,5 @@ def noise(study):
     return (
         f"With {grouped(study.effort.samples[0])} samples noise takes"
         f" {grouped(int((truth & ~noisy).sum()))} pairs below the threshold and lifts"
-        f" {grouped(int((noisy & ~truth).sum()))} above it: gaps that it makes at one candidate it closes at"
-        " another, and the search has many to choose from."
+        f" {grouped(int((noisy & ~truth).sum()))} above it: it opens gaps, and it closes some."
     )

@@ -2,11 +2,10 @@
 
 from collections import Counter
 
-from reproduction import page
+from reproduction import page, seeds
 from reproduction.answers import MODELS
 from reproduction.findings import Section
 from reproduction.coverage import missed
-from reproduction.study import STORE
 from reproduction.text import grouped, plural
 
 FACTORS = (0.98, 1, 1.02)
@@ -59,39 +58,18 @@ def _thresholds(study, result):
 
 
 def _seeds(study, result):
-    samples, seeds = study.effort.samples[0], study.effort.seeds
-    rows, counts = [], {model: Counter() for model in MODELS}
-    for seed in range(1, seeds + 1):
-        path = (
-            study.uniform_file(samples)
-            if seed == 1
-            else study.program.run(
-                f"uniform-{samples}-{seed}.h5",
-                ["simulate", STORE, "--estimator", "uniform", "--samples", samples, "--seed", seed],
-                [STORE],
-            )
-        )
-        row = [seed]
-        for model in MODELS:
-            answer = study.place(f"seed-{samples}-{seed}-{model}", path, "--model", model)
-            counts[model][answer.count] += 1
-            row += [answer.units, missed(study.reference, answer.selected, model)]
-        rows.append(tuple(row))
+    rows, found = {}, {model: Counter() for model in MODELS}
+    for seed, model, answer in seeds.answers(study):
+        found[model][answer.count] += 1
+        rows.setdefault(seed, [seed]).extend((answer.units, missed(study.reference, answer.selected, model)))
     header = ("seed", *(words for model in MODELS for words in (model, "missed in truth")))
-    result.tables["seeds"] = (header, rows)
-    result.add(
-        page.details(f"{plural(seeds, 'seed')}, one by one", page.table(header, rows, numeric=range(1, 5)))
-    )
-
-    def words(model):
-        return " and ".join(
-            f"{count} in {plural(times, 'run')}" for count, times in sorted(counts[model].items())
-        )
-
+    result.tables["seeds"] = (header, list(rows.values()))
+    listing = page.table(*result.tables["seeds"], numeric=range(1, 5))
+    result.add(page.details(f"{plural(len(rows), 'seed')}, one by one", listing))
     result.tell(
-        f"With {grouped(samples)} samples and {plural(seeds, 'seed')} the counts are"
-        f" {words(MODELS[0])} with and {words(MODELS[1])} without cooperation; the paper has one run of"
-        " each."
+        f"With {grouped(study.effort.samples[0])} samples and {plural(len(rows), 'seed')} the counts are"
+        f" {seeds.count_words(found[MODELS[0]])} with and {seeds.count_words(found[MODELS[1]])} without"
+        " cooperation; the paper has one run of each."
     )
 
 

@@ -1,8 +1,9 @@
 """Optimal non-cooperative placements: Table 3.1 and Fig. 3.2."""
 
 from reproduction import page, paper
-from reproduction.coverage import coverage_map, missed, noise
+from reproduction.coverage import coverage_map, missed
 from reproduction.findings import Section, verdict
+from reproduction.seeds import judge_trend
 from reproduction.text import grouped, listed, percent, seconds, spread
 
 
@@ -76,22 +77,8 @@ def section(study):
             ]
         ),
     )
-    first, last = counts[0], counts[-1]
-    truth = study.place("reference-non-cooperative-count", study.reference_file, "--model", "non-cooperative")
     printed = [paper.OPTIMAL[n][0][0] for n in study.effort.samples]
-    result.find(
-        "More samples, fewer transceivers",
-        spread(printed, "{}".format),
-        spread(counts, "{}".format),
-        verdict(last < first),
-        (
-            f"The count is {listed([str(c) for c in counts])} for"
-            f" {listed([grouped(n) for n in study.effort.samples])} samples, and {truth.units} on the"
-            f" reference matrix; the paper has {listed([str(c) for c in printed])}."
-        ),
-        "" if last < first else noise(study),
-        reference="Table 3.1",
-    )
+    judge_trend(study, result, "non-cooperative", counts, printed, "Table 3.1")
     with_links = shares[1::2]
     drops = [a - b for a, b in zip(shares[0::2], with_links)]
     result.find(

@@ -134,6 +134,10 @@ class Study:
         )
         return read_answer(path)
 
+    def fewest_in_truth(self, model):
+        """The placement with the fewest transceivers on the reference matrix."""
+        return self.place(f"reference-{model}-count", self.reference_file, "--model", model)
+
     def levels(self, signals):
         """Rows of the paper's three levels: lowest shelf, middle shelf and freezer, top shelf."""
         height = signals.labels[:, 2].round(6)
