@@ -29,7 +29,7 @@ def section(study):
         (f"{100 * cut:g} %" if cut else "none", *(percent(zeros(one, cut), 1) for one in all_signals))
         for cut in CUTS
     ]
-    header = ("cut-off, share of the requirement", *names)
+    header = ("cut-off", *map(grouped, samples), "reference")
     result.tables["zeros"] = (header, rows)
     inside = [cut for cut in CUTS if all(0.4 <= zeros(one, cut) <= 0.5 for one in all_signals[:-1])]
     shown_cut = inside[0] if inside else 0.2
@@ -67,7 +67,9 @@ def section(study):
                     chart.svg("Share of zeros against the cut-off")
                     + series_legend([names[place] for place in lines]),
                 ),
-                page.figure("Zeros", page.table(header, rows, numeric=range(1, len(header)))),
+                page.figure(
+                    "Zeros, by samples a label", page.table(header, rows, numeric=range(1, len(header)))
+                ),
             ]
         ),
         page.paragraph(

@@ -119,7 +119,7 @@ class QuickStudy(unittest.TestCase):
         # Five times the samples: the error falls by sqrt(5) = 2.24.
         self.assertTrue(1.9 < errors[0] / errors[1] < 2.6, errors)
         zeros = self.rows("zeros")
-        self.assertEqual(zeros[0][1:], ["5,000 samples", "25,000 samples", "reference"])
+        self.assertEqual(zeros[0][1:], ["5,000", "25,000", "reference"])
         for column in range(1, 4):
             values = [float(row[column].split()[0]) for row in zeros[1:]]
             self.assertEqual(values, sorted(values))
