@@ -19,8 +19,8 @@ def say(text):
 class Program:
     """The shelfbeam binary with a folder for what it writes.
 
-    A file is written again only where it is missing, older than what it was made from, or was asked for with
-    other arguments. The arguments are kept beside it.
+    A file is written again only where it is missing, older than what it was made from (for answers that is the
+    program, too, as solvers change), or was asked for with other arguments. The arguments are kept beside it.
     """
 
     def __init__(self, binary, folder):
@@ -49,6 +49,8 @@ class Program:
         output = self.folder / name
         command = [self.binary, *map(str, arguments), "-o", str(output), "--quiet"]
         record = self.folder / f"{name}.run"
+        if arguments[0] != "simulate":
+            inputs = [*inputs, self.binary]
         if self._is_current(output, record, command, inputs):
             return output
         say(f"{arguments[0]} {name}")

@@ -208,6 +208,10 @@ class Files(unittest.TestCase):
             os.utime(source, (time.time() + 9, time.time() + 9))
             program.run("out", ["place", source, "--model", "m"], [source])
             self.assertEqual(log.read_text(encoding="utf-8").count("ran"), 3)
+            os.utime(source, (0, 0))
+            os.utime(binary, (time.time() + 9, time.time() + 9))
+            program.run("out", ["place", source, "--model", "m"], [source])
+            self.assertEqual(log.read_text(encoding="utf-8").count("ran"), 4)
             with self.assertRaises(Failure):
                 program.run("other", ["fail"])
             self.assertEqual(program.record("out")["exit_code"], 0)
