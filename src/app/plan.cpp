@@ -54,8 +54,17 @@ int run_plan(const Options& options) {
   try {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
-    plan = make_plan(store.scene, store.hash,
-                     {simulation, options.question.question(), options.solver.options()}, control);
+    PlanOptions asked;
+    asked.simulation = simulation;
+    asked.question = options.question.question();
+    asked.place = options.solver.options();
+    plan = make_plan(store.scene, store.hash, asked, control);
+    if (plan.certificate) {
+      const Certificate& c = *plan.certificate;
+      fmt::print("certificate: reached {} missed {} undecided {} of {}, bound {} ({} labels), rounds {}, {:.1f} s {}\n",
+                 c.count(Verdict::reached), c.count(Verdict::missed), c.count(Verdict::undecided), c.labels.size(),
+                 c.count_lower_bound, c.bound_labels, c.rounds, c.seconds, c.open);
+    }
   } catch (...) {  // stopped too early, or refused
     std::error_code not_empty;
     if (is_new) std::filesystem::remove(options.folder, not_empty);

@@ -81,8 +81,9 @@ struct PlaceOptions {
   SolverChoice solver = SolverChoice::automatic;
   std::string backend = {};  ///< MIP back end by name; empty: the preferred one, the next where it fails
   double time_limit_s = 60;
-  std::uint64_t seed =
-      1;  ///< of the local search, which alone draws random numbers; no proven value depends on it
+  /// Of the local search, which alone draws random numbers; no proven value depends on it.
+  std::uint64_t seed = 1;
+  bool settles_ties = true;  ///< false: any placement of the best value will do
 };
 
 /// Answers the question for a table. Every returned selection has passed the checker (checker.hpp). Costs

@@ -15,13 +15,14 @@ namespace shelfbeam {
 
 /// A quantity that batches estimate, and what is known of it beside them.
 struct FreshSum {
-  double known = 0;  ///< the part in closed form
-  Moments sampled;   ///< the rest, over batches
+  double known = 0;        ///< the part in closed form
+  Moments sampled;         ///< the rest, over batches
   std::uint32_t hits = 0;  ///< batches in which it was not 0
 
   double mean() const { return known + sampled.mean(); }
-  /// One-sided limits, each on the wrong side of the truth with a chance of `level`, after Student. Nothing is
-  /// made of quantities that were hit in fewer than `least_hits` batches: their spread is not to be trusted.
+  /// One-sided limits, each on the wrong side of the truth with a chance of `level`, after Student. Nothing
+  /// is made of quantities that were hit in fewer than `least_hits` batches: their spread is not to be
+  /// trusted.
   double lower(double level) const;
   double upper(double level) const;
   /// For quantities that were hit rarely: the chance of a hit is limited (success_limit), and its size by
@@ -40,7 +41,9 @@ struct FreshSums {
   std::vector<FreshSum> sums;  ///< of label i from i * width on
   double largest = 0;          ///< of all values of all sums in a batch, known light left out
 
-  std::span<const FreshSum> of(std::size_t label) const { return std::span(sums).subspan(label * width, width); }
+  std::span<const FreshSum> of(std::size_t label) const {
+    return std::span(sums).subspan(label * width, width);
+  }
 };
 
 /// From the signals of all transceivers at a label, the sums that are wanted of it. Linear; called from

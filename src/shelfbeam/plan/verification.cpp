@@ -72,11 +72,6 @@ void judge_links(LabelVerdict& label, const Limits& limits, std::span<const floa
 
 }  // namespace
 
-double LabelVerdict::distance() const {
-  return standard_error > 0 ? std::abs(signal - requirement) / standard_error
-                            : std::numeric_limits<double>::infinity();
-}
-
 std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, std::span<const float> planned,
                                  double level, const VerificationEffort& effort, const RunControl& control) {
   const std::size_t rows = scene.labels.size(), columns = scene.transceivers.size();
@@ -99,8 +94,8 @@ std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, s
   };
   SimulationOptions options = effort.simulation;
   options.seed = effort.seed;
-  const FreshSums fresh = fresh_sums(scene, options, std::max(effort.batches, least_verifying_batches), width,
-                                     rule, control);
+  const FreshSums fresh =
+      fresh_sums(scene, options, std::max(effort.batches, least_verifying_batches), width, rule, control);
   const double of_one = level / static_cast<double>(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     LabelVerdict& label = labels[i];
@@ -109,7 +104,6 @@ std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, s
       judge_sums(label, limits, of_one);
     else
       judge_links(label, limits, planned.subspan(i * columns, columns), question.redundant ? 2 : 1, of_one);
-    label.batches = fresh.batches;
     label.samples = fresh.batches * fresh.samples_per_batch;
     if (is_met(label.lower, label.requirement))
       label.verdict = Verdict::reached;

@@ -6,32 +6,12 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/certificate.hpp"
 #include "shelfbeam/placement/instance.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/transport/simulation_options.hpp"
 
 namespace shelfbeam {
-
-enum class Verdict {
-  reached,   ///< the lower limit meets the requirement
-  missed,    ///< the upper limit does not
-  undecided  ///< the requirement lies between
-};
-
-/// What fresh samples say of one label. The signal is what the question counts (received_signal): the sum, or
-/// the link that was planned for the label; where a unit may fail what is left in the worst case.
-struct LabelVerdict {
-  Verdict verdict = Verdict::undecided;
-  double requirement = 0;  ///< gamma tau
-  double signal = 0;
-  double standard_error = 0;
-  double lower = 0, upper = 0;  ///< one-sided limits at the level of one statement
-  std::uint32_t batches = 0;
-  std::uint64_t samples = 0;  ///< first rays
-
-  /// (signal - requirement) / standard error, in absolute value; infinite where nothing is left to chance.
-  double distance() const;
-};
 
 /// How much is simulated, and with which random numbers.
 struct VerificationEffort {

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include "shelfbeam/base/error.hpp"
@@ -101,8 +100,7 @@ BatchRun sample_batches(const Scene& scene, const SimulationOptions& options, st
                         const std::function<void(const BatchRow&)>& take, const RunControl& control) {
   tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
                                              : static_cast<int>(control.threads));
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(arena.max_concurrency()));
+  const ThreadsAllowed allowed(control.threads);
   BatchRun run;
   run.batches = batches;
   arena.execute([&] {
