@@ -15,7 +15,8 @@ using test::Json;
 using test::small_store;
 using test::TempFolder;
 
-const std::vector<std::string> verbs = {"new", "inspect", "simulate", "place", "plan", "report", "export"};
+const std::vector<std::string> verbs = {"new",  "inspect", "simulate", "place",
+                                        "plan", "verify",  "report",   "export"};
 
 TEST(Help, OfEveryVerbShowsExamplesAndCommonOptions) {
   for (const std::string& verb : verbs) {

@@ -70,16 +70,16 @@ TEST(Certify, ProvesASmallStore) {
     options.question.model = model;
     options.budget_s = 60;
     const Plan plan = make_plan(scene, "", options);
-    ASSERT_TRUE(plan.certificate);
-    EXPECT_TRUE(plan.certificate->all_reached());
-    EXPECT_EQ(plan.certificate->count_lower_bound, plan.placement.count());
-    EXPECT_EQ(plan.certificate->open, "");
-    EXPECT_GT(plan.certificate->bound_labels, 0U);
+    ASSERT_TRUE(plan.placement.certificate);
+    EXPECT_TRUE(plan.placement.certificate->all_reached());
+    EXPECT_EQ(plan.placement.certificate->count_lower_bound, plan.placement.count());
+    EXPECT_EQ(plan.placement.certificate->open, "");
+    EXPECT_GT(plan.placement.certificate->bound_labels, 0U);
     const Plan again = make_plan(scene, "", options, {.threads = 3});
     EXPECT_EQ(again.placement.selected, plan.placement.selected);
     for (std::size_t i = 0; i < scene.labels.size(); ++i) {
-      EXPECT_EQ(again.certificate->labels[i].signal, plan.certificate->labels[i].signal);
-      EXPECT_EQ(again.certificate->labels[i].lower, plan.certificate->labels[i].lower);
+      EXPECT_EQ(again.placement.certificate->labels[i].signal, plan.placement.certificate->labels[i].signal);
+      EXPECT_EQ(again.placement.certificate->labels[i].lower, plan.placement.certificate->labels[i].lower);
     }
   }
 }
@@ -98,18 +98,18 @@ TEST(Certify, SaysUndecidedWhereALabelIsTrulyBorderline) {
   options.budget_s = 2;
   const Plan plan = make_plan(store.scene(), "", options);
   if (plan.placement.has_selection()) {  // else the planning matrix misses it by chance
-    ASSERT_TRUE(plan.certificate);
-    EXPECT_FALSE(plan.certificate->all_reached());
-    EXPECT_GE(plan.certificate->count(Verdict::undecided), 1U);
-    EXPECT_EQ(plan.certificate->count(Verdict::missed), 0U);
-    EXPECT_NE(plan.certificate->open, "");
+    ASSERT_TRUE(plan.placement.certificate);
+    EXPECT_FALSE(plan.placement.certificate->all_reached());
+    EXPECT_GE(plan.placement.certificate->count(Verdict::undecided), 1U);
+    EXPECT_EQ(plan.placement.certificate->count(Verdict::missed), 0U);
+    EXPECT_NE(plan.placement.certificate->open, "");
   }
   // Five per cent less, and all is decided.
   store.threshold = least * 0.95;
   options.budget_s = 60;
   const Plan clear = make_plan(store.scene(), "", options);
-  ASSERT_TRUE(clear.certificate);
-  EXPECT_TRUE(clear.certificate->all_reached());
+  ASSERT_TRUE(clear.placement.certificate);
+  EXPECT_TRUE(clear.placement.certificate->all_reached());
 }
 
 TEST(Verify, CallsLabelsWhatTheyAre) {
@@ -124,7 +124,7 @@ TEST(Verify, CallsLabelsWhatTheyAre) {
       std::vector<double> signals;
       for (std::size_t i = 0; i < truth.rows(); ++i) {
         const double first = truth.mean[truth.at(i, chosen[0])], second = truth.mean[truth.at(i, chosen[1])];
-        signals.push_back(redundant        ? std::min(first, second)
+        signals.push_back(redundant       ? std::min(first, second)
                           : model == coop ? first + second
                                           : std::max(first, second));
       }
@@ -138,8 +138,8 @@ TEST(Verify, CallsLabelsWhatTheyAre) {
       std::vector<float> planned;
       for (std::size_t i = 0; i < truth.rows(); ++i)
         for (const std::uint32_t j : chosen) planned.push_back(truth.mean[truth.at(i, j)]);
-      const auto verdicts = verify(part, {.model = model, .redundant = redundant}, planned, 1e-6,
-                                   {reuse, 9, 256});
+      const auto verdicts =
+          verify(part, {.model = model, .redundant = redundant}, planned, 1e-6, {reuse, 9, 256});
       int decided = 0;
       for (std::size_t i = 0; i < verdicts.size(); ++i) {
         if (verdicts[i].verdict == Verdict::undecided) continue;
@@ -151,19 +151,20 @@ TEST(Verify, CallsLabelsWhatTheyAre) {
     }
 }
 
-// Raises the requirement until the best placement has 4 % to spare.
+// Raises the requirement until the best placement has 15 % to spare.
 std::size_t make_tight(test::PlanStore& store, CommunicationModel model) {
   const SignalMatrix truth = true_matrix(store.scene(), 0.001);
   const Placement best = place(make_signal_table(truth), {model}, {});
   double least = 1e9;
   for (std::size_t i = 0; i < truth.rows(); ++i)
     least = std::min(least, received(truth, i, best.selected, model));
-  store.threshold = least / 1.04;
+  store.threshold = least / 1.15;
   return best.count();
 }
 
 // The promise of design and issue: of 200 plans at 99 % at most 6 make a wrong statement (2 are expected at
-// most; 7 have a chance below 0.5 %). Statements that take the plan's own matrix for the truth are the control.
+// most; 7 have a chance below 0.5 %). Statements that take the plan's own matrix for the truth are the
+// control.
 TEST(CertifySlow, StatementsAreWrongAsRarelyAsTheyPromise) {
   int naive_wrong = 0, wrong = 0, certified = 0;
   for (const auto model : {coop, alone}) {
@@ -174,29 +175,30 @@ TEST(CertifySlow, StatementsAreWrongAsRarelyAsTheyPromise) {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       PlanOptions options;
       options.simulation = few_samples(100 + seed);
-      options.simulation.samples = 32 * 4;
+      options.simulation.samples = 32 * 2;
       options.question.model = model;
-      options.budget_s = 5;
+      options.budget_s = 1.5;
       options.confidence = std::nullopt;
       const Plan naive = make_plan(store.scene(), "", options, {});
       options.confidence = 0.99;
       const Plan plan = make_plan(store.scene(), "", options, {});
-      bool is_wrong = plan.certificate && plan.certificate->count_lower_bound > optimum;
+      bool is_wrong = plan.placement.certificate && plan.placement.certificate->count_lower_bound > optimum;
       bool naive_is_wrong = naive.placement.count_lower_bound > static_cast<double>(optimum);
       for (std::size_t i = 0; i < truth.rows(); ++i) {
         const double requirement = truth.labels[i].requirement;
         if (naive.placement.has_selection())
-          naive_is_wrong = naive_is_wrong || received(truth, i, naive.placement.selected, model) < requirement;
-        if (!plan.certificate) continue;
-        const Verdict verdict = plan.certificate->labels[i].verdict;
+          naive_is_wrong =
+              naive_is_wrong || received(truth, i, naive.placement.selected, model) < requirement;
+        if (!plan.placement.certificate) continue;
+        const Verdict verdict = plan.placement.certificate->labels[i].verdict;
         const bool is_reached = received(truth, i, plan.placement.selected, model) >= requirement;
         is_wrong = is_wrong || (verdict == Verdict::reached && !is_reached) ||
                    (verdict == Verdict::missed && is_reached);
       }
       wrong += is_wrong;
       naive_wrong += naive_is_wrong;
-      certified += plan.certificate && plan.certificate->all_reached() &&
-                   plan.certificate->count_lower_bound == plan.placement.count();
+      certified += plan.placement.certificate && plan.placement.certificate->all_reached() &&
+                   plan.placement.certificate->count_lower_bound == plan.placement.count();
     }
   }
   EXPECT_LE(wrong, 6);
@@ -218,8 +220,8 @@ TEST(CertifySlow, IntervalsOfSumsHoldTheTruth) {
   const Scene part = sub_scene_of(scene, chosen);
   int held = 0, narrow = 0, pairs = 0;
   for (std::uint64_t seed = 0; seed < 1200; ++seed) {
-    const auto verdicts = verify(part, {}, {}, 0.025 * static_cast<double>(truth.rows()),
-                                 {few_samples(1), 1000 + seed, 64});
+    const auto verdicts =
+        verify(part, {}, {}, 0.025 * static_cast<double>(truth.rows()), {few_samples(1), 1000 + seed, 64});
     for (const std::size_t i : {seed % (truth.rows() / 2), truth.rows() / 2 + seed % (truth.rows() / 2)}) {
       const double exact = received(truth, i, chosen, coop);
       ++pairs;

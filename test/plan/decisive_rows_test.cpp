@@ -16,7 +16,8 @@ TEST(DecisiveRows, NeedAsMuchAsAll) {
   for (int k = 0; k < 150; ++k) {
     const SignalTable table = random.next();
     Question question;
-    question.model = random.chance(0.5) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative;
+    question.model =
+        random.chance(0.5) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative;
     question.redundant = random.chance(0.3);
     const Placement all = place(table, question, {.settles_ties = false});
     if (all.status != Status::optimal || all.count() < 2) continue;

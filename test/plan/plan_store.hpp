@@ -21,8 +21,7 @@ struct PlanStore {
       for (int y = 0; y < 3; ++y)
         units += fmt::format(R"({}{{"id": "T{}-{}", "position": [{}, {}, 2.98], "type": "wide"}})",
                              x + y == 0 ? "" : ",", x, y, 5.0 * (x + 0.5) / across + 0.5, 0.8 + 1.7 * y);
-    return make_scene(parse_store(
-        fmt::format(R"({{
+    return make_scene(parse_store(fmt::format(R"({{
           "room": {{"size": [6, 5, 3], "floor": "paper", "ceiling": "paper", "walls": "paper"}},
           "materials": {{"paper": {{"type": "lambertian", "reflectance": 0.6}}}},
           "label_types": {{"standard": {{"threshold": {}}}}},
@@ -31,8 +30,8 @@ struct PlanStore {
                         "material": "paper", "shelves": [0.5, 1.1], "stocking": 0.7,
                         "labels": {{"type": "standard", "spacing": 0.7}}}}],
           "transceivers": {{"list": [{}]}}}})",
-                    threshold, units),
-        "plan store", "."));
+                                              threshold, units),
+                                  "plan store", "."));
   }
 };
 

@@ -30,7 +30,7 @@ struct LabelVerdict {
 /// geometry, materials and candidates.
 struct Certificate {
   double confidence = 0.99;
-  std::vector<LabelVerdict> labels;   ///< as the matrix has them
+  std::vector<LabelVerdict> labels;   ///< one a label of the matrix
   std::size_t count_lower_bound = 0;  ///< no fewer units reach all labels; 0: not examined
   std::size_t bound_labels = 0;       ///< labels on whose fresh signals that rests
   std::uint32_t rounds = 0;

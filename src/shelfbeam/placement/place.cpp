@@ -101,9 +101,9 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
       placement = greedy_placement(table, question, known);
     } else if (known && searches) {
       const auto of_large_lp = for_large_lp(backends);
-      placement = detail::search_placement(table, question, *known, {backends, of_large_lp, without_mip},
-                                           left(), options.seed, control,
-                                           {.settles_ties = options.settles_ties});
+      placement =
+          detail::search_placement(table, question, *known, {backends, of_large_lp, without_mip}, left(),
+                                   options.seed, control, {.settles_ties = options.settles_ties});
     } else if (without_mip ||
                (searches && table.entries.size() > detail::SearchLimits{}.most_model_entries)) {
       placement = greedy_placement(table, question, known);

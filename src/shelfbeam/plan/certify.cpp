@@ -15,7 +15,7 @@
 #include "shelfbeam/plan/refine.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/plan/verification.hpp"
-#include "shelfbeam/stats/distributions.hpp"
+#include "shelfbeam/transport/simulate.hpp"
 
 namespace shelfbeam {
 
@@ -35,8 +35,8 @@ class Loop {
         options_(options),
         matrix_(matrix),
         placement_(placement),
-        control_(control),
-        table_(rule(matrix)) {
+        control_(control) {
+    if (rule) table_ = rule(matrix);
     certificate_.confidence = options.confidence;
     certificate_.labels.resize(matrix.rows());
     for (std::size_t i = 0; i < matrix.rows(); ++i)
@@ -71,21 +71,29 @@ class Loop {
     return {options_.simulation, mix_key(options_.simulation.seed ^ 0x766572696679, stream), batches};
   }
 
+  // Without a rule for a table there is nothing to choose from.
+  bool is_fixed() const { return !rule_; }
   bool bound_holds() const {
-    return static_cast<double>(certificate_.count_lower_bound) >= placement_.count_lower_bound;
+    return is_fixed() || static_cast<double>(certificate_.count_lower_bound) >= placement_.count_lower_bound;
   }
-  bool is_done() const { return certificate_.all_reached() && bound_holds(); }
+  // Of units that hang already, missed labels are an answer, too.
+  bool is_done() const {
+    if (is_fixed()) return certificate_.count(Verdict::undecided) == 0;
+    return certificate_.all_reached() && bound_holds();
+  }
 
-  std::vector<std::uint32_t> not_reached() const {
+  std::vector<std::uint32_t> open_labels() const {
     std::vector<std::uint32_t> rows;
-    for (std::uint32_t i = 0; i < certificate_.labels.size(); ++i)
-      if (certificate_.labels[i].verdict != Verdict::reached) rows.push_back(i);
+    for (std::uint32_t i = 0; i < certificate_.labels.size(); ++i) {
+      const Verdict verdict = certificate_.labels[i].verdict;
+      if (verdict == Verdict::undecided || (verdict == Verdict::missed && !is_fixed())) rows.push_back(i);
+    }
     return rows;
   }
 
   // Labels that were reached by the same selection in a round before stay so.
   void verify_labels(std::uint32_t round, double level) {
-    const std::vector<std::uint32_t> rows = not_reached();
+    const std::vector<std::uint32_t> rows = open_labels();
     if (rows.empty()) return;
     control_.report("verifying", -1,
                     fmt::format("round {}, {} labels, {} batches", round, rows.size(), batches_));
@@ -138,13 +146,14 @@ class Loop {
     const double next_round = (certificate_.all_reached() ? 0 : growth * verifying_took_) +
                               (bound_holds() ? 0 : growth * bound_took_);
     if (left() < next_round || batches_ >= most_batches) {
-      certificate_.open = fmt::format("the next round would take about {:.0f} s, and {:.0f} s were left",
-                                      next_round, std::max(0.0, left()));
+      certificate_.open =
+          fmt::format("the next round would have taken about {:.0f} s, and {:.0f} s were left", next_round,
+                      std::max(0.0, left()));
       return false;
     }
     constexpr std::uint32_t rounds_before_giving_up = 2;
     if (const double needed = seconds_to_decide(); round >= rounds_before_giving_up && needed > 4 * left()) {
-      certificate_.open = fmt::format("to decide them would take about {:.0f} s", needed);
+      certificate_.open = fmt::format("to decide the rest would take about {:.0f} s", needed);
       return false;
     }
     return true;
@@ -163,8 +172,10 @@ class Loop {
   }
 
   void improve(std::uint32_t round) {
-    const std::vector<std::uint32_t> rows = not_reached();
-    if (!rows.empty()) {
+    const std::vector<std::uint32_t> rows = open_labels();
+    if (is_fixed()) {
+      batches_ = std::min(growth * batches_, most_batches);
+    } else if (!rows.empty()) {
       control_.report("refining", -1, fmt::format("round {}, {} labels", round, rows.size()));
       refine(scene_, rows, effort(Purpose::refine, round, std::min(growth * batches_, most_batches)), matrix_,
              control_);
@@ -202,6 +213,18 @@ class Loop {
 Certificate certify(const Scene& scene, const TableRule& table, const CertifyOptions& options,
                     SignalMatrix& matrix, Placement& placement, const RunControl& control) {
   return Loop(scene, table, options, matrix, placement, control).run();
+}
+
+Placement verify_installation(const Scene& scene, const Question& question, const CertifyOptions& options,
+                              const RunControl& control) {
+  SignalMatrix matrix = simulate(scene, {}, options.simulation, control).matrix;
+  Placement placement;
+  placement.question = question;
+  placement.selected.resize(matrix.columns());
+  std::iota(placement.selected.begin(), placement.selected.end(), 0U);
+  placement.objective_value = static_cast<double>(placement.count());
+  placement.certificate = certify(scene, {}, options, matrix, placement, control);
+  return placement;
 }
 
 }  // namespace shelfbeam

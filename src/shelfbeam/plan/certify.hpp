@@ -20,6 +20,12 @@ struct CertifyOptions {
   PlaceOptions place;
 };
 
+/// Verifies units that hang already, all transceivers of the scene, in rounds as `certify` does: the
+/// certificate of the placement that is returned says nothing of a bound. Which links must do where units do
+/// not cooperate is decided on a simulation of its own. Throws as `simulate`.
+Placement verify_installation(const Scene& scene, const Question& question, const CertifyOptions& options,
+                              const RunControl& control = {});
+
 /// Makes the table that is placed on: the matrix with its side constraints.
 using TableRule = std::function<SignalTable(const SignalMatrix&)>;
 

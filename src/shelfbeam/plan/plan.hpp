@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 
-#include "shelfbeam/placement/certificate.hpp"
 #include "shelfbeam/placement/placement.hpp"
 #include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/scene/scene.hpp"
@@ -22,8 +21,7 @@ struct PlanOptions {
 
 struct Plan {
   SimulationResult simulation;
-  Placement placement;
-  std::optional<Certificate> certificate;  ///< where one was asked for and there is a selection
+  Placement placement;  ///< with its certificate where one was asked for and there is a selection
 };
 
 /// Simulates a scene, places transceivers on the matrix that comes out, and certifies the placement, which
