@@ -83,6 +83,7 @@ int main(int argc, char** argv) {
   add_simulate(app, chosen);
   add_place(app, chosen);
   add_plan(app, chosen);
+  add_verify(app, chosen);
   add_report(app, chosen);
   add_export(app, chosen);
   try {

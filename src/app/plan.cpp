@@ -9,15 +9,20 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/placement/placement_file.hpp"
+#include "shelfbeam/placement/words.hpp"
+#include "shelfbeam/plan/verification_file.hpp"
 #include "shelfbeam/signal/checkpoint.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
 #include "arguments.hpp"
+#include "certificate_options.hpp"
 #include "loaded_store.hpp"
 #include "placement_options.hpp"
 #include "plan_folder.hpp"
+#include "requirements.hpp"
 #include "simulation_options.hpp"
+#include "store_table.hpp"
 #include "terminal.hpp"
 #include "verbs.hpp"
 
@@ -30,8 +35,19 @@ struct Options {
   SimulationFlags simulation;
   QuestionFlags question;
   SolverFlags solver;
+  CertificateFlags certificate;
+  bool without_certificate = false;
+  Requirements requirements;
   std::filesystem::path store, folder;
+
+  bool certifies() const { return !without_certificate; }
 };
+
+SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
+  SignalTable table = make_signal_table(matrix);
+  options.requirements.apply(table, options.store.string());
+  return table;
+}
 
 // A store that is no plan's own stays, and so do the lists that may lie beside it.
 void keep_store(const std::filesystem::path& folder, const std::filesystem::path& file,
@@ -46,6 +62,9 @@ void keep_store(const std::filesystem::path& folder, const std::filesystem::path
 int run_plan(const Options& options) {
   const LoadedStore store = load_store(options.store);
   keep_store(options.folder, options.store, store);
+  // What is asked of the placement is checked before the light is simulated.
+  SignalTable nothing = table_without_signals(store.scene);
+  options.requirements.apply(nothing, options.store.string());
   const SimulationOptions simulation =
       options.simulation.options(options.common.seed, options.folder / signal_name);
   const bool is_new = !std::filesystem::exists(options.folder);
@@ -54,8 +73,17 @@ int run_plan(const Options& options) {
   try {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
-    plan = make_plan(store.scene, store.hash,
-                     {simulation, options.question.question(), options.solver.options()}, control);
+    PlanOptions asked;
+    asked.simulation = simulation;
+    asked.question = options.question.question();
+    asked.place = options.solver.options(options.common.seed);
+    asked.table = [&](const SignalMatrix& matrix) { return table_of(options, matrix); };
+    asked.budget_s = options.certificate.budget_s;
+    if (options.certifies())
+      asked.confidence = options.certificate.confidence;
+    else
+      asked.confidence.reset();
+    plan = make_plan(store.scene, store.hash, asked, control);
   } catch (...) {  // stopped too early, or refused
     std::error_code not_empty;
     if (is_new) std::filesystem::remove(options.folder, not_empty);
@@ -63,20 +91,30 @@ int run_plan(const Options& options) {
   }
   const SignalMatrix& matrix = plan.simulation.matrix;
   const SimulationSummary& summary = plan.simulation.summary;
-  const SignalTable table = make_signal_table(matrix);
+  const SignalTable table = table_of(options, matrix);
   const std::string answer = placement_json(plan.placement, table);
   write_file(options.folder / store_name, store.resolved);
   write_signal_file(matrix, options.folder / signal_name);
   write_file(options.folder / placement_name, answer);
+  const bool is_certified = plan.placement.certificate.has_value();
+  if (is_certified)
+    write_file(options.folder / verification_name,
+               verification_csv(*plan.placement.certificate, store.scene));
+  else
+    std::filesystem::remove(options.folder / verification_name);  // of another plan
   write_report(options.folder, {store.scene, matrix, plan.placement});
   if (summary.complete) remove_checkpoint(simulation.checkpoint.path);
 
   if (options.common.json)
     fmt::print("{}", answer);
   else if (!options.common.quiet)
-    fmt::print("{}\n{}report: {}\n", describe(summary), describe(plan.placement, table),
+    fmt::print("{}\n{}{}report: {}\n", describe(summary), describe(plan.placement, table),
+               is_certified ? fmt::format("certificate: {}\n", statement(plan.placement)) : "",
                (options.folder / report_name).string());
-  if (summary.complete) return exit_code(plan.placement.status);
+  if (summary.complete) {
+    const int code = exit_code(plan.placement.status);
+    return code == done && is_certified && !plan.placement.certificate->open.empty() ? stopped_early : code;
+  }
   if (!options.common.quiet)
     fmt::print(
         stderr,
@@ -94,12 +132,18 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
   add_simulation_options(*verb, options->simulation, "exact");
   add_question_options(*verb, options->question);
   add_solver_options(*verb, options->solver, 60);
+  add_requirement_options(*verb, options->requirements);
+  add_certificate_options(*verb, options->certificate);
+  verb->add_flag("--no-certificate", options->without_certificate,
+                 "Place on the simulated matrix as it is, and say nothing of its errors");
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"
       "  shelfbeam plan store.json -o plan\n"
       "  shelfbeam plan store.json -o plan --samples 50000 --model non-cooperative --objective links\n"
-      "Writes signal.h5, placement.json, placement.csv, labels.csv, store.json (resolved) and report.html.");
+      "Writes signal.h5, placement.json, verification.csv, placement.csv, labels.csv, store.json (resolved) "
+      "and\n"
+      "report.html.");
   verb->callback([options, &chosen] { chosen = [options] { return run_plan(*options); }; });
 }
 

@@ -8,8 +8,8 @@ namespace shelfbeam::app {
 
 void prepare_plan_folder(const std::filesystem::path& folder) {
   make_output_folder(folder);
-  for (const char* name :
-       {signal_name, placement_name, store_name, labels_name, placement_table_name, report_name})
+  for (const char* name : {signal_name, placement_name, store_name, labels_name, placement_table_name,
+                           verification_name, report_name})
     expect_writable(folder / name);
 }
 

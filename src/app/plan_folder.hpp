@@ -12,6 +12,7 @@ inline constexpr auto placement_name = "placement.json";
 inline constexpr auto store_name = "store.json";
 inline constexpr auto labels_name = "labels.csv";
 inline constexpr auto placement_table_name = "placement.csv";
+inline constexpr auto verification_name = "verification.csv";
 inline constexpr auto report_name = "report.html";
 
 /// Makes the folder; throws InputError where one of the files above could not be written.

@@ -37,6 +37,7 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen);
 void add_simulate(CLI::App& app, ChosenVerb& chosen);
 void add_place(CLI::App& app, ChosenVerb& chosen);
 void add_plan(CLI::App& app, ChosenVerb& chosen);
+void add_verify(CLI::App& app, ChosenVerb& chosen);
 void add_report(CLI::App& app, ChosenVerb& chosen);
 void add_export(CLI::App& app, ChosenVerb& chosen);
 

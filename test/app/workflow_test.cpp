@@ -20,8 +20,8 @@ using test::names;
 using test::small_store;
 using test::TempFolder;
 
-const std::vector<std::string> of_a_plan = {"labels.csv",  "placement.csv", "placement.json",
-                                            "report.html", "signal.h5",     "store.json"};
+const std::vector<std::string> of_a_plan = {"labels.csv", "placement.csv", "placement.json",  "report.html",
+                                            "signal.h5",  "store.json",    "verification.csv"};
 
 class Workflow : public testing::Test {
  protected:

@@ -5,7 +5,9 @@
 #include <stdexcept>
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace shelfbeam {
 
@@ -25,5 +27,16 @@ void for_parts(std::size_t count, Body body) {
   });
   if (ended.load(std::memory_order_acquire) != count) throw std::logic_error("parts of a loop were left out");
 }
+
+/// While it lives, as many threads are made as are asked for (0: one a core), however few cores there are.
+class ThreadsAllowed {
+ public:
+  explicit ThreadsAllowed(unsigned threads)
+      : limit_(tbb::global_control::max_allowed_parallelism,
+               threads == 0 ? static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) : threads) {}
+
+ private:
+  tbb::global_control limit_;
+};
 
 }  // namespace shelfbeam

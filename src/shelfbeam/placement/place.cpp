@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/detail/placement_search.hpp"
 #include "shelfbeam/placement/greedy.hpp"
@@ -80,6 +81,7 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   check_question(table, question);
+  const ThreadsAllowed allowed(control.threads);
   const auto backends = milp::wanted_backends(options.backend);
 
   Placement placement;
@@ -99,8 +101,9 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
       placement = greedy_placement(table, question, known);
     } else if (known && searches) {
       const auto of_large_lp = for_large_lp(backends);
-      placement = detail::search_placement(table, question, *known, {backends, of_large_lp, without_mip},
-                                           left(), options.seed, control);
+      placement =
+          detail::search_placement(table, question, *known, {backends, of_large_lp, without_mip}, left(),
+                                   options.seed, control, {.settles_ties = options.settles_ties});
     } else if (without_mip ||
                (searches && table.entries.size() > detail::SearchLimits{}.most_model_entries)) {
       placement = greedy_placement(table, question, known);

@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/certificate.hpp"
 #include "shelfbeam/placement/instance.hpp"
 
 namespace shelfbeam {
@@ -60,7 +62,8 @@ struct Placement {
   /// "search", "search with highs 1.10.0" (the back end that solved its linear programs or a MIP), "greedy",
   /// name and version of the MIP back end, or empty: labels are unreachable, which needs no solver.
   std::string solver;
-  double seconds = 0;  ///< wall time
+  double seconds = 0;                      ///< wall time
+  std::optional<Certificate> certificate;  ///< what fresh samples say of it, if they were asked
 
   std::size_t count() const { return selected.size(); }
   /// There is a selection; it may be that of no units, where there are no labels.
@@ -81,8 +84,9 @@ struct PlaceOptions {
   SolverChoice solver = SolverChoice::automatic;
   std::string backend = {};  ///< MIP back end by name; empty: the preferred one, the next where it fails
   double time_limit_s = 60;
-  std::uint64_t seed =
-      1;  ///< of the local search, which alone draws random numbers; no proven value depends on it
+  /// Of the local search, which alone draws random numbers; no proven value depends on it.
+  std::uint64_t seed = 1;
+  bool settles_ties = true;  ///< false: any placement of the best value will do
 };
 
 /// Answers the question for a table. Every returned selection has passed the checker (checker.hpp). Costs

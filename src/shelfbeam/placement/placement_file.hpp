@@ -16,6 +16,9 @@ namespace shelfbeam {
 std::string placement_json(const Placement& placement, const SignalTable& table,
                            const ReachCurve& curve = {});
 
+/// The object under `certificate` alone.
+std::string certificate_json(const Certificate& certificate, const SignalTable& table);
+
 /// What `place --at-most` writes.
 std::string reach_json(const Reach& reach, const SignalTable& table);
 

@@ -84,7 +84,7 @@ class Engine {
       lower = second.cheapest(static_cast<std::size_t>(bound_));
       if (is_optimal) is_optimal = cheapest_of_the_fewest(cost, second, lower);
     }
-    if (is_optimal) settle_ties();
+    if (is_optimal && limits_.settles_ties) settle_ties();
     Placement placement;
     placement.question = question_;
     placement.unit_costs = label_costs(table_, question_.objective).unit;

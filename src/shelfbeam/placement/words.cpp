@@ -51,4 +51,41 @@ std::string_view why_nothing(const Question& question, bool is_heard) {
   return "light arrives only from candidates that an installed unit rules out";
 }
 
+namespace {
+
+std::string units(std::size_t count) {
+  return fmt::format("{} transceiver{}", count, count == 1 ? "" : "s");
+}
+
+std::string named(const Certificate& certificate, Verdict verdict, std::string_view what) {
+  const std::size_t count = certificate.count(verdict);
+  return count == 0 ? "" : fmt::format(" {} {} {}.", count, count == 1 ? "label is" : "labels are", what);
+}
+
+}  // namespace
+
+std::string statement(const Placement& placement) {
+  if (!placement.certificate) return {};
+  const Certificate& certificate = *placement.certificate;
+  const std::size_t labels = certificate.labels.size(), count = placement.count();
+  const std::size_t bound = std::min(certificate.count_lower_bound, count);
+  const std::string confidence = fmt::format("{:.6g} %", 100 * certificate.confidence);
+  std::string text = fmt::format("{} {} ", units(count), count == 1 ? "reaches" : "reach");
+  text += certificate.all_reached()
+              ? fmt::format("all {} labels", labels)
+              : fmt::format("{} of {} labels", certificate.count(Verdict::reached), labels);
+  if (placement.question.redundant) text += ", whichever unit fails";
+  if (bound == count && count > 0)
+    text += fmt::format(", and {} cannot reach all, with joint confidence {}.",
+                        count == 1 ? "none" : fmt::format("{}", count - 1), confidence);
+  else if (bound > 0)
+    text += fmt::format(", and at least {} {} needed, with joint confidence {}.", bound,
+                        bound == 1 ? "is" : "are", confidence);
+  else
+    text += fmt::format(", with joint confidence {}.", confidence);
+  text += named(certificate, Verdict::missed, "missed") + named(certificate, Verdict::undecided, "undecided");
+  if (!certificate.open.empty()) text += fmt::format(" It ended because {}.", certificate.open);
+  return text;
+}
+
 }  // namespace shelfbeam

@@ -23,4 +23,12 @@ std::string why_exclusive(const Placement& placement, bool has_options);
 /// "no light arrives at all": why Unreachable::most is 0. `is_heard`: the label has some entry above 0.
 std::string_view why_nothing(const Question& question, bool is_heard);
 
+/// "4 transceivers reach all 390 labels, and 3 cannot, with joint confidence 99 %": what a certificate says,
+/// a sentence or several. Empty without one.
+std::string statement(const Placement& placement);
+
+/// What it does not cover.
+inline constexpr std::string_view certificate_scope =
+    "It covers the error of sampling, for these candidates, materials and this geometry.";
+
 }  // namespace shelfbeam

@@ -8,7 +8,16 @@ Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOpti
                const RunControl& control) {
   Plan plan;
   plan.simulation = simulate(scene, store_hash, options.simulation, control);
-  plan.placement = place(make_signal_table(plan.simulation.matrix), options.question, options.place, control);
+  const TableRule table =
+      options.table ? options.table : [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
+  plan.placement = place(table(plan.simulation.matrix), options.question, options.place, control);
+  // Fresh samples of few units come from the labels.
+  SimulationOptions fresh = options.simulation;
+  if (fresh.strategy == Strategy::particle) fresh.strategy = Strategy::mis;
+  if (options.confidence && plan.simulation.summary.complete && plan.placement.has_selection())
+    plan.placement.certificate =
+        certify(scene, table, {*options.confidence, options.budget_s, fresh, options.place},
+                plan.simulation.matrix, plan.placement, control);
   return plan;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "shelfbeam/placement/placement.hpp"
+#include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/transport/simulate.hpp"
 
@@ -12,15 +14,18 @@ struct PlanOptions {
   SimulationOptions simulation;
   Question question;
   PlaceOptions place;
+  TableRule table;                          ///< empty: the matrix as it is
+  std::optional<double> confidence = 0.99;  ///< of the certificate; none: no certificate
+  double budget_s = 600;                    ///< of the certificate
 };
 
 struct Plan {
   SimulationResult simulation;
-  Placement placement;
+  Placement placement;  ///< with its certificate where one was asked for and there is a selection
 };
 
-/// Simulates a scene and places transceivers on the matrix that comes out. A simulation that is interrupted
-/// is placed with what it has.
+/// Simulates a scene, places transceivers on the matrix that comes out, and certifies the placement, which
+/// may refine both. A simulation that is interrupted is placed with what it has, and not certified.
 Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOptions& options,
                const RunControl& control = {});
 

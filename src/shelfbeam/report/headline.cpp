@@ -186,7 +186,18 @@ std::string closeness_remark(const ReportData& data) {
       one ? "its requirement" : "their requirements");
 }
 
+// What fresh samples say comes first; what the matrix says then is a remark.
+void put_certificate_first(const Placement& placement, Headline& headline) {
+  const Certificate& certificate = *placement.certificate;
+  headline.remarks.insert(headline.remarks.begin(), "On the simulated matrix: " + headline.answer);
+  headline.answer = statement(placement);
+  headline.tone = certificate.count(Verdict::missed) > 0 ? Headline::Tone::no
+                  : certificate.open.empty()             ? Headline::Tone::yes
+                                                         : Headline::Tone::open;
+}
+
 std::string sampling_remark(const ReportData& data) {
+  if (data.input.placement.certificate) return std::string(certificate_scope);
   std::string text =
       "The statement holds for the simulated signal matrix; its sampling error is not part of the proof.";
   const SamplingSummary& s = data.sampling;
@@ -248,11 +259,12 @@ Headline headline(const ReportData& data) {
                     : placement.status == Status::infeasible ? infeasible(data)
                                                              : nothing_found(data);
   if (data.has_selection()) {
-    if (std::string remark = closeness_remark(data); !remark.empty())
+    if (std::string remark = closeness_remark(data); !remark.empty() && !placement.certificate)
       result.remarks.insert(result.remarks.begin(), std::move(remark));
     if (std::string remark = objective_remark(placement); !remark.empty())
       result.remarks.push_back(std::move(remark));
   }
+  if (placement.certificate) put_certificate_first(placement, result);
   if (const std::string apart = kept_apart(placement); !apart.empty()) result.remarks.push_back(apart + ".");
   if (std::string remark = proof_remark(data); !remark.empty()) result.remarks.push_back(std::move(remark));
   result.remarks.push_back(sampling_remark(data));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -19,6 +20,14 @@ double student_quantile(double p, double degrees_of_freedom) {
 
 double chi_square_upper_tail(double x, double degrees_of_freedom) {
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), x));
+}
+
+double success_limit(std::uint64_t successes, std::uint64_t trials, double level) {
+  if (successes >= trials) return 1;
+  return boost::math::quantile(
+      boost::math::complement(boost::math::beta_distribution<>(static_cast<double>(successes + 1),
+                                                               static_cast<double>(trials - successes)),
+                              level));
 }
 
 double sidak_level(double level, double statements) {

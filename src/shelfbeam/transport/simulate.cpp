@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cstddef>
 
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/transport/detail/engine.hpp"
 #include "shelfbeam/transport/detail/matrix_head.hpp"
@@ -49,9 +49,7 @@ SimulationSummary run(const Scene& scene, const std::string& store_hash, const S
   const auto start = std::chrono::steady_clock::now();
   const int threads = control.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(control.threads);
   tbb::task_arena arena(threads);
-  // Where more threads are asked for than there are cores, they are made all the same.
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(arena.max_concurrency()));
+  const ThreadsAllowed allowed(control.threads);
   SimulationSummary summary;
   arena.execute([&] {
     detail::expect_room(scene, options, keeps_matrix);

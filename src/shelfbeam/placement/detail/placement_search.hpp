@@ -28,6 +28,7 @@ struct SearchLimits {
   std::size_t most_model_entries = 20'000'000;            ///< of a whole model where no selection is known
   std::size_t most_small_lp_entries = 5'000'000;
   std::size_t most_checked_steps = 1'000'000;  ///< of a tree's log
+  bool settles_ties = true;
 };
 
 /// Answers a question by local search, linear programming, tree search and, where these leave a gap, a MIP on

@@ -1,0 +1,116 @@
+#include "shelfbeam/plan/verification.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "shelfbeam/plan/fresh_sums.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// Limits of one label's sums at the level of one statement.
+class Limits {
+ public:
+  Limits(std::span<const FreshSum> sums, double largest) : sums_(sums), largest_(largest) {}
+
+  double lower(std::size_t k, double level) const { return sums_[k].lower(level); }
+  double upper(std::size_t k, double level) const {
+    return sums_[k].is_rare() ? std::max(sums_[k].upper(level), sums_[k].rare_upper(level, largest_))
+                              : sums_[k].upper(level);
+  }
+  std::size_t size() const { return sums_.size(); }
+  const FreshSum& operator[](std::size_t k) const { return sums_[k]; }
+
+ private:
+  std::span<const FreshSum> sums_;
+  double largest_;
+};
+
+void describe(LabelVerdict& label, const FreshSum& sum) {
+  label.signal = sum.mean();
+  label.standard_error = sum.sampled.standard_error();
+}
+
+// Every sum must meet the requirement: that of all units, or those without one of them.
+void judge_sums(LabelVerdict& label, const Limits& limits, double level) {
+  std::size_t weakest = 0;
+  label.lower = label.upper = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    if (limits[k].mean() < limits[weakest].mean()) weakest = k;
+    label.lower = std::min(label.lower, limits.lower(k, level));
+    // Any of them may be the one that fails by chance.
+    label.upper = std::min(label.upper, limits.upper(k, level / static_cast<double>(limits.size())));
+  }
+  describe(label, limits[weakest]);
+}
+
+// So many links must do, one or two, and which they are was planned.
+void judge_links(LabelVerdict& label, const Limits& limits, std::span<const float> planned,
+                 std::size_t needed, double level) {
+  if (limits.size() < needed) return;
+  std::vector<std::size_t> order(limits.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return planned[a] > planned[b]; });
+  label.lower = std::numeric_limits<double>::infinity();
+  std::size_t weakest = order[0];
+  for (std::size_t k = 0; k < needed; ++k) {
+    if (limits[order[k]].mean() < limits[weakest].mean()) weakest = order[k];
+    label.lower = std::min(label.lower, limits.lower(order[k], level));
+  }
+  describe(label, limits[weakest]);
+  std::vector<double> upper(limits.size());
+  for (std::size_t k = 0; k < limits.size(); ++k)
+    upper[k] = limits.upper(k, level / static_cast<double>(needed));
+  std::nth_element(upper.begin(), upper.begin() + static_cast<std::ptrdiff_t>(needed - 1), upper.end(),
+                   std::greater<>());
+  label.upper = upper[needed - 1];
+}
+
+}  // namespace
+
+std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, std::span<const float> planned,
+                                 double level, const VerificationEffort& effort, const RunControl& control) {
+  const std::size_t rows = scene.labels.size(), columns = scene.transceivers.size();
+  std::vector<LabelVerdict> labels(rows);
+  for (std::size_t i = 0; i < rows; ++i) labels[i].requirement = scene.type_of(scene.labels[i]).requirement();
+  if (rows == 0) return labels;
+  if (columns == 0) {
+    for (LabelVerdict& label : labels) label.verdict = Verdict::missed;
+    return labels;
+  }
+  const bool adds_up = question.model == CommunicationModel::cooperative;
+  const std::size_t width = adds_up && !question.redundant ? 1 : columns;
+  const SumRule rule = [&](std::size_t, std::span<const double> signals, std::span<double> sums) {
+    if (!adds_up) {
+      std::copy(signals.begin(), signals.end(), sums.begin());
+      return;
+    }
+    const double sum = std::accumulate(signals.begin(), signals.end(), 0.0);
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = question.redundant ? sum - signals[k] : sum;
+  };
+  SimulationOptions options = effort.simulation;
+  options.seed = effort.seed;
+  const FreshSums fresh =
+      fresh_sums(scene, options, std::max(effort.batches, least_verifying_batches), width, rule, control);
+  const double of_one = level / static_cast<double>(rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    LabelVerdict& label = labels[i];
+    const Limits limits(fresh.of(i), fresh.largest);
+    if (adds_up)
+      judge_sums(label, limits, of_one);
+    else
+      judge_links(label, limits, planned.subspan(i * columns, columns), question.redundant ? 2 : 1, of_one);
+    label.samples = fresh.batches * fresh.samples_per_batch;
+    if (is_met(label.lower, label.requirement))
+      label.verdict = Verdict::reached;
+    else if (!is_met(label.upper, label.requirement))
+      label.verdict = Verdict::missed;
+  }
+  return labels;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "shelfbeam/placement/certificate.hpp"
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+/// verification.csv (docs/formats/report.md): a row a label, in the order of the scene.
+std::string verification_csv(const Certificate& certificate, const Scene& scene);
+
+}  // namespace shelfbeam
