@@ -1,0 +1,292 @@
+// The picture: cameras, what is drawn, and which mark lies under a point. Draws when something has changed, never idly.
+
+import {
+  ColorManagement,
+  LinearSRGBColorSpace,
+  NearestFilter,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+  WebGLRenderTarget,
+} from "three";
+import { MapControls } from "three/examples/jsm/controls/MapControls.js";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+
+import { Fixtures } from "./fixtures";
+import { Links } from "./links";
+import type { Marks } from "./marks";
+import { colourOf } from "./palette";
+import type { CameraPlace } from "./state";
+import type { Store } from "./store";
+
+ColorManagement.enabled = false;
+
+const fieldOfView = 40;
+const pickSize = 15; // CSS pixels on a side
+
+export class Stage {
+  readonly links = new Links();
+  readonly fixtures: Fixtures;
+  drawCalls = 0;
+  /** Median time of the last frames in a row, ms; nothing until some have been measured. */
+  frameTime: number | null = null;
+  onDrawn: () => void = () => {};
+
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly perspective = new PerspectiveCamera(fieldOfView, 1, 0.1, 1000);
+  private readonly above = new OrthographicCamera(-1, 1, 1, -1, 0.1, 1000);
+  private readonly orbit: OrbitControls;
+  private readonly pan: MapControls;
+  private readonly marks: Marks[] = [];
+  private readonly pickTarget = new WebGLRenderTarget(pickSize, pickSize, {
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+  });
+  private isPlan = false;
+  private pending = false;
+  private width = 1;
+  private height = 1;
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly store: Store,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.fixtures = new Fixtures(store);
+    this.scene.add(this.fixtures.group, this.links.mesh);
+    this.perspective.up.set(0, 0, 1);
+    this.above.up.set(0, 1, 0);
+    this.orbit = new OrbitControls(this.perspective, canvas);
+    this.pan = new MapControls(this.above, canvas);
+    this.orbit.maxPolarAngle = 0.5 * Math.PI - 0.02;
+    this.orbit.zoomToCursor = true;
+    this.pan.zoomToCursor = true;
+    this.pan.enableRotate = false;
+    this.pan.screenSpacePanning = true;
+    for (const controls of [this.orbit, this.pan]) controls.addEventListener("change", () => this.draw());
+    this.pan.enabled = false;
+    canvas.style.touchAction = "pan-y";
+    this.showAll();
+  }
+
+  add(marks: Marks): void {
+    this.marks.push(marks);
+    this.scene.add(marks.mesh);
+  }
+
+  /** The middle of the store and half its diagonal. */
+  private extent(): { middle: Vector3; radius: number } {
+    const [a, b] = [new Vector3(...this.store.lower), new Vector3(...this.store.upper)];
+    return { middle: a.clone().add(b).multiplyScalar(0.5), radius: 0.5 * a.distanceTo(b) };
+  }
+
+  showAll(): void {
+    const { middle, radius } = this.extent();
+    const [a, b] = [this.store.lower, this.store.upper];
+    const wide = this.width / this.height;
+    const half = (0.5 * fieldOfView * Math.PI) / 180;
+    const distance = (0.93 * radius) / Math.sin(Math.min(half, Math.atan(Math.tan(half) * wide)));
+    const way = new Vector3(-0.42, -0.78, 0.72).normalize();
+    middle.z = a[2];
+    this.perspective.position.copy(middle).addScaledVector(way, distance);
+    this.orbit.target.copy(middle);
+    this.perspective.near = Math.max(0.05, distance / 500);
+    this.perspective.far = 6 * distance;
+    this.above.position.set(middle.x, middle.y, b[2] + 10);
+    this.above.far = b[2] - a[2] + 20;
+    this.pan.target.set(middle.x, middle.y, a[2]);
+    this.above.zoom = 1 / (1.06 * Math.max(b[1] - a[1], (b[0] - a[0]) / wide));
+    this.orbit.update();
+    this.pan.update();
+    this.updateCameras();
+  }
+
+  setPlan(plan: boolean): void {
+    this.isPlan = plan;
+    this.orbit.enabled = !plan;
+    this.pan.enabled = plan;
+    this.draw();
+  }
+
+  cameraPlace(): CameraPlace {
+    const [camera, controls] = this.current();
+    return { at: camera.position.toArray(), target: controls.target.toArray(), zoom: 1 / this.above.zoom };
+  }
+
+  setCameraPlace({ at, target, zoom }: CameraPlace): void {
+    const [camera, controls] = this.current();
+    camera.position.set(at[0], at[1], at[2]);
+    controls.target.set(target[0], target[1], target[2]);
+    this.above.zoom = 1 / zoom;
+    controls.update();
+    this.updateCameras();
+    this.draw();
+  }
+
+  private current(): [PerspectiveCamera, OrbitControls] | [OrthographicCamera, MapControls] {
+    return this.isPlan ? [this.above, this.pan] : [this.perspective, this.orbit];
+  }
+
+  /** Turns by angles (plan: shifts), in steps of a key. */
+  turn(right: number, up: number): void {
+    if (this.isPlan) return this.shift(right, up);
+    const way = this.perspective.position.clone().sub(this.orbit.target);
+    const distance = way.length();
+    const around = Math.atan2(way.y, way.x) + right * 0.12;
+    const tilt = Math.min(Math.max(Math.acos(way.z / distance) - up * 0.08, 0.02), this.orbit.maxPolarAngle);
+    way.set(Math.sin(tilt) * Math.cos(around), Math.sin(tilt) * Math.sin(around), Math.cos(tilt));
+    this.perspective.position.copy(this.orbit.target).addScaledVector(way, distance);
+    this.orbit.update();
+    this.draw();
+  }
+
+  shift(right: number, up: number): void {
+    const [camera, controls] = this.current();
+    const step = this.isPlan ? 0.08 / this.above.zoom : 0.06 * camera.position.distanceTo(controls.target);
+    const x = new Vector3().setFromMatrixColumn(camera.matrix, 0).setZ(0).normalize();
+    const move = x.clone().multiplyScalar(right * step).addScaledVector(new Vector3(-x.y, x.x, 0), up * step);
+    camera.position.add(move);
+    controls.target.add(move);
+    controls.update();
+    this.draw();
+  }
+
+  zoom(factor: number): void {
+    if (this.isPlan) this.above.zoom *= factor;
+    else
+      this.perspective.position.lerpVectors(this.orbit.target, this.perspective.position.clone(), 1 / factor);
+    this.current()[1].update();
+    this.updateCameras();
+    this.draw();
+  }
+
+  /** Moves what is looked at to a point, from no farther than so many metres. */
+  lookAt(point: number[], distance: number): void {
+    const [camera, controls] = this.current();
+    const way = camera.position.clone().sub(controls.target);
+    controls.target.set(point[0], point[1], this.isPlan ? controls.target.z : point[2]);
+    if (this.isPlan) this.above.zoom = Math.max(this.above.zoom, 0.5 / distance);
+    else if (way.length() > distance) way.setLength(distance);
+    camera.position.copy(controls.target).add(way);
+    controls.update();
+    this.updateCameras();
+    this.draw();
+  }
+
+  resize(width: number, height: number): void {
+    if (width < 1 || height < 1) return;
+    this.width = width;
+    this.height = height;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.perspective.aspect = width / height;
+    this.updateCameras();
+    this.draw();
+  }
+
+  recolour(): void {
+    this.renderer.setClearColor(colourOf(this.canvas, "--stage"));
+    this.fixtures.recolour(this.canvas);
+    const { direct, reflected } = this.links.mesh.material.uniforms;
+    direct.value = colourOf(this.canvas, "--direct");
+    reflected.value = colourOf(this.canvas, "--reflected");
+    this.draw();
+  }
+
+  draw(): void {
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => {
+      this.pending = false;
+      this.render();
+      this.onDrawn();
+    });
+  }
+
+  /** Draws so many frames, each waited for, and keeps their median time. */
+  measure(frames: number): number {
+    const gl = this.renderer.getContext();
+    const pixel = new Uint8Array(4);
+    const times: number[] = [];
+    for (let k = 0; k < frames; ++k) {
+      const begin = performance.now();
+      this.render();
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+      times.push(performance.now() - begin);
+    }
+    times.sort((a, b) => a - b);
+    this.frameTime = times[Math.floor(times.length / 2)];
+    this.onDrawn();
+    return this.frameTime;
+  }
+
+  /** The mark nearest to a point of the canvas (CSS pixels), in front of what hides others; 0 for none. */
+  pick(x: number, y: number): number {
+    const [camera] = this.current();
+    const reach = (pickSize - 1) / 2;
+    camera.setViewOffset(this.width, this.height, x - reach - 0.5, y - reach - 0.5, pickSize, pickSize);
+    for (const marks of this.marks) marks.uniform("picking").value = true;
+    const links = this.links.mesh.visible;
+    this.links.mesh.visible = false;
+    this.renderer.setRenderTarget(this.pickTarget);
+    const clear = colourOf(this.canvas, "--stage");
+    this.renderer.setClearColor(0, 0);
+    this.withoutColour(() => this.renderer.render(this.scene, camera));
+    const pixels = new Uint8Array(4 * pickSize * pickSize);
+    this.renderer.readRenderTargetPixels(this.pickTarget, 0, 0, pickSize, pickSize, pixels);
+    this.renderer.setRenderTarget(null);
+    this.renderer.setClearColor(clear, 1);
+    this.links.mesh.visible = links;
+    for (const marks of this.marks) marks.uniform("picking").value = false;
+    camera.clearViewOffset();
+
+    const idents = new Uint32Array(pixels.buffer);
+    let nearest = Infinity;
+    let found = 0;
+    idents.forEach((ident, k) => {
+      const away = Math.hypot((k % pickSize) - reach, Math.floor(k / pickSize) - reach);
+      if (ident !== 0 && away < nearest) [nearest, found] = [away, ident];
+    });
+    return found;
+  }
+
+  /** Where a point of the store is on the canvas, CSS pixels. */
+  project(point: number[]): { x: number; y: number } {
+    const [camera] = this.current();
+    camera.updateMatrixWorld();
+    const at = new Vector3(point[0], point[1], point[2]).project(camera);
+    return { x: 0.5 * (at.x + 1) * this.width, y: 0.5 * (1 - at.y) * this.height };
+  }
+
+  private withoutColour(draw: () => void): void {
+    const materials = this.fixtures.materials();
+    for (const material of materials) material.colorWrite = false;
+    draw();
+    for (const material of materials) material.colorWrite = true;
+  }
+
+  private updateCameras(): void {
+    this.perspective.updateProjectionMatrix();
+    const wide = this.width / this.height;
+    [this.above.left, this.above.right, this.above.top, this.above.bottom] = [-0.5 * wide, 0.5 * wide, 0.5, -0.5];
+    this.above.updateProjectionMatrix();
+  }
+
+  private render(): void {
+    const [camera] = this.current();
+    const pixel = this.isPlan
+      ? 1 / this.above.zoom / this.height
+      : (2 * Math.tan((0.5 * fieldOfView * Math.PI) / 180)) / this.height;
+    for (const marks of this.marks) {
+      marks.uniform("pixel").value = pixel;
+      marks.uniform("perspective").value = !this.isPlan;
+    }
+    this.links.mesh.material.uniforms.view.value.set(this.width, this.height);
+    this.renderer.render(this.scene, camera);
+    this.drawCalls = this.renderer.info.render.calls;
+  }
+}
