@@ -4,6 +4,7 @@ import { reachClass } from "./classes";
 import { element, button } from "./dom";
 import { counted, decibels, fixed, grouped, percent, significant } from "./format";
 import type { Contribution, Model } from "./model";
+import type { Selection } from "./state";
 
 const mostRows = 12;
 
@@ -12,7 +13,7 @@ export class Card {
 
   constructor(
     private readonly model: Model,
-    private readonly show: (point: number[]) => void,
+    private readonly show: (selection: NonNullable<Selection>) => void,
   ) {}
 
   update(): void {
@@ -27,12 +28,13 @@ export class Card {
     return significant(value / this.model.store.unit.factor, digits);
   }
 
-  private head(kind: string, id: string, at: number[]): HTMLElement {
+  private head(kind: string, id: string): HTMLElement {
+    const { selection } = this.model.state;
     return element(
       "header",
       {},
       element("div", {}, element("small", { text: kind }), element("h3", { text: id })),
-      button("Show", () => this.show(at), { class: "v3-small", "aria-label": `Look at ${id}` }),
+      button("Show", () => selection && this.show(selection), { class: "v3-small", "aria-label": `Look at ${id}` }),
       button("×", () => this.model.select(null), { class: "v3-small", "aria-label": "Close", "data-key": "close" }),
     );
   }
@@ -51,14 +53,14 @@ export class Card {
 
   private showLabel(label: number): void {
     const { store, coverage } = this.model;
-    const [at, place] = this.at(store.label.position, label);
+    const [, place] = this.at(store.label.position, label);
     const { name } = store.unit;
     const signal = coverage.signal[label];
     const found = this.model.contributions(label);
     const rows = found.slice(0, mostRows).map((link, k) => this.row(link, k));
     const rest = found.slice(mostRows).reduce((sum, { mean }) => sum + mean, 0);
     this.root.replaceChildren(
-      this.head(store.labels.kinds[store.label.kind[label]].type, store.labels.ids[label], at),
+      this.head(store.labels.kinds[store.label.kind[label]].type, store.labels.ids[label]),
       element(
         "p",
         { class: coverage.met[label] ? "v3-met" : "v3-unmet" },
@@ -86,7 +88,7 @@ export class Card {
     const { signals } = this.model;
     const head = element("tr", {}, element("th", { text: "Unit" }), element("th", { text: unit, class: "n" }));
     if (signals.error.length) head.append(element("th", { text: "± error", class: "n", title: "standard error" }));
-    if (signals.directShare.length) head.append(element("th", { text: "direct / reflected" }));
+    if (signals.directShare.length) head.append(element("th", { text: "direct", title: "share that arrives without any reflection" }));
     return element("table", {}, element("thead", {}, head), element("tbody", {}, ...rows));
   }
 
@@ -145,7 +147,7 @@ export class Card {
     if (!store.redundant || !on)
       facts.unshift([on ? "Without it, lost" : "With it, gained", counted(coverage.decides[unit], "label"), "decides"]);
     this.root.replaceChildren(
-      this.head(kind, store.units.ids[unit], at),
+      this.head(kind, store.units.ids[unit]),
       element(
         "p",
         {},

@@ -1,6 +1,6 @@
 // Classes of labels that are drawn alike, with the colours of the static plans.
 
-import { grouped, plain } from "./format";
+import { plain } from "./format";
 import type { Store } from "./store";
 
 export type Mode = "margin" | "signal" | "serving";
@@ -20,6 +20,7 @@ export interface LabelClass {
 
 /** Which of the classes a label belongs to. */
 export interface Classes {
+  title: string;
   list: LabelClass[];
   of: (signal: number, margin: number, met: boolean, serving: number) => number;
 }
@@ -27,6 +28,7 @@ export interface Classes {
 function marginClasses(store: Store): Classes {
   const { margins } = store;
   return {
+    title: "Signal above what a label needs:",
     list: margins.map(({ name }, k) => ({ name, colour: `--m${k}`, unmet: k < 2 })),
     of: (_signal, margin, met) => {
       let k = margins.length - 1;
@@ -45,6 +47,7 @@ function signalClasses(store: Store): Classes {
     list.push({ name: k === 0 ? `below ${upper}` : `${text(edges[k])} to ${upper}`, colour: `--g${k}` });
   }
   return {
+    title: "Signal:",
     list,
     of: (signal) => {
       if (!(signal > 0)) return 0;
@@ -57,8 +60,9 @@ function signalClasses(store: Store): Classes {
 
 function servingClasses(): Classes {
   const colours = ["--m2", "--m3", "--m4", "--m5", "--m6"];
-  const names = ["none alone", "1 unit alone", "2 units", "3 units", "4 or more"];
+  const names = ["none", "1", "2", "3", "4 or more"];
   return {
+    title: "Units that reach a label alone:",
     list: colours.map((colour, k) => ({ name: names[k], colour })),
     of: (_signal, _margin, _met, serving) => Math.min(serving, colours.length - 1),
   };
@@ -71,16 +75,12 @@ export function classesOf(store: Store, mode: Mode): Classes {
 
 /** What one unit gives to a label, in proportion to what the label needs. */
 export const reachClasses: LabelClass[] = [
-  { name: "below 1 % of the need", colour: "--m3" },
+  { name: "below 1 %", colour: "--m3" },
   { name: "1 to 10 %", colour: "--m4" },
   { name: "10 to 100 %", colour: "--m5" },
-  { name: "reached by it alone", colour: "--m6" },
+  { name: "all, alone", colour: "--m6" },
 ];
 
 export function reachClass(share: number, alone: boolean): number {
   return alone ? 3 : share >= 0.1 ? 2 : share >= 0.01 ? 1 : 0;
-}
-
-export function withCount(name: string, count: number): string {
-  return `${name}: ${grouped(count)}`;
 }

@@ -5,14 +5,14 @@ import { grouped } from "./format";
 import type { Model } from "./model";
 
 export class Levels {
-  readonly root = element("details", { class: "v3-box", open: true }, element("summary", { text: "Shelf levels" }));
+  readonly root = element("section", { class: "v3-box" }, element("h3", { text: "Shelf levels" }));
   private readonly boxes: HTMLInputElement[] = [];
   private readonly shares: HTMLElement[] = [];
   private readonly goods: HTMLInputElement;
 
   constructor(private readonly model: Model) {
     const { store } = model;
-    const list = element("ul", { class: "v3-list" });
+    const list = element("ul", { class: "v3-list v3-levels" });
     // From the top down, as they hang.
     for (let level = store.levels.length - 1; level >= 0; --level) {
       const box = element("input", {
@@ -26,7 +26,7 @@ export class Levels {
         element(
           "li",
           {},
-          element("label", {}, box, element("span", {}, `Level ${level + 1}: ${store.levels[level].heights}`, share)),
+          element("label", {}, box, element("span", {}, element("strong", { text: String(level + 1) }), ` ${store.levels[level].heights.replace("labels at ", "")}`, share)),
           store.levels.length > 1
             ? button("only", () => this.set((_, k) => k === level), {
                 class: "v3-small",
@@ -67,7 +67,7 @@ export class Levels {
     this.boxes.forEach((box, level) => {
       box.checked = state.levels[level];
       const { met, all } = this.model.share((label) => store.label.level[label] === level);
-      this.shares[level].textContent = `${grouped(met)} of ${grouped(all)} reached`;
+      this.shares[level].textContent = `${grouped(met)} of ${grouped(all)}`;
     });
   }
 }

@@ -7,17 +7,15 @@ import type { Model } from "./model";
 const mostRows = 60;
 
 abstract class SearchList {
-  readonly root: HTMLDetailsElement;
+  readonly root = element("div", { class: "v3-search" });
   private readonly search: HTMLInputElement;
   private readonly list = element("ul", { class: "v3-list" });
   private readonly note = element("p", { class: "v3-note" });
 
   constructor(
     protected readonly model: Model,
-    title: string,
     kind: string,
     lead: string,
-    open: boolean,
   ) {
     this.search = element("input", {
       type: "search",
@@ -25,16 +23,7 @@ abstract class SearchList {
       "aria-label": `Search ${kind} by id`,
       on: { input: () => this.update() },
     });
-    this.root = element(
-      "details",
-      { class: "v3-box", open },
-      element("summary", { text: title }),
-      element("p", { class: "v3-note", text: lead }),
-      this.search,
-      this.list,
-      this.note,
-    );
-    this.root.addEventListener("toggle", () => this.update());
+    this.root.append(element("p", { class: "v3-note", text: lead }), this.search, this.list, this.note);
   }
 
   protected abstract order(): number[];
@@ -42,7 +31,7 @@ abstract class SearchList {
   protected abstract row(index: number): HTMLElement;
 
   update(): void {
-    if (!this.root.open) return;
+    if (this.root.hidden) return;
     const wanted = this.search.value.trim().toLowerCase();
     const found = this.order().filter((index) => this.id(index).toLowerCase().includes(wanted));
     replaceChildren(
@@ -62,10 +51,8 @@ export class UnitList extends SearchList {
   constructor(model: Model) {
     super(
       model,
-      "Units",
       "units",
-      "Switch any candidate on or off: all numbers follow at once. Those of the plan come first, then those that reach most labels alone.",
-      true,
+      "Switch any candidate on or off, and all numbers follow. The plan comes first, then what reaches most labels alone.",
     );
   }
 
@@ -86,7 +73,7 @@ export class UnitList extends SearchList {
     const on = state.on[unit] !== 0;
     const number = this.model.numberOf(unit);
     const decides = coverage.decides[unit];
-    const effect = store.redundant && on ? "" : on ? `, ${grouped(decides)} only with it` : `, would gain ${grouped(decides)}`;
+    const effect = store.redundant && on ? "" : on ? `, ${grouped(decides)} only with it` : `, would add ${grouped(decides)}`;
     const box = element("input", {
       type: "checkbox",
       "data-key": `on${unit}`,
@@ -107,15 +94,18 @@ export class UnitList extends SearchList {
           class: "v3-link",
           "data-key": `unit${unit}`,
         }),
-        element("small", { text: `reaches ${counted(coverage.reach[unit], "label")} alone${effect}` }),
+        element("small", { text: `${counted(coverage.reach[unit], "label")} alone${effect}` }),
       ),
     );
   }
 }
 
 export class LabelList extends SearchList {
-  constructor(model: Model) {
-    super(model, "Labels", "labels", "The least margin comes first.", false);
+  constructor(
+    model: Model,
+    private readonly show: (label: number) => void,
+  ) {
+    super(model, "labels", "Choose a label to see what reaches it. The least margin comes first.");
   }
 
   protected order(): number[] {
@@ -138,7 +128,7 @@ export class LabelList extends SearchList {
       element(
         "div",
         {},
-        button(this.id(label), () => this.model.select({ kind: "label", index: label }), {
+        button(this.id(label), () => this.show(label), {
           class: "v3-link",
           "data-key": `label${label}`,
         }),

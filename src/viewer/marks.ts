@@ -2,16 +2,19 @@
 
 import {
   Color,
+  CustomBlending,
   DynamicDrawUsage,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
   BufferAttribute,
   GLSL3,
+  type IUniform,
   Mesh,
+  OneFactor,
   ShaderMaterial,
   type Texture,
   Vector2,
-  type IUniform,
+  ZeroFactor,
 } from "three";
 
 export const mostColours = 20;
@@ -51,7 +54,7 @@ void main() {
   gl_Position = projectionMatrix * at;
   // In front of the shelf that the label is fixed to, or a tilted view would cut into the mark.
   vec4 nearer = projectionMatrix * (at + vec4(0.0, 0.0, min(wide * size, 0.35), 0.0));
-  gl_Position.z = nearer.z / nearer.w * gl_Position.w;
+  gl_Position.z = look.z == 2.0 ? -0.999 * gl_Position.w : nearer.z / nearer.w * gl_Position.w;
 }`;
 
 const fragmentShader = /* glsl */ `
@@ -74,7 +77,7 @@ float outline(vec2 p) {
   if (mark.y == 2.0) return max(abs(p.x), abs(p.y)) - 0.85;
   if (mark.y == 3.0) {
     vec2 q = abs(p);
-    return max(max(q.x, q.y) - 0.9, min(q.x, q.y) - 0.13);
+    return max(max(q.x, q.y) - 0.9, min(q.x, q.y) - 0.16);
   }
   return length(p) - 1.0;
 }
@@ -89,7 +92,7 @@ void main() {
   float inside = clamp(0.5 - away, 0.0, 1.0);
   if (inside <= 0.0) discard;
   bool selected = mark.z == 2.0;
-  float line = mark.y == 3.0 ? 0.0 : selected ? 2.5 : mark.y == 1.0 ? 1.4 : radius > 3.0 ? 0.8 : 0.0;
+  float line = mark.y == 3.0 && !selected ? 0.0 : selected ? 2.5 : mark.y == 1.0 ? 1.4 : radius > 3.0 ? 0.8 : 0.0;
   vec3 fill = palette[int(mark.x)];
   vec3 border = selected || mark.y == 1.0 ? strong : digits >= 0.0 ? paper : edge;
   vec3 shown = mix(fill, border, clamp(away + line + 0.5, 0.0, 1.0) * step(0.01, line));
@@ -144,6 +147,12 @@ export class Marks {
       vertexShader,
       fragmentShader,
       alphaToCoverage: true,
+      // The picture itself stays opaque: what alpha says is only which samples are covered.
+      blending: CustomBlending,
+      blendSrc: OneFactor,
+      blendDst: ZeroFactor,
+      blendSrcAlpha: ZeroFactor,
+      blendDstAlpha: OneFactor,
       uniforms: {
         worldRadius: { value: style.worldRadius },
         pixelRadius: { value: new Vector2(...style.pixels) },

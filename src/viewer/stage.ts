@@ -24,6 +24,9 @@ import type { Store } from "./store";
 ColorManagement.enabled = false;
 
 const fieldOfView = 40;
+/** From where the store is seen at first, and how much of the picture it fills. */
+const firstWay = new Vector3(-0.36, -0.72, 0.78).normalize();
+const fill = 0.95;
 const pickSize = 15; // CSS pixels on a side
 
 export class Stage {
@@ -78,21 +81,27 @@ export class Stage {
     this.scene.add(marks.mesh);
   }
 
-  /** The middle of the store and half its diagonal. */
-  private extent(): { middle: Vector3; radius: number } {
-    const [a, b] = [new Vector3(...this.store.lower), new Vector3(...this.store.upper)];
-    return { middle: a.clone().add(b).multiplyScalar(0.5), radius: 0.5 * a.distanceTo(b) };
+  /** Steps back from the middle of the store until its corners fill the picture. */
+  private fit(): { middle: Vector3; distance: number } {
+    const [a, b] = [this.store.lower, this.store.upper];
+    const middle = new Vector3(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), a[2] + 0.2 * (b[2] - a[2]));
+    const right = new Vector3().crossVectors(this.perspective.up, firstWay).normalize();
+    const up = new Vector3().crossVectors(firstWay, right);
+    const tangent = fill * Math.tan((0.5 * fieldOfView * Math.PI) / 180);
+    let distance = 1;
+    for (let corner = 0; corner < 8; ++corner) {
+      const at = new Vector3(...[0, 1, 2].map((axis) => ((corner >> axis) & 1 ? b : a)[axis])).sub(middle);
+      const wide = Math.abs(at.dot(right)) / (this.width / this.height);
+      distance = Math.max(distance, at.dot(firstWay) + Math.max(wide, Math.abs(at.dot(up))) / tangent);
+    }
+    return { middle, distance };
   }
 
   showAll(): void {
-    const { middle, radius } = this.extent();
     const [a, b] = [this.store.lower, this.store.upper];
     const wide = this.width / this.height;
-    const half = (0.5 * fieldOfView * Math.PI) / 180;
-    const distance = (0.93 * radius) / Math.sin(Math.min(half, Math.atan(Math.tan(half) * wide)));
-    const way = new Vector3(-0.42, -0.78, 0.72).normalize();
-    middle.z = a[2];
-    this.perspective.position.copy(middle).addScaledVector(way, distance);
+    const { middle, distance } = this.fit();
+    this.perspective.position.copy(middle).addScaledVector(firstWay, distance);
     this.orbit.target.copy(middle);
     this.perspective.near = Math.max(0.05, distance / 500);
     this.perspective.far = 6 * distance;
@@ -164,13 +173,17 @@ export class Stage {
     this.draw();
   }
 
-  /** Moves what is looked at to a point, from no farther than so many metres. */
-  lookAt(point: number[], distance: number): void {
+  /** Looks at a point from so many metres, from the side that it faces where it faces any. */
+  lookAt(point: number[], distance: number, facing: number[] | null): void {
     const [camera, controls] = this.current();
     const way = camera.position.clone().sub(controls.target);
     controls.target.set(point[0], point[1], this.isPlan ? controls.target.z : point[2]);
     if (this.isPlan) this.above.zoom = Math.max(this.above.zoom, 0.5 / distance);
-    else if (way.length() > distance) way.setLength(distance);
+    else {
+      // Along the shelf and from above, or the next shelf would stand between.
+      if (facing) way.set(0.5 * facing[0] + 0.6 * facing[1], 0.5 * facing[1] - 0.6 * facing[0], 0.55);
+      way.setLength(facing ? distance : Math.min(way.length(), distance));
+    }
     camera.position.copy(controls.target).add(way);
     controls.update();
     this.updateCameras();
@@ -254,12 +267,17 @@ export class Stage {
     return found;
   }
 
-  /** Where a point of the store is on the canvas, CSS pixels. */
-  project(point: number[]): { x: number; y: number } {
+  /** CSS pixels. */
+  get size(): { width: number; height: number } {
+    return { width: this.width, height: this.height };
+  }
+
+  /** Where a point of the store is on the canvas, CSS pixels, and how far, below 1 where it is in sight. */
+  project(point: number[]): { x: number; y: number; depth: number } {
     const [camera] = this.current();
     camera.updateMatrixWorld();
     const at = new Vector3(point[0], point[1], point[2]).project(camera);
-    return { x: 0.5 * (at.x + 1) * this.width, y: 0.5 * (1 - at.y) * this.height };
+    return { x: 0.5 * (at.x + 1) * this.width, y: 0.5 * (1 - at.y) * this.height, depth: at.z };
   }
 
   private withoutColour(draw: () => void): void {

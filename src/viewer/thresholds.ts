@@ -14,7 +14,7 @@ interface Row {
 }
 
 export class Thresholds {
-  readonly root = element("details", { class: "v3-box", open: true }, element("summary", { text: "What labels need" }));
+  readonly root = element("section", { class: "v3-box" }, element("h3", { text: "What labels need" }));
   private readonly rows: Row[] = [];
 
   constructor(private readonly model: Model) {

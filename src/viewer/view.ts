@@ -7,10 +7,11 @@ import { counted, decibels, grouped, significant } from "./format";
 import { Levels } from "./levels";
 import { LabelList, UnitList } from "./lists";
 import { Model } from "./model";
+import { Names } from "./names";
 import { onThemeChange } from "./palette";
 import { Picture, type ClassCounts } from "./picture";
 import { Stage } from "./stage";
-import { changedUnits, fromHash, initialState, toHash } from "./state";
+import { changedUnits, fromHash, initialState, toHash, type Selection } from "./state";
 import type { Signals, Store } from "./store";
 import { Thresholds } from "./thresholds";
 
@@ -24,6 +25,7 @@ export class View {
   private readonly root: HTMLElement;
   private readonly canvas = element("canvas", { class: "v3-canvas", tabindex: 0, role: "application" });
   private readonly frame = element("div", { class: "v3-stage" });
+  private readonly names: Names;
   private readonly tip = element("div", { class: "v3-tip", hidden: true });
   private readonly answer = element("p", { class: "v3-answer", role: "status" });
   private readonly changes = element("p", { class: "v3-note" });
@@ -44,7 +46,8 @@ export class View {
       "The store in 3-D. Arrow keys turn it, with shift they move it, plus and minus zoom, 0 shows the whole store. " +
         "Labels and units can be chosen in the lists, too.",
     );
-    this.frame.append(this.canvas, this.tip);
+    this.names = new Names(store);
+    this.frame.append(this.canvas, this.names.root, this.tip);
     this.dimension = new Choice(
       "v3-dimension",
       "View",
@@ -65,9 +68,29 @@ export class View {
       },
     );
     this.reset = button("Reset", () => this.restore(null), { title: "Plan, thresholds, levels and view as at first" });
-    const card = new Card(this.model, (point) => this.stage.lookAt(point, 6));
+    const card = new Card(this.model, (selection) => this.lookAt(selection));
     const [levels, thresholds] = [new Levels(this.model), new Thresholds(this.model)];
-    const [units, labels] = [new UnitList(this.model), new LabelList(this.model)];
+    const units = new UnitList(this.model);
+    const labels = new LabelList(this.model, (label) => {
+      this.model.select({ kind: "label", index: label });
+      this.lookAt({ kind: "label", index: label });
+    });
+    const showList = (shown: "units" | "labels") => {
+      units.root.hidden = shown !== "units";
+      labels.root.hidden = shown !== "labels";
+      (shown === "units" ? units : labels).update();
+    };
+    const lists = new Choice(
+      "v3-lists",
+      "Choose from",
+      [
+        { value: "units", text: "Units" },
+        { value: "labels", text: "Labels" },
+      ],
+      showList,
+    );
+    lists.show("units");
+    labels.root.hidden = true;
     this.parts = [card, levels, thresholds, units, labels];
     root.replaceChildren(
       element(
@@ -93,7 +116,13 @@ export class View {
           "div",
           { class: "v3-body" },
           element("div", { class: "v3-main" }, this.frame, this.legend, this.hint),
-          element("div", { class: "v3-side" }, card.root, units.root, thresholds.root, levels.root, labels.root),
+          element(
+            "div",
+            { class: "v3-side" },
+            card.root,
+            element("section", { class: "v3-box", "aria-label": "Units and labels" }, lists.root, units.root, labels.root),
+          ),
+          element("div", { class: "v3-pair" }, thresholds.root, levels.root),
         ),
         this.figures,
       ),
@@ -101,7 +130,13 @@ export class View {
 
     this.stage = new Stage(this.canvas, store);
     this.picture = new Picture(this.stage, this.model);
-    this.stage.onDrawn = () => this.showFigures();
+    this.stage.onDrawn = () => {
+      this.names.update(
+        this.stage,
+        this.model.unitsOn().map((unit) => this.picture.place("unit", unit)),
+      );
+      this.showFigures();
+    };
     this.model.onChange(() => this.update());
     onThemeChange(() => this.picture.recolour());
     new ResizeObserver(() => this.stage.resize(this.frame.clientWidth, this.frame.clientHeight)).observe(this.frame);
@@ -121,7 +156,7 @@ export class View {
     this.stage.setPlan(state.plan);
     this.stage.showAll();
     if (state.camera) this.stage.setCameraPlace(state.camera);
-    if (hash === null && location.hash.startsWith("#view=")) history.replaceState(null, "", " ".trim() || "#");
+    if (hash === null && location.hash.startsWith("#view=")) history.replaceState(null, "", "#");
     this.model.replace(state);
     this.root.dataset.ready = "1";
   }
@@ -145,6 +180,12 @@ export class View {
   private async toggleFullScreen(): Promise<void> {
     if (document.fullscreenElement) await document.exitFullscreen();
     else await this.root.requestFullscreen();
+  }
+
+  private lookAt({ kind, index }: NonNullable<Selection>): void {
+    const { normal } = this.model.store.label;
+    const facing = kind === "label" ? Array.from(normal.subarray(3 * index, 3 * index + 3)) : null;
+    this.stage.lookAt(this.picture.place(kind, index), kind === "label" ? 2.4 : 12, facing);
   }
 
   private setPlan(plan: boolean): void {
@@ -214,7 +255,11 @@ export class View {
       key(`<svg viewBox="-10 -10 20 20"><circle r="8" style="fill:var(--unit)"/></svg>`, "unit that is on"),
       key(`<svg viewBox="-10 -10 20 20"><path d="M-4 0h8M0-4v8" style="stroke:var(--cand);stroke-width:1.6"/></svg>`, "candidate"),
     );
-    this.legend.replaceChildren(...items);
+    const title =
+      state.selection?.kind === "unit"
+        ? `What ${store.units.ids[state.selection.index]} gives of a label's need:`
+        : this.model.classes.title;
+    this.legend.replaceChildren(element("li", {}, element("strong", { text: title })), ...items);
   }
 
   private showFigures(): void {

@@ -13,9 +13,10 @@ namespace shelfbeam {
 namespace {
 
 template <std::size_t size>
-using Bits = std::conditional_t<
-    size == 1, std::uint8_t,
-    std::conditional_t<size == 2, std::uint16_t, std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>>;
+using Bits =
+    std::conditional_t<size == 1, std::uint8_t,
+                       std::conditional_t<size == 2, std::uint16_t,
+                                          std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>>;
 
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
@@ -46,8 +47,8 @@ std::string to_base64(std::string_view bytes) {
 
 template <class Value>
 void PageData::add_planes(std::string_view name, std::string_view type, std::span<const Value> values) {
-  arrays_ += fmt::format("{}{{\"name\":\"{}\",\"type\":\"{}\",\"count\":{}}}", arrays_.empty() ? "" : ",", name,
-                         type, values.size());
+  arrays_ += fmt::format("{}{{\"name\":\"{}\",\"type\":\"{}\",\"count\":{}}}", arrays_.empty() ? "" : ",",
+                         name, type, values.size());
   for (unsigned plane = 0; plane < sizeof(Value); ++plane)
     for (const Value& value : values)
       bytes_ += static_cast<char>(std::bit_cast<Bits<sizeof(Value)>>(value) >> (8U * plane) & 255U);
@@ -62,8 +63,12 @@ void PageData::add(std::string_view name, std::span<const std::uint16_t> values)
 void PageData::add(std::string_view name, std::span<const std::uint32_t> values) {
   add_planes(name, "u32", values);
 }
-void PageData::add(std::string_view name, std::span<const float> values) { add_planes(name, "f32", values); }
-void PageData::add(std::string_view name, std::span<const double> values) { add_planes(name, "f64", values); }
+void PageData::add(std::string_view name, std::span<const float> values) {
+  add_planes(name, "f32", values);
+}
+void PageData::add(std::string_view name, std::span<const double> values) {
+  add_planes(name, "f64", values);
+}
 
 std::string PageData::base64(std::string_view about) const {
   const std::string header = fmt::format("{{\"arrays\":[{}],\"about\":{}}}", arrays_, about);

@@ -70,11 +70,13 @@ void set_error_scale(PageSignals& signals, const SignalMatrix& matrix) {
 std::uint16_t error_code(const PageSignals& signals, double error) {
   if (error <= 0) return 0;
   if (signals.error_step <= 0) return 1;
-  return static_cast<std::uint16_t>(1 + std::lround(std::log(error / signals.least_error) / signals.error_step));
+  return static_cast<std::uint16_t>(1 +
+                                    std::lround(std::log(error / signals.least_error) / signals.error_step));
 }
 
 std::uint16_t share_code(double direct, double mean) {
-  return mean > 0 ? static_cast<std::uint16_t>(std::lround(most_code * std::clamp(direct / mean, 0.0, 1.0))) : 0;
+  return mean > 0 ? static_cast<std::uint16_t>(std::lround(most_code * std::clamp(direct / mean, 0.0, 1.0)))
+                  : 0;
 }
 
 struct Sums {
@@ -91,7 +93,8 @@ Sums sums_of(const SignalMatrix& matrix, const Placement& placement, const std::
     all.push_back({j, static_cast<double>(row[j])});
     if (is_kept[j]) kept.push_back(all.back());
   }
-  return {received_signal(kept, chosen, placement.question), received_signal(all, chosen, placement.question)};
+  return {received_signal(kept, chosen, placement.question),
+          received_signal(all, chosen, placement.question)};
 }
 
 }  // namespace
@@ -116,7 +119,8 @@ PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement,
     std::uint32_t size = 0, next = 0;
     double effect = 0;
     for (std::uint32_t j = 0; j < row.size(); ++j) {
-      is_kept[j] = row[j] != 0 && (weight(row[j], requirement) >= least || j == largest[0] || j == largest[1]);
+      is_kept[j] =
+          row[j] != 0 && (weight(row[j], requirement) >= least || j == largest[0] || j == largest[1]);
       if (!is_kept[j]) {
         if (row[j] == 0) continue;
         const double share = std::abs(static_cast<double>(row[j])) / requirement;
@@ -137,8 +141,10 @@ PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement,
             share_code(static_cast<double>(matrix.direct[at]), static_cast<double>(row[j])));
     }
     signals.row_size.push_back(size);
-    const Sums sums = sums_of(matrix, placement, chosen, i, is_kept);
-    signals.rest.push_back(sums.all - sums.kept);
+    if (least > 0) {
+      const Sums sums = sums_of(matrix, placement, chosen, i, is_kept);
+      signals.rest.push_back(sums.all - sums.kept);
+    }
     if (effect > signals.largest_effect) {
       signals.largest_effect = effect;
       signals.most_affected = static_cast<std::uint32_t>(i);
@@ -149,9 +155,8 @@ PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement,
 }
 
 PackedSignals pack_signals(const SignalMatrix& matrix, const Placement& placement, std::size_t most_bytes) {
-  // Digits of a Monte Carlo estimate do not compress: 8 bytes an entry at the most, and 4/3 of that in
-  // base64. Then by what came out.
-  std::size_t most = std::max<std::size_t>(1, most_bytes / 9);
+  // More than ever fit at first, then by what came out.
+  std::size_t most = std::max<std::size_t>(1, most_bytes / 4);
   PackedSignals packed;
   for (int attempt = 0; attempt < 6; ++attempt) {
     packed.signals = page_signals(matrix, placement, most);
@@ -167,8 +172,8 @@ PackedSignals pack_signals(const SignalMatrix& matrix, const Placement& placemen
         R"({{"leastError":{},"errorStep":{},"leftOut":{},"largestLeftOut":{},"largestEffect":{},"mostAffected":{}}})",
         s.least_error, s.error_step, s.left_out, s.largest_left_out, s.largest_effect, s.most_affected));
     const double filled = static_cast<double>(packed.base64.size()) / static_cast<double>(most_bytes);
-    if (filled <= 1 && (filled > 0.9 || s.left_out == 0)) break;
-    most = static_cast<std::size_t>(0.97 * static_cast<double>(std::min(most, s.mean.size())) / filled);
+    if (filled <= 1) break;
+    most = static_cast<std::size_t>(0.98 * static_cast<double>(s.mean.size()) / filled);
   }
   return packed;
 }

@@ -23,7 +23,7 @@ struct PageSignals {
   /// 0 for code 0, else least_error exp((code - 1) error_step): up to half a step off.
   double error_of(std::uint16_t code) const;
 
-  std::size_t left_out = 0;  ///< entries with signal that are not here
+  std::size_t left_out = 0;     ///< entries with signal that are not here
   double largest_left_out = 0;  ///< the largest of them, as a share of what its label needs
   /// The most that those of one label come to together, as a share of what it needs, and that label.
   double largest_effect = 0;

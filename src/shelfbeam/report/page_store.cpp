@@ -21,7 +21,9 @@ void append(std::vector<float>& values, const Vec3& v) {
   for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<float>(v[axis]));
 }
 
-Json point(const Vec3& v) { return {v.x, v.y, v.z}; }
+Json point(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 // How a part is drawn: the classes of its colours, in the order that the script knows.
 std::uint8_t look_of(PartKind kind) {
@@ -44,7 +46,8 @@ void add_parts(PageData& page, const Scene& scene) {
   std::vector<std::uint32_t> mesh_triangles;
   for (const Part& part : scene.parts) {
     if (part.kind == PartKind::shell || part.footprint.empty()) continue;
-    if (part.kind == PartKind::mesh && part.triangle_count > 0 && part.triangle_count <= most_mesh_triangles) {
+    if (part.kind == PartKind::mesh && part.triangle_count > 0 &&
+        part.triangle_count <= most_mesh_triangles) {
       std::map<std::uint32_t, std::uint32_t> known;
       for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
         for (const std::uint32_t corner : scene.mesh.triangles[t]) {

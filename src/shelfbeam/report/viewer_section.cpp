@@ -29,37 +29,41 @@ std::vector<double> shown_signals(const ReportData& data) {
 // What the view leaves out, so that nobody takes its numbers for more than they are.
 std::string completeness(const ReportData& data, const PageSignals& signals) {
   const double digits = std::expm1(0.5 * signals.error_step);
-  std::string text = fmt::format("Signals are those of signal.h5, to the last bit{}.",
-                                 signals.error.empty() ? ""
-                                                       : fmt::format("; standard errors are rounded by up to {}",
-                                                                     percent(digits, 3)));
+  std::string text = fmt::format(
+      "Signals are those of signal.h5, to the last bit{}.",
+      signals.error.empty() ? ""
+                            : fmt::format("; standard errors are rounded by up to {}", percent(digits, 3)));
   if (signals.left_out == 0) return text;
-  return text + fmt::format(
-                    " To keep the page small, the {} smallest of {} entries are left out and count as 0: each "
-                    "is below {} of what its label needs, and those of one label, all units on, add up to {} of "
-                    "it at most (label {}). The plan itself is counted with all of its entries.",
-                    grouped(signals.left_out), grouped(signals.left_out + signals.mean.size()),
-                    significant(100 * signals.largest_left_out) + "\u00A0%", significant(100 * signals.largest_effect) + "\u00A0%",
-                    data.label(signals.most_affected).id);
+  return text +
+         fmt::format(
+             " To keep the page small, the {} smallest of {} entries are left out and count as 0: each "
+             "is below {} of what its label needs, and those of one label, all units on, add up to {} of "
+             "it at most (label {}). The plan itself is counted with all of its entries.",
+             grouped(signals.left_out), grouped(signals.left_out + signals.mean.size()),
+             significant(100 * signals.largest_left_out) + "\u00A0%",
+             significant(100 * signals.largest_effect) + "\u00A0%", data.label(signals.most_affected).id);
 }
 
 }  // namespace
 
-bool has_viewer() { return !embedded::viewer_script.empty(); }
+bool has_viewer() {
+  return !embedded::viewer_script.empty();
+}
 
 std::string viewer_section(const ReportData& data) {
   if (data.levels.empty()) return {};
   if (!has_viewer())
-    return html_section("viewer", heading,
-                        paragraph("This build of shelfbeam was made without Node.js, so the 3-D view was left "
-                                  "out. Everything else is here.",
-                                  "note"));
+    return html_section(
+        "viewer", heading,
+        paragraph("This build of shelfbeam was made without Node.js, so the 3-D view was left "
+                  "out. Everything else is here.",
+                  "note"));
   const SignalScale scale(shown_signals(data));
-  const PackedSignals packed =
-      pack_signals(data.input.matrix, data.input.placement, most_signal_bytes);
+  const PackedSignals packed = pack_signals(data.input.matrix, data.input.placement, most_signal_bytes);
   const std::string body = fmt::format(
       "<style>#viewer{{{}}}\n@media screen and (prefers-color-scheme:dark){{#viewer{{{}}}}}</style>\n"
-      "<div id=\"viewer-root\"><p class=\"note\">The 3-D view needs JavaScript; the plans and tables below do "
+      "<div id=\"viewer-root\"><p class=\"note\">The 3-D view needs JavaScript; the plans and tables below "
+      "do "
       "not.</p></div>\n{}"
       "<script type=\"text/plain\" id=\"viewer-store\">{}</script>\n"
       "<script type=\"text/plain\" id=\"viewer-signals\">{}</script>\n"
