@@ -11,7 +11,10 @@ export class Coverage {
   reached = 0;
   /** Labels that each unit reaches alone, on or off. */
   readonly reach: Uint32Array;
-  /** Labels that a unit decides: met only because it is on, or met were it on, too. */
+  /**
+   * Labels that a unit decides: met only because it is on, or met were it on, too. Of units that are on, not counted
+   * where any one may fail.
+   */
   readonly decides: Uint32Array;
 
   private readonly needs: Float64Array;
@@ -91,16 +94,15 @@ export class Coverage {
     const signal = this.signal[label];
     const requirement = this.needs[label];
     const met = this.met[label] !== 0;
-    const whole = rest.length > 0 && signal !== 0 ? signal - this.received(label, on, -1) : 0;
+    if (met && redundant) return;
+    const whole = rest.length > 0 ? signal - this.received(label, on, -1) : 0;
+    const slack = 1e-6 * requirement;
     for (let at = begin[label]; at < begin[label + 1]; ++at) {
       const unit = column[at];
       if ((on[unit] !== 0) !== met) continue;
-      // Far from the border a bound is enough; the sum itself decides near it.
-      if (cooperative && !redundant) {
-        const turned = met ? signal - mean[at] : signal + mean[at];
-        const slack = 1e-6 * requirement;
-        if (met ? turned > requirement + slack : turned < requirement - slack) continue;
-      }
+      // Where a bound is enough, the rule itself need not be asked.
+      if (cooperative && (met ? signal - mean[at] > requirement + slack : signal + mean[at] < requirement - slack)) continue;
+      if (!cooperative && (met ? mean[at] < signal : !this.isMet(mean[at], requirement))) continue;
       if (this.isMet(this.received(label, on, unit) + whole, requirement) !== met) ++this.decides[unit];
     }
   }

@@ -49,7 +49,7 @@ void main() {
   if (look.z == 0.0) wide *= 0.75;
   if (look.z == 2.0) wide = max(1.5 * wide, 7.0);
   radius = wide;
-  place = position.xy * (1.0 + 2.0 / wide);
+  place = position.xy * (1.0 + (wide > 3.0 ? 2.0 : 0.5) / wide);
   vec4 at = seen + vec4(place * wide * size, 0.0, 0.0);
   gl_Position = projectionMatrix * at;
   // In front of the shelf that the label is fixed to, or a tilted view would cut into the mark.
@@ -62,6 +62,7 @@ precision highp float;
 uniform vec3 palette[${mostColours}];
 uniform vec3 edge, strong, paper;
 uniform bool picking;
+uniform float threshold; // of coverage; with samples that are covered one by one 0
 uniform sampler2D numbers;
 uniform vec2 numberGrid;
 in vec2 place;
@@ -90,7 +91,7 @@ void main() {
     return;
   }
   float inside = clamp(0.5 - away, 0.0, 1.0);
-  if (inside <= 0.0) discard;
+  if (inside <= threshold) discard;
   bool selected = mark.z == 2.0;
   float line = mark.y == 3.0 && !selected ? 0.0 : selected ? 2.5 : mark.y == 1.0 ? 1.4 : radius > 3.0 ? 0.8 : 0.0;
   vec3 fill = palette[int(mark.x)];
@@ -165,6 +166,7 @@ export class Marks {
         strong: { value: new Color() },
         paper: { value: new Color() },
         picking: { value: false },
+        threshold: { value: 0 },
         numbers: { value: style.numbers?.texture ?? null },
         numberGrid: { value: new Vector2(...(style.numbers?.grid ?? [1, 1])) },
       },

@@ -39,19 +39,25 @@ export class Model {
     this.listeners.push(listener);
   }
 
+  /** Something else than units and thresholds is shown differently. */
   changed(): void {
-    this.coverage.update(this.state.on, this.state.requirements);
     for (const listener of this.listeners) listener();
+  }
+
+  /** Units or thresholds are others. */
+  recount(): void {
+    this.coverage.update(this.state.on, this.state.requirements);
+    this.changed();
   }
 
   replace(state: State): void {
     this.state = state;
-    this.changed();
+    this.recount();
   }
 
   switchUnit(unit: number, on: boolean): void {
     switchUnit(this.store, this.state, unit, on);
-    this.changed();
+    this.recount();
   }
 
   select(selection: Selection): void {

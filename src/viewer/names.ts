@@ -5,7 +5,7 @@ import type { Stage } from "./stage";
 import type { Store } from "./store";
 
 const letter = 6.4; // CSS pixels a letter of an id is wide
-const line = 15;
+const line = 20; // and ids are apart from one above another
 
 export class Names {
   readonly root = element("div", { class: "v3-names", "aria-hidden": "true" });
@@ -14,7 +14,7 @@ export class Names {
   constructor(store: Store) {
     this.names = store.fixtures.map(({ id, at }) => ({
       at,
-      width: letter * id.length + 8,
+      width: letter * id.length + 14,
       text: element("span", { text: id, hidden: true }),
     }));
     this.root.append(...this.names.map(({ text }) => text));

@@ -28,7 +28,7 @@ export class Thresholds {
     const set = (value: number) => {
       if (!(value > 0) || !Number.isFinite(value)) return;
       this.model.state.requirements[kind] = value;
-      this.model.changed();
+      this.model.recount();
     };
     const number = element("input", {
       type: "number",

@@ -144,7 +144,7 @@ export class View {
     this.listen();
     addEventListener("hashchange", () => this.restore(location.hash));
     this.restore(location.hash);
-    requestAnimationFrame(() => this.stage.measure(5));
+    requestAnimationFrame(() => this.stage.measure(5, 300));
   }
 
   /** Shows what a link tells; the plan as it was made where it tells nothing. */
@@ -201,9 +201,12 @@ export class View {
     this.showAnswer();
     this.showLegend(this.picture.update());
     for (const part of this.parts) part.update();
+    const touch = matchMedia("(pointer: coarse)").matches;
     this.hint.textContent = state.plan
-      ? "Drag to move, scroll to zoom after a click. Labels of one shelf stand side by side, the lowest level next to it."
-      : "Drag to turn, right button or two fingers to move, scroll to zoom after a click. Click a label or a unit.";
+      ? `${touch ? "Two fingers move and zoom." : "Drag to move, scroll to zoom after a click."} Labels of one shelf stand side by side, the lowest level next to it.`
+      : touch
+        ? "Swipe sideways to turn, two fingers move and zoom. Tap a label or a unit."
+        : "Drag to turn, right button to move, scroll to zoom after a click. Click a label or a unit.";
     this.stage.draw();
   }
 

@@ -262,6 +262,11 @@ TEST(ViewerSection, HasItsDataOrSaysThatItWasLeftOut) {
   EXPECT_EQ(section.find("<script") != std::string::npos, has_viewer());
   if (!has_viewer()) GTEST_SKIP() << "this build has no 3-D view: Node.js or its packages were missing";
   EXPECT_NE(section.find("to the last bit"), std::string::npos);
+  // Nothing in the script ends it early.
+  std::size_t ends = 0;
+  for (std::size_t at = 0; (at = section.find("</script", at)) != std::string::npos; ++at) ++ends;
+  EXPECT_EQ(ends, 3U);
+  EXPECT_EQ(section.find("<!--"), std::string::npos);
   EXPECT_EQ(section.find("left out"), std::string::npos);
   EXPECT_LT(report_html(s.input).size(), 10'000'000U);
 }

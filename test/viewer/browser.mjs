@@ -71,11 +71,10 @@ export async function startBrowser(program) {
     },
     async close() {
       socket.close();
-      const ended = new Promise((done) => child.once("exit", done));
       child.removeAllListeners("exit");
+      const ended = new Promise((done) => child.once("exit", done));
       child.kill();
-      await Promise.race([new Promise((done) => child.once("exit", done)), new Promise((done) => setTimeout(done, 5000))]);
-      void ended;
+      await ended;
       rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
     },
   };

@@ -53,6 +53,7 @@ const open = (files, options = {}) => browser.page(urlOf(files.folder) + (option
 const ids = (page) => page.run("(view) => [view.model.store.labels.ids, view.model.store.units.ids]");
 const text = (page, selector) => page.evaluate(`document.querySelector(${JSON.stringify(selector)}).textContent`);
 const reachedShown = async (page) => Number((await text(page, "[data-fact=reached]")).split(" of ")[0].replace(/,/g, ""));
+const note = "#viewer > .note";
 const countMet = (signals, needs) => signals.filter((signal, k) => signal >= needs[k] * (1 - 1e-9)).length;
 const needsOf = (files) => files.labels.map(({ requirement }) => Number(requirement));
 const columnsOf = (files, units) => files.placement.selected.map((id) => units.indexOf(id));
@@ -109,7 +110,6 @@ for (const files of [grocery, ...others])
     const shown = await page.run(
       `(view) => {
         const { coverage, store, signals } = view.model;
-        const serving = labels => labels;
         return {
           signal: [...coverage.signal], need: labels().map((i) => coverage.requirement(i)),
           margin: labels().map((i) => coverage.margin(i)), serving: [...coverage.serving], reach: [...coverage.reach],
@@ -133,14 +133,16 @@ for (const files of [grocery, ...others])
       equal(shown.decides[shown.selected[k]], files.placement.critical[k].count, `critical count of ${row.id}`);
     });
     // Every entry of signal.h5.
-    const stated = Number(/rounded by up to ([\d.]+)/.exec(await text(page, "#viewer"))[1]) / 100;
+    const stated = Number(/rounded by up to ([\d.]+)/.exec(await text(page, note))[1]) / 100;
     let entries = 0;
     for (let label = 0; label < labels.length; ++label)
       for (let at = shown.begin[label]; at < shown.begin[label + 1]; ++at, ++entries) {
         const place = label * units.length + shown.column[at];
         check(shown.mean[at] === files.mean.values[place], `mean of ${labels[label]}`);
         near(shown.error[at], files.error.values[place], 1.1 * stated, `standard error of ${labels[label]}`);
-        const share = files.direct.values[place] / files.mean.values[place];
+        // Noise of faint entries may put the share outside of 0 to 1; negative ones have none.
+        const mean = files.mean.values[place];
+        const share = mean > 0 ? Math.min(Math.max(files.direct.values[place] / mean, 0), 1) : 0;
         check(Math.abs(shown.direct[at] - share) < 0.6 / 65535, `direct share of ${labels[label]}`);
       }
     equal(entries, files.mean.values.filter((mean) => mean !== 0).length, "entries");
@@ -212,11 +214,9 @@ for (const files of [grocery, ...others.slice(0, 3)])
     const fewer = await expectCount("one unit off");
     check(fewer < needs.length, "the unit is not needed, so the test shows nothing");
     await picture(page, `off-${files.folder.split("/").pop()}`);
-    const other = Number((await page.evaluate("document.querySelector('.v3-search:not([hidden]) li .off:not([hidden])').closest('li').nextElementSibling.dataset.unit")));
     const added = await page.evaluate(
       "Number([...document.querySelectorAll('.v3-search li')].find((li) => !li.querySelector('input').checked && !/^[0-9]/.test(li.querySelector('span').textContent)).dataset.unit)",
     );
-    void other;
     await press(added);
     on.add(added);
     await expectCount("another one on");
@@ -283,7 +283,7 @@ test("a link restores the view", async () => {
       view.model.state.selection = { kind: "label", index: 41 };
       view.stage.turn(3, 1);
       view.stage.zoom(1.7);
-      view.model.changed();
+      view.model.recount();
     }`,
   );
   const stateOf = (of) =>
@@ -295,9 +295,8 @@ test("a link restores the view", async () => {
   check(hash.startsWith("#view=1&"), hash);
   const again = await open(grocery, { hash });
   equal(await stateOf(again), await stateOf(page), "state");
-  for (const of of [page, again]) await of.evaluate("scrollTo(0, 0)");
   for (const colour of ["signal", "margin"])
-    equal(await again.run("(view, colour) => { view.restore(view.link().replace('serving', colour)); return view.model.state.mode; }", colour), colour);
+    equal(await again.run("(view, colour) => { view.restore(view.link().replace(/colour=[a-z]+/, 'colour=' + colour));  return view.model.state.mode; }", colour), colour);
   fails(() => equal(hash.includes("need0"), false), "a threshold in the link");
   // What makes no sense in a link is passed over.
   const odd = await open(grocery, { hash: "#view=1&on=99999,x&need0=-3&colour=red&camera=1,2&label=1e9&hide=77" });
@@ -420,8 +419,8 @@ test("40,000 labels", async () => {
   const rows = readCsv(join(folder, "labels.csv"));
   const signals = await page.run("(view) => [...view.model.coverage.signal]");
   rows.forEach((row, label) => near(signals[label], Number(row.signal), 1e-8, `signal of ${row.id}`));
-  const note = await text(page, "#viewer");
-  check(/the [\d,]+ smallest of [\d,]+ entries are left out/.test(note), "what is left out is not told");
+  const told = await text(page, note);
+  check(/the [\d,]+ smallest of [\d,]+ entries are left out/.test(told), "what is left out is not told");
   check((await page.evaluate("document.querySelector('#viewer-signals').textContent.length")) <= 20e6, "signals exceed 20 MB");
   const frame = await page.run("(view) => view.stage.measure(9)");
   const recount = await page.run("(view) => { const t = performance.now(); view.model.coverage.update(view.model.state.on, view.model.state.requirements); return performance.now() - t; }");
@@ -431,7 +430,7 @@ test("40,000 labels", async () => {
     `        ${made.labels} labels, ${made.candidates} candidates, ${made.units} units on: ${(made.bytes / 1e6).toFixed(1)} MB, shown after ${seconds.toFixed(1)} s, ` +
       `${frame.toFixed(0)} ms a frame (software GL), ${shown.drawCalls} draw calls, ${recount.toFixed(0)} ms to recount`,
   );
-  console.log(`        ${/Signals are those[^]*label [^)]*\)[^.]*\./.exec(note)?.[0]}`);
+  console.log(`        ${told}`);
   await picture(page, "large");
   await page.run("(view) => { view.setPlan(true); view.model.state.levels = view.model.state.levels.map((_, k) => k === 0); view.model.changed(); }");
   await page.settle();

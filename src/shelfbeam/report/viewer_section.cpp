@@ -55,9 +55,10 @@ std::string viewer_section(const ReportData& data) {
   if (!has_viewer())
     return html_section(
         "viewer", heading,
-        paragraph("This build of shelfbeam was made without Node.js, so the 3-D view was left "
-                  "out. Everything else is here.",
-                  "note"));
+        paragraph(
+            "This build of shelfbeam was made without Node.js or its packages, so the 3-D view was left "
+            "out. Everything else is here.",
+            "note"));
   const SignalScale scale(shown_signals(data));
   const PackedSignals packed = pack_signals(data.input.matrix, data.input.placement, most_signal_bytes);
   const std::string body = fmt::format(
