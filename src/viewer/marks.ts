@@ -1,21 +1,32 @@
-// Marks that face the reader: labels and units, one draw call for all marks of one object.
+// Marks that face the reader: labels and units, instanced, one draw call for all marks of one object.
+//
+// An instance is a block of marks that read what they are from textures: instances of four corners each would leave
+// most of a GPU idle, and drawing in software take ten times as long.
 
 import {
+  BufferAttribute,
   Color,
   CustomBlending,
-  DynamicDrawUsage,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  BufferAttribute,
+  DataTexture,
+  FloatType,
   GLSL3,
+  InstancedBufferGeometry,
   type IUniform,
   Mesh,
   OneFactor,
+  type PixelFormat,
+  RGBAFormat,
+  RGBAIntegerFormat,
   ShaderMaterial,
   type Texture,
+  type TextureDataType,
+  UnsignedByteType,
   Vector2,
   ZeroFactor,
 } from "three";
+
+const block = 64; // marks an instance
+const rowLength = 1024; // texels
 
 export const mostColours = 20;
 
@@ -26,11 +37,11 @@ const vertexShader = /* glsl */ `
 uniform float worldRadius, lift, spread, pixel;
 uniform bool perspective;
 uniform vec2 pixelRadius; // least and largest
-in vec3 centre;
-in vec3 facing;
-in vec4 look; // colour, shape, emphasis (0 faint, 1 usual, 2 selected), level
-in vec4 ident;
-in float number;
+uniform int count;
+uniform sampler2D centres; // and number
+uniform sampler2D facings;
+uniform highp usampler2D looks; // colour, shape, emphasis (0 faint, 1 usual, 2 selected), level
+uniform sampler2D idents;
 out vec2 place;
 flat out vec4 mark;
 flat out vec4 name;
@@ -38,10 +49,19 @@ flat out float digits;
 flat out float radius;
 
 void main() {
+  int index = gl_InstanceID * ${block} + gl_VertexID / 4;
+  if (index >= count) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
+  ivec2 texel = ivec2(index % ${rowLength}, index / ${rowLength});
+  vec4 centre = texelFetch(centres, texel, 0);
+  vec3 facing = texelFetch(facings, texel, 0).xyz;
+  vec4 look = vec4(texelFetch(looks, texel, 0));
   mark = look;
-  name = ident;
-  digits = number;
-  vec4 seen = modelViewMatrix * vec4(centre + facing * (lift + spread * look.w), 1.0);
+  name = texelFetch(idents, texel, 0);
+  digits = centre.w;
+  vec4 seen = modelViewMatrix * vec4(centre.xyz + facing * (lift + spread * look.w), 1.0);
   float size = perspective ? max(-seen.z, 0.01) * pixel : pixel;
   float wide = clamp(worldRadius / size, pixelRadius.x, pixelRadius.y);
   if (look.y == 1.0) wide = max(1.6 * wide, 5.0);
@@ -106,6 +126,38 @@ void main() {
   colour = vec4(shown, inside);
 }`;
 
+/** Four numbers a mark. */
+function texture(data: Float32Array | Uint8Array, format: PixelFormat, type: TextureDataType): DataTexture {
+  const made = new DataTexture(data, rowLength, data.length / (4 * rowLength), format, type);
+  made.needsUpdate = true;
+  return made;
+}
+
+/** x, y, z of every mark as texels. */
+function texels(values: Float32Array, count: number, length: number, last: number): Float32Array {
+  const data = new Float32Array(length);
+  for (let k = 0; k < count; ++k) {
+    data.set(values.subarray(3 * k, 3 * k + 3), 4 * k);
+    data[4 * k + 3] = last;
+  }
+  return data;
+}
+
+/** A block of quads. */
+function blockGeometry(): InstancedBufferGeometry {
+  const corners = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0];
+  const geometry = new InstancedBufferGeometry();
+  const positions = new Float32Array(12 * block);
+  const index: number[] = [];
+  for (let quad = 0; quad < block; ++quad) {
+    positions.set(corners, 12 * quad);
+    index.push(...[0, 1, 2, 0, 2, 3].map((corner) => 4 * quad + corner));
+  }
+  geometry.setIndex(index);
+  geometry.setAttribute("position", new BufferAttribute(positions, 3));
+  return geometry;
+}
+
 export interface MarkStyle {
   /** Radius in m, kept between two sizes in pixels. */
   worldRadius: number;
@@ -117,8 +169,9 @@ export interface MarkStyle {
 
 export class Marks {
   readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  private readonly look: InstancedBufferAttribute;
-  private readonly number: InstancedBufferAttribute;
+  private readonly places: Float32Array;
+  private readonly looks: Uint8Array;
+  private readonly textures: { centres: DataTexture; facings: DataTexture; looks: DataTexture; idents: DataTexture };
 
   /** `idents` are told by picking. */
   constructor(
@@ -128,21 +181,20 @@ export class Marks {
     idents: Uint32Array,
     style: MarkStyle,
   ) {
-    const geometry = new InstancedBufferGeometry();
-    geometry.instanceCount = count;
-    geometry.setIndex([0, 1, 2, 0, 2, 3]);
-    geometry.setAttribute(
-      "position",
-      new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3),
-    );
-    geometry.setAttribute("centre", new InstancedBufferAttribute(centre, 3));
-    geometry.setAttribute("facing", new InstancedBufferAttribute(facing, 3));
-    const bytes = new Uint8Array(idents.buffer, idents.byteOffset, idents.byteLength);
-    geometry.setAttribute("ident", new InstancedBufferAttribute(bytes, 4, true));
-    this.look = new InstancedBufferAttribute(new Uint8Array(4 * count), 4);
-    this.number = new InstancedBufferAttribute(new Float32Array(count).fill(-1), 1);
-    geometry.setAttribute("look", this.look.setUsage(DynamicDrawUsage));
-    geometry.setAttribute("number", this.number);
+    const geometry = blockGeometry();
+    geometry.instanceCount = Math.ceil(count / block);
+    const length = 4 * rowLength * Math.max(1, Math.ceil(count / rowLength));
+    const names = new Uint8Array(length);
+    names.set(new Uint8Array(idents.buffer, idents.byteOffset, idents.byteLength));
+    this.places = texels(centre, count, length, -1);
+    this.looks = new Uint8Array(length);
+    this.textures = {
+      centres: texture(this.places, RGBAFormat, FloatType),
+      facings: texture(texels(facing, count, length, 0), RGBAFormat, FloatType),
+      looks: texture(this.looks, RGBAIntegerFormat, UnsignedByteType),
+      idents: texture(names, RGBAFormat, UnsignedByteType),
+    };
+    this.textures.looks.internalFormat = "RGBA8UI";
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
@@ -155,6 +207,8 @@ export class Marks {
       blendSrcAlpha: ZeroFactor,
       blendDstAlpha: OneFactor,
       uniforms: {
+        count: { value: count },
+        ...Object.fromEntries(Object.entries(this.textures).map(([name, value]) => [name, { value }])),
         worldRadius: { value: style.worldRadius },
         pixelRadius: { value: new Vector2(...style.pixels) },
         lift: { value: style.lift },
@@ -186,16 +240,19 @@ export class Marks {
   }
 
   setLook(mark: number, colour: number, shape: number, emphasis: number, level: number): void {
-    this.look.setXYZW(mark, colour, shape, emphasis, level);
+    this.looks.set([colour, shape, emphasis, level], 4 * mark);
   }
 
   /** A cell of the number texture; -1: a label, 0: nothing written. */
   setNumber(mark: number, cell: number): void {
-    this.number.setX(mark, cell);
+    this.places[4 * mark + 3] = cell;
   }
 
   upload(): void {
-    this.look.needsUpdate = true;
-    this.number.needsUpdate = true;
+    this.textures.looks.needsUpdate = true;
+  }
+
+  uploadNumbers(): void {
+    this.textures.centres.needsUpdate = true;
   }
 }

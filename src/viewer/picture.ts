@@ -157,6 +157,7 @@ export class Picture {
       this.units.setNumber(unit, number !== undefined ? this.numbers.cellOf(number) : on ? plusCell : 0);
     });
     this.units.upload();
+    this.units.uploadNumbers();
   }
 
   private links(): Link[] {

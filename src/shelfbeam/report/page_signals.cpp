@@ -37,7 +37,10 @@ float least_weight(const SignalMatrix& matrix, std::size_t most) {
   if (entries <= most) return 0;
   std::size_t kept = 0, bin = bins.size();
   while (bin > 0 && kept + bins[bin - 1] <= most) kept += bins[--bin];
-  return std::bit_cast<float>(static_cast<std::uint32_t>(bin) << dropped);
+  // What needs nothing stays whatever there is room for.
+  const std::uint32_t infinite =
+      std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity()) >> dropped;
+  return std::bit_cast<float>(std::min(static_cast<std::uint32_t>(bin), infinite) << dropped);
 }
 
 // The columns of the two largest entries of the chosen units.
@@ -155,10 +158,10 @@ PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement,
 }
 
 PackedSignals pack_signals(const SignalMatrix& matrix, const Placement& placement, std::size_t most_bytes) {
-  // More than ever fit at first, then by what came out.
-  std::size_t most = std::max<std::size_t>(1, most_bytes / 4);
+  // More than ever fit at first, then by what came out. What is always kept may make a few rounds of it.
+  std::size_t most = most_bytes / 4;
   PackedSignals packed;
-  for (int attempt = 0; attempt < 6; ++attempt) {
+  while (true) {
     packed.signals = page_signals(matrix, placement, most);
     const PageSignals& s = packed.signals;
     PageData data;
@@ -172,8 +175,8 @@ PackedSignals pack_signals(const SignalMatrix& matrix, const Placement& placemen
         R"({{"leastError":{},"errorStep":{},"leftOut":{},"largestLeftOut":{},"largestEffect":{},"mostAffected":{}}})",
         s.least_error, s.error_step, s.left_out, s.largest_left_out, s.largest_effect, s.most_affected));
     const double filled = static_cast<double>(packed.base64.size()) / static_cast<double>(most_bytes);
-    if (filled <= 1) break;
-    most = static_cast<std::size_t>(0.98 * static_cast<double>(s.mean.size()) / filled);
+    if (filled <= 1 || most == 0) break;
+    most = static_cast<std::size_t>(0.98 * static_cast<double>(std::min(most, s.mean.size())) / filled);
   }
   return packed;
 }
