@@ -25,10 +25,12 @@ export interface Classes {
   of: (signal: number, margin: number, met: boolean, serving: number) => number;
 }
 
+const failed = (store: Store) => (store.redundant ? ", its strongest unit failed" : "");
+
 function marginClasses(store: Store): Classes {
   const { margins } = store;
   return {
-    title: "Signal above what a label needs:",
+    title: `Signal above what a label needs${failed(store)}:`,
     list: margins.map(({ name }, k) => ({ name, colour: `--m${k}`, unmet: k < 2 })),
     of: (_signal, margin, met) => {
       let k = margins.length - 1;
@@ -47,7 +49,7 @@ function signalClasses(store: Store): Classes {
     list.push({ name: k === 0 ? `below ${upper}` : `${text(edges[k])} to ${upper}`, colour: `--g${k}` });
   }
   return {
-    title: "Signal:",
+    title: `Signal${failed(store)}:`,
     list,
     of: (signal) => {
       if (!(signal > 0)) return 0;

@@ -33,6 +33,8 @@ std::string completeness(const ReportData& data, const PageSignals& signals) {
       "Signals are those of signal.h5, to the last bit{}.",
       signals.error.empty() ? ""
                             : fmt::format("; standard errors are rounded by up to {}", percent(digits, 3)));
+  if (data.input.placement.forbidden_pairs > 0)
+    text += " Candidates that the plan keeps apart can be switched on together here.";
   if (signals.left_out == 0) return text;
   return text +
          fmt::format(
