@@ -1,18 +1,30 @@
+# Run by itself it has no project to take its policies from.
+if(CMAKE_SCRIPT_MODE_FILE)
+  cmake_minimum_required(VERSION 3.25)
+endif()
+
 # Turns files into a C++ source with one std::string_view each.
 #
 #   shelfbeam_embed(<out.cpp> <symbol> <file> [<symbol> <file> ...])
+#   cmake -DOUT=<out.cpp> -DSYMBOL=<symbol> -DFILE=<file> -P embed.cmake     for a file that the build makes
 function(shelfbeam_embed out)
   set(text "#include <string_view>\nnamespace shelfbeam::embedded {\n")
   set(pairs ${ARGN})
   while(pairs)
     list(POP_FRONT pairs symbol file)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    if(NOT CMAKE_SCRIPT_MODE_FILE)
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    endif()
     file(READ ${file} hex HEX)
     string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${hex}")
-    string(APPEND text "static const char ${symbol}_bytes[] = {${bytes}};\n"
+    string(APPEND text "static const char ${symbol}_bytes[] = {${bytes}'\\0'};\n"
                        "extern const std::string_view ${symbol};\n"
-                       "const std::string_view ${symbol}(${symbol}_bytes, sizeof ${symbol}_bytes);\n")
+                       "const std::string_view ${symbol}(${symbol}_bytes, sizeof ${symbol}_bytes - 1);\n")
   endwhile()
   string(APPEND text "}\n")
   file(CONFIGURE OUTPUT ${out} CONTENT "@text@" @ONLY)
 endfunction()
+
+if(CMAKE_SCRIPT_MODE_FILE)
+  shelfbeam_embed(${OUT} ${SYMBOL} ${FILE})
+endif()

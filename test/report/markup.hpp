@@ -43,6 +43,18 @@ inline std::string resolve_entities(std::string_view text, std::string& problem)
   return out;
 }
 
+/// The page without what stands in its scripts: all that a reader sees who has none.
+inline std::string without_scripts(std::string_view html) {
+  std::string result;
+  for (std::size_t at = 0; at < html.size();) {
+    const std::size_t tag = html.find("<script", at), begin = html.find('>', tag);
+    if (begin == html.npos) return result += html.substr(at);
+    result += html.substr(at, begin + 1 - at);
+    at = std::min(html.find("</script>", begin), html.size());
+  }
+  return result;
+}
+
 inline Markup read_markup(std::string_view html) {
   static const std::set<std::string, std::less<>> endless{"meta", "br", "hr", "img", "link"};
   Markup result;

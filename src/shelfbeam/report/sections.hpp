@@ -13,6 +13,11 @@ std::string answer_section(const ReportData& data);
 std::string key_figures(const ReportData& data);
 /// Labels that no selection reaches: what they need and the most they could get.
 std::string unreachable_section(const ReportData& data);
+/// The 3-D view with its data and its script; in a build without it a word that it was left out.
+std::string viewer_section(const ReportData& data);
+bool has_viewer();
+/// The signals in it take so many bytes at most.
+inline constexpr std::size_t most_signal_bytes = 20'000'000;
 std::string margin_section(const ReportData& data, const Maps& maps);
 std::string reflection_section(const ReportData& data, const Maps& maps);
 std::string distribution_section(const ReportData& data);

@@ -1,0 +1,40 @@
+// Numbers as the rest of the report writes them (report/text_format.cpp).
+
+export function grouped(count: number): string {
+  return count.toFixed(0).replace(/\B(?=(\d{3})+$)/g, ",");
+}
+
+export function counted(count: number, singular: string, plural = `${singular}s`): string {
+  return count === 1 ? `1 ${singular}` : `${grouped(count)} ${plural}`;
+}
+
+export function fixed(value: number, decimals: number): string {
+  const text = Math.abs(value).toFixed(decimals);
+  return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
+}
+
+export function significant(value: number, digits = 3): string {
+  if (value === 0) return "0";
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : value < 0 ? "−∞" : "–";
+  const rounded = Number(value.toExponential(digits - 1));
+  const exponent = Math.floor(Math.log10(Math.abs(rounded)) + 1e-12);
+  if (exponent < -4 || exponent > 6)
+    return `${fixed(rounded / 10 ** exponent, digits - 1)}·10^${exponent}`;
+  return fixed(rounded, Math.max(0, digits - 1 - exponent));
+}
+
+export function decibels(value: number): string {
+  if (!Number.isFinite(value)) return value < 0 ? "no signal" : "no requirement";
+  const text = fixed(value, Math.abs(value) < 0.095 ? 2 : 1);
+  return `${value > 0 && text !== "0.00" ? "+" : ""}${text}\u00a0dB`;
+}
+
+export function percent(share: number, decimals = 1): string {
+  return `${fixed(100 * share, decimals)}\u00a0%`;
+}
+
+/** Up to six significant digits without trailing zeros. */
+export function plain(value: number): string {
+  const text = String(Number(Math.abs(value).toPrecision(6)));
+  return value < 0 && text !== "0" ? `−${text}` : text;
+}

@@ -1,0 +1,38 @@
+// The 3-D view of a report: reads the page's data, then shows and recomputes.
+
+import { readSignals, readStore } from "./store";
+import { View } from "./view";
+import style from "./viewer.css";
+
+declare global {
+  interface Window {
+    /** For tests: the view, or why there is none. */
+    shelfbeamViewer?: Promise<View>;
+  }
+}
+
+async function start(root: HTMLElement): Promise<View> {
+  const text = (id: string) => document.getElementById(id)?.textContent ?? "";
+  const [store, signals] = await Promise.all([
+    readStore(text("viewer-store")),
+    readSignals(text("viewer-signals")),
+  ]);
+  const sheet = document.createElement("style");
+  sheet.textContent = style;
+  document.head.append(sheet);
+  return new View(root, store, signals);
+}
+
+const root = document.getElementById("viewer-root");
+if (root) {
+  const note = root.firstElementChild;
+  if (note) note.textContent = "The 3-D view is being prepared …";
+  window.shelfbeamViewer = start(root);
+  window.shelfbeamViewer.catch((error: unknown) => {
+    root.dataset.failed = String(error);
+    const text = document.createElement("p");
+    text.className = "note";
+    text.textContent = `The 3-D view cannot be shown in this browser (${String(error)}). The plans and tables below hold the same answer.`;
+    root.replaceChildren(text);
+  });
+}

@@ -1,0 +1,359 @@
+// The 3-D view as a whole: picture, controls and what links them.
+
+import { Card } from "./card";
+import { modes, type Mode } from "./classes";
+import { button, Choice, element } from "./dom";
+import { counted, decibels, grouped, significant } from "./format";
+import { Levels } from "./levels";
+import { LabelList, UnitList } from "./lists";
+import { Model } from "./model";
+import { Names } from "./names";
+import { onThemeChange } from "./palette";
+import { Picture, type ClassCounts } from "./picture";
+import { Stage } from "./stage";
+import { changedUnits, fromHash, initialState, toHash, type Selection } from "./state";
+import type { Signals, Store } from "./store";
+import { Thresholds } from "./thresholds";
+
+const slowestHover = 60; // ms a frame
+
+export class View {
+  readonly model: Model;
+  readonly stage: Stage;
+  readonly picture: Picture;
+
+  private readonly root: HTMLElement;
+  private readonly canvas = element("canvas", { class: "v3-canvas", tabindex: 0, role: "application" });
+  private readonly frame = element("div", { class: "v3-stage" });
+  private readonly names: Names;
+  private readonly tip = element("div", { class: "v3-tip", hidden: true });
+  private readonly answer = element("p", { class: "v3-answer", role: "status" });
+  private readonly changes = element("p", { class: "v3-note" });
+  private readonly legend = element("ul", { class: "legend v3-legend" });
+  private readonly hint = element("p", { class: "v3-note" });
+  private readonly figures = element("p", { class: "v3-note v3-figures" });
+  private readonly reset: HTMLButtonElement;
+  private readonly copied = element("span", { class: "v3-note", role: "status" });
+  private readonly dimension: Choice<"space" | "plan">;
+  private readonly colour: Choice<Mode>;
+  private readonly parts: { update: () => void }[];
+
+  constructor(root: HTMLElement, store: Store, signals: Signals) {
+    this.root = root;
+    this.model = new Model(store, signals);
+    this.canvas.setAttribute(
+      "aria-label",
+      "The store in 3-D. Arrow keys turn it, with shift they move it, plus and minus zoom, 0 shows the whole store. " +
+        "Labels and units can be chosen in the lists, too.",
+    );
+    this.names = new Names(store);
+    this.frame.append(this.canvas, this.names.root, this.tip);
+    this.dimension = new Choice(
+      "v3-dimension",
+      "View",
+      [
+        { value: "space", text: "3-D" },
+        { value: "plan", text: "Plan" },
+      ],
+      (value) => this.setPlan(value === "plan"),
+    );
+    this.colour = new Choice(
+      "v3-colour",
+      "Colour",
+      modes.map(({ mode, name }) => ({ value: mode, text: name })),
+      (mode) => {
+        this.model.state.mode = mode;
+        if (this.model.state.selection?.kind === "unit") this.model.state.selection = null;
+        this.model.changed();
+      },
+    );
+    this.reset = button("Reset", () => this.restore(null), { title: "Plan, thresholds, levels and view as at first" });
+    const card = new Card(this.model, (selection) => this.lookAt(selection));
+    const [levels, thresholds] = [new Levels(this.model), new Thresholds(this.model)];
+    const units = new UnitList(this.model);
+    const labels = new LabelList(this.model, (label) => {
+      this.model.select({ kind: "label", index: label });
+      this.lookAt({ kind: "label", index: label });
+    });
+    const showList = (shown: "units" | "labels") => {
+      units.root.hidden = shown !== "units";
+      labels.root.hidden = shown !== "labels";
+      (shown === "units" ? units : labels).update();
+    };
+    const lists = new Choice(
+      "v3-lists",
+      "Choose from",
+      [
+        { value: "units", text: "Units" },
+        { value: "labels", text: "Labels" },
+      ],
+      showList,
+    );
+    lists.show("units");
+    labels.root.hidden = true;
+    this.parts = [card, levels, thresholds, units, labels];
+    root.replaceChildren(
+      element(
+        "div",
+        { class: "v3" },
+        element("div", { class: "v3-head" }, this.answer, this.changes),
+        element(
+          "div",
+          { class: "v3-tools" },
+          this.dimension.root,
+          this.colour.root,
+          element(
+            "div",
+            { class: "v3-row" },
+            button("Whole store", () => this.stage.showAll()),
+            this.reset,
+            button("Copy link", () => void this.copyLink(), { title: "A link to just this view" }),
+            document.fullscreenEnabled ? button("Full screen", () => void this.toggleFullScreen()) : null,
+            this.copied,
+          ),
+        ),
+        element(
+          "div",
+          { class: "v3-body" },
+          element("div", { class: "v3-main" }, this.frame, this.legend, this.hint),
+          element(
+            "div",
+            { class: "v3-side" },
+            card.root,
+            element("section", { class: "v3-box", "aria-label": "Units and labels" }, lists.root, units.root, labels.root),
+          ),
+          element("div", { class: "v3-pair" }, thresholds.root, levels.root),
+        ),
+        this.figures,
+      ),
+    );
+
+    this.stage = new Stage(this.canvas, store);
+    this.picture = new Picture(this.stage, this.model);
+    this.stage.onDrawn = () => {
+      this.names.update(
+        this.stage,
+        this.model.unitsOn().map((unit) => this.picture.place("unit", unit)),
+      );
+      this.showFigures();
+    };
+    this.model.onChange(() => this.update());
+    onThemeChange(() => this.picture.recolour());
+    new ResizeObserver(() => this.stage.resize(this.frame.clientWidth, this.frame.clientHeight)).observe(this.frame);
+    this.stage.resize(this.frame.clientWidth, this.frame.clientHeight);
+    this.listen();
+    addEventListener("hashchange", () => this.restore(location.hash));
+    this.restore(location.hash);
+    requestAnimationFrame(() => this.stage.measure(5, 300));
+  }
+
+  /** Shows what a link tells; the plan as it was made where it tells nothing. */
+  restore(hash: string | null): void {
+    const { store } = this.model;
+    const linked = hash === null ? initialState(store) : fromHash(store, hash);
+    if (hash !== null && linked === null && hash !== "" && this.root.dataset.ready) return;
+    const state = linked ?? initialState(store);
+    this.stage.setPlan(state.plan);
+    this.stage.showAll();
+    if (state.camera) this.stage.setCameraPlace(state.camera);
+    if (hash === null && location.hash.startsWith("#view=")) history.replaceState(null, "", "#");
+    this.model.replace(state);
+    this.root.dataset.ready = "1";
+  }
+
+  /** The hash that restores this view. */
+  link(): string {
+    return toHash(this.model.store, { ...this.model.state, camera: this.stage.cameraPlace() });
+  }
+
+  private async copyLink(): Promise<void> {
+    location.hash = this.link();
+    try {
+      await navigator.clipboard.writeText(location.href);
+      this.copied.textContent = "Link copied";
+    } catch {
+      this.copied.textContent = "The link is in the address bar";
+    }
+    setTimeout(() => (this.copied.textContent = ""), 4000);
+  }
+
+  private async toggleFullScreen(): Promise<void> {
+    if (document.fullscreenElement) await document.exitFullscreen();
+    else await this.root.requestFullscreen();
+  }
+
+  private lookAt({ kind, index }: NonNullable<Selection>): void {
+    const { normal } = this.model.store.label;
+    const facing = kind === "label" ? Array.from(normal.subarray(3 * index, 3 * index + 3)) : null;
+    this.stage.lookAt(this.picture.place(kind, index), kind === "label" ? 2.4 : 12, facing);
+  }
+
+  private setPlan(plan: boolean): void {
+    this.model.state.plan = plan;
+    this.stage.setPlan(plan);
+    this.model.changed();
+  }
+
+  private update(): void {
+    const { state } = this.model;
+    this.dimension.show(state.plan ? "plan" : "space");
+    this.colour.show(state.mode);
+    this.showAnswer();
+    this.showLegend(this.picture.update());
+    for (const part of this.parts) part.update();
+    const touch = matchMedia("(pointer: coarse)").matches;
+    this.hint.textContent = state.plan
+      ? `${touch ? "Two fingers move and zoom." : "Drag to move, scroll to zoom after a click."} Labels of one shelf stand side by side, the lowest level next to it.`
+      : touch
+        ? "Swipe sideways to turn, two fingers move and zoom. Tap a label or a unit."
+        : "Drag to turn, right button to move, scroll to zoom after a click. Click a label or a unit.";
+    this.stage.draw();
+  }
+
+  private showAnswer(): void {
+    const { coverage, state, store } = this.model;
+    const { added, removed } = changedUnits(store, state);
+    const all = store.labels.ids.length;
+    const units = this.model.unitsOn().length;
+    this.answer.replaceChildren(
+      element("strong", { text: `${grouped(coverage.reached)} of ${grouped(all)}`, "data-fact": "reached" }),
+      ` labels reached with ${counted(units, "unit")}`,
+    );
+    this.answer.classList.toggle("short", coverage.reached < all);
+    this.reset.disabled = false;
+    const planned = `${grouped(this.model.plannedReached)} with ${counted(store.units.selected.length, "unit")}`;
+    const name = (unit: number) => store.units.ids[unit];
+    const some = (list: number[]) =>
+      list.slice(0, 4).map(name).join(", ") + (list.length > 4 ? ` and ${list.length - 4} more` : "");
+    const parts: string[] = [];
+    if (added.length) parts.push(`switched on: ${some(added)}`);
+    if (removed.length) parts.push(`switched off: ${some(removed)}`);
+    if (!this.model.hasPlannedThresholds()) parts.push("other thresholds");
+    this.changes.textContent = parts.length
+      ? `Changed against the plan (${planned}): ${parts.join("; ")}.`
+      : store.units.selected.length
+        ? "This is the plan as it was made."
+        : "There is no plan: switch on candidates to see what they do.";
+  }
+
+  private showLegend({ classes, counts }: ClassCounts): void {
+    const { state, store } = this.model;
+    const key = (mark: string, text: string) =>
+      element("li", {}, Object.assign(element("span", { class: "v3-key" }), { innerHTML: mark }), text);
+    const disc = (colour: string) =>
+      `<svg viewBox="-10 -10 20 20"><circle r="7" style="fill:var(${colour});stroke:var(--edge)"/></svg>`;
+    const triangle = (colour: string) =>
+      `<svg viewBox="-10 -10 20 20"><path d="M0-8 8 6H-8Z" style="fill:var(${colour});stroke:var(--strong);stroke-width:1.6"/></svg>`;
+    const items = classes.flatMap(({ name, colour, unmet }, k) =>
+      unmet && counts[k] === 0 ? [] : [key(unmet ? triangle(colour) : disc(colour), `${name}: ${grouped(counts[k])}`)],
+    );
+    if (!classes.some(({ unmet }) => unmet) && state.selection?.kind !== "unit" && this.model.coverage.reached < store.labels.ids.length)
+      items.push(key(triangle("--floor"), "triangle: not reached"));
+    if (state.selection?.kind === "label") {
+      const line = (colour: string, dash: string) =>
+        `<svg viewBox="-10 -10 20 20"><path d="M-9 0H9" style="stroke:var(${colour});stroke-width:3;stroke-dasharray:${dash}"/></svg>`;
+      items.push(key(line("--direct", "none"), "direct share"), key(line("--reflected", "5 3"), "reflected share"));
+    }
+    items.push(
+      key(`<svg viewBox="-10 -10 20 20"><circle r="8" style="fill:var(--unit)"/></svg>`, "unit that is on"),
+      key(`<svg viewBox="-10 -10 20 20"><path d="M-4 0h8M0-4v8" style="stroke:var(--cand);stroke-width:1.6"/></svg>`, "candidate"),
+    );
+    const title =
+      state.selection?.kind === "unit"
+        ? `What ${store.units.ids[state.selection.index]} gives of a label's need:`
+        : this.model.classes.title;
+    this.legend.replaceChildren(element("li", {}, element("strong", { text: title })), ...items);
+  }
+
+  private showFigures(): void {
+    const { frameTime, drawCalls } = this.stage;
+    const labels = this.picture.labelsShown();
+    this.canvas.dataset.labels = String(labels);
+    this.canvas.dataset.drawCalls = String(drawCalls);
+    if (frameTime === null) return;
+    this.canvas.dataset.frameTime = frameTime.toFixed(1);
+    this.figures.textContent = `${counted(labels, "label")} drawn in ${counted(this.model.state.levels.filter(Boolean).length, "layer")}, ${significant(frameTime, 2)}\u00a0ms a frame.`;
+  }
+
+  // --- pointer and keys ---
+
+  private listen(): void {
+    let pressed: { x: number; y: number } | null = null;
+    this.canvas.addEventListener("pointerdown", (event) => {
+      pressed = event.isPrimary && event.button === 0 ? { x: event.clientX, y: event.clientY } : null;
+      this.tip.hidden = true;
+    });
+    this.canvas.addEventListener("pointerup", (event) => {
+      if (!pressed || Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > 4) return;
+      pressed = null;
+      this.model.select(this.markAt(event));
+    });
+    let hovering = false;
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (event.pointerType !== "mouse" || event.buttons !== 0 || hovering) return;
+      if ((this.stage.frameTime ?? 0) > slowestHover) return;
+      hovering = true;
+      requestAnimationFrame(() => {
+        hovering = false;
+        this.showTip(event);
+      });
+    });
+    this.canvas.addEventListener("pointerleave", () => (this.tip.hidden = true));
+    // The page scrolls over the picture until a click says that the picture is meant.
+    this.frame.addEventListener(
+      "wheel",
+      (event) => {
+        if (document.activeElement !== this.canvas && !document.fullscreenElement) event.stopPropagation();
+      },
+      { capture: true },
+    );
+    this.canvas.addEventListener("keydown", (event) => {
+      if (this.key(event)) event.preventDefault();
+    });
+  }
+
+  private key(event: KeyboardEvent): boolean {
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const arrows: Record<string, [number, number]> = {
+      ArrowLeft: [-1, 0],
+      ArrowRight: [1, 0],
+      ArrowUp: [0, 1],
+      ArrowDown: [0, -1],
+    };
+    const arrow = arrows[event.key];
+    if (arrow) {
+      if (event.shiftKey) this.stage.shift(...arrow);
+      else this.stage.turn(...arrow);
+      return true;
+    }
+    if (event.key === "+" || event.key === "=") this.stage.zoom(1.2);
+    else if (event.key === "-") this.stage.zoom(1 / 1.2);
+    else if (event.key === "0" || event.key === "Home") this.stage.showAll();
+    else if (event.key === "Escape" && this.model.state.selection) this.model.select(null);
+    else return false;
+    this.stage.draw();
+    return true;
+  }
+
+  private markAt(event: PointerEvent): ReturnType<Picture["named"]> {
+    const box = this.canvas.getBoundingClientRect();
+    return this.picture.named(this.stage.pick(event.clientX - box.left, event.clientY - box.top));
+  }
+
+  private showTip(event: PointerEvent): void {
+    const mark = this.markAt(event);
+    this.tip.hidden = mark === null;
+    this.canvas.style.cursor = mark === null ? "grab" : "pointer";
+    if (mark === null) return;
+    const { coverage, store } = this.model;
+    const { factor, name } = store.unit;
+    this.tip.textContent =
+      mark.kind === "label"
+        ? `${store.labels.ids[mark.index]}: ${significant(coverage.signal[mark.index] / factor)}\u00a0${name}, ${decibels(coverage.margin(mark.index))}`
+        : `${store.units.ids[mark.index]}: reaches ${counted(coverage.reach[mark.index], "label")} alone`;
+    const box = this.frame.getBoundingClientRect();
+    const x = event.clientX - box.left;
+    this.tip.style.left = `${Math.min(x + 12, box.width - this.tip.offsetWidth - 4)}px`;
+    this.tip.style.top = `${Math.max(event.clientY - box.top - 34, 2)}px`;
+  }
+}
