@@ -85,6 +85,7 @@ int main(int argc, char** argv) {
   add_plan(app, chosen);
   add_verify(app, chosen);
   add_report(app, chosen);
+  add_compare(app, chosen);
   add_export(app, chosen);
   try {
     app.parse(argc, argv);

@@ -39,6 +39,7 @@ void add_place(CLI::App& app, ChosenVerb& chosen);
 void add_plan(CLI::App& app, ChosenVerb& chosen);
 void add_verify(CLI::App& app, ChosenVerb& chosen);
 void add_report(CLI::App& app, ChosenVerb& chosen);
+void add_compare(CLI::App& app, ChosenVerb& chosen);
 void add_export(CLI::App& app, ChosenVerb& chosen);
 
 void add_common_options(CLI::App& verb, CommonOptions& options);

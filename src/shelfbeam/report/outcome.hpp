@@ -6,6 +6,7 @@
 
 #include "shelfbeam/placement/placement.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
+#include "shelfbeam/stats/quantile.hpp"
 
 namespace shelfbeam {
 
@@ -50,8 +51,5 @@ struct Outcome {
 };
 
 Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement);
-
-/// Quantile q in [0, 1] with linear interpolation between order statistics; 0 for no values.
-double quantile(std::vector<double> values, double q);
 
 }  // namespace shelfbeam

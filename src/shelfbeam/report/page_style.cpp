@@ -1,6 +1,6 @@
-#include <fmt/format.h>
+#include "shelfbeam/report/page_style.hpp"
 
-#include "shelfbeam/report/sections.hpp"
+#include <fmt/format.h>
 
 namespace shelfbeam {
 
@@ -149,9 +149,9 @@ figure{margin-bottom:5mm;padding:3mm 4mm}
 
 }  // namespace
 
-std::string page_style(const Maps& maps) {
+std::string page_style(const std::string& light_colours, const std::string& dark_colours) {
   return fmt::format(":root{{{}{}}}\n@media screen and (prefers-color-scheme:dark){{:root{{{}{}}}}}{}{}",
-                     light, maps.colours(false), dark, maps.colours(true), rules, paper);
+                     light, light_colours, dark, dark_colours, rules, paper);
 }
 
 }  // namespace shelfbeam

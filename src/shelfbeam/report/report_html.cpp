@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "shelfbeam/report/page_style.hpp"
 #include "shelfbeam/report/report.hpp"
 #include "shelfbeam/report/sections.hpp"
 
@@ -19,7 +20,7 @@ std::string report_html(const ReportInput& input) {
       "<title>{} – transceiver placement</title>\n<style>\n{}</style>\n</head>\n<body>\n{}<main>\n{}"
       "<footer>Signals are simulated for the store as it is described, not measured.</footer>\n"
       "</main>\n</body>\n</html>\n",
-      escape(name), page_style(maps), maps.definitions(), body);
+      escape(name), page_style(maps.colours(false), maps.colours(true)), maps.definitions(), body);
 }
 
 }  // namespace shelfbeam

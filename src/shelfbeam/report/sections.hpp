@@ -25,7 +25,4 @@ std::string unit_section(const ReportData& data);
 std::string weakest_section(const ReportData& data);
 std::string facts_section(const ReportData& data);
 
-/// The style sheet: light and dark, screen and paper.
-std::string page_style(const Maps& maps);
-
 }  // namespace shelfbeam
