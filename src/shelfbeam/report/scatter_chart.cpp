@@ -81,12 +81,6 @@ std::string scatter_svg(const ScatterChart& chart) {
   }
   canvas.line({left, top + side}, {left + side, top + side}, "axis");
   canvas.line({left, top}, {left, top + side}, "axis");
-  canvas.line({x(low), y(low)}, {x(high), y(high)}, "axis");
-  if (const double band = chart.band_db / 10; band > 0 && band < high - low)
-    for (const double offset : {band, -band}) {
-      const double from = std::max(low, low - offset), to = std::min(high, high - offset);
-      canvas.line({x(from), y(from + offset)}, {x(to), y(to + offset)}, "mark");
-    }
   if (chart.dots.size() <= most_bars)
     for (const auto& dot : chart.dots) {
       const double at_x = std::log10(dot.x), at_y = std::log10(dot.y);
@@ -99,13 +93,23 @@ std::string scatter_svg(const ScatterChart& chart) {
     }
   const double cell = chart.dots.size() > many ? 2.5 : 0.5;
   std::set<std::pair<int, int>> taken;
-  for (const auto mark : {ScatterChart::Mark::faint, ScatterChart::Mark::usual, ScatterChart::Mark::outlier})
+  const auto draw = [&](ScatterChart::Mark mark) {
     for (const auto& dot : chart.dots) {
       if (dot.mark != mark) continue;
       const Point at{x(std::log10(dot.x)), y(std::log10(dot.y))};
       const bool is_new = taken.emplace(static_cast<int>(at.x / cell), static_cast<int>(at.y / cell)).second;
       if (is_new || mark == ScatterChart::Mark::outlier) canvas.use(symbol(mark), at, dot.title);
     }
+  };
+  draw(ScatterChart::Mark::faint);
+  draw(ScatterChart::Mark::usual);
+  canvas.line({x(low), y(low)}, {x(high), y(high)}, "axis");
+  if (const double band = chart.band_db / 10; band > 0 && band < high - low)
+    for (const double offset : {band, -band}) {
+      const double from = std::max(low, low - offset), to = std::min(high, high - offset);
+      canvas.line({x(from), y(from + offset)}, {x(to), y(to + offset)}, "mark");
+    }
+  draw(ScatterChart::Mark::outlier);
   canvas.text({left + side / 2, top + side + 50}, chart.x_title, "t mid");
   canvas.text({16, top + side / 2}, chart.y_title, "t mid", -90);
   return inline_svg(left + side + right, top + side + bottom, "chart", chart.description, canvas.body());
