@@ -99,6 +99,7 @@ text{fill:var(--ink);font-family:inherit}
 .gz{fill:none;stroke:var(--edge);stroke-width:1}
 .bar{fill:var(--m5)}.short{fill:var(--m1)}
 .mark{stroke:var(--strong);stroke-width:1.6;stroke-dasharray:5 3}
+.equal{stroke:var(--strong);stroke-width:1.6}
 .chart{--fs:13px}
 @media (max-width:1079px){
 .cards{grid-template-columns:repeat(3,1fr)}

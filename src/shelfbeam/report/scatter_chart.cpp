@@ -103,7 +103,7 @@ std::string scatter_svg(const ScatterChart& chart) {
   };
   draw(ScatterChart::Mark::faint);
   draw(ScatterChart::Mark::usual);
-  canvas.line({x(low), y(low)}, {x(high), y(high)}, "axis");
+  canvas.line({x(low), y(low)}, {x(high), y(high)}, "equal");
   if (const double band = chart.band_db / 10; band > 0 && band < high - low)
     for (const double offset : {band, -band}) {
       const double from = std::max(low, low - offset), to = std::min(high, high - offset);
