@@ -206,11 +206,27 @@ TEST(PlacementFile, RejectsTwoOptionsOfAMountingPoint) {
                            "one mounting point");
 }
 
-TEST(PlacementFile, AllowsTheCertificateOfAPlan) {
+TEST(PlacementFile, HasTheCertificateOfAPlan) {
   const test::TempFolder folder;
-  std::string text = placement_json(solved(), example());
-  text.replace(text.rfind('}'), 1, ",\"certificate\": {\"confidence\": 0.99}}");
-  EXPECT_EQ(read_placement(folder.write("p.json", text), example()).count(), 2U);
+  Placement certified = solved();
+  certified.certificate.emplace();
+  certified.certificate->labels.resize(2);
+  certified.certificate->labels[0].verdict = Verdict::reached;
+  certified.certificate->count_lower_bound = 1;
+  certified.certificate->open = "it was interrupted";
+  const std::string text = placement_json(certified, example());
+  const Placement read = read_placement(folder.write("p.json", text), example());
+  ASSERT_TRUE(read.certificate);
+  EXPECT_EQ(read.certificate->confidence, 0.99);
+  EXPECT_EQ(read.certificate->labels[0].verdict, Verdict::reached);
+  EXPECT_EQ(read.certificate->labels[1].verdict, Verdict::undecided);
+  EXPECT_EQ(read.certificate->count_lower_bound, 1U);
+  EXPECT_EQ(read.certificate->open, "it was interrupted");
+  EXPECT_FALSE(read_placement(folder.write("q.json", placement_json(solved(), example())), example()).certificate);
+  std::string wrong = text;
+  wrong.replace(wrong.find("\"reached\": 1"), 12, "\"reached\": 2");
+  test::expect_input_error([&] { read_placement(folder.write("p.json", wrong), example()); }, "p.json",
+                           "certificate.reached", "neither missed nor undecided");
 }
 
 TEST(PlacementFile, RejectsWhatDoesNotFit) {

@@ -151,17 +151,6 @@ TEST(Verify, CallsLabelsWhatTheyAre) {
     }
 }
 
-// Raises the requirement until the best placement has 15 % to spare.
-std::size_t make_tight(test::PlanStore& store, CommunicationModel model) {
-  const SignalMatrix truth = true_matrix(store.scene(), 0.001);
-  const Placement best = place(make_signal_table(truth), {model}, {});
-  double least = 1e9;
-  for (std::size_t i = 0; i < truth.rows(); ++i)
-    least = std::min(least, received(truth, i, best.selected, model));
-  store.threshold = least / 1.15;
-  return best.count();
-}
-
 // The promise of design and issue: of 200 plans at 99 % at most 6 make a wrong statement (2 are expected at
 // most; 7 have a chance below 0.5 %). Statements that take the plan's own matrix for the truth are the
 // control.
@@ -169,15 +158,16 @@ TEST(CertifySlow, StatementsAreWrongAsRarelyAsTheyPromise) {
   int naive_wrong = 0, wrong = 0, certified = 0;
   for (const auto model : {coop, alone}) {
     test::PlanStore store;
-    const std::size_t optimum = make_tight(store, model);
+    store.threshold = 0.075;
     const SignalMatrix truth = true_matrix(store.scene(), 0.001);
-    ASSERT_EQ(place(make_signal_table(truth), {model}, {}).count(), optimum);
+    const std::size_t optimum = place(make_signal_table(truth), {model}, {}).count();
+    ASSERT_GT(optimum, 1U);
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       PlanOptions options;
       options.simulation = few_samples(100 + seed);
       options.simulation.samples = 32 * 2;
       options.question.model = model;
-      options.budget_s = 1.5;
+      options.budget_s = 3;
       options.confidence = std::nullopt;
       const Plan naive = make_plan(store.scene(), "", options, {});
       options.confidence = 0.99;

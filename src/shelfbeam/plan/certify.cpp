@@ -10,6 +10,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/random.hpp"
+#include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/plan/decisive_rows.hpp"
 #include "shelfbeam/plan/optimism.hpp"
 #include "shelfbeam/plan/refine.hpp"
@@ -123,17 +124,38 @@ class Loop {
         "proving", -1,
         fmt::format("round {}, {} labels, {} batches", round, bound_rows_.size(), bound_batches_));
     const double begun = seconds();
-    const SignalTable optimistic = optimistic_rows(scene_, table_, bound_rows_, level,
-                                                   effort(Purpose::bound, round, bound_batches_), control_);
+    OptimisticRows optimistic = optimistic_rows(
+        scene_, table_, bound_rows_, level, effort(Purpose::bound, round, bound_batches_), control_);
     PlaceOptions options = options_.place;
     options.settles_ties = false;
     options.time_limit_s = std::min(options.time_limit_s, std::max(1.0, left()));
-    const Placement fewest = place(optimistic, question, options, control_);
+    const Placement fewest = place(optimistic.table, question, options, control_);
     bound_took_ = seconds() - begun;
     const double bound = std::min(fewest.count_lower_bound, static_cast<double>(count));
-    if (static_cast<std::size_t>(bound) <= certificate_.count_lower_bound) return;
-    certificate_.count_lower_bound = static_cast<std::size_t>(bound);
-    certificate_.bound_labels = bound_rows_.size();
+    if (static_cast<std::size_t>(bound) > certificate_.count_lower_bound) {
+      certificate_.count_lower_bound = static_cast<std::size_t>(bound);
+      certificate_.bound_labels = bound_rows_.size();
+    }
+    doubtful_.clear();
+    fresh_.clear();
+    if (bound_holds()) return;
+    // Perhaps the matrix asks for too much: it will learn what has been seen, and more of the labels that
+    // stand in the way of the smaller selection.
+    fresh_ = std::move(optimistic.fresh);
+    if (fewest.has_selection()) doubtful_ = worst_off(fewest.selected);
+  }
+
+  // Labels that a selection does not meet on the matrix, the worst first.
+  std::vector<std::uint32_t> worst_off(const std::vector<std::uint32_t>& selected) const {
+    constexpr std::size_t most = 64;
+    const Check check = check_selection(table_, placement_.question, selected);
+    std::vector<std::uint32_t> rows = check.unmet;
+    std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(check.signal[a] / table_.labels[a].requirement, a) <
+             std::pair(check.signal[b] / table_.labels[b].requirement, b);
+    });
+    rows.resize(std::min(rows.size(), most));
+    return rows;
   }
 
   // Whether another round is worth its time; says why not.
@@ -172,10 +194,16 @@ class Loop {
   }
 
   void improve(std::uint32_t round) {
-    const std::vector<std::uint32_t> rows = open_labels();
     if (is_fixed()) {
       batches_ = std::min(growth * batches_, most_batches);
-    } else if (!rows.empty()) {
+      return;
+    }
+    std::vector<std::uint32_t> rows = open_labels();
+    rows.insert(rows.end(), doubtful_.begin(), doubtful_.end());
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    for (std::size_t k = 0; k < fresh_.size(); ++k) join(fresh_[k], bound_rows_[k], matrix_);
+    if (!rows.empty() || !fresh_.empty()) {
       control_.report("refining", -1, fmt::format("round {}, {} labels", round, rows.size()));
       refine(scene_, rows, effort(Purpose::refine, round, std::min(growth * batches_, most_batches)), matrix_,
              control_);
@@ -205,7 +233,8 @@ class Loop {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::uint32_t batches_ = least_verifying_batches, bound_batches_ = least_verifying_batches;
   double verifying_took_ = 0, bound_took_ = 0;
-  std::vector<std::uint32_t> bound_rows_;
+  std::vector<std::uint32_t> bound_rows_, doubtful_;
+  std::vector<FreshRow> fresh_;  ///< of bound_rows_, where they did not prove the bound
 };
 
 }  // namespace

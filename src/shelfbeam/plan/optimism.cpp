@@ -49,9 +49,9 @@ void add_limits(SignalTable& table, std::span<const FreshSum> sums, const std::v
 
 }  // namespace
 
-SignalTable optimistic_rows(const Scene& scene, const SignalTable& planned,
-                            const std::vector<std::uint32_t>& rows, double level,
-                            const VerificationEffort& effort, const RunControl& control) {
+OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
+                               const std::vector<std::uint32_t>& rows, double level,
+                               const VerificationEffort& effort, const RunControl& control) {
   const std::size_t n = planned.columns();
   std::vector<std::uint32_t> all(n);
   std::iota(all.begin(), all.end(), 0U);
@@ -68,14 +68,24 @@ SignalTable optimistic_rows(const Scene& scene, const SignalTable& planned,
   options.seed = effort.seed;
   const FreshSums fresh = fresh_sums(sub_scene(scene, rows, all), options,
                                      std::max(effort.batches, least_verifying_batches), 2 * n, rule, control);
-  SignalTable table = table_of_rows(planned, rows);
-  table.entries.clear();
-  table.row_begin = {0};
+  OptimisticRows result{table_of_rows(planned, rows), {}};
+  result.table.entries.clear();
+  result.table.row_begin = {0};
   const double of_one = level / (limits_an_entry * static_cast<double>(n) *
                                  static_cast<double>(std::max<std::size_t>(1, rows.size())));
   for (std::size_t k = 0; k < rows.size(); ++k)
-    add_limits(table, fresh.of(k), orders[k], of_one, fresh.largest);
-  return table;
+    add_limits(result.table, fresh.of(k), orders[k], of_one, fresh.largest);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    FreshRow row{std::vector<double>(n), std::vector<double>(n), fresh.batches,
+                 fresh.batches * fresh.samples_per_batch};
+    for (std::size_t c = 0; c < n; ++c) {
+      const FreshSum& sum = fresh.of(k)[c];
+      row.mean[orders[k][c]] = sum.mean();
+      row.standard_error[orders[k][c]] = sum.sampled.standard_error();
+    }
+    result.fresh.push_back(std::move(row));
+  }
+  return result;
 }
 
 SignalTable expected_optimism(const SignalTable& planned, const SignalMatrix& matrix, std::size_t rows,

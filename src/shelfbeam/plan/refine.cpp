@@ -9,6 +9,24 @@
 
 namespace shelfbeam {
 
+void join(const FreshRow& fresh, std::size_t label, SignalMatrix& matrix) {
+  LabelRow& row = matrix.labels[label];
+  // Shares by samples do not depend on errors, which are known less well than the means.
+  const auto old_samples = static_cast<double>(row.samples), new_samples = static_cast<double>(fresh.samples);
+  const double share = new_samples / (old_samples + new_samples);
+  for (std::size_t j = 0; j < matrix.columns(); ++j) {
+    const std::size_t at = matrix.at(label, j);
+    const auto old_mean = static_cast<double>(matrix.mean[at]);
+    const auto old_error = static_cast<double>(matrix.standard_error[at]);
+    matrix.mean[at] = static_cast<float>((1 - share) * old_mean + share * fresh.mean[j]);
+    matrix.standard_error[at] =
+        static_cast<float>(std::hypot((1 - share) * old_error, share * fresh.standard_error[j]));
+  }
+  row.batches += fresh.batches;
+  row.samples += fresh.samples;
+  matrix.by_bounce.clear();
+}
+
 void refine(const Scene& scene, const std::vector<std::uint32_t>& rows, const VerificationEffort& effort,
             SignalMatrix& matrix, const RunControl& control) {
   const std::size_t n = matrix.columns();
@@ -20,25 +38,13 @@ void refine(const Scene& scene, const std::vector<std::uint32_t>& rows, const Ve
     std::copy(signals.begin(), signals.end(), sums.begin());
   };
   const FreshSums fresh = fresh_sums(sub_scene(scene, rows, all), options, effort.batches, n, each, control);
-  matrix.by_bounce.clear();
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    LabelRow& label = matrix.labels[rows[k]];
-    // Batches of both may differ in size, but errors tell what each is worth only where they are known well:
-    // shares by samples do not depend on them.
-    const auto old_samples = static_cast<double>(label.samples);
-    const auto new_samples = static_cast<double>(fresh.batches * fresh.samples_per_batch);
-    const double fresh_share = new_samples / (old_samples + new_samples);
-    for (std::size_t j = 0; j < n; ++j) {
-      const std::size_t at = matrix.at(rows[k], j);
-      const FreshSum& sum = fresh.of(k)[j];
-      const double old_error = (1 - fresh_share) * static_cast<double>(matrix.standard_error[at]);
-      matrix.mean[at] = static_cast<float>((1 - fresh_share) * static_cast<double>(matrix.mean[at]) +
-                                           fresh_share * sum.mean());
-      matrix.standard_error[at] =
-          static_cast<float>(std::hypot(old_error, fresh_share * sum.sampled.standard_error()));
+    FreshRow row{{}, {}, fresh.batches, fresh.batches * fresh.samples_per_batch};
+    for (const FreshSum& sum : fresh.of(k)) {
+      row.mean.push_back(sum.mean());
+      row.standard_error.push_back(sum.sampled.standard_error());
     }
-    label.batches += fresh.batches;
-    label.samples += fresh.batches * fresh.samples_per_batch;
+    join(row, rows[k], matrix);
   }
 }
 
