@@ -222,7 +222,8 @@ TEST(PlacementFile, HasTheCertificateOfAPlan) {
   EXPECT_EQ(read.certificate->labels[1].verdict, Verdict::undecided);
   EXPECT_EQ(read.certificate->count_lower_bound, 1U);
   EXPECT_EQ(read.certificate->open, "it was interrupted");
-  EXPECT_FALSE(read_placement(folder.write("q.json", placement_json(solved(), example())), example()).certificate);
+  EXPECT_FALSE(
+      read_placement(folder.write("q.json", placement_json(solved(), example())), example()).certificate);
   std::string wrong = text;
   wrong.replace(wrong.find("\"reached\": 1"), 12, "\"reached\": 2");
   test::expect_input_error([&] { read_placement(folder.write("p.json", wrong), example()); }, "p.json",

@@ -81,16 +81,17 @@ void compare(const SignalTable& table, const Question& question, const Placement
   }
   if (!answer.ties_settled) return;
   ++tally.settled;
-  // Values are the same up to 1e-12 of them; the tables of near-ties have some that are about that far off.
-  std::erase_if(best, [&](const Answer& one) { return value_of(one, question) > least * (1 + 1e-11); });
+  // What costs no more than the answer, up to 1e-12 of it (the least is proven to 1e-9); the tables of
+  // near-ties have some that are about that far off.
+  const double value = answer.objective_value;
+  std::erase_if(best, [&](const Answer& one) { return value_of(one, question) > value * (1 + 1e-11); });
   if (std::any_of(best.begin(), best.end(),
-                  [&](const Answer& one) { return value_of(one, question) > least * (1 + 1e-14); }))
+                  [&](const Answer& one) { return value_of(one, question) > value * (1 + 1e-14); }))
     return;
   // Margins that are the same but for the order of a sum: nobody can say which is larger.
-  const double widest =
-      std::max_element(best.begin(), best.end(), [](const Answer& a, const Answer& b) {
-        return a.margin < b.margin;
-      })->margin;
+  const double widest = std::max_element(best.begin(), best.end(), [](const Answer& a, const Answer& b) {
+                          return a.margin < b.margin;
+                        })->margin;
   if (std::any_of(best.begin(), best.end(), [&](const Answer& one) {
         return one.margin < widest && one.margin > widest * (1 - 1e-12);
       }))

@@ -124,8 +124,8 @@ class Loop {
         "proving", -1,
         fmt::format("round {}, {} labels, {} batches", round, bound_rows_.size(), bound_batches_));
     const double begun = seconds();
-    OptimisticRows optimistic = optimistic_rows(
-        scene_, table_, bound_rows_, level, effort(Purpose::bound, round, bound_batches_), control_);
+    OptimisticRows optimistic = optimistic_rows(scene_, table_, bound_rows_, level,
+                                                effort(Purpose::bound, round, bound_batches_), control_);
     PlaceOptions options = options_.place;
     options.settles_ties = false;
     options.time_limit_s = std::min(options.time_limit_s, std::max(1.0, left()));
