@@ -15,7 +15,7 @@ using test::Json;
 using test::shelfbeam;
 using testing::HasSubstr;
 
-class Verify : public testing::Test {
+class VerifySlow : public testing::Test {
  protected:
   void SetUp() override {
     expect_silent({"new", "thesis", path("store"), "--quiet"});
@@ -29,7 +29,7 @@ class Verify : public testing::Test {
 };
 
 // One plan of the paper's environment, and what can be asked of it.
-TEST_F(Verify, TellsWhatAPlanReaches) {
+TEST_F(VerifySlow, TellsWhatAPlanReaches) {
   EXPECT_THAT(out_,
               HasSubstr("certificate: 4 transceivers reach all 390 labels, and 3 cannot reach all, with "
                         "joint confidence 99 %."));
