@@ -8,10 +8,9 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
 
-#include "verbs.hpp"
+#include "command_line.hpp"
 
 namespace {
 
@@ -69,24 +68,9 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Plans where to mount infrared transceivers so that every electronic shelf label hears them.");
-  app.name("shelfbeam");
-  app.set_version_flag("--version", std::string(program_version()));
-  app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 done; 1 the answer is no (infeasible); 2 wrong input; 3 stopped by a limit or by you, "
-      "the result\n"
-      "so far is saved; 4 internal error. 'shelfbeam VERB --help' shows examples.");
+  CLI::App app;
   ChosenVerb chosen;
-  add_new(app, chosen);
-  add_inspect(app, chosen);
-  add_simulate(app, chosen);
-  add_place(app, chosen);
-  add_plan(app, chosen);
-  add_verify(app, chosen);
-  add_report(app, chosen);
-  add_compare(app, chosen);
-  add_export(app, chosen);
+  define_command_line(app, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

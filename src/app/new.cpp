@@ -43,10 +43,12 @@ int run_new(const Options& options) {
 void add_new(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("new", "Write a ready store to start from");
   auto options = std::make_shared<Options>();
-  std::string names;
-  for (const StoreTemplate& t : store_templates())
+  std::string names, choices;
+  for (const StoreTemplate& t : store_templates()) {
     names += fmt::format("\n  {:<11} {}", t.name, t.description);
-  verb->add_option("TEMPLATE", options->name, "One of:" + names)->required();
+    choices += fmt::format("{}{}", choices.empty() ? "" : ",", t.name);
+  }
+  verb->add_option("TEMPLATE", options->name, "One of:" + names)->required()->type_name("{" + choices + "}");
   verb->add_option("DIR", options->folder, "Folder for the store file and what it needs")
       ->required()
       ->check(a_path());

@@ -1,0 +1,57 @@
+# Installation: the program, the library for `find_package(shelfbeam)`, and Debian packages of both (`cpack`).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shelfbeam)
+set_target_properties(shelfbeam_library PROPERTIES EXPORT_NAME shelfbeam)
+
+install(TARGETS shelfbeam COMPONENT program)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/man ${PROJECT_BINARY_DIR}/manual/bash-completion
+                  ${PROJECT_BINARY_DIR}/manual/zsh
+        DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT program)
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES data/store.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/shelfbeam COMPONENT program)
+
+install(TARGETS shelfbeam_library EXPORT shelfbeam ARCHIVE COMPONENT library)
+install(DIRECTORY src/shelfbeam DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library
+        FILES_MATCHING PATTERN *.hpp PATTERN detail EXCLUDE)
+install(EXPORT shelfbeam NAMESPACE shelfbeam:: FILE shelfbeamTargets.cmake DESTINATION ${config_dir} COMPONENT library)
+
+# HiGHS comes from the system where that has it; else the one that we built goes along.
+set(SHELFBEAM_OWN_HIGHS "")
+if(Highs_FOUND AND NOT HIGHS_LIBRARY MATCHES "^/usr/")
+  get_filename_component(SHELFBEAM_OWN_HIGHS ${HIGHS_LIBRARY} NAME)
+  install(FILES ${HIGHS_LIBRARY} DESTINATION ${CMAKE_INSTALL_LIBDIR}/shelfbeam COMPONENT library)
+endif()
+configure_package_config_file(cmake/shelfbeamConfig.cmake.in ${PROJECT_BINARY_DIR}/shelfbeamConfig.cmake
+  INSTALL_DESTINATION ${config_dir} PATH_VARS CMAKE_INSTALL_LIBDIR)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/shelfbeamConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/shelfbeamConfig.cmake ${PROJECT_BINARY_DIR}/shelfbeamConfigVersion.cmake
+        DESTINATION ${config_dir} COMPONENT library)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The shelfbeam developers <shelfbeam@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL program library)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME shelfbeam)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${PROJECT_DESCRIPTION}")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libshelfbeam-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "${PROJECT_DESCRIPTION}: headers and static library")
+set(shelfbeam_build_packages
+  libembree-dev libtbb-dev libassimp-dev libhdf5-dev libboost-dev zlib1g-dev nlohmann-json3-dev libfmt-dev)
+if(CBC_FOUND)
+  list(APPEND shelfbeam_build_packages coinor-libcbc-dev pkg-config)
+endif()
+if(Highs_FOUND AND NOT SHELFBEAM_OWN_HIGHS)
+  list(APPEND shelfbeam_build_packages libhighs-dev)
+endif()
+list(JOIN shelfbeam_build_packages ", " CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS)
+include(CPack)

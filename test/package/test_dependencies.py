@@ -1,0 +1,31 @@
+"""docs/dependencies.md names every package that the build asks for."""
+
+import json
+import pathlib
+import re
+import unittest
+
+TOP = pathlib.Path(__file__).parents[2]
+
+
+def debian_packages():
+    text = (TOP / "scripts/install-dependencies").read_text(encoding="utf-8")
+    return {name for group in re.findall(r"packages\+?=\(([^)]*)\)", text) for name in group.split()}
+
+
+def npm_packages():
+    package = json.loads((TOP / "src/viewer/package.json").read_text(encoding="utf-8"))
+    return {*package["dependencies"], *package["devDependencies"]}
+
+
+class Dependencies(unittest.TestCase):
+    def test_are_all_named(self):
+        page = (TOP / "docs/dependencies.md").read_text(encoding="utf-8")
+        named = set(re.findall(r"[\w@/+.-]+", " ".join(line.split("|")[-2] for line in page.splitlines() if "|" in line)))
+        self.assertGreater(len(debian_packages()), 15)
+        self.assertIn("libhighs-dev", debian_packages())
+        self.assertEqual((debian_packages() | npm_packages()) - named, set())
+
+
+if __name__ == "__main__":
+    unittest.main()
