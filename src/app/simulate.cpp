@@ -59,7 +59,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       ->required()
       ->check(a_path());
   add_simulation_options(*verb, options->simulation, "sampled");
-  add_by_bounce(*verb, options->simulation);
+  add_layers(*verb, options->simulation);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -13,6 +13,7 @@ namespace shelfbeam::app {
 namespace {
 
 constexpr double default_above = 0.3;
+constexpr std::uint32_t default_lengths = 64;
 
 // What the machine has, but for what others need.
 std::size_t most_of_the_memory() {
@@ -43,6 +44,7 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
     options.heuristic = heuristic.value_or("balance") == "balance" ? Heuristic::balance : Heuristic::power;
     options.max_bounces = max_bounces.value_or(PathRules::no_limit);
     options.by_bounce = by_bounce;
+    if (by_length) options.by_length = {*by_length, lengths.value_or(default_lengths)};
   }
   options.memory = memory == 0 ? most_of_the_memory() : memory;
   options.checkpoint = {checkpoint_path(output), resume, checkpoint_interval_s};
@@ -54,11 +56,12 @@ EstimatorKind SimulationFlags::kind() const {
   const char* of_uniform = strategy      ? "--strategy"
                            : heuristic   ? "--heuristic"
                            : max_bounces ? "--max-bounces"
+                           : by_length   ? "--by-length"
                            : direct      ? "--direct"
                                          : nullptr;
   if (!estimator) return of_uniform != nullptr ? EstimatorKind::uniform : EstimatorKind::reuse;
   if (*estimator == "uniform") return EstimatorKind::uniform;
-  if (of_uniform != nullptr && (strategy || heuristic || max_bounces || *direct == "sampled"))
+  if (of_uniform != nullptr && (strategy || heuristic || max_bounces || by_length || *direct == "sampled"))
     throw InputError(of_uniform, "is not for the estimator reuse",
                      "leave it out, or use '--estimator uniform'");
   return EstimatorKind::reuse;
@@ -117,9 +120,16 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
       ->capture_default_str();
 }
 
-void add_by_bounce(CLI::App& verb, SimulationFlags& flags) {
+void add_layers(CLI::App& verb, SimulationFlags& flags) {
   verb.add_flag("--by-bounce", flags.by_bounce, "Store a matrix for each number of bounces, too")
       ->needs("--max-bounces");
+  verb.add_option("--by-length", flags.by_length,
+                  "Store a matrix for each step of so many metres of path length, too (uniform)")
+      ->check(positive_number());
+  verb.add_option("--lengths", flags.lengths,
+                  fmt::format("Number of these steps; the last takes all longer paths ({})", default_lengths))
+      ->check(CLI::Range(1, 10000))
+      ->needs("--by-length");
 }
 
 std::string describe(const SimulationSummary& summary) {

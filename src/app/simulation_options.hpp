@@ -24,6 +24,8 @@ struct SimulationFlags {
   std::optional<std::string> strategy, heuristic;
   std::optional<std::uint32_t> max_bounces;
   bool by_bounce = false;
+  std::optional<double> by_length;
+  std::optional<std::uint32_t> lengths;
   std::size_t memory = 0;  ///< bytes; 0: most of what the machine has
   bool resume = false;
   double checkpoint_interval_s = 10;
@@ -35,8 +37,8 @@ struct SimulationFlags {
 
 void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::string& default_direct);
 
-/// --by-bounce, which only a verb that leaves a signal file has.
-void add_by_bounce(CLI::App& verb, SimulationFlags& flags);
+/// --by-bounce and --by-length, which only a verb that leaves a signal file has.
+void add_layers(CLI::App& verb, SimulationFlags& flags);
 
 /// Some lines about what was simulated and how good it is.
 std::string describe(const SimulationSummary& summary);

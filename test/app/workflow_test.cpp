@@ -62,7 +62,7 @@ TEST_F(Workflow, AMatrixForEachNumberOfBounces) {
   ASSERT_EQ(matrix.by_bounce.size(), 9u);
   EXPECT_EQ(matrix.by_bounce[0].mean, matrix.direct);
   std::vector<double> sum(matrix.mean.size());
-  for (const BounceLayer& layer : matrix.by_bounce)
+  for (const SignalLayer& layer : matrix.by_bounce)
     for (std::size_t e = 0; e < sum.size(); ++e) sum[e] += layer.mean[e];
   double largest = 0, without_last = 0;
   for (std::size_t e = 0; e < sum.size(); ++e) {

@@ -101,7 +101,7 @@ TEST(PlaneMirror, ShowsTheImagesOfPointsToConnections) {
   stage.unit(units[2]);
   for (const Vec3& p : seeing) stage.label(p);
   for (const Way& way : {test::nee, test::mis}) {
-    const BounceLayer layer =
+    const SignalLayer layer =
         way.simulate(stage.bare.scene, 20000, 1, {.max_bounces = 2, .by_bounce = true}).by_bounce[1];
     test::Comparison found;
     for (std::size_t i = 0; i < seeing.size(); ++i)
@@ -253,7 +253,7 @@ void expect_images(const SignalMatrix& matrix, const std::vector<std::array<doub
   test::Comparison found;
   for (std::size_t j = 0; j < expected.size(); ++j)
     for (std::size_t trips = 0; trips < 2; ++trips) {
-      const BounceLayer& layer = matrix.by_bounce[2 * trips + 1];
+      const SignalLayer& layer = matrix.by_bounce[2 * trips + 1];
       found.add(layer.mean[j], expected[j][trips],
                 std::hypot(layer.standard_error[j], 1e-3 * expected[j][trips]));
       EXPECT_EQ(matrix.by_bounce[2 * trips].mean[j], 0) << what;

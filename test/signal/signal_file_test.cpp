@@ -76,10 +76,12 @@ TEST(SignalFile, KeepsEverythingBitForBit) {
   EXPECT_EQ(read.provenance.estimator, written.provenance.estimator);
 }
 
-TEST(SignalFile, KeepsTheMatricesOfTheBounces) {
+TEST(SignalFile, KeepsTheMatricesOfBouncesAndLengths) {
   const TempFolder folder;
   SignalMatrix written = small_matrix(4, 3);
   written.by_bounce = {{written.mean, written.direct}, {written.direct, written.standard_error}};
+  written.by_length = {{written.direct, written.mean}};
+  written.length_step = 0.25;
   write_signal_file(written, folder / "signal.h5");
   const SignalMatrix read = read_signal_file(folder / "signal.h5");
   ASSERT_EQ(read.by_bounce.size(), 2u);
@@ -88,6 +90,13 @@ TEST(SignalFile, KeepsTheMatricesOfTheBounces) {
     EXPECT_EQ(read.by_bounce[k].standard_error, written.by_bounce[k].standard_error);
   }
   EXPECT_NE(read.by_bounce[0].mean, written.by_bounce[1].mean);
+  ASSERT_EQ(read.by_length.size(), 1u);
+  EXPECT_EQ(read.by_length[0].mean, written.direct);
+  EXPECT_EQ(read.by_length[0].standard_error, written.mean);
+  EXPECT_EQ(read.length_step, 0.25);
+  written.length_step = -1;
+  write_signal_file(written, folder / "signal.h5");
+  test::expect_input_error([&] { read_signal_file(folder / "signal.h5"); }, "signal.h5", "length_step");
 }
 
 TEST(SignalFile, BytesDependOnTheMatrixAlone) {

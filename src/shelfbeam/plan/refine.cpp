@@ -25,6 +25,7 @@ void join(const FreshRow& fresh, std::size_t label, SignalMatrix& matrix) {
   row.batches += fresh.batches;
   row.samples += fresh.samples;
   matrix.by_bounce.clear();
+  matrix.by_length.clear();
 }
 
 void refine(const Scene& scene, const std::vector<std::uint32_t>& rows, const VerificationEffort& effort,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -76,12 +77,17 @@ hid_t file_type() {
   if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_STD_U64LE;
 }
 
-// Fixed length, padded with zeros: read by h5py and Octave alike, and nothing in the file points anywhere.
-Handle text_type(std::size_t length) {
+bool is_ascii(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
+}
+
+// Fixed length, padded with zeros: nothing in the file points anywhere. Octave reads no texts that are marked
+// as UTF-8, so only those are marked that need it.
+Handle text_type(std::size_t length, bool ascii) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type, std::max<std::size_t>(1, length));
   H5Tset_strpad(type, H5T_STR_NULLPAD);
-  H5Tset_cset(type, H5T_CSET_UTF8);
+  H5Tset_cset(type, ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8);
   return type;
 }
 
@@ -197,7 +203,7 @@ void Hdf5Writer::texts(const std::string& path, std::span<const std::string> val
   std::vector<char> padded(length * values.size(), '\0');
   for (std::size_t i = 0; i < values.size(); ++i)
     std::copy(values[i].begin(), values[i].end(), padded.begin() + static_cast<std::ptrdiff_t>(i * length));
-  const Handle type = text_type(length);
+  const Handle type = text_type(length, std::all_of(values.begin(), values.end(), is_ascii));
   file_->write(path, type, type, {values.size()}, padded.data());
 }
 
@@ -207,7 +213,7 @@ void Hdf5Writer::attribute(const std::string& name, T value) {
 }
 
 void Hdf5Writer::attribute(const std::string& name, const std::string& value) {
-  const Handle type = text_type(value.size());
+  const Handle type = text_type(value.size(), is_ascii(value));
   file_->write_attribute(name, type, type, value.c_str());
 }
 

@@ -55,16 +55,9 @@ class MatrixWriter {
     entries("/mean", Quantity::mean);
     entries("/standard_error", Quantity::standard_error);
     entries("/direct", Quantity::direct);
-    if (rows_.layers() > 0) {
-      file_.attribute("bounce_layers", static_cast<std::uint32_t>(rows_.layers()));
-      file_.group("/bounces");
-    }
-    for (std::size_t k = 0; k < rows_.layers(); ++k) {
-      const std::string group = fmt::format("/bounces/{}", k);
-      file_.group(group);
-      layer(group + "/mean", k, Quantity::mean);
-      layer(group + "/standard_error", k, Quantity::standard_error);
-    }
+    layers("bounce", "/bounces", 0, rows_.bounce_layers());
+    if (rows_.length_layers() > 0) file_.attribute("length_step", matrix_.length_step);
+    layers("length", "/lengths", rows_.bounce_layers(), rows_.length_layers());
 
     const auto& labels = matrix_.labels;
     file_.group("/labels");
@@ -104,6 +97,17 @@ class MatrixWriter {
     file_.rows(path, {matrix_.rows(), matrix_.columns()},
                [&](std::size_t row, std::span<float> values) { rows_.fill_layer(k, quantity, row, values); });
   }
+  void layers(const std::string& kind, const std::string& path, std::size_t first, std::size_t count) {
+    if (count == 0) return;
+    file_.attribute(kind + "_layers", static_cast<std::uint32_t>(count));
+    file_.group(path);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::string group = fmt::format("{}/{}", path, k);
+      file_.group(group);
+      layer(group + "/mean", first + k, Quantity::mean);
+      layer(group + "/standard_error", first + k, Quantity::standard_error);
+    }
+  }
 
   const SignalMatrix& matrix_;
   const SignalRows& rows_;
@@ -121,12 +125,14 @@ class OwnRows : public SignalRows {
                                         : matrix_.standard_error,
          row, values);
   }
-  void fill_layer(std::size_t bounces, Quantity quantity, std::size_t row,
+  void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                   std::span<float> values) const override {
-    const BounceLayer& layer = matrix_.by_bounce[bounces];
-    copy(quantity == Quantity::mean ? layer.mean : layer.standard_error, row, values);
+    const SignalLayer& asked =
+        layer < bounce_layers() ? matrix_.by_bounce[layer] : matrix_.by_length[layer - bounce_layers()];
+    copy(quantity == Quantity::mean ? asked.mean : asked.standard_error, row, values);
   }
-  std::size_t layers() const override { return matrix_.by_bounce.size(); }
+  std::size_t bounce_layers() const override { return matrix_.by_bounce.size(); }
+  std::size_t length_layers() const override { return matrix_.by_length.size(); }
 
  private:
   static void copy(const std::vector<float>& from, std::size_t row, std::span<float> values) {
@@ -179,13 +185,13 @@ class MatrixReader {
     matrix.standard_error = entries("/standard_error", matrix);
     matrix.mean = means("/mean", matrix, matrix.standard_error);
     matrix.direct = entries("/direct", matrix);
-    if (file_.has_attribute("bounce_layers"))
-      for (std::uint32_t k = 0; k < file_.attribute<std::uint32_t>("bounce_layers"); ++k) {
-        BounceLayer layer;
-        layer.standard_error = entries(fmt::format("/bounces/{}/standard_error", k), matrix);
-        layer.mean = means(fmt::format("/bounces/{}/mean", k), matrix, layer.standard_error);
-        matrix.by_bounce.push_back(std::move(layer));
-      }
+    matrix.by_bounce = layers("bounce", "/bounces", matrix);
+    matrix.by_length = layers("length", "/lengths", matrix);
+    if (!matrix.by_length.empty()) {
+      matrix.length_step = file_.attribute<double>("length_step");
+      if (!(std::isfinite(matrix.length_step) && matrix.length_step > 0))
+        fail("attribute length_step", "is no length");
+    }
     return matrix;
   }
 
@@ -197,6 +203,18 @@ class MatrixReader {
   template <class Row, class T, class Values>
   void set(std::vector<Row>& rows, T Row::*member, Values values) const {
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = static_cast<T>(std::move(values[i]));
+  }
+
+  std::vector<SignalLayer> layers(const std::string& kind, const std::string& path,
+                                  const SignalMatrix& matrix) const {
+    std::vector<SignalLayer> layers;
+    if (!file_.has_attribute(kind + "_layers")) return layers;
+    for (std::uint32_t k = 0; k < file_.attribute<std::uint32_t>(kind + "_layers"); ++k) {
+      SignalLayer& layer = layers.emplace_back();
+      layer.standard_error = entries(fmt::format("{}/{}/standard_error", path, k), matrix);
+      layer.mean = means(fmt::format("{}/{}/mean", path, k), matrix, layer.standard_error);
+    }
+    return layers;
   }
 
   std::vector<Vec3> vectors(const std::string& path, std::size_t count) const {

@@ -34,8 +34,8 @@ struct TransceiverColumn {
   bool installed = false;
 };
 
-/// The part of a signal matrix that comes over a certain number of bounces.
-struct BounceLayer {
+/// The part of a signal matrix that comes over certain paths.
+struct SignalLayer {
   std::vector<float> mean, standard_error;  ///< m n entries, as in SignalMatrix
 };
 
@@ -46,7 +46,11 @@ struct SignalMatrix {
   std::vector<float> mean;             ///< m n entries: the signal of label i from transceiver j alone
   std::vector<float> standard_error;   ///< m n entries: of `mean`, from independent batches
   std::vector<float> direct;           ///< m n entries: the part of `mean` without any reflection
-  std::vector<BounceLayer> by_bounce;  ///< layer k: k bounces; none unless asked for
+  std::vector<SignalLayer> by_bounce;  ///< layer k: k bounces; none unless asked for
+  /// Layer k: paths from k to k + 1 times `length_step` long, the last one all longer ones, too; none unless
+  /// asked for.
+  std::vector<SignalLayer> by_length;
+  double length_step = 0;  ///< m
   double wavelength_nm = 940;
   Provenance provenance;
 

@@ -14,11 +14,12 @@ class SignalRows {
   virtual ~SignalRows() = default;
   /// Fills `values`, one a column.
   virtual void fill(Quantity quantity, std::size_t row, std::span<float> values) const = 0;
-  /// The same of the part that comes over so many bounces; has no direct part.
-  virtual void fill_layer(std::size_t bounces, Quantity quantity, std::size_t row,
+  /// The same of a layer: SignalMatrix::by_bounce, then by_length; has no direct part.
+  virtual void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                           std::span<float> values) const = 0;
-  /// Number of such parts; 0 unless they were asked for.
-  virtual std::size_t layers() const = 0;
+  /// Numbers of layers; 0 unless they were asked for.
+  virtual std::size_t bounce_layers() const = 0;
+  virtual std::size_t length_layers() const = 0;
 };
 
 }  // namespace shelfbeam

@@ -15,7 +15,7 @@ struct BatchValues {
     double direct = 0;        ///< the part of it without any reflection
   };
   struct LayerValue {
-    std::uint32_t layer = 0;  ///< number of bounces
+    std::uint32_t layer = 0;  ///< as SignalRows::fill_layer counts them
     std::uint32_t entry = 0;
     double value = 0;
   };
@@ -26,7 +26,7 @@ struct BatchValues {
   }
 
   std::vector<Value> values;
-  std::vector<LayerValue> layers;  ///< only of estimators that tell bounces apart
+  std::vector<LayerValue> layers;  ///< only of estimators that tell paths apart
   std::uint64_t rays = 0;          ///< traced in all; not cleared
   ShadowRays shadow_rays;          ///< of walks from labels; not cleared
 };

@@ -30,10 +30,6 @@ bool has_direct(const World& world, const Estimator& estimator, std::size_t item
                       [&](std::uint32_t j) { return world.emitters.is_point(j); });
 }
 
-std::size_t layers_of(const SimulationOptions& options) {
-  return options.by_bounce ? std::size_t{options.max_bounces} + 1 : 0;
-}
-
 }  // namespace
 
 std::size_t Engine::bytes(const World& world, const Estimator& estimator, const SimulationOptions& options) {
@@ -41,7 +37,7 @@ std::size_t Engine::bytes(const World& world, const Estimator& estimator, const 
   for (std::size_t item = 0; item < estimator.items(); ++item)
     total += sizeof(ItemSums) + sizeof(double) * ItemSums::size(entries(estimator.block(item)),
                                                                 has_direct(world, estimator, item),
-                                                                layers_of(options));
+                                                                options.layers());
   return total;
 }
 
@@ -59,8 +55,7 @@ Engine::Engine(const World& world, const Estimator& estimator, const SimulationO
       precision_(estimator.items()) {
   sums_.reserve(estimator.items());
   for (std::size_t item = 0; item < estimator.items(); ++item)
-    sums_.emplace_back(entries(estimator.block(item)), has_direct(world, estimator, item),
-                       layers_of(options));
+    sums_.emplace_back(entries(estimator.block(item)), has_direct(world, estimator, item), options.layers());
   if (!options.checkpoint.path.empty())
     checkpoint_.emplace(options.checkpoint.path, identity(store_hash),
                         static_cast<std::uint32_t>(estimator.items()));
@@ -79,7 +74,9 @@ CheckpointIdentity Engine::identity(const std::string& store_hash) const {
           {"estimator", estimator_.name()},
           {"stopping rule", stop},
           {"samples a batch", fmt::format("{}", estimator_.samples_per_batch())},
-          {"number of bounce layers", fmt::format("{}", layers_of(options_))},
+          {"number of bounce layers", fmt::format("{}", options_.bounce_layers())},
+          {"lengths of paths",
+           fmt::format("{} steps of {} m", options_.by_length.count, options_.by_length.step)},
           {"labels", fmt::format("{}", world_.receivers.size())},
           {"sources", fmt::format("{}", world_.emitters.size())},
           {"items", fmt::format("{}", estimator_.items())}};

@@ -87,6 +87,7 @@ class LabelWalk {
     } else {
       if (bounces_ == rules_.max_bounces) return false;
       ++bounces_;
+      travelled_ += hit.distance(vertex_, direction_);
       vertex_ = hit.point.position;
       direction_ = frame.to_world(next->direction);
       passed_ = 0;
@@ -105,6 +106,7 @@ class LabelWalk {
   template <class Scatter, class Density>
   void connect(const SurfacePoint& at, std::uint32_t choice, std::uint32_t step, const Scatter& scatter,
                const Density& density) {
+    const double travelled = travelled_ + length(at.position - vertex_);
     const std::uint32_t bounces = step == 0 ? 0 : bounces_ + 1;
     if (bounces > rules_.max_bounces) return;
     const Emitters& emitters = world_.emitters;
@@ -138,7 +140,8 @@ class LabelWalk {
                      value * passage.share *
                          (shared ? mis_weight(rules_.heuristic, light_pdf(light, at.position) / n_,
                                               density(to_source) * passage.probability)
-                                 : 1));
+                                 : 1),
+                     travelled + std::sqrt(squared));
       }
     }
     if (!rules_.uses_images(world_.receivers.is_point(label_), is_point) || bounces == rules_.max_bounces)
@@ -150,7 +153,8 @@ class LabelWalk {
                            emitters.intensity(j, light, bend->from_second) / bend->length_squared;
       if (!(value > 0)) continue;
       tally_.rays += 2;
-      tally_.add(bounces + 1, j, value * world_.mirrors.share(g, *bend, at, light.position, world_.rays));
+      tally_.add(bounces + 1, j, value * world_.mirrors.share(g, *bend, at, light.position, world_.rays),
+                 travelled + std::sqrt(bend->length_squared));
     }
   }
 
@@ -163,7 +167,7 @@ class LabelWalk {
     const bool shared = rules_.strategy == Strategy::mis && !specular_;
     const auto score = [&](std::size_t j, const LightPoint& light, double radiance) {
       const double weight = shared ? mis_weight(rules_.heuristic, pdf_, light_pdf(light, vertex_) / n_) : 1;
-      tally_.add(bounces_, j, throughput_ * radiance * weight);
+      tally_.add(bounces_, j, throughput_ * radiance * weight, travelled_ + length(light.position - vertex_));
     };
     world_.emitters.each_disc(world_.rays, vertex_, direction_, passed_, farthest, score);
     if (!hit) return;
@@ -186,6 +190,7 @@ class LabelWalk {
   std::uint32_t bounces_ = 0;
   Vec3 vertex_;            // the last vertex that is not a pane gone straight through,
   double passed_ = 0;      // how far from it the ray starts,
+  double travelled_ = 0;   // the length of the path up to it,
   double pdf_ = 0;         // the density of the direction drawn there times the chance to pass the panes,
   bool specular_ = false;  // and whether a specular lobe gave it
 };

@@ -16,6 +16,10 @@ namespace {
 void expect_possible(const Scene& scene, const SimulationOptions& options) {
   if (options.by_bounce && options.max_bounces == PathRules::no_limit)
     throw InputError("--by-bounce", "needs to know the largest number of bounces", "add --max-bounces");
+  if (options.by_length.count > 0 && options.strategy == Strategy::particle)
+    throw InputError("--by-length", "is for walks from labels", "use another strategy than 'particle'");
+  if (options.by_length.count > 0 && options.direct == DirectLight::exact)
+    throw InputError("--by-length", "needs direct light from the walks", "use '--direct sampled'");
   if (options.strategy != Strategy::walk) return;
   for (const Transceiver& unit : scene.transceivers)
     if (scene.type_of(unit).radius == 0)
@@ -43,7 +47,7 @@ std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOp
   return std::make_unique<UniformEstimator>(
       world, options.rules(), options.seed,
       options.has_fixed_samples() ? samples_per_batch(options.samples) : open_samples_per_batch,
-      options.by_bounce);
+      options.by_bounce, options.by_length);
 }
 
 std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& options) {

@@ -54,15 +54,20 @@ SignalMatrix filled(SignalMatrix head, const SignalRows& rows) {
   fill_all(head.mean, of_all(Quantity::mean));
   fill_all(head.standard_error, of_all(Quantity::standard_error));
   fill_all(head.direct, of_all(Quantity::direct));
-  head.by_bounce.resize(rows.layers());
-  for (std::size_t k = 0; k < rows.layers(); ++k) {
-    const auto of_layer = [&](Quantity quantity) {
-      return
-          [&rows, quantity, k](std::size_t i, std::span<float> row) { rows.fill_layer(k, quantity, i, row); };
+  const auto of_layer = [&](std::size_t layer, Quantity quantity) {
+    return [&rows, layer, quantity](std::size_t i, std::span<float> row) {
+      rows.fill_layer(layer, quantity, i, row);
     };
-    fill_all(head.by_bounce[k].mean, of_layer(Quantity::mean));
-    fill_all(head.by_bounce[k].standard_error, of_layer(Quantity::standard_error));
-  }
+  };
+  const auto fill_layers = [&](std::vector<SignalLayer>& layers, std::size_t first, std::size_t count) {
+    layers.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      fill_all(layers[k].mean, of_layer(first + k, Quantity::mean));
+      fill_all(layers[k].standard_error, of_layer(first + k, Quantity::standard_error));
+    }
+  };
+  fill_layers(head.by_bounce, 0, rows.bounce_layers());
+  fill_layers(head.by_length, rows.bounce_layers(), rows.length_layers());
   return head;
 }
 

@@ -6,8 +6,13 @@
 namespace shelfbeam::detail {
 
 MatrixRows::MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums, const KnownLight& known,
-                       std::size_t rows, std::size_t layers)
-    : estimator_(estimator), sums_(sums), known_(known), layers_(layers), starts_(rows + 1) {
+                       std::size_t rows, std::size_t bounce_layers, std::size_t length_layers)
+    : estimator_(estimator),
+      sums_(sums),
+      known_(known),
+      bounce_layers_(bounce_layers),
+      length_layers_(length_layers),
+      starts_(rows + 1) {
   std::vector<std::uint32_t> others;
   for (std::uint32_t item = 0; item < estimator.items(); ++item) {
     const bool is_tall = estimator.block(item).rows.size() == rows;
@@ -50,12 +55,12 @@ void MatrixRows::fill(Quantity quantity, std::size_t row, std::span<float> value
   });
 }
 
-void MatrixRows::fill_layer(std::size_t bounces, Quantity quantity, std::size_t row,
+void MatrixRows::fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                             std::span<float> values) const {
   const bool is_mean = quantity == Quantity::mean;
   const auto known = [&](std::size_t j) {
-    if (!is_mean || bounces > 1) return 0.0;
-    return bounces == 0 ? known_.straight(row, j) : known_.mirrored(row, j);
+    if (!is_mean || layer > 1 || layer >= bounce_layers_) return 0.0;
+    return layer == 0 ? known_.straight(row, j) : known_.mirrored(row, j);
   };
   for (std::size_t j = 0; j < values.size(); ++j) values[j] = static_cast<float>(known(j));
   each_item(row, [&](std::size_t item, std::size_t r) {
@@ -63,8 +68,8 @@ void MatrixRows::fill_layer(std::size_t bounces, Quantity quantity, std::size_t 
     const ItemSums& sums = sums_[item];
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const std::size_t entry = r * columns.size() + c, j = columns[c];
-      values[j] = static_cast<float>(is_mean ? sums.layer_mean(bounces, entry) + known(j)
-                                             : sums.layer_standard_error(bounces, entry));
+      values[j] = static_cast<float>(is_mean ? sums.layer_mean(layer, entry) + known(j)
+                                             : sums.layer_standard_error(layer, entry));
     }
   });
 }

@@ -11,13 +11,9 @@ namespace shelfbeam::detail {
 
 namespace {
 
-double layers_of(const SimulationOptions& options) {
-  return options.by_bounce ? options.max_bounces + 1.0 : 0;
-}
-
-// Three floats an entry, two more for each number of bounces; 0 where the matrix goes straight into a file.
+// Three floats an entry, two more for each layer; 0 where the matrix goes straight into a file.
 double result_bytes(double entries, const SimulationOptions& options, bool keeps_matrix) {
-  return keeps_matrix ? entries * sizeof(float) * (3 + 2 * layers_of(options)) : 0;
+  return keeps_matrix ? entries * sizeof(float) * (3 + 2 * static_cast<double>(options.layers())) : 0;
 }
 
 void expect_at_most(double needed, std::size_t labels, std::size_t sources,
@@ -37,7 +33,8 @@ void expect_room(const Scene& scene, const SimulationOptions& options, bool keep
   double each = options.rules().samples_direct ? 0 : sizeof(float);
   // Every entry has its sums, and a column index.
   if (options.estimator == EstimatorKind::uniform)
-    each += sizeof(double) * (2 + (options.direct == DirectLight::sampled ? 1 : 0) + 2 * layers_of(options)) +
+    each += sizeof(double) * (2 + (options.direct == DirectLight::sampled ? 1 : 0) +
+                              2 * static_cast<double>(options.layers())) +
             sizeof(std::uint32_t);
   if (options.estimator == EstimatorKind::reuse) each += 2 * sizeof(double);
   expect_at_most(entries * each + result_bytes(entries, options, keeps_matrix), scene.labels.size(), sources,

@@ -39,6 +39,12 @@ struct PathRules {
   }
 };
 
+/// Classes of path lengths; the last takes all longer ones, too.
+struct LengthSteps {
+  double step = 1;          ///< m
+  std::uint32_t count = 0;  ///< 0: lengths are not told apart
+};
+
 /// Weight of a technique of density p where another one of density q draws the same path.
 inline double mis_weight(Heuristic heuristic, double p, double q) {
   const double ratio = q / p;

@@ -62,8 +62,9 @@ SimulationSummary run(const Scene& scene, const std::string& store_hash, const S
       throw Interrupted(std::string("the simulation was stopped before it had two batches of samples") +
                         (engine.has_checkpoint() ? "; the same command with '--resume' goes on" : ""));
     SignalMatrix head = detail::matrix_head(scene, store_hash, options.seed, estimator->name());
+    head.length_step = options.by_length.step;
     const detail::MatrixRows rows(*estimator, engine.sums(), engine.known(), head.rows(),
-                                  options.by_bounce ? std::size_t{options.max_bounces} + 1 : 0);
+                                  options.bounce_layers(), options.length_layers());
     for (std::size_t i = 0; i < head.rows(); ++i) {
       head.labels[i].batches = rows.batches(i);
       head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator->samples_per_batch();

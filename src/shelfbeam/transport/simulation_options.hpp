@@ -40,6 +40,8 @@ struct SimulationOptions {
   Heuristic heuristic = Heuristic::balance;
   std::uint32_t max_bounces = PathRules::no_limit;
   bool by_bounce = false;  ///< fill SignalMatrix::by_bounce; needs max_bounces
+  /// Fill SignalMatrix::by_length; needs walks that sample direct light, too.
+  LengthSteps by_length = {};
 
   EstimatorKind estimator = EstimatorKind::uniform;
   std::optional<RelativeError> relative_error = {};  ///< ends when this is reached
@@ -51,6 +53,9 @@ struct SimulationOptions {
     if (estimator == EstimatorKind::reuse) return {.strategy = Strategy::nee, .samples_direct = false};
     return {strategy, heuristic, max_bounces, direct == DirectLight::sampled};
   }
+  std::size_t bounce_layers() const { return by_bounce ? std::size_t{max_bounces} + 1 : 0; }
+  std::size_t length_layers() const { return by_length.count; }
+  std::size_t layers() const { return bounce_layers() + length_layers(); }
   bool has_fixed_samples() const { return !relative_error && !time_s; }
 };
 

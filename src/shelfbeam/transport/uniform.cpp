@@ -15,7 +15,8 @@
 namespace shelfbeam {
 
 UniformEstimator::UniformEstimator(const World& world, const PathRules& rules, std::uint64_t seed,
-                                   std::uint64_t samples_per_batch, bool by_bounce)
+                                   std::uint64_t samples_per_batch, bool by_bounce,
+                                   const LengthSteps& by_length)
     : world_(world),
       rules_(rules),
       seed_(seed),
@@ -23,7 +24,8 @@ UniformEstimator::UniformEstimator(const World& world, const PathRules& rules, s
       by_bounce_(by_bounce),
       by_source_(rules.strategy == Strategy::particle),
       width_(by_source_ ? world.receivers.size() : world.emitters.size()),
-      levels_(by_bounce ? std::size_t{rules.max_bounces} + 1 : 2) {
+      levels_(by_bounce ? std::size_t{rules.max_bounces} + 1 : 2),
+      by_length_(by_length) {
   for (const Label& label : world.scene.labels) label_keys_.push_back(hash64(label.id));
   for (const Transceiver& unit : world.scene.transceivers) source_keys_.push_back(hash64(unit.id));
   for (const EmittingSurface& surface : world.scene.emitting_surfaces)
@@ -65,7 +67,7 @@ std::size_t UniformEstimator::bytes() const {
 
 bool UniformEstimator::sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
                               BatchValues& values) const {
-  Tally tally(width_, levels_);
+  Tally tally(width_, levels_, by_length_);
   const std::uint64_t stream = mix_key(seed_, by_source_ ? source_keys_[item] : label_keys_[item]);
   bool cancelled = false;
   for (std::uint32_t s = 0; s < per_batch_ && !cancelled; ++s) {
@@ -90,6 +92,10 @@ bool UniformEstimator::sample(std::size_t item, std::uint32_t batch, const Cance
       total += sum / samples;
       if (by_bounce_) values.layers.push_back({level, k, sum / samples});
     }
+    const auto first = static_cast<std::uint32_t>(by_bounce_ ? levels_ : 0);
+    for (std::uint32_t step = 0; step < by_length_.count; ++step)
+      if (const double sum = tally.sum_of_length(step, k); sum != 0)
+        values.layers.push_back({first + step, k, sum / samples});
     if (total != 0) values.values.push_back({k, total, tally.sum(0, k) / samples});
   }
   return true;

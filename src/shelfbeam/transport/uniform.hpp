@@ -15,9 +15,11 @@ namespace shelfbeam {
 /// particles every source its own particles), and a connection tries one uniformly chosen source.
 class UniformEstimator : public Estimator {
  public:
-  /// With `by_bounce` batches tell the bounces apart, for which `rules` must limit them.
+  /// With `by_bounce` batches tell the bounces apart, for which `rules` must limit them; with `by_length` the
+  /// lengths of the paths, for which these must be walks that sample direct light, too.
   UniformEstimator(const World& world, const PathRules& rules, std::uint64_t seed,
-                   std::uint64_t samples_per_batch, bool by_bounce = false);
+                   std::uint64_t samples_per_batch, bool by_bounce = false,
+                   const LengthSteps& by_length = {});
 
   std::size_t items() const override { return blocks_.size(); }
   const Block& block(std::size_t item) const override { return blocks_[item]; }
@@ -40,6 +42,7 @@ class UniformEstimator : public Estimator {
   bool by_bounce_, by_source_;
   std::size_t width_;   ///< entries of an item
   std::size_t levels_;  ///< of the sums over paths: direct and reflected, or one for each number of bounces
+  LengthSteps by_length_;
   std::vector<Block> blocks_;
   std::vector<std::uint64_t> label_keys_, source_keys_;
 };

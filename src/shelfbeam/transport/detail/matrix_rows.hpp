@@ -16,12 +16,13 @@ namespace shelfbeam::detail {
 class MatrixRows : public SignalRows {
  public:
   MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums, const KnownLight& known,
-             std::size_t rows, std::size_t layers);
+             std::size_t rows, std::size_t bounce_layers, std::size_t length_layers);
 
   void fill(Quantity quantity, std::size_t row, std::span<float> values) const override;
-  void fill_layer(std::size_t bounces, Quantity quantity, std::size_t row,
+  void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                   std::span<float> values) const override;
-  std::size_t layers() const override { return layers_; }
+  std::size_t bounce_layers() const override { return bounce_layers_; }
+  std::size_t length_layers() const override { return length_layers_; }
 
   /// The batches behind a row: the fewest of the items that it has entries of.
   std::uint32_t batches(std::size_t row) const;
@@ -41,7 +42,7 @@ class MatrixRows : public SignalRows {
   const Estimator& estimator_;
   const std::vector<ItemSums>& sums_;
   const KnownLight& known_;
-  std::size_t layers_;
+  std::size_t bounce_layers_, length_layers_;
   std::vector<std::uint32_t> tall_;  ///< items that have all rows
   std::vector<std::size_t> starts_;  ///< of each row in `parts_`
   std::vector<Part> parts_;          ///< of the other items

@@ -1,0 +1,89 @@
+"""Runs the commands of a page of documentation.
+
+Every fenced block of the page is one of
+  sh, python, octave   run in the order of the page, in one folder; `sh needs=PROGRAM` only where PROGRAM is
+                       found, octave only where octave is. A last line that ends with `# exit code N` has to
+                       exit with N, any other block with 0
+  text                 lines that the output of the block before it holds, in this order; `...` stands for
+                       anything within a line, and as a line of its own it says nothing
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
+
+FENCE = re.compile(r"^```(?P<kind>[^\n]*)\n(?P<body>.*?)^```$", re.DOTALL | re.MULTILINE)
+EXIT_CODE = re.compile(r"# exit code (\d+)\s*$")
+INTERPRETERS = {
+    "sh": ["bash", "-euo", "pipefail", "-c"],
+    "python": ["/usr/bin/python3", "-c"],
+    "octave": ["octave-cli", "--quiet", "--no-init-file", "--eval"],
+}
+
+
+class Wrong(Exception):
+    """The page does not do what it says."""
+
+
+def blocks(page):
+    """(line number, kind, needed program or None, body) of every block."""
+    for match in FENCE.finditer(page):
+        words = match["kind"].split()
+        kind = words[0] if words else ""
+        needs = "octave-cli" if kind == "octave" else None
+        for word in words[1:]:
+            if not word.startswith("needs="):
+                raise Wrong(f"'{match['kind']}' is no kind of block")
+            needs = word.removeprefix("needs=")
+        yield page.count("\n", 0, match.start()) + 1, kind, needs, match["body"]
+
+
+def holds(output, expected):
+    """The first line of `expected` that `output` lacks, or None."""
+    lines = iter(output.splitlines())
+    for wanted in filter(None, map(str.strip, expected.splitlines())):
+        pattern = re.compile(".*".join(map(re.escape, wanted.split("..."))))
+        if wanted != "..." and not any(pattern.search(line) for line in lines):
+            return wanted
+    return None
+
+
+def links(page):
+    """The files that a page links to."""
+    for target in re.findall(r"\]\((?!http)([^)#]+)", page.read_text(encoding="utf-8")):
+        yield page.parent / target
+
+
+def run_page(path, folder, environment):
+    """Runs the page in `folder`; returns how many blocks ran and the programs that were missing."""
+    ran, missing, output = 0, set(), None
+    for line, kind, needs, body in blocks(pathlib.Path(path).read_text(encoding="utf-8")):
+        place = f"{path}:{line}"
+        if kind == "text":
+            if output is not None and (lacking := holds(output, body)) is not None:
+                raise Wrong(f"{place}: the output has no line '{lacking}':\n{output}")
+            continue
+        if kind not in INTERPRETERS:
+            raise Wrong(f"{place}: '{kind}' is no kind of block that is run")
+        output = None
+        if needs and not shutil.which(needs, path=environment["PATH"]):
+            missing.add(needs)
+            continue
+        done = subprocess.run([*INTERPRETERS[kind], body], cwd=folder, env=environment, text=True, check=False,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        ran, output = ran + 1, done.stdout
+        asked = EXIT_CODE.search(body)
+        if done.returncode != (int(asked[1]) if asked else 0):
+            raise Wrong(f"{place}: exit code {done.returncode}:\n{body}\n{output}")
+    return ran, missing
+
+
+def environment(program):
+    """With the folder of the program, and of the solver that scripts/build-highs leaves, on the path."""
+    solvers = pathlib.Path.home().glob(".cache/shelfbeam/prefix/highs-*/bin")
+    folders = [pathlib.Path(program).resolve().parent, *solvers, os.environ["PATH"]]
+    return {**os.environ, "PATH": os.pathsep.join(map(str, folders))}

@@ -1,0 +1,63 @@
+"""What guide.py notices."""
+
+import os
+import pathlib
+import tempfile
+import unittest
+
+import guide
+
+
+class RunPage(unittest.TestCase):
+    def run_page(self, page):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "page.md"
+            path.write_text(page, encoding="utf-8")
+            return guide.run_page(path, folder, dict(os.environ))
+
+    def expect_wrong(self, page, *parts):
+        with self.assertRaises(guide.Wrong) as caught:
+            self.run_page(page)
+        for part in parts:
+            self.assertIn(part, str(caught.exception))
+
+    def test_blocks_run_in_order_in_one_folder(self):
+        page = (
+            "# A\n```sh\necho 7 > file\n```\nText\n```python\nprint(open('file').read(), 'and more')\n```\n"
+            "```text\n...\n7\nand...more\n```\n"
+        )
+        self.assertEqual(self.run_page(page), (2, set()))
+
+    def test_a_wrong_command_is_noticed(self):
+        self.expect_wrong("one\n\n```sh\nls nothing\necho fine\n```\n", "page.md:3", "ls nothing")
+        self.expect_wrong("```sh\nfalse | cat\n```\n", "exit code 1")
+        self.expect_wrong("```python\nraise ValueError('no')\n```\n", "ValueError")
+
+    def test_a_wrong_exit_code_is_noticed(self):
+        self.assertEqual(self.run_page("```sh\nexit 3 # exit code 3\n```\n"), (1, set()))
+        self.expect_wrong("```sh\nexit 2 # exit code 3\n```\n", "exit code 2")
+        self.expect_wrong("```sh\ntrue # exit code 3\n```\n", "exit code 0")
+
+    def test_a_line_that_is_not_there_is_noticed(self):
+        self.expect_wrong("```sh\necho 3 units\n```\n```text\n4 units\n```\n", "page.md:4", "'4 units'")
+        self.expect_wrong("```sh\necho a; echo b\n```\n```text\nb\na\n```\n", "'a'")
+        self.expect_wrong("```sh\necho a b\n```\n```text\na...c\n```\n", "'a...c'")
+
+    def test_every_block_is_of_a_kind_that_is_run(self):
+        self.expect_wrong("```bash\ntrue\n```\n", "'bash'")
+        self.expect_wrong("```sh sudo\ntrue\n```\n", "'sh sudo'")
+
+    def test_what_is_missing_is_told(self):
+        page = "```sh needs=no-such-solver\nno-such-solver\n```\n```text\noptimal\n```\n"
+        self.assertEqual(self.run_page(page), (0, {"no-such-solver"}))
+
+    def test_links_lead_somewhere(self):
+        pages = [guide.DOCS / "tutorial.md", guide.DOCS / "research.md", *guide.DOCS.glob("*/*.md")]
+        for page in pages:
+            for target in guide.links(page):
+                self.assertTrue(target.exists(), f"{page.name}: {target}")
+        self.assertGreaterEqual(len(list(guide.links(pages[0]))), 5)
+
+
+if __name__ == "__main__":
+    unittest.main()
