@@ -117,6 +117,17 @@ Json add_units(PageData& page, const ReportData& data) {
           {"selected", data.input.placement.selected}};
 }
 
+// In the order of Verdict, as the script knows it; nothing without a certificate.
+Json add_certificate(PageData& page, const ReportData& data) {
+  const auto& certificate = data.input.placement.certificate;
+  std::vector<std::uint8_t> verdicts;
+  if (certificate)
+    for (const LabelVerdict& label : certificate->labels)
+      verdicts.push_back(static_cast<std::uint8_t>(label.verdict));
+  page.add("label_verdict", std::span(verdicts));
+  return certificate ? Json{{"confidence", certificate->confidence}} : Json();
+}
+
 Json levels_of(const ReportData& data) {
   Json levels = Json::array();
   for (const ShelfLevel& level : data.levels)
@@ -164,6 +175,7 @@ std::string pack_store(const ReportData& data, const SignalScale& scale) {
   about["fixtures"] = fixtures_of(scene);
   about["labels"] = add_labels(page, data);
   about["units"] = add_units(page, data);
+  about["certificate"] = add_certificate(page, data);
   return page.base64(about.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
