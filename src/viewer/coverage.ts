@@ -71,6 +71,19 @@ export class Coverage {
       this.serving[i] = serving;
       this.countDecisive(i, on);
     }
+    // Rounded entries may put a label on the other side; of the plan the numbers are known.
+    if (rest.length > 0 && !this.store.redundant && this.isPlan(on, requirements))
+      units.selected.forEach((unit, k) => (this.decides[unit] = units.neededBy[k]));
+  }
+
+  private isPlan(on: Uint8Array, requirements: readonly number[]): boolean {
+    const { labels, units } = this.store;
+    const count = on.reduce((sum, is) => sum + (is ? 1 : 0), 0);
+    return (
+      count === units.selected.length &&
+      units.selected.every((unit) => on[unit]) &&
+      labels.kinds.every(({ requirement }, kind) => requirement === requirements[kind])
+    );
   }
 
   /** The signal of a label as the question counts it, with one unit turned over (-1: none). */

@@ -170,7 +170,7 @@ export class Picture {
       .map(({ unit, mean, directShare }) => ({
         from: this.place("label", index),
         to: this.place("unit", unit),
-        solid: directShare ?? 1,
+        solid: directShare,
         width: 1.2 + 3.2 * Math.sqrt(mean / strongest),
       }));
   }

@@ -19,7 +19,15 @@ export interface StoreAbout {
   labels: { ids: string[]; kinds: { type: string; requirement: number }[] };
   /** What fresh samples say of the plan as it was made; null where they were not asked. */
   certificate: { confidence: number } | null;
-  units: { ids: string[]; types: string[]; installed: number[]; mounts: number[][]; selected: number[] };
+  units: {
+    ids: string[];
+    types: string[];
+    installed: number[];
+    mounts: number[][];
+    selected: number[];
+    /** Labels that are met, and would not be without each of `selected`. */
+    neededBy: number[];
+  };
 }
 
 export interface Store extends StoreAbout {

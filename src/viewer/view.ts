@@ -265,7 +265,10 @@ export class View {
     if (state.selection?.kind === "label") {
       const line = (colour: string, dash: string) =>
         `<svg viewBox="-10 -10 20 20"><path d="M-9 0H9" style="stroke:var(${colour});stroke-width:3;stroke-dasharray:${dash}"/></svg>`;
-      items.push(key(line("--direct", "none"), "direct share"), key(line("--reflected", "5 3"), "reflected share"));
+      const shares = this.model.contributions(state.selection.index).map(({ directShare }) => directShare);
+      if (shares.some((share) => share !== null))
+        items.push(key(line("--direct", "none"), "direct share"), key(line("--reflected", "5 3"), "reflected share"));
+      if (shares.includes(null)) items.push(key(line("--edge", "none"), "share not known here"));
     }
     items.push(
       key(`<svg viewBox="-10 -10 20 20"><circle r="8" style="fill:var(--unit)"/></svg>`, "unit that is on"),

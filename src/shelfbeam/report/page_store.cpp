@@ -110,11 +110,14 @@ Json add_units(PageData& page, const ReportData& data) {
   }
   page.add("unit_position", std::span(position));
   page.add("unit_axis", std::span(axis));
+  Json needed_by = Json::array();
+  for (const UnitOutcome& unit : data.outcome.units) needed_by.push_back(unit.needed_by);
   return {{"ids", ids},
           {"types", types},
           {"installed", installed},
           {"mounts", shared_mounts(data.input.matrix)},
-          {"selected", data.input.placement.selected}};
+          {"selected", data.input.placement.selected},
+          {"neededBy", needed_by}};
 }
 
 // In the order of Verdict, as the script knows it; nothing without a certificate.

@@ -35,17 +35,27 @@ std::string rounding(const ReportData& data, const PageSignals& signals) {
   const Question& question = data.input.placement.question;
   std::string text = fmt::format(
       "The plan is counted with the signals of signal.h5, to the last bit. To keep the page small, single "
-      "signals are rounded to {} of what a label needs, and the {} smallest of {} are left out: ",
-      plain(100 * signals.grain) + "\u00A0%", grouped(signals.left_out),
-      grouped(signals.left_out + signals.mean.size()));
+      "signals are rounded to {} of what a label needs{}: ",
+      plain(100 * signals.grain) + "\u00A0%",
+      signals.left_out == 0
+          ? ""
+          : fmt::format(", and the {} smallest of {} are left out", grouped(signals.left_out),
+                        grouped(signals.left_out + signals.mean.size())));
   const std::string most = share_text(signals.largest_error);
   if (question.model == CommunicationModel::non_cooperative)
     return text + fmt::format("with other units on, a label's signal may be off by {} of its need.", most);
   text += fmt::format(
       "each unit that is switched may put a label's signal off by {} of its need{}", most,
       question.redundant ? " (the first by three times that, as the strongest may be another)" : "");
-  return text + fmt::format(", all units on, all their errors added, by {} at most (label {}).",
-                            share_text(signals.largest_effect), data.label(signals.most_affected).id);
+  const LabelRow& label = data.label(signals.most_affected);
+  double everything = 0;
+  for (const float mean : data.input.matrix.mean_row(signals.most_affected))
+    everything += static_cast<double>(mean);
+  return text +
+         fmt::format(", all units on, all their errors added, by {} at most (of {}, label {}).",
+                     share_text(signals.largest_effect),
+                     label.requirement > 0 ? share_text(everything / label.requirement) : "what it gets",
+                     label.id);
 }
 
 // What the view leaves out, so that nobody takes its numbers for more than they are.
