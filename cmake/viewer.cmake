@@ -43,7 +43,8 @@ function(shelfbeam_viewer_packages viewer)
 endfunction()
 
 function(shelfbeam_viewer out)
-  set(viewer ${PROJECT_SOURCE_DIR}/src/viewer)
+  cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH root)
+  set(viewer ${root}/src/viewer)
   shelfbeam_viewer_packages(${viewer})
   set(script ${PROJECT_BINARY_DIR}/viewer/viewer.js)
   if(SHELFBEAM_VIEWER_PACKAGES)
@@ -54,11 +55,12 @@ function(shelfbeam_viewer out)
       --target=es2022 --charset=utf8 --loader:.css=text --legal-comments=inline --log-level=warning --outfile=${script})
   else()
     set(sources "")
-    set(make_script ${CMAKE_COMMAND} -E touch ${script}.none COMMAND ${CMAKE_COMMAND} -E copy ${script}.none ${script})
+    file(WRITE ${script}.none "")
+    set(make_script ${CMAKE_COMMAND} -E copy ${script}.none ${script})
   endif()
   add_custom_command(OUTPUT ${out}
     COMMAND ${make_script}
-    COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DSYMBOL=viewer_script -DFILE=${script} -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
-    DEPENDS ${sources} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DSYMBOL=viewer_script -DFILE=${script} -P ${root}/cmake/embed.cmake
+    DEPENDS ${sources} ${root}/cmake/embed.cmake
     COMMENT "Bundling the 3-D view" VERBATIM)
 endfunction()

@@ -68,6 +68,7 @@ export class Card {
         coverage.met[label] ? " above what it needs" : " – not reached",
       ),
       this.facts([
+        ...this.certified(label),
         [store.redundant ? "Signal, strongest failed" : "Signal", `${this.signal(signal)}\u00a0${name}`, "signal"],
         ["Needs", `${this.signal(coverage.requirement(label))}\u00a0${name}`, "requirement"],
         ["Reached alone by", counted(coverage.serving[label], "unit"), "serving"],
@@ -82,6 +83,11 @@ export class Card {
           })
         : "",
     );
+  }
+
+  private certified(label: number): [string, string, string?][] {
+    if (!this.model.store.certificate) return [];
+    return [["On fresh samples", this.model.verdict(label) ?? "known of the plan only", "verdict"]];
   }
 
   private table(rows: HTMLElement[], unit: string): HTMLElement {
@@ -109,8 +115,10 @@ export class Card {
       ),
       element("td", { class: "n", text: this.signal(mean), "data-fact": "mean" }),
     );
-    if (error !== null)
-      row.append(element("td", { class: "n", text: `±\u00a0${this.signal(error, 2)}`, "data-fact": "error" }));
+    const { signals } = this.model;
+    if (signals.error.length)
+      row.append(element("td", { class: "n", text: error === null ? "–" : `±\u00a0${this.signal(error, 2)}`, "data-fact": "error" }));
+    if (signals.directShare.length && directShare === null) row.append(element("td", { text: "–", "data-fact": "direct" }));
     if (directShare !== null) {
       const bar = element("span", { class: "v3-bar", "aria-hidden": "true" });
       bar.style.setProperty("--share", percent(directShare, 1).replace("\u00a0", ""));

@@ -48,7 +48,9 @@ export class Coverage {
 
   update(on: Uint8Array, requirements: readonly number[]): void {
     const { begin, column, mean, rest } = this.signals;
-    const whole = rest.length > 0 && this.store.units.selected.every((unit) => on[unit]);
+    // Of sums, what the plan's entries lack stays with the label, so that a switch is off by that unit's entry alone.
+    const { cooperative, units } = this.store;
+    const whole = rest.length > 0 && (cooperative || units.selected.every((unit) => on[unit]));
     this.reach.fill(0);
     this.decides.fill(0);
     this.reached = 0;
@@ -69,6 +71,19 @@ export class Coverage {
       this.serving[i] = serving;
       this.countDecisive(i, on);
     }
+    // Rounded entries may put a label on the other side; of the plan the numbers are known.
+    if (rest.length > 0 && !this.store.redundant && this.isPlan(on, requirements))
+      units.selected.forEach((unit, k) => (this.decides[unit] = units.neededBy[k]));
+  }
+
+  private isPlan(on: Uint8Array, requirements: readonly number[]): boolean {
+    const { labels, units } = this.store;
+    const count = on.reduce((sum, is) => sum + (is ? 1 : 0), 0);
+    return (
+      count === units.selected.length &&
+      units.selected.every((unit) => on[unit]) &&
+      labels.kinds.every(({ requirement }, kind) => requirement === requirements[kind])
+    );
   }
 
   /** The signal of a label as the question counts it, with one unit turned over (-1: none). */
@@ -95,14 +110,15 @@ export class Coverage {
     const requirement = this.needs[label];
     const met = this.met[label] !== 0;
     if (met && redundant) return;
-    const whole = rest.length > 0 ? signal - this.received(label, on, -1) : 0;
+    const shown = rest.length > 0 ? this.received(label, on, -1) : signal;
+    const whole = cooperative ? signal - shown : 0;
     const slack = 1e-6 * requirement;
     for (let at = begin[label]; at < begin[label + 1]; ++at) {
       const unit = column[at];
       if ((on[unit] !== 0) !== met) continue;
       // Where a bound is enough, the rule itself need not be asked.
       if (cooperative && (met ? signal - mean[at] > requirement + slack : signal + mean[at] < requirement - slack)) continue;
-      if (!cooperative && (met ? mean[at] < signal : !this.isMet(mean[at], requirement))) continue;
+      if (!cooperative && (met ? mean[at] < shown : !this.isMet(mean[at], requirement))) continue;
       if (this.isMet(this.received(label, on, unit) + whole, requirement) !== met) ++this.decides[unit];
     }
   }

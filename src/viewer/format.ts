@@ -33,6 +33,11 @@ export function percent(share: number, decimals = 1): string {
   return `${fixed(100 * share, decimals)}\u00a0%`;
 }
 
+/** As the statement of a certificate writes it: `99 %`. */
+export function percentage(share: number): string {
+  return `${plain(100 * share)}\u00a0%`;
+}
+
 /** Up to six significant digits without trailing zeros. */
 export function plain(value: number): string {
   const text = String(Number(Math.abs(value).toPrecision(6)));

@@ -14,8 +14,8 @@ import {
 export interface Link {
   from: [number, number, number];
   to: [number, number, number];
-  /** Of the length that is drawn through, counted from `from`; the rest is dashed. */
-  solid: number;
+  /** Of the length that is drawn through, counted from `from`; the rest is dashed. Null: not known, all in one. */
+  solid: number | null;
   /** Pixels. */
   width: number;
 }
@@ -49,13 +49,17 @@ void main() {
 
 const fragmentShader = /* glsl */ `
 precision highp float;
-uniform vec3 direct, reflected;
+uniform vec3 direct, reflected, unknown;
 in float along;
 flat in float solid;
 flat in float metres;
 out vec4 colour;
 
 void main() {
+  if (solid < 0.0) {
+    colour = vec4(unknown, 1.0);
+    return;
+  }
   bool through = along < solid;
   if (!through && fract((along - solid) * metres / 0.28) > 0.62) discard;
   colour = vec4(through ? direct : reflected, 1.0);
@@ -75,6 +79,7 @@ export class Links {
         view: { value: new Vector2(1, 1) },
         direct: { value: new Color() },
         reflected: { value: new Color() },
+        unknown: { value: new Color() },
       },
     });
     this.mesh = new Mesh(Links.geometry([]), material);
@@ -98,7 +103,7 @@ export class Links {
     const numbers = (of: (link: Link) => number[]) => new Float32Array(links.flatMap(of));
     geometry.setAttribute("start", new InstancedBufferAttribute(numbers((link) => link.from), 3));
     geometry.setAttribute("end", new InstancedBufferAttribute(numbers((link) => link.to), 3));
-    geometry.setAttribute("style", new InstancedBufferAttribute(numbers((link) => [link.solid, link.width]), 2));
+    geometry.setAttribute("style", new InstancedBufferAttribute(numbers((link) => [link.solid ?? -1, link.width]), 2));
     return geometry;
   }
 }

@@ -13,10 +13,8 @@ declare global {
 
 async function start(root: HTMLElement): Promise<View> {
   const text = (id: string) => document.getElementById(id)?.textContent ?? "";
-  const [store, signals] = await Promise.all([
-    readStore(text("viewer-store")),
-    readSignals(text("viewer-signals")),
-  ]);
+  const store = await readStore(text("viewer-store"));
+  const signals = await readSignals(text("viewer-signals"), store);
   const sheet = document.createElement("style");
   sheet.textContent = style;
   document.head.append(sheet);

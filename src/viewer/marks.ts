@@ -64,7 +64,8 @@ void main() {
   vec4 seen = modelViewMatrix * vec4(centre.xyz + facing * (lift + spread * look.w), 1.0);
   float size = perspective ? max(-seen.z, 0.01) * pixel : pixel;
   float wide = clamp(worldRadius / size, pixelRadius.x, pixelRadius.y);
-  if (look.y == 1.0) wide = max(1.6 * wide, 5.0);
+  bool special = look.y == 1.0 || (look.y == 2.0 && digits < 0.0);
+  if (special) wide = max(1.6 * wide, 5.0);
   if (look.y == 3.0) wide *= 0.42;
   if (look.z == 0.0) wide *= 0.75;
   if (look.z == 2.0) wide = max(1.5 * wide, 7.0);
@@ -113,9 +114,10 @@ void main() {
   float inside = clamp(0.5 - away, 0.0, 1.0);
   if (inside <= threshold) discard;
   bool selected = mark.z == 2.0;
-  float line = mark.y == 3.0 && !selected ? 0.0 : selected ? 2.5 : mark.y == 1.0 ? 1.4 : radius > 3.0 ? 0.8 : 0.0;
+  bool special = mark.y == 1.0 || (mark.y == 2.0 && digits < 0.0);
+  float line = mark.y == 3.0 && !selected ? 0.0 : selected ? 2.5 : special ? 1.4 : radius > 3.0 ? 0.8 : 0.0;
   vec3 fill = palette[int(mark.x)];
-  vec3 border = selected || mark.y == 1.0 ? strong : digits >= 0.0 ? paper : edge;
+  vec3 border = selected || special ? strong : digits >= 0.0 ? paper : edge;
   vec3 shown = mix(fill, border, clamp(away + line + 0.5, 0.0, 1.0) * step(0.01, line));
   if (digits > 0.5 && radius > 6.0) {
     vec2 cell = vec2(mod(digits, numberGrid.x), floor(digits / numberGrid.x));

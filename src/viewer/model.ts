@@ -3,7 +3,7 @@
 import { classesOf, type Classes } from "./classes";
 import { Coverage } from "./coverage";
 import { changedUnits, initialState, switchUnit, type Selection, type State } from "./state";
-import type { Signals, Store } from "./store";
+import { verdicts, type Signals, type Store } from "./store";
 
 /** What of a link between label and unit the matrix tells. */
 export interface Contribution {
@@ -13,6 +13,8 @@ export interface Contribution {
   error: number | null;
   directShare: number | null;
 }
+
+const known = (value: number | undefined) => (value === undefined || Number.isNaN(value) ? null : value);
 
 export class Model {
   state: State;
@@ -66,7 +68,12 @@ export class Model {
   }
 
   get classes(): Classes {
-    return classesOf(this.store, this.state.mode);
+    return classesOf(this.store, this.coverage, this.state.mode, this.isAsPlanned());
+  }
+
+  /** What the certificate says of a label; nothing where there is none, or none for what is on now. */
+  verdict(label: number): (typeof verdicts)[number] | null {
+    return this.store.certificate && this.isAsPlanned() ? verdicts[this.store.label.verdict[label]] : null;
   }
 
   /** Number of a unit of the plan in the report's table; nothing for others. */
@@ -97,8 +104,8 @@ export class Model {
       label,
       unit: column[at],
       mean: mean[at],
-      error: error.length ? error[at] : null,
-      directShare: directShare.length ? directShare[at] : null,
+      error: known(error[at]),
+      directShare: known(directShare[at]),
     };
   }
 

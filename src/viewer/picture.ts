@@ -116,18 +116,17 @@ export class Picture {
   private updateLabels(): number[] {
     const { coverage, state, classes } = this.model;
     const { selection } = state;
-    const counts = new Array<number>(this.classes().length).fill(0);
+    const list = this.classes();
+    const counts = new Array<number>(list.length).fill(0);
     const reach = selection?.kind === "unit" ? this.reachClassOf(selection.index) : null;
     this.levels.forEach(({ labels, marks }, level) => {
       marks.mesh.visible = state.levels[level];
       marks.uniform("spread").value = state.plan ? this.spread() : 0;
       labels.forEach((label, mark) => {
         const met = coverage.met[label] !== 0;
-        const k = reach
-          ? reach[label]
-          : classes.of(coverage.signal[label], coverage.margin(label), met, coverage.serving[label]);
+        const k = reach ? reach[label] : classes.of(label);
         const selected = selection?.kind === "label" && selection.index === label;
-        const shape = met || reach ? shapes.disc : shapes.triangle;
+        const shape = shapes[list[k].shape ?? (met ? "disc" : "triangle")];
         marks.setLook(mark, k, shape, selected ? 2 : reach && k === 0 ? 0 : 1, level);
         if (state.levels[level]) ++counts[k];
       });
@@ -171,7 +170,7 @@ export class Picture {
       .map(({ unit, mean, directShare }) => ({
         from: this.place("label", index),
         to: this.place("unit", unit),
-        solid: directShare ?? 1,
+        solid: directShare,
         width: 1.2 + 3.2 * Math.sqrt(mean / strongest),
       }));
   }

@@ -210,9 +210,10 @@ export class Stage {
   recolour(): void {
     this.renderer.setClearColor(colourOf(this.canvas, "--stage"));
     this.fixtures.recolour(this.canvas);
-    const { direct, reflected } = this.links.mesh.material.uniforms;
+    const { direct, reflected, unknown } = this.links.mesh.material.uniforms;
     direct.value = colourOf(this.canvas, "--direct");
     reflected.value = colourOf(this.canvas, "--reflected");
+    unknown.value = colourOf(this.canvas, "--edge");
     this.draw();
   }
 

@@ -1,6 +1,6 @@
 // What the reader has chosen, and its form in a link.
 
-import { modes, type Mode } from "./classes";
+import { modesOf, type Mode } from "./classes";
 import type { Store } from "./store";
 
 export type Selection = { kind: "label" | "unit"; index: number } | null;
@@ -103,7 +103,7 @@ export function fromHash(store: Store, hash: string): State | null {
     const wanted = Number(words.get(`need${kind}`) ?? value);
     return wanted > 0 && Number.isFinite(wanted) ? wanted : value;
   });
-  state.mode = modes.find(({ mode }) => mode === words.get("colour"))?.mode ?? state.mode;
+  state.mode = modesOf(store).find(({ mode }) => mode === words.get("colour"))?.mode ?? state.mode;
   const hidden = new Set(list("hide"));
   state.levels = state.levels.map((_, level) => !hidden.has(level + 1));
   if (words.has("goods")) state.goods = words.get("goods") === "1";

@@ -2,6 +2,9 @@
 
 import { readPageData } from "./page_data";
 
+/** Of the certificate, as placement/certificate.hpp numbers them. */
+export const verdicts = ["reached", "missed", "undecided"] as const;
+
 export interface StoreAbout {
   lower: number[];
   upper: number[];
@@ -14,11 +17,28 @@ export interface StoreAbout {
   levels: { heights: string; labels: number }[];
   fixtures: { id: string; at: number[] }[];
   labels: { ids: string[]; kinds: { type: string; requirement: number }[] };
-  units: { ids: string[]; types: string[]; installed: number[]; mounts: number[][]; selected: number[] };
+  /** What fresh samples say of the plan as it was made; null where they were not asked. */
+  certificate: { confidence: number } | null;
+  units: {
+    ids: string[];
+    types: string[];
+    installed: number[];
+    mounts: number[][];
+    selected: number[];
+    /** Labels that are met, and would not be without each of `selected`. */
+    neededBy: number[];
+  };
 }
 
 export interface Store extends StoreAbout {
-  label: { position: Float32Array; normal: Float32Array; kind: Uint16Array; level: Uint16Array };
+  label: {
+    position: Float32Array;
+    normal: Float32Array;
+    kind: Uint16Array;
+    level: Uint16Array;
+    /** Index in `verdicts`; empty without a certificate. */
+    verdict: Uint8Array;
+  };
   candidate: { position: Float32Array; axis: Float32Array };
   part: { look: Uint8Array; corners: Uint8Array; outline: Float32Array; height: Float32Array };
   mesh: { vertex: Float32Array; triangle: Uint32Array };
@@ -29,19 +49,22 @@ export interface Signals {
   begin: Uint32Array;
   column: Uint32Array;
   mean: Float32Array;
-  /** Standard errors; empty where they are not known. */
-  error: Float64Array;
-  /** The part without any reflection, 0 to 1; empty where it is not known. */
-  directShare: Float64Array;
-  /** To be added to a label's signal while the whole plan is on; empty where no entry is left out. */
+  /** Standard errors; empty where they are not known, NaN of entries of which they are not in the page. */
+  error: Float32Array;
+  /** The part without any reflection, 0 to 1; empty or NaN as above. */
+  directShare: Float32Array;
+  /** What the plan gives to each label beyond its entries here; empty where entries are as they are in the matrix. */
   rest: Float64Array;
-  leftOut: number;
 }
 
 interface SignalsAbout {
+  /** Entries are rounded to so much of what their label needs; 0: they are not. */
+  grain: number;
+  /** Of entries with fewer grains there is neither standard error nor direct share. */
+  detailsFrom: number;
   leastError: number;
   errorStep: number;
-  leftOut: number;
+  directStep: number;
 }
 
 export async function readStore(base64: string): Promise<Store> {
@@ -53,6 +76,7 @@ export async function readStore(base64: string): Promise<Store> {
       normal: page.get("label_normal", Float32Array),
       kind: page.get("label_kind", Uint16Array),
       level: page.get("label_level", Uint16Array),
+      verdict: page.get("label_verdict", Uint8Array),
     },
     candidate: {
       position: page.get("unit_position", Float32Array),
@@ -71,9 +95,24 @@ export async function readStore(base64: string): Promise<Store> {
   };
 }
 
-export async function readSignals(base64: string): Promise<Signals> {
+/** What each label's entries are measured by, as report/page_signals.cpp has it. */
+function needsOf({ label, labels }: Store): Float64Array {
+  const any = labels.kinds.reduce((most, { requirement }) => Math.max(most, requirement), 0) || 1;
+  return Float64Array.from(label.kind, (kind) => labels.kinds[kind].requirement || any);
+}
+
+/** In the middle between two grains. */
+function meansOf(grains: Uint32Array, grain: number, begin: Uint32Array, store: Store): Float32Array {
+  const mean = new Float32Array(grains.length);
+  needsOf(store).forEach((need, label) => {
+    for (let at = begin[label]; at < begin[label + 1]; ++at) mean[at] = (grains[at] + 0.5) * grain * need;
+  });
+  return mean;
+}
+
+export async function readSignals(base64: string, store: Store): Promise<Signals> {
   const page = await readPageData<SignalsAbout>(base64);
-  const { leastError, errorStep, leftOut } = page.about;
+  const { grain, detailsFrom, leastError, errorStep, directStep } = page.about;
   const rowSize = page.get("row_size", Uint32Array);
   const gap = page.get("gap", Uint32Array);
   const begin = new Uint32Array(rowSize.length + 1);
@@ -85,15 +124,24 @@ export async function readSignals(base64: string): Promise<Signals> {
     }
     begin[i + 1] = at;
   }
+  const grains = grain > 0 ? page.get("grains", Uint32Array) : null;
+  const mean = grains ? meansOf(grains, grain, begin, store) : page.get("mean", Float32Array);
+  for (const at of page.get("negative", Uint32Array)) mean[at] *= -1;
+  const details = (codes: Uint16Array, valueOf: (code: number, at: number) => number) => {
+    const values = new Float32Array(codes.length === 0 ? 0 : mean.length);
+    for (let at = 0, next = 0; at < values.length; ++at)
+      values[at] = grains && grains[at] < detailsFrom ? NaN : valueOf(codes[next++], at);
+    return values;
+  };
   return {
     begin,
     column,
-    mean: page.get("mean", Float32Array),
-    error: Float64Array.from(page.get("error", Uint16Array), (code) =>
-      code === 0 ? 0 : leastError * Math.exp((code - 1) * errorStep),
+    mean,
+    // Of rounded entries in proportion to them.
+    error: details(page.get("error", Uint16Array), (code, at) =>
+      code === 0 ? 0 : leastError * Math.exp((code - 1) * errorStep) * (grains ? Math.abs(mean[at]) : 1),
     ),
-    directShare: Float64Array.from(page.get("direct", Uint16Array), (code) => code / 65535),
+    directShare: details(page.get("direct", Uint16Array), (code) => code * directStep),
     rest: page.get("rest", Float64Array),
-    leftOut,
   };
 }

@@ -1,9 +1,9 @@
 // The 3-D view as a whole: picture, controls and what links them.
 
 import { Card } from "./card";
-import { modes, type Mode } from "./classes";
+import { modesOf, type Mode } from "./classes";
 import { button, Choice, element } from "./dom";
-import { counted, decibels, grouped, significant } from "./format";
+import { counted, decibels, grouped, percentage, significant } from "./format";
 import { Levels } from "./levels";
 import { LabelList, UnitList } from "./lists";
 import { Model } from "./model";
@@ -12,7 +12,7 @@ import { onThemeChange } from "./palette";
 import { Picture, type ClassCounts } from "./picture";
 import { Stage } from "./stage";
 import { changedUnits, fromHash, initialState, toHash, type Selection } from "./state";
-import type { Signals, Store } from "./store";
+import { verdicts, type Signals, type Store } from "./store";
 import { Thresholds } from "./thresholds";
 
 const slowestHover = 60; // ms a frame
@@ -60,7 +60,7 @@ export class View {
     this.colour = new Choice(
       "v3-colour",
       "Colour",
-      modes.map(({ mode, name }) => ({ value: mode, text: name })),
+      modesOf(store).map(({ mode, name }) => ({ value: mode, text: name })),
       (mode) => {
         this.model.state.mode = mode;
         if (this.model.state.selection?.kind === "unit") this.model.state.selection = null;
@@ -230,29 +230,45 @@ export class View {
     if (removed.length) parts.push(`switched off: ${some(removed)}`);
     if (!this.model.hasPlannedThresholds()) parts.push("other thresholds");
     this.changes.textContent = parts.length
-      ? `Changed against the plan (${planned}): ${parts.join("; ")}.`
+      ? `Changed against the plan (${planned}): ${parts.join("; ")}.${store.certificate ? " The certificate does not cover that." : ""}`
       : store.units.selected.length
-        ? "This is the plan as it was made."
+        ? `This is the plan as it was made.${this.certified()}`
         : "There is no plan: switch on candidates to see what they do.";
+  }
+
+  /** What the certificate says of the plan, for the line above the picture. */
+  private certified(): string {
+    const { certificate, label } = this.model.store;
+    if (!certificate) return "";
+    const counts = verdicts.map((_, verdict) => label.verdict.reduce((sum, of) => sum + (of === verdict ? 1 : 0), 0));
+    const words = verdicts.flatMap((name, k) => (k === 0 || counts[k] > 0 ? [`${grouped(counts[k])} ${name}`] : []));
+    return ` On fresh samples, with joint confidence ${percentage(certificate.confidence)}: ${words.join(", ")}.`;
   }
 
   private showLegend({ classes, counts }: ClassCounts): void {
     const { state, store } = this.model;
     const key = (mark: string, text: string) =>
       element("li", {}, Object.assign(element("span", { class: "v3-key" }), { innerHTML: mark }), text);
-    const disc = (colour: string) =>
-      `<svg viewBox="-10 -10 20 20"><circle r="7" style="fill:var(${colour});stroke:var(--edge)"/></svg>`;
-    const triangle = (colour: string) =>
-      `<svg viewBox="-10 -10 20 20"><path d="M0-8 8 6H-8Z" style="fill:var(${colour});stroke:var(--strong);stroke-width:1.6"/></svg>`;
-    const items = classes.flatMap(({ name, colour, unmet }, k) =>
-      unmet && counts[k] === 0 ? [] : [key(unmet ? triangle(colour) : disc(colour), `${name}: ${grouped(counts[k])}`)],
+    const outlined = (path: string, colour: string) =>
+      `<svg viewBox="-10 -10 20 20"><path d="${path}" style="fill:var(${colour});stroke:var(--strong);stroke-width:1.6"/></svg>`;
+    const marks = {
+      disc: (colour: string) => `<svg viewBox="-10 -10 20 20"><circle r="7" style="fill:var(${colour});stroke:var(--edge)"/></svg>`,
+      triangle: (colour: string) => outlined("M0-8 8 6H-8Z", colour),
+      square: (colour: string) => outlined("M-6-6H6V6H-6Z", colour),
+    };
+    // Of what is drawn otherwise than as a disc only what there is.
+    const items = classes.flatMap(({ name, colour, shape = "disc" }, k) =>
+      shape !== "disc" && counts[k] === 0 ? [] : [key(marks[shape](colour), `${name}: ${grouped(counts[k])}`)],
     );
-    if (!classes.some(({ unmet }) => unmet) && state.selection?.kind !== "unit" && this.model.coverage.reached < store.labels.ids.length)
-      items.push(key(triangle("--floor"), "triangle: not reached"));
+    if (!classes.some(({ shape }) => shape) && this.model.coverage.reached < store.labels.ids.length)
+      items.push(key(marks.triangle("--floor"), "triangle: not reached"));
     if (state.selection?.kind === "label") {
       const line = (colour: string, dash: string) =>
         `<svg viewBox="-10 -10 20 20"><path d="M-9 0H9" style="stroke:var(${colour});stroke-width:3;stroke-dasharray:${dash}"/></svg>`;
-      items.push(key(line("--direct", "none"), "direct share"), key(line("--reflected", "5 3"), "reflected share"));
+      const shares = this.model.contributions(state.selection.index).map(({ directShare }) => directShare);
+      if (shares.some((share) => share !== null))
+        items.push(key(line("--direct", "none"), "direct share"), key(line("--reflected", "5 3"), "reflected share"));
+      if (shares.includes(null)) items.push(key(line("--edge", "none"), "share not known here"));
     }
     items.push(
       key(`<svg viewBox="-10 -10 20 20"><circle r="8" style="fill:var(--unit)"/></svg>`, "unit that is on"),

@@ -1,12 +1,17 @@
 #include <cmath>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "shelfbeam/placement/placement_file.hpp"
+#include "shelfbeam/placement/words.hpp"
 #include "shelfbeam/report/distributions.hpp"
 #include "shelfbeam/report/id_ranges.hpp"
 #include "shelfbeam/report/report.hpp"
 #include "shelfbeam/report/report_data.hpp"
+#include "shelfbeam/signal/signal_table.hpp"
 
 #include "markup.hpp"
 #include "sample_store.hpp"
@@ -15,6 +20,7 @@
 namespace shelfbeam {
 namespace {
 
+using test::certify;
 using test::fault;
 using test::pieces;
 using test::read_markup;
@@ -101,6 +107,76 @@ TEST(ReportHtml, EveryComputedNumberIsInIt) {
     expect_cell(fact);
   // Negative control: a number that was not computed is not found.
   EXPECT_FALSE(cells.contains(grouped(data.outcome.met + 1)));
+}
+
+TEST(ReportHtml, HasTheNumbersOfTheCertificateAsTheJsonHasThem) {
+  Supermarket s;
+  const auto missing = [&](const nlohmann::json& json) {
+    const std::string html = test::static_report(s.input);
+    EXPECT_EQ(fault(html), "");
+    const auto cells = pieces(html);
+    std::vector<std::string> lines(cells.begin(), cells.end()), wanted;
+    const std::size_t missed = json["missed"].size(), undecided = json["undecided"].size();
+    const std::size_t all = json["reached"].get<std::size_t>() + missed + undecided;
+    wanted = {plain(100 * json["confidence"].get<double>()) + "\u00A0%",
+              grouped(json["reached"].get<std::size_t>()) + " of " + grouped(all),
+              counted(json["bound_labels"].get<std::size_t>(), "label"),
+              significant(json["seconds"].get<double>(), 3) + "\u00A0s",
+              json["open"].get<std::string>(),
+              "of " + grouped(all) + ", on fresh samples"};
+    std::vector<std::string> absent;
+    for (const std::string& piece : wanted)
+      if (!cells.contains(piece)) absent.push_back(piece);
+    const std::string text = read_markup(html).text;
+    for (const std::string& piece :
+         {"Rounds\n\n" + std::to_string(json["rounds"].get<int>()) + "\n",
+          "At least needed\n\n" + std::to_string(json["count_lower_bound"].get<int>()) + "\n",
+          "Labels reached\n\n" + std::to_string(json["reached"].get<int>()) + "\n",
+          "Missed\n\n" + std::to_string(missed) + ": " + json["missed"][0].get<std::string>() + ", ",
+          "Undecided\n\n" + std::to_string(undecided) + ": " + json["undecided"][0].get<std::string>() +
+              ", "})
+      if (text.find(piece) == text.npos) absent.push_back(piece);
+    return absent;
+  };
+  certify(s);
+  auto json = nlohmann::json::parse(
+      certificate_json(*s.placement.certificate, make_signal_table(s.matrix, "signal.h5")));
+  EXPECT_THAT(missing(json), testing::IsEmpty());
+  // Negative control: other numbers are not found.
+  for (const char* key :
+       {"reached", "bound_labels", "rounds", "count_lower_bound", "seconds", "confidence"}) {
+    auto other = json;
+    other[key] = json[key].get<double>() < 1 ? 0.9 : json[key].get<double>() + 2;
+    EXPECT_THAT(missing(other), testing::Not(testing::IsEmpty())) << key;
+  }
+  // The least margins carry the verdicts of their labels.
+  const ReportData data(s.input);
+  const std::string html = test::static_report(s.input);
+  const std::string table = html.substr(html.find("id=\"weakest\""));
+  for (std::size_t k = 0, at = 0; k < 20; ++k) {
+    const std::uint32_t row = data.outcome.by_margin[k];
+    at = table.find("<tr><td>" + escape(data.label(row).id) + "</td>", at);
+    ASSERT_NE(at, std::string::npos) << data.label(row).id;
+    const std::string cells = table.substr(at, table.find("</tr>", at) - at);
+    EXPECT_NE(cells.find(">" + std::string(verdict_name(s.placement.certificate->labels[row].verdict)) + "<"),
+              std::string::npos)
+        << cells;
+  }
+}
+
+TEST(ReportHtml, ACertificateThatStandsIsSaidSo) {
+  Supermarket s;
+  certify(s);
+  for (LabelVerdict& label : s.placement.certificate->labels) label.verdict = Verdict::reached;
+  s.placement.certificate->open.clear();
+  const std::string text = read_markup(test::static_report(s.input)).text;
+  EXPECT_NE(text.find("Certified"), std::string::npos);
+  EXPECT_NE(text.find("Missed\n\nnone\n"), std::string::npos);
+  s.placement.certificate->labels[5].verdict = Verdict::missed;
+  const std::string missed = read_markup(test::static_report(s.input)).text;
+  EXPECT_EQ(missed.find("Certified"), std::string::npos);
+  EXPECT_NE(missed.find("Labels missed"), std::string::npos);
+  EXPECT_NE(missed.find("Missed\n\n1: " + s.matrix.labels[5].id + "\n"), std::string::npos);
 }
 
 TEST(ReportHtml, EveryLabelIsMarkedOnceOnThePlans) {

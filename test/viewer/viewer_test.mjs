@@ -4,12 +4,12 @@
 // count of its own. Ends with 77 where there is no browser.
 
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdirSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { check, equal, fails, near, runAll, test } from "./check.mjs";
-import { readCsv, readPlan, received } from "./files.mjs";
+import { readCsv, readJson, readPlan, received } from "./files.mjs";
 
 const [shelfbeam, largeReport, work] = process.argv.slice(2);
 const chromium = ["chromium", "chromium-browser", "google-chrome"].find(
@@ -45,6 +45,24 @@ const others = [
   plan("spare-alone", thesis, "--model", "non-cooperative", "--survive-failure"),
   plan("options", storeOf("chiller")),
 ];
+
+/** The grocery's plan with a certificate that has every verdict, as if fresh samples had said so. */
+function certifiedGrocery() {
+  const folder = join(work, "certified");
+  cpSync(grocery.folder, folder, { recursive: true });
+  const path = join(folder, "placement.json");
+  const ids = grocery.labels.map(({ id }) => id);
+  const missed = ids.filter((_, k) => k % 40 === 7);
+  const undecided = ids.filter((_, k) => k % 40 === 21);
+  const certificate = {
+    confidence: 0.975, reached: ids.length - missed.length - undecided.length, missed, undecided,
+    count_lower_bound: grocery.placement.count - 1, bound_labels: 41, rounds: 3, seconds: 123.25, open: "it was interrupted",
+  };
+  writeFileSync(path, JSON.stringify({ ...readJson(path), certificate }));
+  run("report", folder, "--quiet");
+  return readPlan(folder);
+}
+const certified = certifiedGrocery();
 
 const browser = await startBrowser(chromium);
 const urlOf = (folder) => pathToFileURL(join(folder, "report.html")).href;
@@ -148,6 +166,146 @@ for (const files of [grocery, ...others])
     equal(entries, files.mean.values.filter((mean) => mean !== 0).length, "entries");
     await page.close();
   });
+
+/** Cells of the tables and facts of the page, without its 3-D view. */
+const staticPage = (page) =>
+  page.evaluate(
+    `(() => {
+      const words = (e) => e.textContent.replace(/\\u00a0/g, " ");
+      const table = (id) => [...document.querySelectorAll("#" + id + " tbody tr")].map((row) => [...row.cells].map(words));
+      const list = (of) => Object.fromEntries([...of.querySelectorAll("dt")].map((dt) => [words(dt), words(dt.nextElementSibling)]));
+      return {
+        answer: words(document.querySelector("header")),
+        cards: Object.fromEntries([...document.querySelectorAll(".card")].map((card) => [words(card.querySelector("dt")), words(card.querySelector("dd")).replace(words(card.querySelector("small")), "")])),
+        units: table("units"), weakest: table("weakest"),
+        facts: Object.fromEntries([...document.querySelectorAll("#facts .facts > div")].map((part) => [words(part.querySelector("h3")), list(part)])),
+      };
+    })()`,
+  );
+
+/** Half a unit of the last digit that is shown: "12.50" stands for 12.495 to 12.505. */
+function shows(cell, value, what) {
+  const digits = cell.replace(/[,+]/g, "").replace("−", "-").replace(/ .*/, "");
+  const half = 0.5001 * 10 ** -(digits.split(".")[1] ?? "").length;
+  check(digits !== "" && Math.abs(Number(digits) - value) <= half, `${what}: the page has '${cell}', the files ${value}`);
+}
+
+function staticNumbersAre({ answer, cards, units, weakest, facts }, { placement, chosen, labels }, factor) {
+  const { certificate } = placement;
+  const needed = Math.ceil(placement.count_lower_bound - 1e-6);
+  shows(cards.Transceivers, placement.count, "transceivers");
+  shows(cards["At least needed"], certificate?.count_lower_bound ?? needed, "bound");
+  shows(cards["Labels reached"], certificate?.reached ?? countMet(labels.map(({ signal }) => Number(signal)), needsOf({ labels })), "labels reached");
+  const byMargin = [...labels].sort((a, b) => a.margin_db - b.margin_db);
+  shows(cards["Least margin"], Number(byMargin[0].margin_db), "least margin");
+  equal(units.length, chosen.length, "rows of units");
+  chosen.forEach((row, k) => {
+    const [number, id, x, y, z, alone, strongest, neededBy] = units[k];
+    equal([number, id, alone, strongest, neededBy], [String(k + 1), row.id, row.reaches_alone, row.strongest_for, row.needed_by], "unit");
+    for (const [cell, value] of [[x, row.x], [y, row.y], [z, row.z]]) shows(cell, Number(value), row.id);
+  });
+  equal(weakest.length, 20, "labels with the least margin");
+  weakest.forEach(([id, margin, signal, needs, strongest, , x, y, z, type, verdict], k) => {
+    const row = labels.find((label) => label.id === id);
+    shows(margin, Number(byMargin[k].margin_db), `margin ${k}`);
+    shows(margin, Number(row.margin_db), `margin of ${id}`);
+    shows(signal, Number(row.signal) / factor, `signal of ${id}`);
+    shows(needs, Number(row.requirement) / factor, `requirement of ${id}`);
+    equal([strongest.replace(/^[0-9]+: /, ""), type, verdict], [row.strongest, row.type, certificate && verdictOf(certificate, id)], id);
+    for (const [cell, value] of [[x, row.x], [y, row.y], [z, row.z]]) shows(cell, Number(value), id);
+  });
+  const of = facts.Placement;
+  shows(of.Transceivers, placement.count, "transceivers");
+  shows(of["At least needed"], needed, "bound");
+  shows(of["Gap of the number"], (100 * (placement.count - needed)) / placement.count, "gap");
+  shows(of.Time, placement.seconds, "seconds");
+  equal(of.Solver, placement.solver, "solver");
+  const redundant = of["Labels reached by two or more units, each alone (redundant)"];
+  shows(/\(([\d.]+)/.exec(redundant)[1], 100 * placement.redundant_share, "redundant share");
+  const fresh = facts["Certificate on fresh samples"];
+  equal(fresh === undefined, certificate === undefined, "certificate");
+  if (!certificate) return;
+  shows(fresh["Joint confidence"], 100 * certificate.confidence, "confidence");
+  shows(fresh["Labels reached"], certificate.reached, "reached");
+  for (const [name, ids] of [["Missed", certificate.missed], ["Undecided", certificate.undecided]]) {
+    shows(fresh[name].split(":")[0], ids.length, name);
+    for (const range of fresh[name].split(": ")[1].replace(", …", "").split(", ")) check(ids.includes(range.replace(/….*/, "")), range);
+  }
+  shows(fresh["At least needed"], certificate.count_lower_bound, "certified bound");
+  shows(fresh["That rests on"], certificate.bound_labels, "labels of the bound");
+  shows(fresh.Rounds, certificate.rounds, "rounds");
+  shows(fresh.Time, certificate.seconds, "seconds");
+  equal(fresh["It ended because"], certificate.open, "why it ended");
+  const { confidence, reached, missed, undecided, count_lower_bound, open } = certificate;
+  for (const part of [
+    `${placement.count} transceivers reach ${reached} of ${labels.length} labels`, `at least ${count_lower_bound} `,
+    `with joint confidence ${100 * confidence} %`, `${missed.length} labels are missed`, `${undecided.length} labels are undecided`, open,
+  ])
+    check(answer.includes(part), `'${part}' is not said: ${answer}`);
+}
+
+const verdictOf = ({ missed, undecided }, id) => (missed.includes(id) ? "missed" : undecided.includes(id) ? "undecided" : "reached");
+
+for (const files of [grocery, certified])
+  test(`numbers of the page of ${files.folder.split("/").pop()} are those of the files`, async () => {
+    const page = await open(files);
+    const found = await staticPage(page);
+    const factor = await page.run("(view) => view.model.store.unit.factor");
+    staticNumbersAre(found, files, factor);
+    const { placement } = files;
+    for (const other of [{ count: placement.count + 1 }, { seconds: 2 * placement.seconds }, { redundant_share: placement.redundant_share + 0.01 }])
+      fails(() => staticNumbersAre(found, { ...files, placement: { ...placement, ...other } }, factor), JSON.stringify(other));
+    const { certificate } = placement;
+    if (certificate)
+      for (const key of ["confidence", "reached", "count_lower_bound", "bound_labels", "rounds", "seconds"]) {
+        const changed = { ...placement, certificate: { ...certificate, [key]: certificate[key] * 1.5 } };
+        fails(() => staticNumbersAre(found, { ...files, placement: changed }, factor), key);
+      }
+    await page.close();
+  });
+
+test("verdicts of the certificate are shown while the plan is as it was made", async () => {
+  const page = await open(certified);
+  const { certificate } = certified.placement;
+  const ids = certified.labels.map(({ id }) => id);
+  const expected = ids.map((id) => verdictOf(certificate, id));
+  const verdicts = () => page.run("(view) => view.model.store.labels.ids.map((_, label) => view.model.verdict(label))");
+  equal(await verdicts(), expected, "verdicts");
+  fails(() => equal(expected.map(() => "reached"), expected), "other verdicts");
+  const { reached, missed, undecided } = certificate;
+  const head = (await text(page, ".v3-head")).replace(/\u00a0/g, " ");
+  check(head.includes(`with joint confidence 97.5 %: ${reached} reached, ${missed.length} missed, ${undecided.length} undecided.`), head);
+  await page.evaluate("document.querySelector('input[name=v3-colour][value=certificate]').click()");
+  await page.settle();
+  const legend = async () => (await text(page, ".v3-legend")).replace(/\u00a0/g, " ");
+  for (const part of ["joint confidence 97.5 %", `reached: ${reached}`, `missed: ${missed.length}`, `undecided: ${undecided.length}`])
+    check((await legend()).includes(part), `legend without '${part}': ${await legend()}`);
+  await picture(page, "certificate");
+  for (const verdict of ["missed", "undecided", "reached"]) {
+    await page.run("(view, index) => view.model.select({ kind: 'label', index })", expected.indexOf(verdict));
+    equal(await text(page, ".v3-card [data-fact=verdict]"), verdict, "verdict in the card");
+  }
+  // Of anything else it says nothing: units, then thresholds.
+  for (const change of ["view.model.switchUnit(view.model.store.units.selected[0], false)", "view.model.state.requirements[0] *= 2; view.model.recount()"]) {
+    await page.run(`(view) => { ${change}; }`);
+    equal(await verdicts(), expected.map(() => null), "verdicts of what is no longer the plan");
+    equal(await text(page, ".v3-card [data-fact=verdict]"), "known of the plan only", "verdict in the card");
+    check((await legend()).includes(`not of what is on now:without a verdict: ${ids.length}`), await legend());
+    check((await text(page, ".v3-head")).includes("The certificate does not cover that."), "head");
+    await picture(page, "certificate-changed");
+    await page.run("(view) => view.restore(null)");
+    equal(await verdicts(), expected, "verdicts after reset");
+    await page.run("(view) => { view.model.state.mode = 'certificate'; view.model.select({ kind: 'label', index: 0 }); }");
+  }
+  const again = await open(certified, { hash: await page.run("(view) => view.link()"), dark: true });
+  equal(await again.run("(view) => view.model.state.mode"), "certificate", "colour in the link");
+  await picture(again, "certificate-dark");
+  // A plan without one does not offer it.
+  const without = await open(grocery, { hash: "#view=1&colour=certificate" });
+  equal(await without.run("(view) => view.model.state.mode"), "margin", "colour without a certificate");
+  equal(await without.evaluate("document.querySelectorAll('input[name=v3-colour]').length"), 3, "colours");
+  for (const of of [page, again, without]) await of.close();
+});
 
 test("a click on a label shows its transceivers with signal, error and direct share", async () => {
   const page = await open(grocery);
@@ -368,7 +526,7 @@ test("everything can be done by keyboard", async () => {
 
 test("it fits 360 px", async () => {
   for (const dark of [false, true]) {
-    const page = await open(grocery, { width: 360, height: 740, dark });
+    const page = await open(certified, { width: 360, height: 740, dark });
     await page.run("(view) => view.model.select({ kind: 'label', index: 5 })");
     await page.settle();
     equal(await page.evaluate("document.documentElement.scrollWidth"), 360, "width");
@@ -419,8 +577,13 @@ test("40,000 labels", async () => {
   const rows = readCsv(join(folder, "labels.csv"));
   const signals = await page.run("(view) => [...view.model.coverage.signal]");
   rows.forEach((row, label) => near(signals[label], Number(row.signal), 1e-8, `signal of ${row.id}`));
+  const counts = await page.run("({ model }) => model.store.units.selected.map((unit) => [model.coverage.reach[unit], model.coverage.decides[unit]])");
+  const chosen = readCsv(join(folder, "placement.csv"));
+  equal(counts, chosen.map((row) => [Number(row.reaches_alone), Number(row.needed_by)]), "labels of each unit");
+  const serving = await page.run("(view) => [...view.model.coverage.serving]");
+  equal(serving, rows.map((row) => row.serving.split(";").filter(Boolean).length), "serving units");
   const told = await text(page, note);
-  check(/the [\d,]+ smallest of [\d,]+ entries are left out/.test(told), "what is left out is not told");
+  check(/signals are rounded to [\d.]+\u00a0% of what a label needs(, and the [\d,]+ smallest of [\d,]+ are left out)?: each unit that is switched may put a label's signal off by [\d.]+\u00a0% of its need/.test(told), `what is rounded is not told: ${told}`);
   check((await page.evaluate("document.querySelector('#viewer-signals').textContent.length")) <= 20e6, "signals exceed 20 MB");
   const frame = await page.run("(view) => view.stage.measure(9)");
   const recount = await page.run("(view) => { const t = performance.now(); view.model.coverage.update(view.model.state.on, view.model.state.requirements); return performance.now() - t; }");

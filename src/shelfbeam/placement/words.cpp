@@ -64,6 +64,18 @@ std::string named(const Certificate& certificate, Verdict verdict, std::string_v
 
 }  // namespace
 
+std::string_view verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reached:
+      return "reached";
+    case Verdict::missed:
+      return "missed";
+    case Verdict::undecided:
+      break;
+  }
+  return "undecided";
+}
+
 std::string statement(const Placement& placement) {
   if (!placement.certificate) return {};
   const Certificate& certificate = *placement.certificate;

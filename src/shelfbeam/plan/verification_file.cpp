@@ -3,32 +3,17 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
+#include "shelfbeam/placement/words.hpp"
 
 namespace shelfbeam {
-
-namespace {
-
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::reached:
-      return "reached";
-    case Verdict::missed:
-      return "missed";
-    case Verdict::undecided:
-      break;
-  }
-  return "undecided";
-}
-
-}  // namespace
 
 std::string verification_csv(const Certificate& certificate, const Scene& scene) {
   std::string text = "id,verdict,requirement,signal,standard_error,lower,upper,samples\n";
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
     const LabelVerdict& label = certificate.labels[i];
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(scene.labels[i].id), name_of(label.verdict),
-                        label.requirement, label.signal, label.standard_error, label.lower, label.upper,
-                        label.samples);
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(scene.labels[i].id),
+                        verdict_name(label.verdict), label.requirement, label.signal, label.standard_error,
+                        label.lower, label.upper, label.samples);
   }
   return text;
 }

@@ -29,16 +29,30 @@ std::string bound_note(const Placement& placement, bool has_selection) {
   return count_gap(placement) == 0 ? "proven" : fmt::format("proven; gap {}", percent(count_gap(placement)));
 }
 
+// Of a certificate what its samples prove; the matrix's own bound is among the remarks and the facts then.
+std::string least_card(const ReportData& data) {
+  constexpr const char* name = "At least needed";
+  const Placement& placement = data.input.placement;
+  if (placement.status == Status::infeasible) return card(name, "–", "no number suffices");
+  if (const auto& certificate = placement.certificate; certificate && certificate->count_lower_bound > 0)
+    return card(name, grouped(std::min(certificate->count_lower_bound, placement.count())),
+                "on fresh samples");
+  return card(name, grouped(least_count(placement)),
+              placement.certificate ? "proven on the matrix" : bound_note(placement, data.has_selection()));
+}
+
 }  // namespace
 
 std::string answer_section(const ReportData& data) {
   constexpr const char* tones[] = {"yes", "open", "no"};
   constexpr const char* verdicts[] = {"Solved", "Open", "Not possible"};
+  constexpr const char* certified[] = {"Certified", "Open", "Labels missed"};
   const Headline line = headline(data);
   const auto tone = static_cast<std::size_t>(line.tone);
-  std::string verdict = verdicts[tone];
+  const bool has_certificate = data.input.placement.certificate.has_value();
+  std::string verdict = has_certificate ? certified[tone] : verdicts[tone];
   // A proof on a matrix that other samples would change is less than the word alone promises.
-  if (line.tone == Headline::Tone::yes && data.uncertain > 0)
+  if (line.tone == Headline::Tone::yes && data.uncertain > 0 && !has_certificate)
     verdict += fmt::format(", {} uncertain", counted(data.uncertain, "label"));
   const std::string& name = data.input.scene.name;
   std::string html = fmt::format(
@@ -61,11 +75,12 @@ std::string key_figures(const ReportData& data) {
       fmt::format("of {}{}{}", counted(candidates, "candidate"),
                   data.has_options() ? " at " + counted(data.mounting_points, "mounting point") : "",
                   data.has_selection() && installed > 0 ? fmt::format("; {} installed", installed) : ""));
-  html += placement.status == Status::infeasible ? card("At least needed", "–", "no number suffices")
-                                                 : card("At least needed", grouped(least_count(placement)),
-                                                        bound_note(placement, data.has_selection()));
+  html += least_card(data);
   if (data.has_selection()) {
-    html += card("Labels reached", grouped(data.outcome.met), "of " + grouped(labels));
+    html += placement.certificate
+                ? card("Labels reached", grouped(placement.certificate->count(Verdict::reached)),
+                       fmt::format("of {}, on fresh samples", grouped(labels)))
+                : card("Labels reached", grouped(data.outcome.met), "of " + grouped(labels));
     const std::uint32_t weakest = data.outcome.by_margin.front();
     html += card("Least margin", decibels(data.outcome.labels[weakest].margin()),
                  "label " + data.label(weakest).id);

@@ -1,8 +1,12 @@
+#include <algorithm>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "shelfbeam/placement/words.hpp"
 #include "shelfbeam/report/headline.hpp"
 #include "shelfbeam/report/html_table.hpp"
+#include "shelfbeam/report/id_ranges.hpp"
 #include "shelfbeam/report/sections.hpp"
 #include "shelfbeam/transport/coverage.hpp"
 
@@ -72,6 +76,42 @@ std::string placement_facts(const ReportData& data) {
   return facts.html();
 }
 
+// "none", or how many and which: ranges of ids, the first of them.
+std::string named_labels(const ReportData& data, Verdict verdict) {
+  constexpr std::size_t most_ranges = 20;
+  const auto& labels = data.input.placement.certificate->labels;
+  std::vector<std::string> ids;
+  for (std::uint32_t i = 0; i < labels.size(); ++i)
+    if (labels[i].verdict == verdict) ids.push_back(data.label(i).id);
+  if (ids.empty()) return "none";
+  const auto ranges = id_ranges(ids);
+  const std::size_t shown = std::min(ranges.size(), most_ranges);
+  return fmt::format("{}: {}{}", grouped(ids.size()),
+                     fmt::join(ranges.begin(), ranges.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+                     shown < ranges.size() ? ", …" : "");
+}
+
+std::string certificate_facts(const ReportData& data) {
+  if (!data.input.placement.certificate) return {};
+  const Certificate& certificate = *data.input.placement.certificate;
+  Facts facts("Certificate on fresh samples");
+  facts.add("Joint confidence", plain(100 * certificate.confidence) + "\u00A0%");
+  facts.add("Labels reached", fmt::format("{} of {}", grouped(certificate.count(Verdict::reached)),
+                                          grouped(certificate.labels.size())));
+  facts.add("Missed", named_labels(data, Verdict::missed));
+  facts.add("Undecided", named_labels(data, Verdict::undecided));
+  if (certificate.count_lower_bound > 0) {
+    facts.add("At least needed", grouped(certificate.count_lower_bound));
+    facts.add("That rests on", counted(certificate.bound_labels, "label"));
+  } else {
+    facts.add("At least needed", "not examined");
+  }
+  facts.add("Rounds", grouped(certificate.rounds));
+  facts.add("Time", significant(certificate.seconds, 3) + "\u00A0s");
+  if (!certificate.open.empty()) facts.add("It ended because", certificate.open);
+  return facts.html();
+}
+
 std::string simulation_facts(const ReportData& data) {
   const SamplingSummary& s = data.sampling;
   const SignalMatrix& matrix = data.input.matrix;
@@ -117,8 +157,8 @@ std::string origin_facts(const ReportData& data) {
 }  // namespace
 
 std::string facts_section(const ReportData& data) {
-  std::string html = "<div class=\"facts\">\n" + placement_facts(data) + simulation_facts(data) +
-                     origin_facts(data) + "</div>\n";
+  std::string html = "<div class=\"facts\">\n" + placement_facts(data) + certificate_facts(data) +
+                     simulation_facts(data) + origin_facts(data) + "</div>\n";
   if (const auto uncovered = uncovered_light(data.input.scene); !uncovered.empty()) {
     html +=
         "<h3>Light that the signals do not have</h3>\n<p>It would come on top; a transceiver type with a "

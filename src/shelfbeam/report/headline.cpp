@@ -186,18 +186,24 @@ std::string closeness_remark(const ReportData& data) {
       one ? "its requirement" : "their requirements");
 }
 
+// On a page a number and its percent sign stay in one line.
+std::string with_joined_percent(std::string text) {
+  for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) text.replace(at, 2, "\u00A0%");
+  return text;
+}
+
 // What fresh samples say comes first; what the matrix says then is a remark.
 void put_certificate_first(const Placement& placement, Headline& headline) {
   const Certificate& certificate = *placement.certificate;
-  headline.remarks.insert(headline.remarks.begin(), "On the simulated matrix: " + headline.answer);
-  headline.answer = statement(placement);
+  headline.remarks.insert(headline.remarks.begin(),
+                          {std::string(certificate_scope), "On the simulated matrix: " + headline.answer});
+  headline.answer = with_joined_percent(statement(placement));
   headline.tone = certificate.count(Verdict::missed) > 0 ? Headline::Tone::no
                   : certificate.open.empty()             ? Headline::Tone::yes
                                                          : Headline::Tone::open;
 }
 
 std::string sampling_remark(const ReportData& data) {
-  if (data.input.placement.certificate) return std::string(certificate_scope);
   std::string text =
       "The statement holds for the simulated signal matrix; its sampling error is not part of the proof.";
   const SamplingSummary& s = data.sampling;
@@ -267,7 +273,7 @@ Headline headline(const ReportData& data) {
   if (placement.certificate) put_certificate_first(placement, result);
   if (const std::string apart = kept_apart(placement); !apart.empty()) result.remarks.push_back(apart + ".");
   if (std::string remark = proof_remark(data); !remark.empty()) result.remarks.push_back(std::move(remark));
-  result.remarks.push_back(sampling_remark(data));
+  if (!placement.certificate) result.remarks.push_back(sampling_remark(data));
   return result;
 }
 

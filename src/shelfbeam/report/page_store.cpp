@@ -110,11 +110,25 @@ Json add_units(PageData& page, const ReportData& data) {
   }
   page.add("unit_position", std::span(position));
   page.add("unit_axis", std::span(axis));
+  Json needed_by = Json::array();
+  for (const UnitOutcome& unit : data.outcome.units) needed_by.push_back(unit.needed_by);
   return {{"ids", ids},
           {"types", types},
           {"installed", installed},
           {"mounts", shared_mounts(data.input.matrix)},
-          {"selected", data.input.placement.selected}};
+          {"selected", data.input.placement.selected},
+          {"neededBy", needed_by}};
+}
+
+// In the order of Verdict, as the script knows it; nothing without a certificate.
+Json add_certificate(PageData& page, const ReportData& data) {
+  const auto& certificate = data.input.placement.certificate;
+  std::vector<std::uint8_t> verdicts;
+  if (certificate)
+    for (const LabelVerdict& label : certificate->labels)
+      verdicts.push_back(static_cast<std::uint8_t>(label.verdict));
+  page.add("label_verdict", std::span(verdicts));
+  return certificate ? Json{{"confidence", certificate->confidence}} : Json();
 }
 
 Json levels_of(const ReportData& data) {
@@ -164,6 +178,7 @@ std::string pack_store(const ReportData& data, const SignalScale& scale) {
   about["fixtures"] = fixtures_of(scene);
   about["labels"] = add_labels(page, data);
   about["units"] = add_units(page, data);
+  about["certificate"] = add_certificate(page, data);
   return page.base64(about.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

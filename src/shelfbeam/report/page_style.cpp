@@ -67,6 +67,7 @@ summary{font-weight:600;cursor:pointer}
 .serves li{display:inline-block;margin-right:.8em;max-width:100%;overflow-wrap:anywhere}
 tr>:first-child{position:sticky;left:0;background:var(--card)}
 .facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:16px}
+@media(min-width:721px){.facts:has(>:nth-child(4)){grid-template-columns:1fr 1fr}}
 .facts>div{background:var(--card);border:1px solid var(--line);border-radius:8px;padding:14px 16px;min-width:0}
 .facts dl{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1.2fr);gap:5px 12px;margin:0;font-size:.88rem}
 .facts~h3{margin-top:1.6em}

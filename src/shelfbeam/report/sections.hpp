@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "shelfbeam/report/maps.hpp"
 #include "shelfbeam/report/report_data.hpp"
@@ -13,9 +14,10 @@ std::string answer_section(const ReportData& data);
 std::string key_figures(const ReportData& data);
 /// Labels that no selection reaches: what they need and the most they could get.
 std::string unreachable_section(const ReportData& data);
-/// The 3-D view with its data and its script; in a build without it a word that it was left out.
-std::string viewer_section(const ReportData& data);
-bool has_viewer();
+/// The bundle of src/viewer; empty in a build without Node.js or its packages.
+std::string_view viewer_script();
+/// The 3-D view with its data and its script; where that is empty a word that the view was left out.
+std::string viewer_section(const ReportData& data, std::string_view script);
 /// The signals in it take so many bytes at most.
 inline constexpr std::size_t most_signal_bytes = 20'000'000;
 std::string margin_section(const ReportData& data, const Maps& maps);

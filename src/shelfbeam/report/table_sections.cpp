@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/placement/words.hpp"
 #include "shelfbeam/report/html_table.hpp"
 #include "shelfbeam/report/id_ranges.hpp"
 #include "shelfbeam/report/sections.hpp"
@@ -89,17 +90,20 @@ std::string weakest_section(const ReportData& data) {
   if (!data.has_selection()) return {};
   constexpr std::size_t most_rows = 20;
   const std::size_t rows = std::min(most_rows, data.outcome.by_margin.size());
+  const auto& certificate = data.input.placement.certificate;
   const std::string in_unit = fmt::format(" ({})", data.unit.name);
-  HtmlTable table({{"Label", false},
-                   {"Margin"},
-                   {"Signal" + in_unit},
-                   {"Needs" + in_unit},
-                   {"Strongest unit", false},
-                   {"Standard error of its part" + in_unit},
-                   {"x (m)"},
-                   {"y (m)"},
-                   {"Height (m)"},
-                   {"Type", false}});
+  std::vector<HtmlTable::Column> columns{{"Label", false},
+                                         {"Margin"},
+                                         {"Signal" + in_unit},
+                                         {"Needs" + in_unit},
+                                         {"Strongest unit", false},
+                                         {"Standard error of its part" + in_unit},
+                                         {"x (m)"},
+                                         {"y (m)"},
+                                         {"Height (m)"},
+                                         {"Type", false}};
+  if (certificate) columns.push_back({"On fresh samples", false});
+  HtmlTable table(columns);
   for (std::size_t k = 0; k < rows; ++k) {
     const std::uint32_t row = data.outcome.by_margin[k];
     const LabelOutcome& outcome = data.outcome.labels[row];
@@ -112,9 +116,18 @@ std::string weakest_section(const ReportData& data) {
         error = data.unit.number(static_cast<double>(
             data.input.matrix.standard_error[data.input.matrix.at(row, *outcome.strongest)]));
     }
-    table.add_row({label.id, decibels(outcome.margin()), data.unit.number(outcome.signal),
-                   data.unit.number(outcome.requirement), strongest, error, fixed(label.position.x, 2),
-                   fixed(label.position.y, 2), fixed(label.position.z, 2), label.type});
+    std::vector<std::string> cells{label.id,
+                                   decibels(outcome.margin()),
+                                   data.unit.number(outcome.signal),
+                                   data.unit.number(outcome.requirement),
+                                   strongest,
+                                   error,
+                                   fixed(label.position.x, 2),
+                                   fixed(label.position.y, 2),
+                                   fixed(label.position.z, 2),
+                                   label.type};
+    if (certificate) cells.emplace_back(verdict_name(certificate->labels[row].verdict));
+    table.add_row(cells);
   }
   return html_section("weakest",
                       rows == 1 ? "The label" : fmt::format("The {} labels with the least margin", rows),

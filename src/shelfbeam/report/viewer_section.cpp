@@ -26,35 +26,64 @@ std::vector<double> shown_signals(const ReportData& data) {
   return signals;
 }
 
+std::string share_text(double share) {
+  return significant(100 * share, 2) + "\u00A0%";
+}
+
+// The plan is counted with all of its entries; how far from them is what the reader switches.
+std::string rounding(const ReportData& data, const PageSignals& signals) {
+  const Question& question = data.input.placement.question;
+  std::string text = fmt::format(
+      "The plan is counted with the signals of signal.h5, to the last bit. To keep the page small, single "
+      "signals are rounded to {} of what a label needs{}: ",
+      plain(100 * signals.grain) + "\u00A0%",
+      signals.left_out == 0
+          ? ""
+          : fmt::format(", and the {} smallest of {} are left out", grouped(signals.left_out),
+                        grouped(signals.left_out + signals.mean.size())));
+  const std::string most = share_text(signals.largest_error);
+  if (question.model == CommunicationModel::non_cooperative)
+    return text + fmt::format("with other units on, a label's signal may be off by {} of its need.", most);
+  text += fmt::format(
+      "each unit that is switched may put a label's signal off by {} of its need{}", most,
+      question.redundant ? " (the first by three times that, as the strongest may be another)" : "");
+  const LabelRow& label = data.label(signals.most_affected);
+  double everything = 0;
+  for (const float mean : data.input.matrix.mean_row(signals.most_affected))
+    everything += static_cast<double>(mean);
+  return text +
+         fmt::format(", all units on, all their errors added, by {} at most (of {}, label {}).",
+                     share_text(signals.largest_effect),
+                     label.requirement > 0 ? share_text(everything / label.requirement) : "what it gets",
+                     label.id);
+}
+
 // What the view leaves out, so that nobody takes its numbers for more than they are.
 std::string completeness(const ReportData& data, const PageSignals& signals) {
   const double digits = std::expm1(0.5 * signals.error_step);
-  std::string text = fmt::format(
-      "Signals are those of signal.h5, to the last bit{}.",
-      signals.error.empty() ? ""
-                            : fmt::format("; standard errors are rounded by up to {}", percent(digits, 3)));
+  std::string text =
+      signals.grain > 0 ? rounding(data, signals) : "Signals are those of signal.h5, to the last bit.";
+  if (!signals.error.empty())
+    text += fmt::format(
+        " Standard errors are rounded by up to {}{}.", percent(digits, signals.grain > 0 ? 0 : 3),
+        signals.details_from == 0
+            ? ""
+            : fmt::format("; those of signals below {} of a need are not here, nor their direct shares",
+                          percent(relevant_share, 0)));
   if (data.input.placement.forbidden_pairs > 0)
     text += " Candidates that the plan keeps apart can be switched on together here.";
-  if (signals.left_out == 0) return text;
-  return text +
-         fmt::format(
-             " To keep the page small, the {} smallest of {} entries are left out and count as 0: each "
-             "is below {} of what its label needs, and those of one label, all units on, add up to {} of "
-             "it at most (label {}). The plan itself is counted with all of its entries.",
-             grouped(signals.left_out), grouped(signals.left_out + signals.mean.size()),
-             significant(100 * signals.largest_left_out) + "\u00A0%",
-             significant(100 * signals.largest_effect) + "\u00A0%", data.label(signals.most_affected).id);
+  return text;
 }
 
 }  // namespace
 
-bool has_viewer() {
-  return !embedded::viewer_script.empty();
+std::string_view viewer_script() {
+  return embedded::viewer_script;
 }
 
-std::string viewer_section(const ReportData& data) {
+std::string viewer_section(const ReportData& data, std::string_view script) {
   if (data.levels.empty()) return {};
-  if (!has_viewer())
+  if (script.empty())
     return html_section(
         "viewer", heading,
         paragraph(
@@ -72,8 +101,7 @@ std::string viewer_section(const ReportData& data) {
       "<script type=\"text/plain\" id=\"viewer-signals\">{}</script>\n"
       "<script>{}</script>\n",
       signal_colours(scale, false), signal_colours(scale, true),
-      paragraph(completeness(data, packed.signals), "note"), pack_store(data, scale), packed.base64,
-      embedded::viewer_script);
+      paragraph(completeness(data, packed.signals), "note"), pack_store(data, scale), packed.base64, script);
   return html_section("viewer", heading, body);
 }
 

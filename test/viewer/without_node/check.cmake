@@ -1,0 +1,20 @@
+# cmake -DSOURCE=<folder of this file> -DBINARY=<folder to build in> -DGENERATOR=<generator> -P check.cmake
+
+file(REMOVE_RECURSE ${BINARY})
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${BINARY} -G ${GENERATOR}
+  RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE said)
+if(failed)
+  message(FATAL_ERROR "It cannot be configured:\n${said}")
+endif()
+string(REGEX REPLACE "[ \n]+" " " said "${said}")
+if(NOT said MATCHES "Node.js or npm is missing .*: reports will have no 3-D view")
+  message(FATAL_ERROR "The configuration does not say that the 3-D view is left out:\n${said}")
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BINARY} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+if(failed)
+  message(FATAL_ERROR "It cannot be built:\n${said}")
+endif()
+execute_process(COMMAND ${BINARY}/script_size OUTPUT_VARIABLE size OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+if(NOT size STREQUAL "0")
+  message(FATAL_ERROR "The script has ${size} bytes, none were expected")
+endif()

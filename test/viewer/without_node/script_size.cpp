@@ -1,0 +1,12 @@
+// Prints how many bytes the embedded script of the 3-D view has.
+
+#include <iostream>
+#include <string_view>
+
+namespace shelfbeam::embedded {
+extern const std::string_view viewer_script;
+}
+
+int main() {
+  std::cout << shelfbeam::embedded::viewer_script.size() << '\n';
+}
