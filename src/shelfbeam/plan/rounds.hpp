@@ -1,10 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 
 #include "shelfbeam/plan/verification.hpp"
-#include "shelfbeam/transport/simulation_options.hpp"
+#include "shelfbeam/transport/simulate.hpp"
 
 namespace shelfbeam {
 
@@ -16,10 +17,16 @@ class Rounds {
  public:
   static constexpr std::uint32_t growth = 4;  ///< of the batches, from round to round
   static constexpr std::uint32_t most_batches = 1 << 16;
+  /// Paths a label and batch, at least: batches of fewer are so skewed that limits do not hold.
+  static constexpr std::uint64_t least_paths = 256;
 
   /// The simulation's seed is that of the planning matrix.
   Rounds(double confidence, double budget_s, const SimulationOptions& simulation)
-      : error_(1 - confidence), budget_s_(budget_s), simulation_(simulation) {}
+      : error_(1 - confidence), budget_s_(budget_s), simulation_(simulation) {
+    simulation_.relative_error.reset();
+    simulation_.time_s.reset();
+    simulation_.samples = std::max(simulation_.samples, least_paths * batch_count);
+  }
 
   double seconds() const;
   double left() const { return budget_s_ - seconds(); }
@@ -37,7 +44,7 @@ class Rounds {
 
  private:
   double error_, budget_s_;
-  const SimulationOptions& simulation_;
+  SimulationOptions simulation_;
   std::uint32_t round_ = 0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
