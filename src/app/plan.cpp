@@ -103,7 +103,7 @@ int run_plan(const Options& options) {
   else
     std::filesystem::remove(options.folder / verification_name);  // of another plan
   write_report(options.folder, {store.scene, matrix, plan.placement});
-  if (summary.complete) remove_checkpoint(simulation.checkpoint.path);
+  if (plan.complete) remove_checkpoint(simulation.checkpoint.path);
 
   if (options.common.json)
     fmt::print("{}", answer);
@@ -111,9 +111,9 @@ int run_plan(const Options& options) {
     fmt::print("{}\n{}{}report: {}\n", describe(summary), describe(plan.placement, table),
                is_certified ? fmt::format("certificate: {}\n", statement(plan.placement)) : "",
                (options.folder / report_name).string());
-  if (summary.complete) {
-    const int code = exit_code(plan.placement.status);
-    return code == done && is_certified && !plan.placement.certificate->open.empty() ? stopped_early : code;
+  if (plan.complete) {
+    const bool is_open = is_certified && !plan.placement.certificate->open.empty();
+    return is_open ? stopped_early : exit_code(plan.placement.status);
   }
   if (!options.common.quiet)
     fmt::print(

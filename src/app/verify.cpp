@@ -10,9 +10,9 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/placement/placement_file.hpp"
 #include "shelfbeam/placement/words.hpp"
-#include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/plan/verification_file.hpp"
+#include "shelfbeam/plan/verify_installation.hpp"
 #include "shelfbeam/scene/installation.hpp"
 #include "shelfbeam/scene/store.hpp"
 
@@ -77,6 +77,7 @@ int run_verify(const Options& options) {
     asked.confidence = options.certificate.confidence;
     asked.budget_s = options.certificate.budget_s;
     asked.simulation = options.simulation.options(options.common.seed, options.output);
+    asked.simulation.checkpoint = {};
     placement = verify_installation(installation.scene, question, asked, control);
   }
   const Certificate& certificate = *placement.certificate;

@@ -39,8 +39,14 @@ TEST_F(ExitCode, OneWhereTheAnswerIsNo) {
       expect_silent({"plan", path("greedy.json"), "-o", path("plan"), "--samples", "320"}, 1);
   EXPECT_NE(out.find("17 cannot be reached even by all candidates together"), std::string::npos) << out;
   EXPECT_NE(out.find("needs 100"), std::string::npos) << out;
-  EXPECT_EQ(names(folder / "plan").size(), 6u);
+  EXPECT_NE(out.find("certificate: No selection reaches all 17 labels, with joint confidence 99 %"),
+            std::string::npos)
+      << out;
+  EXPECT_EQ(names(folder / "plan").size(), 7u);
+  const std::string report = read_file(folder / "plan/report.html");
+  EXPECT_NE(report.find("No selection reaches all 17 labels"), std::string::npos);
   expect_silent({"report", path("plan")});
+  EXPECT_EQ(read_file(folder / "plan/report.html"), report);
   expect_silent({"place", path("plan/signal.h5"), "-o", path("placement.json"), "--model", "non-cooperative"},
                 1);
   const Json placement = json("placement.json");

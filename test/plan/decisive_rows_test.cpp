@@ -28,6 +28,9 @@ TEST(DecisiveRows, NeedAsMuchAsAll) {
     const Placement some = place(table_of_rows(table, decisive.rows), question, {.settles_ties = false});
     EXPECT_EQ(some.count(), all.count());
     EXPECT_FALSE(decisive_rows(table, question, all.count() + 1, 10, {}).suffice) << "more is not to be had";
+    const DecisiveRows hurried = decisive_rows(table, question, all.count(), 0, {});
+    EXPECT_TRUE(std::is_sorted(hurried.rows.begin(), hurried.rows.end()));
+    EXPECT_FALSE(hurried.suffice) << "nothing was asked";
     ++sufficient;
     fewer += decisive.rows.size() < table.rows();
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -85,7 +86,8 @@ TEST(FreshSum, LimitsAreStudents) {
   FreshSum sum;
   sum.known = 3;
   for (const double value : {1.0, 2.0, 3.0, 4.0}) sum.sampled.add(value), ++sum.hits;
-  // t of 3 degrees of freedom exceeds 2.3534 with a chance of 5 %; the error is sqrt(5 / 3 / 4).
+  // Of no skewness. t of 3 degrees of freedom exceeds 2.3534 with a chance of 5 %; the error is sqrt(5 / 3 /
+  // 4).
   const double half = 2.353363 * std::sqrt(5.0 / 12);
   EXPECT_NEAR(sum.upper(0.05), 5.5 + half, 1e-5);
   EXPECT_NEAR(sum.lower(0.05), 5.5 - half, 1e-5);
@@ -94,12 +96,40 @@ TEST(FreshSum, LimitsAreStudents) {
   EXPECT_TRUE(sum.is_rare());
 }
 
+// Means of 64 exponential values (skewness 2): with a chance of 1e-4 the upper limit may be too low, so 4 are
+// expected of 40,000 and 20 have a chance below 1e-7. Student's limit, the control, is some 20 times too
+// sure of itself. The lower limit of the mirrored values is as far out.
+TEST(FreshSum, LimitsHoldForSkewedBatches) {
+  std::mt19937_64 random(8);
+  std::exponential_distribution<double> draw(1);
+  constexpr double level = 1e-4;
+  const double t = -student_quantile(level, 63);
+  int wrong = 0, of_student = 0;
+  for (int k = 0; k < 40000; ++k) {
+    FreshSum sum, mirrored;
+    for (int b = 0; b < 64; ++b) {
+      const double value = draw(random);
+      sum.sampled.add(value);
+      mirrored.sampled.add(-value);
+    }
+    wrong += sum.upper(level) < 1;
+    of_student += sum.mean() + t * sum.sampled.standard_error() < 1;
+    ASSERT_NEAR(mirrored.lower(level), -sum.upper(level), 1e-12);
+    ASSERT_NEAR(sum.lower(level), sum.mean() - t * sum.sampled.standard_error(), 1e-12)
+        << "skewness to the other side brings no limit nearer";
+  }
+  EXPECT_LE(wrong, 20);
+  EXPECT_GT(of_student, 40);
+}
+
 // Without any hit in B batches the chance of one is below 1 - level^(1/B).
 TEST(FreshSum, LimitsWhatWasNeverHit) {
   FreshSum sum;
   for (int k = 0; k < 64; ++k) sum.sampled.add(0);
   EXPECT_NEAR(success_limit(0, 64, 1e-3), 1 - std::pow(1e-3, 1.0 / 64), 1e-12);
-  EXPECT_NEAR(sum.rare_upper(1e-3, 2.0), 2 * (1 - std::pow(1e-3, 1.0 / 64)), 1e-12);
+  EXPECT_NEAR(sum.rare_upper(1e-3, 2.0, 0.1), 2 * (1 - std::pow(1e-3, 1.0 / 64)), 1e-12);
+  EXPECT_NEAR(sum.rare_upper(1e-3, 0, 0.1), 0.4 * (1 - std::pow(1e-3, 1.0 / 64)), 1e-12)
+      << "where nothing was ever hit, a hit may still give several requirements";
   EXPECT_EQ(sum.upper(1e-3), 0) << "Student's limit says nothing here";
   EXPECT_EQ(success_limit(64, 64, 0.01), 1);
   // With p at the limit, 3 or fewer of 20 have a chance of `level`: 0.05 at 0.3438 (tables).
@@ -137,7 +167,7 @@ TEST(Refine, JoinsBatches) {
   SignalMatrix matrix = simulate(scene, "", options).matrix;
   const SignalMatrix before = matrix;
   const VerificationEffort effort{options, 77, 64};
-  refine(scene, {2, 5}, effort, matrix);
+  for (const FreshRow& row : fresh_rows(scene, {2, 5}, effort)) join(row, matrix);
   SimulationOptions other = options;
   other.seed = 77;
   const FreshSums fresh = fresh_sums(sub_scene(scene, std::vector<std::uint32_t>{2, 5},
@@ -157,6 +187,25 @@ TEST(Refine, JoinsBatches) {
     EXPECT_LT(matrix.standard_error[at], 0.9F * before.standard_error[at] + 1e-12F);
     EXPECT_EQ(matrix.mean[matrix.at(4, j)], before.mean[before.at(4, j)]);
   }
+}
+
+TEST(Refine, CanBeTakenBack) {
+  const Scene scene = test::PlanStore().scene();
+  SimulationOptions options = options_of(EstimatorKind::uniform);
+  options.max_bounces = 2;
+  options.by_bounce = true;
+  SignalMatrix matrix = simulate(scene, "", options).matrix;
+  const SignalMatrix was = matrix;
+  RowsBefore before(matrix, {2, 5});
+  for (const FreshRow& row : fresh_rows(scene, {2, 5}, {options, 77, 64})) join(row, matrix);
+  EXPECT_NE(matrix.mean, was.mean);
+  EXPECT_TRUE(matrix.by_bounce.empty());
+  before.restore(matrix);
+  EXPECT_EQ(matrix.mean, was.mean);
+  EXPECT_EQ(matrix.standard_error, was.standard_error);
+  EXPECT_EQ(matrix.labels[5].batches, was.labels[5].batches);
+  EXPECT_EQ(matrix.labels[5].samples, was.labels[5].samples);
+  EXPECT_EQ(matrix.by_bounce.size(), was.by_bounce.size());
 }
 
 }  // namespace

@@ -62,6 +62,40 @@ std::string named(const Certificate& certificate, Verdict verdict, std::string_v
   return count == 0 ? "" : fmt::format(" {} {} {}.", count, count == 1 ? "label is" : "labels are", what);
 }
 
+std::string confidence_of(const Certificate& certificate) {
+  return fmt::format("{:.6g} %", 100 * certificate.confidence);
+}
+
+std::string what_is_reached(const Placement& placement, const Certificate& certificate) {
+  const std::size_t labels = certificate.labels.size(), count = placement.count();
+  const std::size_t bound = std::min(certificate.count_lower_bound, count);
+  const std::string confidence = confidence_of(certificate);
+  std::string text = fmt::format("{} {} ", units(count), count == 1 ? "reaches" : "reach");
+  text += certificate.all_reached()
+              ? fmt::format("all {} labels", labels)
+              : fmt::format("{} of {} labels", certificate.count(Verdict::reached), labels);
+  if (placement.question.redundant) text += ", whichever unit fails";
+  if (bound == count && count > 0)
+    text += fmt::format(", and {} cannot reach all, with joint confidence {}.",
+                        count == 1 ? "none" : fmt::format("{}", count - 1), confidence);
+  else if (bound > 0)
+    text += fmt::format(", and at least {} {} needed, with joint confidence {}.", bound,
+                        bound == 1 ? "is" : "are", confidence);
+  else
+    text += fmt::format(", with joint confidence {}.", confidence);
+  return text + named(certificate, Verdict::missed, "missed") +
+         named(certificate, Verdict::undecided, "undecided");
+}
+
+// Of what no selection reaches, others than those that are missed are of no matter.
+std::string what_is_out_of_reach(const Certificate& certificate) {
+  const std::size_t labels = certificate.labels.size(), missed = certificate.count(Verdict::missed);
+  if (missed == 0) return fmt::format("Whether any selection reaches all {} labels is undecided.", labels);
+  return fmt::format(
+      "No selection reaches all {} labels, with joint confidence {}: at least {} cannot be reached.", labels,
+      confidence_of(certificate), missed);
+}
+
 }  // namespace
 
 std::string_view verdict_name(Verdict verdict) {
@@ -79,25 +113,9 @@ std::string_view verdict_name(Verdict verdict) {
 std::string statement(const Placement& placement) {
   if (!placement.certificate) return {};
   const Certificate& certificate = *placement.certificate;
-  const std::size_t labels = certificate.labels.size(), count = placement.count();
-  const std::size_t bound = std::min(certificate.count_lower_bound, count);
-  const std::string confidence = fmt::format("{:.6g} %", 100 * certificate.confidence);
-  std::string text = fmt::format("{} {} ", units(count), count == 1 ? "reaches" : "reach");
-  text += certificate.all_reached()
-              ? fmt::format("all {} labels", labels)
-              : fmt::format("{} of {} labels", certificate.count(Verdict::reached), labels);
-  if (placement.question.redundant) text += ", whichever unit fails";
-  if (bound == count && count > 0)
-    text += fmt::format(", and {} cannot reach all, with joint confidence {}.",
-                        count == 1 ? "none" : fmt::format("{}", count - 1), confidence);
-  else if (bound > 0)
-    text += fmt::format(", and at least {} {} needed, with joint confidence {}.", bound,
-                        bound == 1 ? "is" : "are", confidence);
-  else
-    text += fmt::format(", with joint confidence {}.", confidence);
-  text += named(certificate, Verdict::missed, "missed") + named(certificate, Verdict::undecided, "undecided");
-  if (!certificate.open.empty()) text += fmt::format(" It ended because {}.", certificate.open);
-  return text;
+  return (placement.has_selection() ? what_is_reached(placement, certificate)
+                                    : what_is_out_of_reach(certificate)) +
+         (certificate.open.empty() ? "" : fmt::format(" It ended because {}.", certificate.open));
 }
 
 }  // namespace shelfbeam

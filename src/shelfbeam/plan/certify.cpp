@@ -1,225 +1,268 @@
 #include "shelfbeam/plan/certify.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <numeric>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/plan/decisive_rows.hpp"
+#include "shelfbeam/plan/label_rounds.hpp"
 #include "shelfbeam/plan/optimism.hpp"
 #include "shelfbeam/plan/refine.hpp"
-#include "shelfbeam/plan/sub_scene.hpp"
-#include "shelfbeam/plan/verification.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/plan/rounds.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-constexpr std::uint32_t most_batches = 1 << 16;
-constexpr std::uint32_t growth = 4;  // of the batches, from round to round
+constexpr auto interrupted = "it was interrupted";
+constexpr std::size_t most_doubtful = 64;
 
-enum class Purpose : std::uint64_t { verify = 1, bound, refine };
+void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t>& more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+}
 
-class Loop {
+class Certifier {
  public:
-  Loop(const Scene& scene, const TableRule& rule, const CertifyOptions& options, SignalMatrix& matrix,
-       Placement& placement, const RunControl& control)
+  Certifier(const Scene& scene, const TableRule& rule, const CertifyOptions& options, SignalMatrix& matrix,
+            Placement& placement, const RunControl& control)
       : scene_(scene),
         rule_(rule),
         options_(options),
         matrix_(matrix),
         placement_(placement),
-        control_(control) {
-    if (rule) table_ = rule(matrix);
+        control_(control),
+        rounds_(options.confidence, options.budget_s, options.simulation),
+        table_(rule(matrix)),
+        verdicts_(scene, certificate_.labels) {
     certificate_.confidence = options.confidence;
-    certificate_.labels.resize(matrix.rows());
-    for (std::size_t i = 0; i < matrix.rows(); ++i)
-      certificate_.labels[i].requirement = matrix.labels[i].requirement;
+    forget();
   }
 
   Certificate run() {
     try {
-      for (std::uint32_t round = 1; placement_.has_selection(); ++round) {
-        certificate_.rounds = round;
-        const double level = std::ldexp(1 - options_.confidence, -static_cast<int>(round)) / 2;
-        verify_labels(round, level);
-        if (!bound_holds()) prove_bound(round, level);
-        if (is_done() || !goes_on()) break;
-        improve(round);
-      }
+      do {
+        rounds_.next();
+        certificate_.rounds = rounds_.round();
+        // Two statements a round: on the labels, and on fewer units.
+        const double level = rounds_.level(2);
+        if (!placement_.has_selection()) {
+          prove_unreachable(level);
+        } else {
+          verify_labels(level);
+          if (!bound_holds()) prove_bound(level);
+        }
+      } while (!is_done() && goes_on() && improve());
     } catch (const Interrupted&) {
-      certificate_.open = "it was interrupted";
+      certificate_.open = interrupted;
     }
-    certificate_.seconds = seconds();
+    certificate_.seconds = rounds_.seconds();
     return std::move(certificate_);
   }
 
  private:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-  double left() const { return options_.budget_s - seconds(); }
-
-  VerificationEffort effort(Purpose purpose, std::uint32_t round, std::uint32_t batches) const {
-    const std::uint64_t stream = static_cast<std::uint64_t>(purpose) << 32 | round;
-    return {options_.simulation, mix_key(options_.simulation.seed ^ 0x766572696679, stream), batches};
+  // Nothing is known of the labels.
+  void forget() {
+    certificate_.labels.assign(matrix_.rows(), {});
+    for (std::size_t i = 0; i < matrix_.rows(); ++i)
+      certificate_.labels[i].requirement = matrix_.labels[i].requirement;
   }
 
-  // Without a rule for a table there is nothing to choose from.
-  bool is_fixed() const { return !rule_; }
   bool bound_holds() const {
-    return is_fixed() || static_cast<double>(certificate_.count_lower_bound) >= placement_.count_lower_bound;
+    return placement_.has_selection()
+               ? static_cast<double>(certificate_.count_lower_bound) >= placement_.count_lower_bound
+               : certificate_.count(Verdict::missed) > 0;
   }
-  // Of units that hang already, missed labels are an answer, too.
   bool is_done() const {
-    if (is_fixed()) return certificate_.count(Verdict::undecided) == 0;
-    return certificate_.all_reached() && bound_holds();
+    return bound_holds() && (!placement_.has_selection() || certificate_.all_reached());
   }
 
   std::vector<std::uint32_t> open_labels() const {
     std::vector<std::uint32_t> rows;
-    for (std::uint32_t i = 0; i < certificate_.labels.size(); ++i) {
-      const Verdict verdict = certificate_.labels[i].verdict;
-      if (verdict == Verdict::undecided || (verdict == Verdict::missed && !is_fixed())) rows.push_back(i);
+    if (placement_.has_selection()) {
+      for (std::uint32_t i = 0; i < certificate_.labels.size(); ++i)
+        if (certificate_.labels[i].verdict != Verdict::reached) rows.push_back(i);
+    } else {
+      for (const Unreachable& label : placement_.unreachable) rows.push_back(label.label);
+      rows.resize(std::min(rows.size(), most_doubtful));
     }
     return rows;
   }
 
+  PlaceOptions in_time() const {
+    PlaceOptions options = options_.place;
+    options.time_limit_s = std::min(options.time_limit_s, std::max(1.0, rounds_.left()));
+    return options;
+  }
+
   // Labels that were reached by the same selection in a round before stay so.
-  void verify_labels(std::uint32_t round, double level) {
+  void verify_labels(double level) {
     const std::vector<std::uint32_t> rows = open_labels();
     if (rows.empty()) return;
-    control_.report("verifying", -1,
-                    fmt::format("round {}, {} labels, {} batches", round, rows.size(), batches_));
-    const Scene part = sub_scene(scene_, rows, placement_.selected);
     std::vector<float> planned;
     for (const std::uint32_t i : rows)
       for (const std::uint32_t j : placement_.selected) planned.push_back(matrix_.mean[matrix_.at(i, j)]);
-    const double begun = seconds();
-    const auto verdicts =
-        verify(part, placement_.question, planned, level, effort(Purpose::verify, round, batches_), control_);
-    verifying_took_ = seconds() - begun;
-    for (std::size_t k = 0; k < rows.size(); ++k) certificate_.labels[rows[k]] = verdicts[k];
+    verdicts_.verify(rows, placement_.selected, placement_.question, planned, rounds_, level, control_);
   }
 
-  void prove_bound(std::uint32_t round, double level) {
-    const auto count = static_cast<std::size_t>(placement_.count_lower_bound);
+  // What upper limits of some labels' signals need. The batches are kept: if they do not settle it, perhaps
+  // the matrix is wrong, and learns from them.
+  Placement fewest_for(const std::vector<std::uint32_t>& rows, double level) {
+    control_.report(
+        "proving", -1,
+        fmt::format("round {}, {} labels, {} batches", rounds_.round(), rows.size(), bound_batches_));
+    const double begun = rounds_.seconds();
+    OptimisticRows optimistic = optimistic_rows(scene_, table_, rows, level,
+                                                rounds_.effort(Purpose::bound, bound_batches_), control_);
+    PlaceOptions options = in_time();
+    options.settles_ties = false;
+    Placement fewest = place(optimistic.table, count_question(), options, control_);
+    bound_s_ = (rounds_.seconds() - begun) / (static_cast<double>(rows.size()) * bound_batches_);
+    bound_rows_ = std::max(bound_rows_, rows.size());
+    fresh_ = std::move(optimistic.fresh);
+    return fewest;
+  }
+
+  Question count_question() const {
     Question question;
     question.model = placement_.question.model;
     question.redundant = placement_.question.redundant;
-    const SignalTable expected = expected_optimism(
-        table_, matrix_, std::max<std::size_t>(64, bound_rows_.size()), level, bound_batches_);
-    control_.report("proving", -1, fmt::format("round {}: labels that need {} units", round, count));
-    const DecisiveRows decisive =
-        decisive_rows(expected, question, count, 0.3 * std::max(0.0, left()), control_);
-    bound_rows_ = decisive.rows;
-    control_.report(
-        "proving", -1,
-        fmt::format("round {}, {} labels, {} batches", round, bound_rows_.size(), bound_batches_));
-    const double begun = seconds();
-    OptimisticRows optimistic = optimistic_rows(scene_, table_, bound_rows_, level,
-                                                effort(Purpose::bound, round, bound_batches_), control_);
-    PlaceOptions options = options_.place;
-    options.settles_ties = false;
-    options.time_limit_s = std::min(options.time_limit_s, std::max(1.0, left()));
-    const Placement fewest = place(optimistic.table, question, options, control_);
-    bound_took_ = seconds() - begun;
+    return question;
+  }
+
+  // Labels that may be expected to need so many units, with the batches of this round or, after the first
+  // round, the fewest more that will do. Sets bound_batches_ if there are any.
+  std::vector<std::uint32_t> promising_rows(std::size_t count, double level) {
+    const std::uint32_t most = rounds_.round() == 1 ? bound_batches_ : Rounds::most_batches;
+    std::vector<std::uint32_t> rows;
+    for (std::uint32_t batches = bound_batches_;; batches = Rounds::more(batches)) {
+      control_.report(
+          "proving", -1,
+          fmt::format("round {}: labels that need {} units in {} batches", rounds_.round(), count, batches));
+      const SignalTable expected = expected_optimism(table_, matrix_, bound_rows_, level, batches);
+      DecisiveRows decisive =
+          decisive_rows(expected, count_question(), count, 0.1 * std::max(0.0, rounds_.left()), control_);
+      if (rows.empty() || decisive.suffice) rows = std::move(decisive.rows);
+      if (decisive.suffice) bound_batches_ = batches;
+      if (decisive.suffice || batches >= most || control_.cancelled()) return rows;
+    }
+  }
+
+  void prove_bound(double level) {
+    const auto count = static_cast<std::size_t>(placement_.count_lower_bound);
+    const std::uint32_t batches = bound_batches_;
+    const std::vector<std::uint32_t> rows = promising_rows(count, level);
+    const double takes_s = bound_s_ * static_cast<double>(rows.size()) * bound_batches_;
+    why_no_bound_.clear();
+    if (takes_s > rounds_.left()) {
+      why_no_bound_ = fmt::format("to prove that {} {} needed would take about {:.0f} s", count,
+                                  count == 1 ? "is" : "are", takes_s);
+      bound_batches_ = batches;
+      return;
+    }
+    const Placement fewest = fewest_for(rows, level);
     const double bound = std::min(fewest.count_lower_bound, static_cast<double>(count));
     if (static_cast<std::size_t>(bound) > certificate_.count_lower_bound) {
       certificate_.count_lower_bound = static_cast<std::size_t>(bound);
-      certificate_.bound_labels = bound_rows_.size();
+      certificate_.bound_labels = rows.size();
     }
     doubtful_.clear();
-    fresh_.clear();
-    if (bound_holds()) return;
-    // Perhaps the matrix asks for too much: it will learn what has been seen, and more of the labels that
-    // stand in the way of the smaller selection.
-    fresh_ = std::move(optimistic.fresh);
-    if (fewest.has_selection()) doubtful_ = worst_off(fewest.selected);
+    if (bound_holds())
+      fresh_.clear();
+    else if (fewest.has_selection())
+      doubtful_ = worst_off(fewest.selected);
+  }
+
+  // Whatever is selected, labels whose upper limits are not enough are missed.
+  void prove_unreachable(double level) {
+    const std::vector<std::uint32_t> rows = open_labels();
+    if (rows.empty()) return;
+    for (const Unreachable& label : fewest_for(rows, level).unreachable) {
+      LabelVerdict& verdict = certificate_.labels[rows[label.label]];
+      verdict.verdict = Verdict::missed;
+      verdict.upper = label.most;
+      verdict.samples = fresh_[label.label].samples;
+    }
+    for (const Unreachable& label : placement_.unreachable)
+      certificate_.labels[label.label].signal = label.most;
   }
 
   // Labels that a selection does not meet on the matrix, the worst first.
   std::vector<std::uint32_t> worst_off(const std::vector<std::uint32_t>& selected) const {
-    constexpr std::size_t most = 64;
     const Check check = check_selection(table_, placement_.question, selected);
     std::vector<std::uint32_t> rows = check.unmet;
     std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::pair(check.signal[a] / table_.labels[a].requirement, a) <
              std::pair(check.signal[b] / table_.labels[b].requirement, b);
     });
-    rows.resize(std::min(rows.size(), most));
+    rows.resize(std::min(rows.size(), most_doubtful));
     return rows;
   }
 
   // Whether another round is worth its time; says why not.
   bool goes_on() {
-    const std::uint32_t round = certificate_.rounds;
-    if (control_.cancelled()) {
-      certificate_.open = "it was interrupted";
-      return false;
+    certificate_.open = control_.cancelled() ? interrupted : why_not_on();
+    return certificate_.open.empty();
+  }
+
+  std::string why_not_on() const {
+    const bool labels_are_open = placement_.has_selection() && !certificate_.all_reached();
+    if (!placement_.has_selection() && open_labels().empty())
+      return "candidates exclude one another, and each label alone could be reached";
+    if (!labels_are_open && !why_no_bound_.empty()) return why_no_bound_;
+    if (!bound_holds() && bound_batches_ == Rounds::most_batches)
+      return "signals are too near what would change the answer";
+    const double bound_s = bound_holds() || !why_no_bound_.empty()
+                               ? 0
+                               : bound_s_ * static_cast<double>(bound_rows_) * Rounds::more(bound_batches_);
+    return why_no_more(rounds_, verdicts_, bound_s + (labels_are_open ? verdicts_.seconds_of_next() : 0));
+  }
+
+  // The matrix learns more of the labels that are open, and the placement is made anew: both, or nothing.
+  bool improve() {
+    std::vector<std::uint32_t> rows = open_labels();
+    join_sets(rows, doubtful_);
+    if (!rows.empty()) {
+      control_.report("refining", -1, fmt::format("round {}, {} labels", rounds_.round(), rows.size()));
+      const auto more = fresh_rows(
+          scene_, rows, rounds_.effort(Purpose::refine, Rounds::more(verdicts_.batches())), control_);
+      fresh_.insert(fresh_.end(), more.begin(), more.end());
     }
-    const double next_round = (certificate_.all_reached() ? 0 : growth * verifying_took_) +
-                              (bound_holds() ? 0 : growth * bound_took_);
-    if (left() < next_round || batches_ >= most_batches) {
-      certificate_.open =
-          fmt::format("the next round would have taken about {:.0f} s, and {:.0f} s were left", next_round,
-                      std::max(0.0, left()));
-      return false;
-    }
-    constexpr std::uint32_t rounds_before_giving_up = 2;
-    if (const double needed = seconds_to_decide(); round >= rounds_before_giving_up && needed > 4 * left()) {
-      certificate_.open = fmt::format("to decide the rest would take about {:.0f} s", needed);
-      return false;
-    }
+    if (!fresh_.empty() && !learn()) return false;
+    if (!bound_holds() && why_no_bound_.empty()) bound_batches_ = Rounds::more(bound_batches_);
     return true;
   }
 
-  // As far as the labels that are still undecided are where their means are now.
-  double seconds_to_decide() const {
-    double most = 0;
-    for (const LabelVerdict& label : certificate_.labels) {
-      if (label.verdict != Verdict::undecided) continue;
-      const double missing = std::abs(label.signal - label.requirement);
-      const double width = (label.upper - label.lower) / 2;
-      most = std::max(most, missing > 0 ? std::pow(width / missing, 2) : 1e12);
+  bool learn() {
+    std::vector<std::uint32_t> rows;
+    for (const FreshRow& row : fresh_) join_sets(rows, {row.label});
+    RowsBefore before(matrix_, rows);
+    for (const FreshRow& row : fresh_) join(row, matrix_);
+    SignalTable table = rule_(matrix_);
+    Placement other = place(table, placement_.question, in_time(), control_);
+    const bool says_something = other.has_selection() || other.status == Status::infeasible;
+    if (control_.cancelled() || !says_something) {
+      before.restore(matrix_);
+      certificate_.open = control_.cancelled()
+                              ? interrupted
+                              : "no placement was found in time with what fresh samples showed";
+      return false;
     }
-    return std::min(most * verifying_took_, 1e12);
-  }
-
-  void improve(std::uint32_t round) {
-    if (is_fixed()) {
-      batches_ = std::min(growth * batches_, most_batches);
-      return;
+    if (other.selected == placement_.selected && other.has_selection() == placement_.has_selection()) {
+      verdicts_.grow();
+    } else {
+      forget();
     }
-    std::vector<std::uint32_t> rows = open_labels();
-    rows.insert(rows.end(), doubtful_.begin(), doubtful_.end());
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    for (std::size_t k = 0; k < fresh_.size(); ++k) join(fresh_[k], bound_rows_[k], matrix_);
-    if (!rows.empty() || !fresh_.empty()) {
-      control_.report("refining", -1, fmt::format("round {}, {} labels", round, rows.size()));
-      refine(scene_, rows, effort(Purpose::refine, round, std::min(growth * batches_, most_batches)), matrix_,
-             control_);
-      table_ = rule_(matrix_);
-      PlaceOptions options = options_.place;
-      options.time_limit_s = std::min(options.time_limit_s, std::max(1.0, left()));
-      Placement other = place(table_, placement_.question, options, control_);
-      if (other.has_selection() && other.selected != placement_.selected) {
-        for (LabelVerdict& label : certificate_.labels) label.verdict = Verdict::undecided;
-      } else {
-        batches_ = std::min(growth * batches_, most_batches);
-      }
-      other.seconds += placement_.seconds;
-      placement_ = std::move(other);
-    }
-    if (!bound_holds()) bound_batches_ = std::min(growth * bound_batches_, most_batches);
+    other.seconds += placement_.seconds;
+    placement_ = std::move(other);
+    table_ = std::move(table);
+    fresh_.clear();
+    return true;
   }
 
   const Scene& scene_;
@@ -228,32 +271,23 @@ class Loop {
   SignalMatrix& matrix_;
   Placement& placement_;
   const RunControl& control_;
+  Rounds rounds_;
   SignalTable table_;
   Certificate certificate_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  std::uint32_t batches_ = least_verifying_batches, bound_batches_ = least_verifying_batches;
-  double verifying_took_ = 0, bound_took_ = 0;
-  std::vector<std::uint32_t> bound_rows_, doubtful_;
-  std::vector<FreshRow> fresh_;  ///< of bound_rows_, where they did not prove the bound
+  LabelRounds verdicts_;
+  std::uint32_t bound_batches_ = least_verifying_batches;
+  std::size_t bound_rows_ = most_doubtful;  ///< labels that it may take
+  double bound_s_ = 0;                      ///< a batch and label
+  std::string why_no_bound_;                ///< there is no time for it; empty otherwise
+  std::vector<std::uint32_t> doubtful_;
+  std::vector<FreshRow> fresh_;  ///< that the matrix has not learned
 };
 
 }  // namespace
 
 Certificate certify(const Scene& scene, const TableRule& table, const CertifyOptions& options,
                     SignalMatrix& matrix, Placement& placement, const RunControl& control) {
-  return Loop(scene, table, options, matrix, placement, control).run();
-}
-
-Placement verify_installation(const Scene& scene, const Question& question, const CertifyOptions& options,
-                              const RunControl& control) {
-  SignalMatrix matrix = simulate(scene, {}, options.simulation, control).matrix;
-  Placement placement;
-  placement.question = question;
-  placement.selected.resize(matrix.columns());
-  std::iota(placement.selected.begin(), placement.selected.end(), 0U);
-  placement.objective_value = static_cast<double>(placement.count());
-  placement.certificate = certify(scene, {}, options, matrix, placement, control);
-  return placement;
+  return Certifier(scene, table, options, matrix, placement, control).run();
 }
 
 }  // namespace shelfbeam

@@ -20,12 +20,6 @@ struct CertifyOptions {
   PlaceOptions place;
 };
 
-/// Verifies units that hang already, all transceivers of the scene, in rounds as `certify` does: the
-/// certificate of the placement that is returned says nothing of a bound. Which links must do where units do
-/// not cooperate is decided on a simulation of its own. Throws as `simulate`.
-Placement verify_installation(const Scene& scene, const Question& question, const CertifyOptions& options,
-                              const RunControl& control = {});
-
 /// Makes the table that is placed on: the matrix with its side constraints.
 using TableRule = std::function<SignalTable(const SignalMatrix&)>;
 
@@ -36,8 +30,11 @@ using TableRule = std::function<SignalTable(const SignalMatrix&)>;
 /// - fresh upper limits of a few labels' signals must need as many units as the placement has (optimism.hpp),
 /// - labels that are not reached get more samples for all candidates, which go into `matrix`, and `placement`
 ///   is made anew.
-/// It ends when both statements hold, with the budget, when cancelled, or where a label is so near its
-/// requirement that the budget could not decide it. `matrix` and `placement` fit each other at any time.
+/// Where the matrix leaves labels unreachable, fresh upper limits of these must do so, too: they are missed
+/// then, by whatever selection.
+///
+/// It ends when all is said, with the budget, when cancelled, or where a label is so near its requirement
+/// that the budget could not decide it. `matrix` and `placement` fit each other at any time.
 ///
 /// The bound is of the number of units; prices and second objectives are those of the matrix. Throws as
 /// `sample_batches`, but not for being interrupted.

@@ -75,8 +75,8 @@ DecisiveRows decisive_rows(const SignalTable& table, const Question& question, s
     order.emplace_back(most_of(table, question, i, std::max<std::size_t>(count, 2) - 1), i);
   DecisiveRows decisive;
   decisive.rows = spread(table, std::move(order));
+  std::sort(decisive.rows.begin(), decisive.rows.end());
   while (left() > 0 && !control.cancelled()) {
-    std::sort(decisive.rows.begin(), decisive.rows.end());
     PlaceOptions options;
     options.time_limit_s = left();
     options.settles_ties = false;
@@ -89,6 +89,7 @@ DecisiveRows decisive_rows(const SignalTable& table, const Question& question, s
       order.emplace_back(check.signal[i] / requirement_of(table.labels[i], question.model), i);
     if (order.empty()) break;
     for (const std::uint32_t row : spread(table, std::move(order))) decisive.rows.push_back(row);
+    std::sort(decisive.rows.begin(), decisive.rows.end());
   }
   return decisive;
 }

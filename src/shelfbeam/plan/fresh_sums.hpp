@@ -8,7 +8,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/scene/scene.hpp"
-#include "shelfbeam/stats/moments.hpp"
+#include "shelfbeam/stats/skewed_moments.hpp"
 #include "shelfbeam/transport/simulation_options.hpp"
 
 namespace shelfbeam {
@@ -16,21 +16,23 @@ namespace shelfbeam {
 /// A quantity that batches estimate, and what is known of it beside them.
 struct FreshSum {
   double known = 0;        ///< the part in closed form
-  Moments sampled;         ///< the rest, over batches
+  SkewedMoments sampled;   ///< the rest, over batches
   std::uint32_t hits = 0;  ///< batches in which it was not 0
 
   double mean() const { return known + sampled.mean(); }
-  /// One-sided limits, each on the wrong side of the truth with a chance of `level`, after Student. Nothing
-  /// is made of quantities that were hit in fewer than `least_hits` batches: their spread is not to be
-  /// trusted.
+  /// One-sided limits, each on the wrong side of the truth with a chance of `level`: Student's, and further
+  /// out where the batches are skewed to that side (Johnson 1978). Nothing is made of quantities that were
+  /// hit in fewer than `least_hits` batches: their spread is not to be trusted.
   double lower(double level) const;
   double upper(double level) const;
   /// For quantities that were hit rarely: the chance of a hit is limited (success_limit), and its size by
-  /// `largest`, the most that any batch gave any quantity of its kind.
-  double rare_upper(double level, double largest) const;
+  /// `largest`, the most that any batch gave any quantity of its kind, or `large_hit` requirements if that is
+  /// more: nobody has seen the hit that was missed.
+  double rare_upper(double level, double largest, double requirement) const;
   bool is_rare() const { return hits < least_hits && hits < sampled.count(); }
 
   static constexpr std::uint32_t least_hits = 30;
+  static constexpr double large_hit = 4;
 };
 
 /// Sums of signals over fresh batches, `width` for every label.

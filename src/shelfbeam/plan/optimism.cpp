@@ -29,7 +29,7 @@ std::vector<std::uint32_t> by_strength(const SignalTable& planned, std::uint32_t
 
 // `sums` has the columns of a row in order, then for each the sum from there on.
 void add_limits(SignalTable& table, std::span<const FreshSum> sums, const std::vector<std::uint32_t>& order,
-                double level, double largest) {
+                double level, double largest, double requirement) {
   const std::size_t n = order.size();
   std::vector<double> limit(n);
   double of_sum = 0;  // of what is sampled of the shortest sum that was hit often enough and has entry k
@@ -39,7 +39,7 @@ void add_limits(SignalTable& table, std::span<const FreshSum> sums, const std::v
     if (!sum.is_rare())
       of_sum = std::max(0.0, sum.upper(level) - sum.known);
     else if (k == 0)
-      of_sum = sum.rare_upper(level, largest) - sum.known;
+      of_sum = sum.rare_upper(level, largest, requirement) - sum.known;
     limit[order[k]] = own.is_rare() ? own.known + of_sum : own.upper(level);
   }
   for (std::uint32_t j = 0; j < n; ++j)
@@ -74,9 +74,10 @@ OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
   const double of_one = level / (limits_an_entry * static_cast<double>(n) *
                                  static_cast<double>(std::max<std::size_t>(1, rows.size())));
   for (std::size_t k = 0; k < rows.size(); ++k)
-    add_limits(result.table, fresh.of(k), orders[k], of_one, fresh.largest);
+    add_limits(result.table, fresh.of(k), orders[k], of_one, fresh.largest,
+               result.table.labels[k].requirement);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    FreshRow row{std::vector<double>(n), std::vector<double>(n), fresh.batches,
+    FreshRow row{rows[k], std::vector<double>(n), std::vector<double>(n), fresh.batches,
                  fresh.batches * fresh.samples_per_batch};
     for (std::size_t c = 0; c < n; ++c) {
       const FreshSum& sum = fresh.of(k)[c];

@@ -14,10 +14,12 @@ Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOpti
   // Fresh samples of few units come from the labels.
   SimulationOptions fresh = options.simulation;
   if (fresh.strategy == Strategy::particle) fresh.strategy = Strategy::mis;
-  if (options.confidence && plan.simulation.summary.complete && plan.placement.has_selection())
+  const bool says_something = plan.placement.has_selection() || !plan.placement.unreachable.empty();
+  if (options.confidence && plan.simulation.summary.complete && says_something)
     plan.placement.certificate =
         certify(scene, table, {*options.confidence, options.budget_s, fresh, options.place},
                 plan.simulation.matrix, plan.placement, control);
+  plan.complete = plan.simulation.summary.complete && !control.cancelled();
   return plan;
 }
 

@@ -21,11 +21,14 @@ struct PlanOptions {
 
 struct Plan {
   SimulationResult simulation;
-  Placement placement;  ///< with its certificate where one was asked for and there is a selection
+  Placement placement;    ///< with its certificate, where one was asked for
+  bool complete = false;  ///< nothing was interrupted
 };
 
 /// Simulates a scene, places transceivers on the matrix that comes out, and certifies the placement, which
-/// may refine both. A simulation that is interrupted is placed with what it has, and not certified.
+/// may refine both; nothing is certified where the search for a placement was stopped without one. A
+/// simulation that is interrupted is placed with what it has, and not certified. With its checkpoint an
+/// interrupted plan goes on, and ends as one that was not (but for what time decides).
 Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOptions& options,
                const RunControl& control = {});
 

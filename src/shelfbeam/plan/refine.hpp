@@ -13,17 +13,32 @@ namespace shelfbeam {
 
 /// Fresh batches of one label: means and standard errors by column.
 struct FreshRow {
+  std::uint32_t label = 0;
   std::vector<double> mean, standard_error;
   std::uint32_t batches = 0;
   std::uint64_t samples = 0;  ///< first rays
 };
 
-/// Joins them to the label's row: means and errors become those of all batches together, by samples. Parts by
-/// bounce are dropped, and direct parts stay.
-void join(const FreshRow& fresh, std::size_t label, SignalMatrix& matrix);
+/// Samples some labels afresh, for all sources. Throws as `sample_batches`.
+std::vector<FreshRow> fresh_rows(const Scene& scene, const std::vector<std::uint32_t>& labels,
+                                 const VerificationEffort& effort, const RunControl& control = {});
 
-/// Samples some rows of a matrix afresh, for all columns, and joins them. Throws as `sample_batches`.
-void refine(const Scene& scene, const std::vector<std::uint32_t>& rows, const VerificationEffort& effort,
-            SignalMatrix& matrix, const RunControl& control = {});
+/// Joins one to its label's row: means and errors become those of all batches together, by samples. Parts by
+/// bounce and by path length are dropped, and direct parts stay.
+void join(const FreshRow& fresh, SignalMatrix& matrix);
+
+/// What `join` is going to change of a matrix.
+class RowsBefore {
+ public:
+  /// Takes the parts by bounce and by path length out of the matrix.
+  RowsBefore(SignalMatrix& matrix, std::vector<std::uint32_t> labels);
+  void restore(SignalMatrix& matrix);
+
+ private:
+  std::vector<std::uint32_t> labels_;
+  std::vector<LabelRow> rows_;
+  std::vector<float> mean_, standard_error_;  ///< of the labels, row by row
+  std::vector<SignalLayer> by_bounce_, by_length_;
+};
 
 }  // namespace shelfbeam

@@ -14,20 +14,35 @@ namespace {
 // Limits of one label's sums at the level of one statement.
 class Limits {
  public:
-  Limits(std::span<const FreshSum> sums, double largest) : sums_(sums), largest_(largest) {}
+  Limits(std::span<const FreshSum> sums, double largest, double requirement)
+      : sums_(sums), largest_(largest), requirement_(requirement) {}
 
   double lower(std::size_t k, double level) const { return sums_[k].lower(level); }
   double upper(std::size_t k, double level) const {
-    return sums_[k].is_rare() ? std::max(sums_[k].upper(level), sums_[k].rare_upper(level, largest_))
-                              : sums_[k].upper(level);
+    return sums_[k].is_rare()
+               ? std::max(sums_[k].upper(level), sums_[k].rare_upper(level, largest_, requirement_))
+               : sums_[k].upper(level);
   }
   std::size_t size() const { return sums_.size(); }
   const FreshSum& operator[](std::size_t k) const { return sums_[k]; }
 
  private:
   std::span<const FreshSum> sums_;
-  double largest_;
+  double largest_, requirement_;
 };
+
+// The sum of all signals but one, for each, without subtraction: where nothing is left it is 0.
+void sums_without_one(std::span<const double> signals, std::span<double> sums) {
+  double before = 0, after = 0;
+  for (std::size_t k = 0; k < signals.size(); ++k) {
+    sums[k] = before;
+    before += signals[k];
+  }
+  for (std::size_t k = signals.size(); k-- > 0;) {
+    sums[k] += after;
+    after += signals[k];
+  }
+}
 
 void describe(LabelVerdict& label, const FreshSum& sum) {
   label.signal = sum.mean();
@@ -85,12 +100,12 @@ std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, s
   const bool adds_up = question.model == CommunicationModel::cooperative;
   const std::size_t width = adds_up && !question.redundant ? 1 : columns;
   const SumRule rule = [&](std::size_t, std::span<const double> signals, std::span<double> sums) {
-    if (!adds_up) {
+    if (!adds_up)
       std::copy(signals.begin(), signals.end(), sums.begin());
-      return;
-    }
-    const double sum = std::accumulate(signals.begin(), signals.end(), 0.0);
-    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = question.redundant ? sum - signals[k] : sum;
+    else if (question.redundant)
+      sums_without_one(signals, sums);
+    else
+      sums[0] = std::accumulate(signals.begin(), signals.end(), 0.0);
   };
   SimulationOptions options = effort.simulation;
   options.seed = effort.seed;
@@ -99,7 +114,7 @@ std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, s
   const double of_one = level / static_cast<double>(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     LabelVerdict& label = labels[i];
-    const Limits limits(fresh.of(i), fresh.largest);
+    const Limits limits(fresh.of(i), fresh.largest, label.requirement);
     if (adds_up)
       judge_sums(label, limits, of_one);
     else

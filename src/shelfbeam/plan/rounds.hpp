@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+
+#include "shelfbeam/plan/verification.hpp"
+#include "shelfbeam/transport/simulate.hpp"
+
+namespace shelfbeam {
+
+/// What fresh samples are for. Those of one purpose in one round are of no other.
+enum class Purpose : std::uint64_t { verify = 1, bound, refine };
+
+/// Time, levels and random numbers of rounds r = 1, 2, ... that together keep one joint level.
+class Rounds {
+ public:
+  static constexpr std::uint32_t growth = 4;  ///< of the batches, from round to round
+  static constexpr std::uint32_t most_batches = 1 << 16;
+  /// Paths a label and batch, at least: batches of fewer are so skewed that limits do not hold.
+  static constexpr std::uint64_t least_paths = 256;
+
+  /// The simulation's seed is that of the planning matrix.
+  Rounds(double confidence, double budget_s, const SimulationOptions& simulation)
+      : error_(1 - confidence), budget_s_(budget_s), simulation_(simulation) {
+    simulation_.relative_error.reset();
+    simulation_.time_s.reset();
+    simulation_.samples = std::max(simulation_.samples, least_paths * batch_count);
+  }
+
+  double seconds() const;
+  double left() const { return budget_s_ - seconds(); }
+
+  /// Begins the next one; the first is 1.
+  void next() { ++round_; }
+  std::uint32_t round() const { return round_; }
+  /// For each of so many statements that a round makes: (1 - confidence) / 2^r, shared.
+  double level(int statements) const;
+  VerificationEffort effort(Purpose purpose, std::uint32_t batches) const;
+
+  static std::uint32_t more(std::uint32_t batches) {
+    return batches < most_batches / growth ? growth * batches : most_batches;
+  }
+
+ private:
+  double error_, budget_s_;
+  SimulationOptions simulation_;
+  std::uint32_t round_ = 0;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace shelfbeam
