@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -69,6 +70,8 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // beyond a limit of file sizes writing fails, which is told like a full disk
   CLI::App app("Plans where to mount infrared transceivers so that every electronic shelf label hears them.");
   app.name("shelfbeam");
   app.set_version_flag("--version", std::string(program_version()));

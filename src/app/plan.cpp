@@ -60,6 +60,7 @@ void keep_store(const std::filesystem::path& folder, const std::filesystem::path
 }
 
 int run_plan(const Options& options) {
+  const CancelToken& cancel = cancel_on_signal();
   const LoadedStore store = load_store(options.store);
   keep_store(options.folder, options.store, store);
   // What is asked of the placement is checked before the light is simulated.
@@ -72,7 +73,7 @@ int run_plan(const Options& options) {
   Plan plan;
   try {
     TerminalProgress progress(options.common.quiet);
-    const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
+    const RunControl control{options.common.threads, &cancel, progress.sink()};
     PlanOptions asked;
     asked.simulation = simulation;
     asked.question = options.question.question();
@@ -91,19 +92,24 @@ int run_plan(const Options& options) {
   }
   const SignalMatrix& matrix = plan.simulation.matrix;
   const SimulationSummary& summary = plan.simulation.summary;
+  const bool is_stopped = !summary.complete || cancel.requested();
   const SignalTable table = table_of(options, matrix);
   const std::string answer = placement_json(plan.placement, table);
-  write_file(options.folder / store_name, store.resolved);
-  write_signal_file(matrix, options.folder / signal_name);
-  write_file(options.folder / placement_name, answer);
   const bool is_certified = plan.placement.certificate.has_value();
-  if (is_certified)
-    write_file(options.folder / verification_name,
-               verification_csv(*plan.placement.certificate, store.scene));
-  else
-    std::filesystem::remove(options.folder / verification_name);  // of another plan
-  write_report(options.folder, {store.scene, matrix, plan.placement});
-  if (summary.complete) remove_checkpoint(simulation.checkpoint.path);
+  try {
+    AtomicFolder files(options.folder);
+    files.add(store_name).write(store.resolved);
+    write_signal_file(matrix, files.add(signal_name));
+    files.add(placement_name).write(answer);
+    if (is_certified)
+      files.add(verification_name).write(verification_csv(*plan.placement.certificate, store.scene));
+    write_report(files, {store.scene, matrix, plan.placement});
+    files.commit({report_name, placement_name, labels_name, placement_table_name, verification_name});
+  } catch (const OutputError& error) {
+    if (!summary.has_checkpoint) throw;
+    throw OutputError(error, checkpoint_remains);
+  }
+  if (!is_stopped) remove_checkpoint(simulation.checkpoint.path);
 
   if (options.common.json)
     fmt::print("{}", answer);
@@ -111,7 +117,7 @@ int run_plan(const Options& options) {
     fmt::print("{}\n{}{}report: {}\n", describe(summary), describe(plan.placement, table),
                is_certified ? fmt::format("certificate: {}\n", statement(plan.placement)) : "",
                (options.folder / report_name).string());
-  if (summary.complete) {
+  if (!is_stopped) {
     const int code = exit_code(plan.placement.status);
     return code == done && is_certified && !plan.placement.certificate->open.empty() ? stopped_early : code;
   }
