@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -68,6 +69,8 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Beyond a limit of file sizes writing fails, which is told like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app;
   ChosenVerb chosen;
   define_command_line(app, chosen);

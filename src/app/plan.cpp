@@ -60,6 +60,7 @@ void keep_store(const std::filesystem::path& folder, const std::filesystem::path
 }
 
 int run_plan(const Options& options) {
+  const CancelToken& cancel = cancel_on_signal();
   const LoadedStore store = load_store(options.store);
   keep_store(options.folder, options.store, store);
   // What is asked of the placement is checked before the light is simulated.
@@ -72,7 +73,7 @@ int run_plan(const Options& options) {
   Plan plan;
   try {
     TerminalProgress progress(options.common.quiet);
-    const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
+    const RunControl control{options.common.threads, &cancel, progress.sink()};
     PlanOptions asked;
     asked.simulation = simulation;
     asked.question = options.question.question();
@@ -93,16 +94,20 @@ int run_plan(const Options& options) {
   const SimulationSummary& summary = plan.simulation.summary;
   const SignalTable table = table_of(options, matrix);
   const std::string answer = placement_json(plan.placement, table);
-  write_file(options.folder / store_name, store.resolved);
-  write_signal_file(matrix, options.folder / signal_name);
-  write_file(options.folder / placement_name, answer);
   const bool is_certified = plan.placement.certificate.has_value();
-  if (is_certified)
-    write_file(options.folder / verification_name,
-               verification_csv(*plan.placement.certificate, store.scene));
-  else
-    std::filesystem::remove(options.folder / verification_name);  // of another plan
-  write_report(options.folder, {store.scene, matrix, plan.placement});
+  try {
+    AtomicFolder files(options.folder);
+    files.add(store_name).write(store.resolved);
+    write_signal_file(matrix, files.add(signal_name));
+    files.add(placement_name).write(answer);
+    if (is_certified)
+      files.add(verification_name).write(verification_csv(*plan.placement.certificate, store.scene));
+    write_report(files, {store.scene, matrix, plan.placement});
+    files.commit({report_name, placement_name, labels_name, placement_table_name, verification_name});
+  } catch (const OutputError& error) {
+    if (!summary.has_checkpoint) throw;
+    throw OutputError(error, checkpoint_remains);
+  }
   if (plan.complete) remove_checkpoint(simulation.checkpoint.path);
 
   if (options.common.json)

@@ -1,7 +1,5 @@
 #include "plan_folder.hpp"
 
-#include "shelfbeam/base/file.hpp"
-
 #include "arguments.hpp"
 
 namespace shelfbeam::app {
@@ -13,10 +11,10 @@ void prepare_plan_folder(const std::filesystem::path& folder) {
     expect_writable(folder / name);
 }
 
-void write_report(const std::filesystem::path& folder, const ReportInput& input) {
-  write_file(folder / labels_name, labels_csv(input));
-  write_file(folder / placement_table_name, placement_csv(input));
-  write_file(folder / report_name, report_html(input));
+void write_report(AtomicFolder& files, const ReportInput& input) {
+  files.add(labels_name).write(labels_csv(input));
+  files.add(placement_table_name).write(placement_csv(input));
+  files.add(report_name).write(report_html(input));
 }
 
 }  // namespace shelfbeam::app

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/report/report.hpp"
 
 namespace shelfbeam::app {
@@ -18,7 +19,7 @@ inline constexpr auto report_name = "report.html";
 /// Makes the folder; throws InputError where one of the files above could not be written.
 void prepare_plan_folder(const std::filesystem::path& folder);
 
-/// Writes report.html, labels.csv and placement.csv.
-void write_report(const std::filesystem::path& folder, const ReportInput& input);
+/// Adds labels.csv, placement.csv and, last, report.html.
+void write_report(AtomicFolder& files, const ReportInput& input);
 
 }  // namespace shelfbeam::app

@@ -24,6 +24,7 @@ struct Options {
 };
 
 int run_simulate(const Options& options) {
+  const CancelToken& cancel = cancel_on_signal();
   keep_input(options.output, options.store);
   const LoadedStore store = load_store(options.store);
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
@@ -31,7 +32,7 @@ int run_simulate(const Options& options) {
   SimulationSummary summary;
   {
     TerminalProgress progress(options.common.quiet);
-    const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
+    const RunControl control{options.common.threads, &cancel, progress.sink()};
     summary = simulate_to_file(store.scene, store.hash, simulation, options.output, control);
   }
   if (options.common.json) {

@@ -140,6 +140,9 @@ std::string describe(const SimulationSummary& summary) {
       fmt::format("{} labels x {} candidates, {} samples a label in {:.1f} s ({:.2f} million rays a second)",
                   summary.labels, summary.candidates, samples, summary.seconds,
                   static_cast<double>(summary.rays) / summary.seconds / 1e6);
+  if (summary.resumed_batches > 0)
+    text += fmt::format("\nwent on from the checkpoint, which had {} of the {} batches",
+                        summary.resumed_batches, summary.batches);
   for (const ErrorQuantiles& errors : summary.errors) {
     if (errors.entries == 0)
       text += fmt::format("\nno entry exceeds {} of its requirement", errors.above);
@@ -162,6 +165,7 @@ nlohmann::ordered_json to_json(const SimulationSummary& summary) {
           {"complete", summary.complete},
           {"samples", {summary.least_samples, summary.most_samples}},
           {"batches", {summary.least_batches, summary.most_batches}},
+          {"resumed_batches", summary.resumed_batches},
           {"rays", summary.rays},
           {"shadow_rays",
            {{"connections", summary.shadow_rays.connections},

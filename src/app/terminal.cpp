@@ -62,6 +62,7 @@ void on_signal(int number) {
 const CancelToken& cancel_on_signal() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
   return signal_token;
 }
 

@@ -28,7 +28,8 @@ class TerminalProgress : public ProgressSink {
   Clock::time_point started_, last_;
 };
 
-/// Makes Ctrl-C and SIGTERM ask the running work to end with what it has; a second Ctrl-C ends the program.
+/// Makes Ctrl-C, SIGTERM and a terminal that goes away ask the running work to end with what it has; a second
+/// Ctrl-C ends the program.
 const CancelToken& cancel_on_signal();
 
 }  // namespace shelfbeam::app

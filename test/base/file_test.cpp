@@ -76,6 +76,67 @@ TEST(AtomicFile, RefusesWhereItCannotWrite) {
   EXPECT_EQ(folder.count(), 1);
 }
 
+// What a killed program leaves has no lock; a living one's file has, and so stays.
+TEST(AtomicFile, RemovesWhatDeadWritersLeftAndNothingElse) {
+  const TempFolder folder;
+  folder.write(".out.txt.shelfbeam-a1B2c3", "half");
+  folder.write(".out.txt.shelfbeam-notes", "of somebody else");
+  folder.write(".out.txt.backup", "of somebody else");
+  folder.write(".other.txt.shelfbeam-a1B2c3", "half of another");
+  AtomicFile living(folder / "out.txt");
+  living.write("living");
+  EXPECT_EQ(folder.count(), 4);
+  write_file(folder / "out.txt", "new");
+  EXPECT_EQ(folder.count(), 5);
+  living.commit();
+  EXPECT_EQ(read_file(folder / "out.txt"), "living");
+  EXPECT_FALSE(std::filesystem::exists(folder / ".out.txt.shelfbeam-a1B2c3"));
+  remove_abandoned(folder / "other.txt");
+  EXPECT_EQ(folder.count(), 3);
+}
+
+TEST(AtomicFile, SaysThatAnOlderFileStays) {
+  const TempFolder folder;
+  const auto path = folder.write("out.txt", "old");
+  AtomicFile file(path);
+  std::filesystem::remove(file.temporary());
+  expect_input_error([&] { file.commit(); },
+                     "cannot be written (No such file or directory) and stays as it was");
+  EXPECT_EQ(read_file(path), "old");
+}
+
+TEST(AtomicFolder, ChangesNothingBeforeTheCommit) {
+  const TempFolder folder;
+  for (const char* name : {"first", "gone", "last"}) folder.write(name, "old");
+  {
+    AtomicFolder files(folder.path());
+    files.add("first").write("new");
+    files.add("last").write("new");
+  }
+  EXPECT_EQ(folder.count(), 3);
+  EXPECT_EQ(read_file(folder / "first"), "old");
+  AtomicFolder files(folder.path());
+  files.add("first").write("new");
+  files.add("last").write("new");
+  files.commit({"last", "gone", "never there"});
+  EXPECT_EQ(folder.count(), 2);
+  EXPECT_EQ(read_file(folder / "first"), "new");
+  EXPECT_EQ(read_file(folder / "last"), "new");
+}
+
+// The renaming that fails comes after the last file of the old ones has gone and before the new one comes.
+TEST(AtomicFolder, IsNeverAMixtureThatLooksWhole) {
+  const TempFolder folder;
+  for (const char* name : {"first", "last"}) folder.write(name, "old");
+  AtomicFolder files(folder.path());
+  files.add("first").write("new");
+  AtomicFile& second = files.add("second");
+  files.add("last").write("new");
+  std::filesystem::remove(second.temporary());
+  expect_input_error([&] { files.commit({"last"}); }, "second: cannot be written");
+  EXPECT_FALSE(std::filesystem::exists(folder / "last"));
+}
+
 // Nobody makes files in /proc, root included.
 TEST(AtomicFile, RefusesAReadOnlyFolder) {
   expect_input_error([] { AtomicFile("/proc/out.txt"); }, "out.txt: cannot be written");

@@ -152,6 +152,34 @@ TEST_F(Checkpoint, SaysWhatDiffers) {
   EXPECT_NE(error().find("is no checkpoint of this version"), std::string::npos);
 }
 
+// Two processes of different seeds: each has its own file, and the name is of the one that was last to make
+// one.
+TEST_F(Checkpoint, TwoWritersDoNotMix) {
+  CheckpointFile ours(path, identity, 3), theirs(path, {{"store hash", "abc"}, {"seed", "2"}}, 3);
+  Items::with({1, 1, 1}).save(ours);
+  Items::with({7, 7, 7}).save(theirs);
+  EXPECT_NE(error().find("its seed is '2'"), std::string::npos);
+  Items::with({1, 2, 1}).save(ours);
+  EXPECT_EQ(loaded(), Items::with({1, 2, 1}));
+  Items::with({1, 2, 2}).save(ours);
+  EXPECT_EQ(loaded(), Items::with({1, 2, 2}));
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST_F(Checkpoint, ComesBackWhenAnotherHasRemovedIt) {
+  CheckpointFile file(path, identity, 3);
+  Items::with({1, 1, 1}).save(file);
+  remove_checkpoint(path);
+  Items::with({1, 1, 2}).save(file);
+  EXPECT_EQ(loaded(), Items::with({1, 1, 2}));
+}
+
+TEST_F(Checkpoint, RemovalTakesWhatAKilledWriterLeft) {
+  folder.write(".signal.h5.checkpoint.shelfbeam-a1B2c3", "half");
+  remove_checkpoint(path);
+  EXPECT_EQ(folder.count(), 0);
+}
+
 TEST_F(Checkpoint, ANewRunReplacesAnOldOne) {
   write_file(path, "something else\n");
   CheckpointFile file(path, identity, 3);

@@ -15,8 +15,19 @@ class InputError : public std::runtime_error {
 
   const std::string& where() const { return where_; }
 
+ protected:
+  InputError(const InputError& error, const std::string& addition);
+
  private:
   std::string where_;
+};
+
+/// An output cannot be written: no permission, no room. What stood in its place is as it was.
+class OutputError : public InputError {
+ public:
+  using InputError::InputError;
+  /// The same with more to say at its end.
+  OutputError(const OutputError& error, const std::string& addition);
 };
 
 /// The user stopped the work before it had anything worth keeping. Exit code 3.

@@ -7,96 +7,175 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include "shelfbeam/base/error.hpp"
 
 namespace shelfbeam {
 namespace fs = std::filesystem;
 
 namespace {
 
-std::string reason() {
-  return std::generic_category().message(errno);
-}
-
 bool is_folder(const fs::path& path) {
   std::error_code unknown;
   return fs::is_directory(path, unknown);
 }
 
-[[noreturn]] void cannot_write(const fs::path& path, const std::string& why) {
-  throw InputError(path.string(), fmt::format("cannot be written ({})", why),
-                   "choose an existing folder that you may write to");
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-void flush_to_disk(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) cannot_write(path, reason());
-  const bool flushed = ::fsync(descriptor) == 0;
-  const std::string why = reason();
+// A lock of the open file: it ends with the process, however that ends. `command` says whether to wait for
+// it.
+bool lock(int descriptor, int command) {
+  struct flock whole = {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  return ::fcntl(descriptor, command, &whole) == 0;
+}
+
+constexpr std::string_view random_part = "XXXXXX";
+
+std::string temporary_prefix(const fs::path& target) {
+  return "." + target.filename().string() + ".shelfbeam-";
+}
+
+bool is_unlinked(int descriptor) {
+  struct stat state = {};
+  return ::fstat(descriptor, &state) != 0 || state.st_nlink == 0;
+}
+
+// After a rename the folder must reach the disk, too, where the file system can do that.
+void flush_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
   ::close(descriptor);
-  if (!flushed) cannot_write(path, why);
 }
 
 }  // namespace
+
+std::string system_reason() {
+  return std::generic_category().message(errno);
+}
+
+void cannot_write(const fs::path& path, const std::string& why) {
+  std::error_code unknown;
+  const bool is_old = fs::is_regular_file(path, unknown);
+  throw OutputError(path.string(),
+                    fmt::format("cannot be written ({}){}", why, is_old ? " and stays as it was" : ""),
+                    "choose an existing folder that you may write to, with room on its disk");
+}
 
 std::string read_file(const fs::path& path) {
   if (is_folder(path)) throw InputError(path.string(), "is a folder, not a file", "name the file in it");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(path.string(), fmt::format("cannot be read ({})", reason()), "check the path");
+  if (!in)
+    throw InputError(path.string(), fmt::format("cannot be read ({})", system_reason()), "check the path");
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (in.bad()) throw InputError(path.string(), "reading failed part-way", "check the disk");
   return text;
 }
 
+void remove_abandoned(const fs::path& target) {
+  const std::string prefix = temporary_prefix(target);
+  std::error_code error;
+  for (fs::directory_iterator entry(folder_of(target), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(prefix) || name.size() != prefix.size() + random_part.size()) continue;
+    const int descriptor = ::open(entry->path().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) continue;
+    // Free is the lock of a dead writer.
+    if (lock(descriptor, F_OFD_SETLK)) ::unlink(entry->path().c_str());
+    ::close(descriptor);
+  }
+}
+
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
-  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  if (!is_folder(folder)) cannot_write(target_, "the folder does not exist");
+  if (!is_folder(folder_of(target_))) cannot_write(target_, "the folder does not exist");
   if (is_folder(target_)) cannot_write(target_, "it is a folder");
   // Renaming over a device or a pipe would put a file in its place.
   std::error_code missing;
   if (fs::exists(target_, missing) && !fs::is_regular_file(target_, missing))
     cannot_write(target_, "it is no regular file");
-  std::string pattern = (folder / ("." + target_.filename().string() + ".XXXXXX")).string();
-  const int descriptor = ::mkstemp(pattern.data());
-  if (descriptor < 0) cannot_write(target_, reason());
-  ::fchmod(descriptor, 0644);
-  ::close(descriptor);
-  temporary_ = pattern;
+  remove_abandoned(target_);
+  const fs::path pattern = folder_of(target_) / (temporary_prefix(target_) + std::string(random_part));
+  // Between the making and the locking another writer may take the file for an abandoned one.
+  for (;;) {
+    std::string name = pattern.string();
+    descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor_ < 0) cannot_write(target_, system_reason());
+    temporary_ = name;
+    lock(descriptor_, F_OFD_SETLKW);
+    if (!is_unlinked(descriptor_)) break;
+    ::close(descriptor_);
+  }
+  ::fchmod(descriptor_, 0644);
 }
 
 AtomicFile::~AtomicFile() {
-  std::error_code ignored;
-  if (!committed_) fs::remove(temporary_, ignored);
+  if (!committed_) ::unlink(temporary_.c_str());
+  ::close(descriptor_);
+}
+
+void AtomicFile::write(std::string_view content) {
+  errno = 0;
+  std::ofstream out(temporary_, std::ios::binary | std::ios::trunc);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.flush();
+  if (!out) cannot_write(target_, system_reason());
+}
+
+void AtomicFile::flush() {
+  if (::fsync(descriptor_) != 0) cannot_write(target_, system_reason());
+}
+
+void AtomicFile::rename() {
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) cannot_write(target_, system_reason());
+  committed_ = true;
 }
 
 void AtomicFile::commit() {
-  flush_to_disk(temporary_);
-  std::error_code error;
-  fs::rename(temporary_, target_, error);
-  if (error) cannot_write(target_, error.message());
-  committed_ = true;
+  flush();
+  rename();
+  flush_folder(folder_of(target_));
 }
 
 void write_file(const fs::path& path, std::string_view content) {
   AtomicFile file(path);
-  {
-    std::ofstream out(file.temporary(), std::ios::binary | std::ios::trunc);
-    out.write(content.data(), static_cast<std::streamsize>(content.size()));
-    out.flush();
-    if (!out) cannot_write(path, reason());
-  }
+  file.write(content);
   file.commit();
+}
+
+AtomicFile& AtomicFolder::add(const std::string& name) {
+  return files_.emplace_back(folder_ / name);
+}
+
+void AtomicFolder::commit(const std::vector<std::string>& outdated) {
+  for (AtomicFile& file : files_) file.flush();
+  const int descriptor = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) cannot_write(folder_, system_reason());
+  ::flock(descriptor, LOCK_EX);
+  try {
+    for (const std::string& name : outdated)
+      if (::unlink((folder_ / name).c_str()) != 0 && errno != ENOENT)
+        cannot_write(folder_ / name, system_reason());
+    for (AtomicFile& file : files_) file.rename();
+  } catch (...) {
+    ::close(descriptor);
+    throw;
+  }
+  ::fsync(descriptor);
+  ::close(descriptor);
 }
 
 void make_output_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error || !is_folder(folder)) cannot_write(folder, error ? error.message() : "it is a file");
-  if (::access(folder.c_str(), W_OK) != 0) cannot_write(folder, reason());
+  if (::access(folder.c_str(), W_OK) != 0) cannot_write(folder, system_reason());
 }
 
 }  // namespace shelfbeam

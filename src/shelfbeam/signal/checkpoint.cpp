@@ -6,16 +6,13 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/detail/checkpoint_records.hpp"
 
 namespace shelfbeam {
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path new_file(const fs::path& path) {
-  return path.string() + ".new";
-}
 
 std::string to_text(const CheckpointIdentity& identity) {
   std::string text;
@@ -38,6 +35,8 @@ std::string value_of(std::string_view text, const std::string& name) {
 
 CheckpointFile::CheckpointFile(fs::path path, CheckpointIdentity identity, std::uint32_t items)
     : path_(std::move(path)), identity_(std::move(identity)), saved_(items) {}
+
+CheckpointFile::~CheckpointFile() = default;
 
 bool CheckpointFile::load(const std::function<void(std::uint32_t, const CheckpointState&)>& use) {
   std::error_code unknown;
@@ -83,37 +82,31 @@ void CheckpointFile::save(const std::function<CheckpointState(std::uint32_t)>& s
     if (now.batches != saved_[item]) added += size;
   }
   if (added == 0) return;
-  if (size_ == 0 || size_ + added > 2 * alive)
+  if (!own_ || !own_->is_at(path_) || size_ + added > 2 * alive)
     rewrite(state);
   else
     append(state);
+  size_ = own_->written();
   for (std::uint32_t item = 0; item < saved_.size(); ++item) saved_[item] = state(item).batches;
 }
 
 void CheckpointFile::append(const std::function<CheckpointState(std::uint32_t)>& state) {
-  // What a killed program left half-written at the end goes.
-  std::error_code error;
-  if (fs::file_size(path_, error) != size_) fs::resize_file(path_, size_, error);
-  detail::RecordWriter file(path_, "ab", path_.string());
+  own_->cut(size_);  // what a write that failed has left
   for (std::uint32_t item = 0; item < saved_.size(); ++item)
-    if (const CheckpointState now = state(item); now.batches != saved_[item]) file.state(item, now);
-  file.close();
-  size_ = file.written();
+    if (const CheckpointState now = state(item); now.batches != saved_[item]) own_->state(item, now);
+  own_->flush();
 }
 
 void CheckpointFile::rewrite(const std::function<CheckpointState(std::uint32_t)>& state) {
-  detail::RecordWriter file(new_file(path_), "wb", path_.string());
-  file.line(detail::checkpoint_line);
-  file.record(to_text(identity_));
+  AtomicFile file(path_);
+  auto writer = std::make_unique<detail::RecordWriter>(file.temporary(), path_.string());
+  writer->line(detail::checkpoint_line);
+  writer->record(to_text(identity_));
   for (std::uint32_t item = 0; item < saved_.size(); ++item)
-    if (const CheckpointState now = state(item); now.batches > 0) file.state(item, now);
-  file.close();
-  std::error_code error;
-  fs::rename(new_file(path_), path_, error);
-  if (error)
-    throw InputError(path_.string(), fmt::format("cannot be written ({})", error.message()),
-                     "check that the folder may be written to");
-  size_ = file.written();
+    if (const CheckpointState now = state(item); now.batches > 0) writer->state(item, now);
+  writer->flush();
+  file.commit();
+  own_ = std::move(writer);
 }
 
 fs::path checkpoint_path(const fs::path& output) {
@@ -123,7 +116,7 @@ fs::path checkpoint_path(const fs::path& output) {
 void remove_checkpoint(const fs::path& path) {
   std::error_code ignored;
   fs::remove(path, ignored);
-  fs::remove(new_file(path), ignored);
+  remove_abandoned(path);
 }
 
 }  // namespace shelfbeam

@@ -3,18 +3,22 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <system_error>
 #include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
+
+constexpr std::size_t most_pending = 1 << 20;
 
 // Before the content of a record: its length, its hash, and a hash of both and the place in the file.
 struct RecordHead {
@@ -28,51 +32,71 @@ std::uint64_t hash_of_head(std::uint64_t length, std::uint64_t content_hash, std
 
 }  // namespace
 
-RecordWriter::RecordWriter(const std::filesystem::path& path, const char* mode, std::string name)
-    : name_(std::move(name)), file_(std::fopen(path.c_str(), mode)) {
-  if (!file_) fail();
-  std::fseek(file_.get(), 0, SEEK_END);
-  written_ = static_cast<std::uint64_t>(std::ftell(file_.get()));
+RecordWriter::RecordWriter(const std::filesystem::path& path, std::string name)
+    : name_(std::move(name)), descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
+  if (descriptor_ < 0) fail();
+}
+
+RecordWriter::~RecordWriter() {
+  ::close(descriptor_);
 }
 
 void RecordWriter::fail() const {
-  throw InputError(name_, fmt::format("cannot be written ({})", std::generic_category().message(errno)),
-                   "check that the disk has room and the folder may be written to");
+  cannot_write(name_, system_reason());
 }
 
-void RecordWriter::write(const void* data, std::size_t size) {
-  if (std::fwrite(data, 1, size, file_.get()) != size) fail();
-  written_ += size;
+void RecordWriter::write(std::string_view bytes) {
+  pending_ += bytes;
+  if (pending_.size() >= most_pending) write_pending();
 }
 
-void RecordWriter::line(std::string_view text) {
-  write(text.data(), text.size());
+void RecordWriter::write_pending() {
+  for (std::size_t done = 0; done < pending_.size();) {
+    const ssize_t count = ::pwrite(descriptor_, pending_.data() + done, pending_.size() - done,
+                                   static_cast<off_t>(flushed_ + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) fail();
+    done += static_cast<std::size_t>(count);
+  }
+  flushed_ += pending_.size();
+  pending_.clear();
 }
 
 void RecordWriter::record(std::string_view content) {
   RecordHead head{content.size(), hash64(content), 0};
-  head.own_hash = hash_of_head(head.length, head.content_hash, written_);
-  write(&head, sizeof head);
-  write(content.data(), content.size());
+  head.own_hash = hash_of_head(head.length, head.content_hash, written());
+  write({reinterpret_cast<const char*>(&head), sizeof head});
+  write(content);
 }
 
 void RecordWriter::state(std::uint32_t item, const CheckpointState& state) {
   const std::array<std::uint32_t, 2> numbers{item, state.batches};
-  buffer_.assign(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
-  buffer_.append(reinterpret_cast<const char*>(state.values.data()), state.values.size_bytes());
-  record(buffer_);
+  content_.assign(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+  content_.append(reinterpret_cast<const char*>(state.values.data()), state.values.size_bytes());
+  record(content_);
 }
 
-void RecordWriter::close() {
-  if (std::fflush(file_.get()) != 0 || ::fdatasync(::fileno(file_.get())) != 0) fail();
-  if (std::fclose(file_.release()) != 0) fail();
+void RecordWriter::flush() {
+  write_pending();
+  if (::fdatasync(descriptor_) != 0) fail();
+}
+
+void RecordWriter::cut(std::uint64_t size) {
+  pending_.clear();
+  flushed_ = size;
+  if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) fail();
+}
+
+bool RecordWriter::is_at(const std::filesystem::path& path) const {
+  struct stat there = {}, own = {};
+  return ::stat(path.c_str(), &there) == 0 && ::fstat(descriptor_, &own) == 0 && there.st_dev == own.st_dev &&
+         there.st_ino == own.st_ino;
 }
 
 RecordReader::RecordReader(const std::filesystem::path& path)
     : name_(path.string()), file_(std::fopen(path.c_str(), "rb")) {
   if (!file_)
-    throw InputError(name_, fmt::format("cannot be read ({})", std::generic_category().message(errno)),
-                     "check its permissions");
+    throw InputError(name_, fmt::format("cannot be read ({})", system_reason()), "check its permissions");
   size_ = std::filesystem::file_size(path);
 }
 

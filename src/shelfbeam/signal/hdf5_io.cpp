@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <hdf5.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/detail/text_file.hpp"
 
 namespace shelfbeam::detail {
@@ -103,7 +105,8 @@ struct Hdf5Writer::File {
   Handle id;
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(name, fmt::format("cannot be written ({})", what), "check that the disk has room");
+    const std::string reason = errno != 0 ? system_reason() : "no reason given";
+    cannot_write(name, fmt::format("{}, at {}", reason, what));
   }
   void check(bool good, const std::string& what) const {
     if (!good) fail(what);
@@ -159,8 +162,10 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const std::string& nam
   // One version of the format whatever the library's: the same bytes, and checksums on all metadata.
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
+  // AtomicFile has locked it; where both kinds of locks are one (NFS) the library's would fail.
+  H5Pset_file_locking(access, false, true);
   file_->id = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
-  file_->check(bool(file_->id), "creating it");
+  file_->check(bool(file_->id), "its creation");
 }
 
 Hdf5Writer::~Hdf5Writer() = default;
@@ -218,7 +223,7 @@ void Hdf5Writer::attribute(const std::string& name, const std::string& value) {
 }
 
 void Hdf5Writer::close() {
-  file_->check(file_->id.release(), "finishing it");
+  file_->check(file_->id.release(), "its end");
 }
 
 struct Hdf5Reader::File {

@@ -27,7 +27,7 @@ class PieceWriter {
 
   void commit() {
     out_.close();
-    if (!out_) throw InputError(name_, "cannot be written", "check that the disk has room");
+    if (!out_) cannot_write(name_, system_reason());
     file_.commit();
   }
 

@@ -264,22 +264,32 @@ class MatrixReader {
   detail::Hdf5Reader file_;
 };
 
+void write(const SignalMatrix& head, const SignalRows& rows, AtomicFile& target) {
+  detail::Hdf5Writer file(target.temporary(), target.target().string());
+  MatrixWriter(head, rows, file).write();
+  file.close();
+}
+
 }  // namespace
 
 void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path) {
+  AtomicFile target(path);
+  write_signal_file(matrix, target);
+  target.commit();
+}
+
+void write_signal_file(const SignalMatrix& matrix, AtomicFile& target) {
   const std::size_t size = matrix.rows() * matrix.columns();
   if (size == 0 || matrix.mean.size() != size || matrix.standard_error.size() != size ||
       matrix.direct.size() != size)
     throw std::invalid_argument(
         "write_signal_file: a matrix without entries or with arrays of different sizes");
-  write_signal_file(matrix, OwnRows(matrix), path);
+  write(matrix, OwnRows(matrix), target);
 }
 
 void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const std::filesystem::path& path) {
   AtomicFile target(path);
-  detail::Hdf5Writer file(target.temporary(), path.string());
-  MatrixWriter(head, rows, file).write();
-  file.close();
+  write(head, rows, target);
   target.commit();
 }
 

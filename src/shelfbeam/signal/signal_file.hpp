@@ -7,10 +7,15 @@
 
 namespace shelfbeam {
 
+class AtomicFile;
+
 /// Writes the signal file (HDF5, docs/formats/signal.md) through a temporary file and a rename. The content
 /// depends on the matrix alone: no time stamps. Throws InputError when it cannot be written, and
 /// std::invalid_argument for a matrix that is empty or whose arrays are not all of m n entries.
 void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path);
+
+/// The same without the rename: the caller commits.
+void write_signal_file(const SignalMatrix& matrix, AtomicFile& target);
 
 /// The same with the entries from elsewhere, a few rows at a time; those of `head` are not used.
 void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const std::filesystem::path& path);

@@ -200,6 +200,12 @@ std::uint32_t Engine::most_batches() const {
   return most;
 }
 
+std::uint64_t Engine::batches() const {
+  std::uint64_t all = 0;
+  for (const ItemSums& sums : sums_) all += sums.batches;
+  return all;
+}
+
 double Engine::seconds() const {
   return std::chrono::duration<double>(Clock::now() - started_).count();
 }
@@ -236,6 +242,13 @@ void Engine::save_checkpoint() {
   });
   saved_at_ = seconds();
   save_took_ = saved_at_ - begun;
+}
+
+void Engine::try_to_save() noexcept {
+  try {
+    save_checkpoint();
+  } catch (const std::exception&) {  // the file still has what it had
+  }
 }
 
 // Writing takes at most a twentieth of the time.

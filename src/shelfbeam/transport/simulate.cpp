@@ -29,6 +29,9 @@ SimulationSummary summarise(const SignalMatrix& head, const detail::Engine& engi
   summary.least_batches = least->batches;
   summary.most_samples = most->samples;
   summary.most_batches = most->batches;
+  summary.batches = engine.batches();
+  summary.resumed_batches = engine.resumed_batches();
+  summary.has_checkpoint = engine.has_checkpoint();
   summary.rays = engine.rays();
   summary.shadow_rays = engine.shadow_rays();
   summary.seconds_to_halve = engine.seconds_to_halve();
@@ -57,21 +60,27 @@ SimulationSummary run(const Scene& scene, const std::string& store_hash, const S
     const auto estimator = make_estimator(world, options, control);
     detail::expect_room(world, *estimator, options, keeps_matrix);
     detail::Engine engine(world, *estimator, options, store_hash, control);
-    const bool complete = engine.run();
-    if (engine.fewest_batches() < 2 || !engine.known().is_complete())
-      throw Interrupted(std::string("the simulation was stopped before it had two batches of samples") +
-                        (engine.has_checkpoint() ? "; the same command with '--resume' goes on" : ""));
-    SignalMatrix head = detail::matrix_head(scene, store_hash, options.seed, estimator->name());
-    head.length_step = options.by_length.step;
-    const detail::MatrixRows rows(*estimator, engine.sums(), engine.known(), head.rows(),
-                                  options.bounce_layers(), options.length_layers());
-    for (std::size_t i = 0; i < head.rows(); ++i) {
-      head.labels[i].batches = rows.batches(i);
-      head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator->samples_per_batch();
+    try {
+      const bool complete = engine.run();
+      if (engine.fewest_batches() < 2 || !engine.known().is_complete())
+        throw Interrupted(std::string("the simulation was stopped before it had two batches of samples") +
+                          (engine.has_checkpoint() ? "; the same command with '--resume' goes on" : ""));
+      SignalMatrix head = detail::matrix_head(scene, store_hash, options.seed, estimator->name());
+      head.length_step = options.by_length.step;
+      const detail::MatrixRows rows(*estimator, engine.sums(), engine.known(), head.rows(),
+                                    options.bounce_layers(), options.length_layers());
+      for (std::size_t i = 0; i < head.rows(); ++i) {
+        head.labels[i].batches = rows.batches(i);
+        head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator->samples_per_batch();
+      }
+      summary = summarise(head, engine);
+      summary.complete = complete;
+      use(std::move(head), rows);
+    } catch (const OutputError& error) {
+      engine.try_to_save();
+      if (!engine.has_checkpoint()) throw;
+      throw OutputError(error, checkpoint_remains);
     }
-    summary = summarise(head, engine);
-    summary.complete = complete;
-    use(std::move(head), rows);
   });
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return summary;

@@ -21,6 +21,10 @@ std::uint64_t samples_per_batch(std::uint64_t samples);
 /// Its batches where the number of them is open.
 inline constexpr std::uint64_t open_samples_per_batch = 64;
 
+/// What to say where an output could not be written after a simulation that has a checkpoint.
+inline constexpr auto checkpoint_remains =
+    "the checkpoint has what was simulated: the same command with '--resume' goes on";
+
 struct SimulationResult {
   SignalMatrix matrix;
   SimulationSummary summary;
@@ -30,7 +34,8 @@ struct SimulationResult {
 /// result depends on the scene and the options alone (not those of the checkpoint), unless time ends it: it
 /// is the same bit for bit with any number of threads, and after interruption and resumption.
 ///
-/// The checkpoint stays; whoever has saved the result removes it (remove_checkpoint).
+/// The checkpoint stays; whoever has saved the result removes it (remove_checkpoint), and whoever could not
+/// says `checkpoint_remains`.
 ///
 /// Throws InputError where the options do not fit the scene (random walks never meet a point), the matrix
 /// does not fit into the memory, or the checkpoint is of another simulation, and Interrupted when cancelled

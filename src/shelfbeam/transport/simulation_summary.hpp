@@ -21,10 +21,13 @@ struct SimulationSummary {
   std::size_t labels = 0, candidates = 0;
   std::uint64_t least_samples = 0, most_samples = 0;  ///< first rays a label
   std::uint32_t least_batches = 0, most_batches = 0;
-  std::uint64_t rays = 0;       ///< traced in this run, not before a resumption
-  ShadowRays shadow_rays;       ///< of these; all 0 where no walks from labels are connected
-  double seconds = 0;           ///< of this run
-  double seconds_to_halve = 0;  ///< predicted from there on, until the errors are half as large
+  std::uint64_t batches = 0;          ///< of all items of the work
+  std::uint64_t resumed_batches = 0;  ///< of these, what came from the checkpoint
+  bool has_checkpoint = false;        ///< that this run has saved or gone on from
+  std::uint64_t rays = 0;             ///< traced in this run, not before a resumption
+  ShadowRays shadow_rays;             ///< of these; all 0 where no walks from labels are connected
+  double seconds = 0;                 ///< of this run
+  double seconds_to_halve = 0;        ///< predicted from there on, until the errors are half as large
   std::array<ErrorQuantiles, 2> errors = {{{0.3}, {0.02}}};
 };
 

@@ -2,21 +2,32 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/transport/emitters.hpp"
+#include "shelfbeam/transport/enlarged.hpp"
 #include "shelfbeam/transport/plane_mirrors.hpp"
 #include "shelfbeam/transport/ray_scene.hpp"
 #include "shelfbeam/transport/receivers.hpp"
 
 namespace shelfbeam {
 
-/// A scene as paths see it.
+/// A scene as paths see it; a very small one enlarged.
 struct World {
-  explicit World(const Scene& s) : scene(s), rays(s), emitters(s), receivers(s), mirrors(s) {}
+  explicit World(const Scene& s)
+      : own(enlarged(s)),
+        scene(own ? *own : s),
+        rays(scene),
+        emitters(scene),
+        receivers(scene),
+        mirrors(scene) {}
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
 
   const Material& material(const Hit& hit) const { return scene.materials[hit.material.value].material; }
 
+  const std::optional<Scene> own;
   const Scene& scene;
   RayScene rays;
   Emitters emitters;

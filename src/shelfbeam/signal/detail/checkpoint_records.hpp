@@ -26,29 +26,35 @@ constexpr std::uint64_t state_size(std::size_t values) {
   return record_size(2 * sizeof(std::uint32_t) + values * sizeof(double));
 }
 
-/// Appends records to a file.
+/// Writes records to a file, which it keeps open: whatever another process puts in its place, nobody else's
+/// file is written to. Throws OutputError.
 class RecordWriter {
  public:
-  /// `name` stands for the file in errors.
-  RecordWriter(const std::filesystem::path& path, const char* mode, std::string name);
+  /// An existing, empty file. `name` stands for it in errors.
+  RecordWriter(const std::filesystem::path& path, std::string name);
+  ~RecordWriter();
+  RecordWriter(const RecordWriter&) = delete;
+  RecordWriter& operator=(const RecordWriter&) = delete;
 
-  void line(std::string_view text);
+  void line(std::string_view text) { write(text); }
   void record(std::string_view content);
   void state(std::uint32_t item, const CheckpointState& state);
-  void close();  ///< flushes to the disk
-  std::uint64_t written() const { return written_; }
+  void flush();  ///< to the disk
+  std::uint64_t written() const { return flushed_ + pending_.size(); }
+  /// Forgets what comes after so many bytes.
+  void cut(std::uint64_t size);
+  /// Whether the file still has this name.
+  bool is_at(const std::filesystem::path& path) const;
 
  private:
-  void write(const void* data, std::size_t size);
+  void write(std::string_view bytes);
+  void write_pending();
   [[noreturn]] void fail() const;
 
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   std::string name_;
-  std::unique_ptr<std::FILE, Close> file_;
-  std::string buffer_;
-  std::uint64_t written_ = 0;
+  int descriptor_;
+  std::string pending_, content_;
+  std::uint64_t flushed_ = 0;
 };
 
 /// Reads them back. What is cut off at the end is no record; anything else that does not fit its checksum

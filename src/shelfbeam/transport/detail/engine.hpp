@@ -44,6 +44,10 @@ class Engine {
   const std::vector<ItemSums>& sums() const { return sums_; }
   const KnownLight& known() const { return known_; }
   std::uint32_t fewest_batches() const;
+  std::uint64_t batches() const;
+  std::uint64_t resumed_batches() const { return done_before_; }
+  /// Saves what there is, if that can be done.
+  void try_to_save() noexcept;
   bool has_checkpoint() const { return checkpoint_ && checkpoint_->has_saved(); }
   std::uint64_t rays() const { return rays_ + known_.rays(); }
   const ShadowRays& shadow_rays() const { return shadow_rays_; }
