@@ -36,7 +36,8 @@ int run_report(const Options& options) {
                      "belongs to another store file than the one beside it", "run 'shelfbeam plan' again");
   const SignalTable table = make_signal_table(matrix, (options.folder / signal_name).string());
   const Placement placement = read_placement(options.folder / placement_name, table);
-  write_report(options.folder, {store.scene, matrix, placement});
+  const ReachCurve curve = read_curve(options.folder / placement_name, table);
+  write_report(options.folder, {store.scene, matrix, placement, curve});
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)
     print_json({{"report", report}});
