@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -44,24 +42,14 @@ Answer reach(const Options& options, const SignalTable& table, const RunControl&
 }
 
 Answer cover(const Options& options, const SignalTable& table, const RunControl& control) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
   Placement placement =
       place(table, options.question.question(), options.solver.options(options.common.seed), control);
   ReachCurve curve;
   std::string remark;
   if (options.curve && placement.has_selection()) {
-    // What is left of the limit, but a tenth of it at least.
-    const auto after = [&](Clock::time_point from, double part) {
-      const double seconds = std::min(part * options.solver.time_limit_s, 1e8);
-      return from + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-    };
-    curve = reach_curve(table, placement.question, placement.selected, control,
-                        std::max(after(start, 1), after(Clock::now(), 0.1)));
-    agree(placement, curve, table);
-    placement.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    curve = add_curve(placement, table, options.solver.time_limit_s, control);
   } else if (options.curve) {
-    remark = "  no curve without a placement: '--at-most K' tells what K transceivers reach\n";
+    remark = fmt::format("  {}: '--at-most K' tells what K transceivers reach\n", no_curve);
   }
   return {placement_json(placement, table, curve),
           describe(placement, table) + describe(curve, table) + remark,

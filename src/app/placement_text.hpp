@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "shelfbeam/placement/budget.hpp"
 #include "shelfbeam/placement/curve.hpp"
@@ -14,5 +15,8 @@ std::string describe(const Placement& placement, const SignalTable& table);
 std::string describe(const Reach& reach, const SignalTable& table);
 /// Empty without points.
 std::string describe(const ReachCurve& curve, const SignalTable& table);
+
+/// What is said instead of one.
+inline constexpr std::string_view no_curve = "no curve without a placement";
 
 }  // namespace shelfbeam::app

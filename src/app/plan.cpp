@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -19,6 +21,7 @@
 #include "certificate_options.hpp"
 #include "loaded_store.hpp"
 #include "placement_options.hpp"
+#include "placement_text.hpp"
 #include "plan_folder.hpp"
 #include "requirements.hpp"
 #include "simulation_options.hpp"
@@ -36,11 +39,10 @@ struct Options {
   QuestionFlags question;
   SolverFlags solver;
   CertificateFlags certificate;
-  bool without_certificate = false;
+  bool no_certificate = false, curve = false, sensitivity = false;
+  double reflectance_error = SensitivityOptions().assumed_error;
   Requirements requirements;
   std::filesystem::path store, folder;
-
-  bool certifies() const { return !without_certificate; }
 };
 
 SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
@@ -57,6 +59,26 @@ void keep_store(const std::filesystem::path& folder, const std::filesystem::path
   if (std::filesystem::equivalent(folder, home, missing) && read_file(file) != store.resolved)
     throw InputError(folder.string(), "is the folder of the store file, which would be overwritten",
                      "choose another folder for the plan");
+}
+
+// What was asked for beside the placement.
+std::string additions(const Options& options, const Plan& plan, const SignalTable& table) {
+  const Placement& placement = plan.placement;
+  std::string text = describe(plan.curve, table);
+  if (options.curve && !placement.has_selection())
+    text += fmt::format("  {}: 'place {} --at-most K' tells what K transceivers reach\n", no_curve,
+                        (options.folder / signal_name).string());
+  if (placement.certificate) text += fmt::format("certificate: {}\n", statement(placement));
+  if (placement.sensitivity)
+    text += fmt::format("sensitivity: {}\n", statement(*placement.sensitivity, table.rows()));
+  return text;
+}
+
+// Something that was asked of the selection came to no end.
+bool is_open(const Options& options, const Plan& plan) {
+  const Placement& placement = plan.placement;
+  return (placement.certificate && !placement.certificate->open.empty()) || !plan.curve.is_complete ||
+         (options.sensitivity && placement.has_selection() && !placement.sensitivity);
 }
 
 int run_plan(const Options& options) {
@@ -79,11 +101,11 @@ int run_plan(const Options& options) {
     asked.question = options.question.question();
     asked.place = options.solver.options(options.common.seed);
     asked.table = [&](const SignalMatrix& matrix) { return table_of(options, matrix); };
+    const double confidence = options.certificate.confidence;
+    asked.confidence = options.no_certificate ? std::nullopt : std::optional(confidence);
     asked.budget_s = options.certificate.budget_s;
-    if (options.certifies())
-      asked.confidence = options.certificate.confidence;
-    else
-      asked.confidence.reset();
+    asked.curve = options.curve;
+    if (options.sensitivity) asked.sensitivity = {options.reflectance_error, confidence};
     plan = make_plan(store.scene, store.hash, asked, control);
   } catch (...) {  // stopped too early, or refused
     std::error_code not_empty;
@@ -93,16 +115,15 @@ int run_plan(const Options& options) {
   const SignalMatrix& matrix = plan.simulation.matrix;
   const SimulationSummary& summary = plan.simulation.summary;
   const SignalTable table = table_of(options, matrix);
-  const std::string answer = placement_json(plan.placement, table);
-  const bool is_certified = plan.placement.certificate.has_value();
+  const std::string answer = placement_json(plan.placement, table, plan.curve);
   try {
     AtomicFolder files(options.folder);
     files.add(store_name).write(store.resolved);
     write_signal_file(matrix, files.add(signal_name));
     files.add(placement_name).write(answer);
-    if (is_certified)
+    if (plan.placement.certificate)
       files.add(verification_name).write(verification_csv(*plan.placement.certificate, store.scene));
-    write_report(files, {store.scene, matrix, plan.placement});
+    write_report(files, {store.scene, matrix, plan.placement, plan.curve});
     files.commit({report_name, placement_name, labels_name, placement_table_name, verification_name});
   } catch (const OutputError& error) {
     if (!summary.has_checkpoint) throw;
@@ -114,12 +135,8 @@ int run_plan(const Options& options) {
     fmt::print("{}", answer);
   else if (!options.common.quiet)
     fmt::print("{}\n{}{}report: {}\n", describe(summary), describe(plan.placement, table),
-               is_certified ? fmt::format("certificate: {}\n", statement(plan.placement)) : "",
-               (options.folder / report_name).string());
-  if (plan.complete) {
-    const bool is_open = is_certified && !plan.placement.certificate->open.empty();
-    return is_open ? stopped_early : exit_code(plan.placement.status);
-  }
+               additions(options, plan, table), (options.folder / report_name).string());
+  if (plan.complete) return is_open(options, plan) ? stopped_early : exit_code(plan.placement.status);
   if (!options.common.quiet)
     fmt::print(
         stderr,
@@ -139,13 +156,23 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
   add_solver_options(*verb, options->solver, 60);
   add_requirement_options(*verb, options->requirements);
   add_certificate_options(*verb, options->certificate);
-  verb->add_flag("--no-certificate", options->without_certificate,
+  verb->add_flag("--no-certificate", options->no_certificate,
                  "Place on the simulated matrix as it is, and say nothing of its errors");
+  verb->add_flag("--curve", options->curve, "Also tell what share of the labels fewer transceivers reach");
+  auto* sensitivity =
+      verb->add_flag("--sensitivity", options->sensitivity,
+                     "Also simulate the chosen transceivers with reflectances at both ends of their ranges");
+  verb->add_option("--reflectance-error", options->reflectance_error,
+                   "Relative error of reflectances whose range nobody told, for --sensitivity")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(sensitivity)
+      ->capture_default_str();
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"
       "  shelfbeam plan store.json -o plan\n"
       "  shelfbeam plan store.json -o plan --samples 50000 --model non-cooperative --objective links\n"
+      "  shelfbeam plan store.json -o plan --curve --sensitivity --reflectance-error 0.2\n"
       "Writes signal.h5, placement.json, verification.csv, placement.csv, labels.csv, store.json (resolved) "
       "and\n"
       "report.html.");

@@ -36,8 +36,9 @@ int run_report(const Options& options) {
                      "belongs to another store file than the one beside it", "run 'shelfbeam plan' again");
   const SignalTable table = make_signal_table(matrix, (options.folder / signal_name).string());
   const Placement placement = read_placement(options.folder / placement_name, table);
+  const ReachCurve curve = read_curve(options.folder / placement_name, table);
   AtomicFolder files(options.folder);
-  write_report(files, {store.scene, matrix, placement});
+  write_report(files, {store.scene, matrix, placement, curve});
   files.commit({report_name});
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)

@@ -384,6 +384,23 @@ TEST_F(BadMatrix, Costs) {
   }
 }
 
+TEST(BadSensitivity, IsRefused) {
+  const TempFolder folder;
+  Json store = small_store();
+  const std::string file = folder.write("store.json", store.dump()).string();
+  const auto refused = [&](std::vector<std::string> arguments, const std::vector<std::string>& parts) {
+    arguments.insert(arguments.begin(), {"plan", file, "-o", (folder / "plan").string()});
+    expect_refused(folder, arguments, parts);
+  };
+  refused({"--reflectance-error", "0.1"}, {"--reflectance-error", "--sensitivity"});
+  for (const char* wrong : {"-0.1", "1.1", "much"})
+    refused({"--sensitivity", "--reflectance-error", wrong}, {"--reflectance-error"});
+  store["materials"]["m"]["reflectance_range"] = {0.9, 0.95};
+  folder.write("store.json", store.dump());
+  refused({"--sensitivity"}, {file + ": materials.m.reflectance_range: is from 0.9 to 0.95",
+                              "with the reflectance between them"});
+}
+
 TEST(BadPlanFolder, IsRefusedByReport) {
   const TempFolder folder;
   const std::string store = folder.write("store.json", small_store().dump()).string();

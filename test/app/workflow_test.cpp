@@ -340,6 +340,33 @@ TEST_F(Workflow, TellsWhatFewerTransceiversReach) {
   EXPECT_NE(text.find("'--at-most K'"), std::string::npos) << text;
 }
 
+TEST_F(Workflow, PlansTellCurveAndSensitivity) {
+  const std::vector<std::string> plan{"plan", path("store.json"), "-o", path("plan"), "--samples",
+                                      "640",  "--no-certificate"};
+  auto asked = plan;
+  asked.insert(asked.end(), {"--curve", "--sensitivity", "--reflectance-error", "0.25"});
+  const std::string text = expect_silent(asked);
+  EXPECT_NE(text.find("  units   labels reached: at least   at most\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nsensitivity: "), std::string::npos) << text;
+  const Json placement = json("plan/placement.json");
+  EXPECT_EQ(placement["curve"].size(), placement["count"]);
+  EXPECT_EQ(placement["curve_complete"], true);
+  const Json& sensitivity = placement["sensitivity"];
+  EXPECT_EQ(sensitivity["assumed_error"], 0.25);
+  for (const Json& material : sensitivity["materials"])
+    EXPECT_DOUBLE_EQ(material["range"][0].get<double>(), 0.75 * material["reflectance"].get<double>());
+  EXPECT_LT(sensitivity["low"]["smallest_margin"], sensitivity["high"]["smallest_margin"]);
+  const std::string page = bytes("plan/report.html");
+  EXPECT_NE(page.find("<section id=\"sensitivity\">"), std::string::npos);
+  EXPECT_NE(page.find("<section id=\"curve\">"), std::string::npos);
+  expect_silent({"report", path("plan")});
+  EXPECT_TRUE(bytes("plan/report.html") == page) << "rebuilt from what lies in the folder";
+  expect_silent(plan);
+  EXPECT_FALSE(json("plan/placement.json").contains("sensitivity"));
+  EXPECT_FALSE(json("plan/placement.json").contains("curve"));
+  EXPECT_EQ(bytes("plan/report.html").find("<section id=\"curve\">"), std::string::npos);
+}
+
 TEST_F(Workflow, AnswersSayWhatTheyRestOn) {
   folder.write("m.csv", "label,A,B,C\nL1,1,0,1\nL2,1,0,1\nL3,1,0,0\nL4,0,1,1\nL5,0,1,1\nL6,0,1,0\n");
   std::vector<std::string> ask = {"place", path("m.csv"), "--threshold", "1"};

@@ -71,8 +71,11 @@ TEST(MaterialsData, CheckFindsWhatIsMissing) {
 TEST(MaterialsData, ProgramKnowsAllReflectances) {
   const Json data = read_data();
   EXPECT_EQ(reflectances_940nm().size(), data["reflectances"].size());
-  for (const NamedReflectance& entry : reflectances_940nm())
-    EXPECT_EQ(data["reflectances"][entry.name]["reflectance"], entry.reflectance) << entry.name;
+  for (const NamedReflectance& entry : reflectances_940nm()) {
+    const Json& listed = data["reflectances"][entry.name];
+    EXPECT_EQ(listed["reflectance"], entry.reflectance) << entry.name;
+    EXPECT_EQ(listed.value("range", Json()), entry.range ? Json(*entry.range) : Json()) << entry.name;
+  }
 }
 
 // The facts that the project's research lists.

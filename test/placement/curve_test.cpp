@@ -250,6 +250,23 @@ TEST(PlacementCurve, SaysThatItWasCutShort) {
   EXPECT_NE(placement_json(greedy, table, curve).find("\"curve_complete\": false"), std::string::npos);
 }
 
+// What fresh samples have certified is not exchanged for something that they have not seen.
+TEST(PlacementCurve, LeavesACertifiedSelection) {
+  const SignalTable table =
+      test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
+  Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
+  ASSERT_EQ(greedy.count(), 3U);
+  Placement certified = greedy;
+  certified.certificate.emplace();
+  add_curve(greedy, table, 60);
+  const ReachCurve curve = add_curve(certified, table, 60);
+  EXPECT_EQ(greedy.count(), 2U);
+  EXPECT_EQ(certified.count(), 3U);
+  EXPECT_EQ(certified.count_lower_bound, greedy.count_lower_bound);
+  ASSERT_EQ(curve.points.size(), 3U);
+  EXPECT_EQ(curve.points[1].at_least, table.rows()) << "but it is told";
+}
+
 TEST(PlacementCurve, IsWritten) {
   const SignalTable table = test::make_table({{1, 0}, {1, 0}, {0, 1}}, 2);
   const Placement found = place(table, {}, {});

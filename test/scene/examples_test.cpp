@@ -55,8 +55,8 @@ TEST(Thesis, HasTheCountsOfTheErrata) {
   for (const auto& [row, count] : rows) EXPECT_EQ(count, 15) << row;
   EXPECT_TRUE(scene.warnings.empty());
   EXPECT_EQ(*scene.room, (Vec3{20, 16, 4}));
-  for (const auto& [name, material] : scene.materials)
-    EXPECT_EQ(std::get<Lambertian>(material).reflectance, 0.7) << name;
+  for (const NamedMaterial& named : scene.materials)
+    EXPECT_EQ(std::get<Lambertian>(named.material).reflectance, 0.7) << named.name;
 }
 
 // A scene's labels, candidates and parts, with x mirrored about x = 10 if asked for; sorted, in units of 0.1

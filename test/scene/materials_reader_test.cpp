@@ -109,6 +109,29 @@ TEST(MaterialsReader, SchemaListsTheNames) {
   EXPECT_EQ(schema["$defs"]["reflectance"]["oneOf"][1]["enum"], names);
 }
 
+TEST(MaterialsReader, ReadsRangesOfReflectances) {
+  const auto range_of = [](const std::string& material) {
+    return with(material).materials[1].reflectance_range;
+  };
+  using Range = std::array<double, 2>;
+  EXPECT_EQ(range_of(R"({ "type": "lambertian", "reflectance": 0.5 })"), std::nullopt);
+  EXPECT_EQ(range_of(R"({ "type": "lambertian", "reflectance": "plaster" })"), std::nullopt);
+  EXPECT_EQ(range_of(R"({ "type": "conductor", "eta": 1, "k": 1 })"), std::nullopt);
+  EXPECT_EQ(range_of(R"({ "type": "lambertian", "reflectance": "mixed_goods" })"), (Range{0.3, 0.7}));
+  EXPECT_EQ(
+      range_of(R"({ "type": "lambertian", "reflectance": "mixed_goods", "reflectance_range": [0.4, 0.5] })"),
+      (Range{0.4, 0.5}));
+  EXPECT_EQ(
+      range_of(R"({ "type": "plastic", "ior": 1.5, "reflectance": 0.4, "reflectance_range": [0.4, 1] })"),
+      (Range{0.4, 1}));
+  for (const char* wrong : {"[0.6, 0.7]", "[0.3, 0.4]", "[0.7, 0.3]", "[-0.1, 0.6]", "[0.4, 1.1]"})
+    expect_error(
+        std::string(R"({ "type": "lambertian", "reflectance": 0.5, "reflectance_range": )") + wrong + " }",
+        ".reflectance_range", "is from ");
+  expect_error(R"({ "type": "lambertian", "reflectance": 0.5, "reflectance_range": [0.4] })",
+               ".reflectance_range", "");
+}
+
 TEST(MaterialsReader, SaysWhatHasNoEffect) {
   for (const char* key : {"distribution", "masking", "sampling"})
     for (const char* smooth : {"", R"("roughness": 0, )"})

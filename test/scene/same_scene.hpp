@@ -19,6 +19,7 @@ class TypePrint {
   std::string of(const NamedMaterial& named) {
     out_ << "material " << named.name << ' ' << named.material.index() << ' ';
     std::visit([this](const auto& m) { print(m); }, named.material);
+    if (named.reflectance_range) all(*named.reflectance_range);
     return take();
   }
   std::string of(const LabelType& type) {

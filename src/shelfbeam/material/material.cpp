@@ -1,5 +1,7 @@
 #include "shelfbeam/material/material.hpp"
 
+#include <stdexcept>
+
 namespace shelfbeam {
 
 namespace {
@@ -66,6 +68,19 @@ double specular_reflectance(const Material& material, const Vec3& known) {
 
 bool has_only_specular(const Material& material) {
   return std::visit([](const auto& m) { return m.has_only_specular(); }, material);
+}
+
+std::optional<double> given_reflectance(const Material& material) {
+  if (const auto* diffuse = std::get_if<Lambertian>(&material)) return diffuse->reflectance;
+  if (const auto* coated = std::get_if<Plastic>(&material)) return coated->reflectance;
+  return std::nullopt;
+}
+
+Material with_reflectance(const Material& material, double reflectance) {
+  if (std::holds_alternative<Lambertian>(material)) return make_lambertian(reflectance);
+  if (const auto* coated = std::get_if<Plastic>(&material))
+    return make_plastic(coated->ior, reflectance, coated->facets);
+  throw std::invalid_argument("a material without a reflectance of its own was to get one");
 }
 
 std::string_view type_name(const Material& material) {

@@ -45,6 +45,13 @@ double specular_reflectance(const Material& material, const Vec3& known);
 /// Whether `eval` is always 0: no connection to such a surface carries anything.
 bool has_only_specular(const Material& material);
 
+/// The reflectance that a store file gives: of a diffuse surface, or of the base under a coat. Nothing for
+/// the others, whose reflectance follows from their indices.
+std::optional<double> given_reflectance(const Material& material);
+/// The same material with another such reflectance, 0 to 1. A rough coat is tabulated anew: some
+/// milliseconds. Throws std::invalid_argument where there is none.
+Material with_reflectance(const Material& material, double reflectance);
+
 /// The name used in the store file.
 std::string_view type_name(const Material& material);
 

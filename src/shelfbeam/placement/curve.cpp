@@ -101,7 +101,7 @@ void agree(Placement& placement, ReachCurve& curve, const SignalTable& table) {
   const Question& question = placement.question;
   const bool is_lexicographic = question.combination == Combination::lexicographic;
   const bool only_counts = is_lexicographic && question.objective == Objective::count;
-  if (is_lexicographic && curve.selected.size() < placement.count()) {
+  if (is_lexicographic && !placement.certificate && curve.selected.size() < placement.count()) {
     placement.selected = curve.selected;
     placement.objective_value = only_counts ? static_cast<double>(placement.count())
                                             : check_selection(table, question, curve.selected).objective;
@@ -121,6 +121,19 @@ void agree(Placement& placement, ReachCurve& curve, const SignalTable& table) {
   for (CurvePoint& point : curve.points)
     if (static_cast<double>(point.units) < placement.count_lower_bound)
       point.at_most = std::min(point.at_most, table.rows() - 1);
+}
+
+ReachCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
+                     const RunControl& control) {
+  const Clock::time_point start = Clock::now();
+  constexpr double longest_s = 1e8;
+  const double seconds = std::min(longest_s, std::max(time_limit_s - placement.seconds, 0.1 * time_limit_s));
+  ReachCurve curve = reach_curve(
+      table, placement.question, placement.selected, control,
+      start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
+  agree(placement, curve, table);
+  placement.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+  return curve;
 }
 
 }  // namespace shelfbeam

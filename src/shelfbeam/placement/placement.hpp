@@ -10,6 +10,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/certificate.hpp"
 #include "shelfbeam/placement/instance.hpp"
+#include "shelfbeam/placement/sensitivity.hpp"
 
 namespace shelfbeam {
 
@@ -64,6 +65,7 @@ struct Placement {
   std::string solver;
   double seconds = 0;                      ///< wall time
   std::optional<Certificate> certificate;  ///< what fresh samples say of it, if they were asked
+  std::optional<Sensitivity> sensitivity;  ///< and where surfaces reflect less or more
 
   std::size_t count() const { return selected.size(); }
   /// There is a selection; it may be that of no units, where there are no labels.

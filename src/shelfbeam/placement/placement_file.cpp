@@ -4,15 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
-#include <unordered_map>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/checker.hpp"
 #include "shelfbeam/placement/critical.hpp"
+#include "shelfbeam/placement/detail/placement_json.hpp"
+#include "shelfbeam/placement/detail/sensitivity_json.hpp"
 #include "shelfbeam/placement/mounts.hpp"
 #include "shelfbeam/placement/names.hpp"
 #include "shelfbeam/placement/scenarios.hpp"
@@ -21,20 +21,18 @@ namespace shelfbeam {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using detail::Json;
+using detail::number;
+using detail::number_or_infinity;
+using detail::position;
+using detail::Positions;
+using detail::positions;
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
+constexpr std::int64_t most_units = std::numeric_limits<std::uint32_t>::max();
 
 // Whole numbers without ".0", as a reader expects of a count.
 Json count(double value) {
   return std::isfinite(value) ? Json(std::llround(value)) : Json(nullptr);
-}
-
-/// null stands for a number without a value.
-double number_or_infinity(const JsonCursor& cursor) {
-  return cursor.is_null() ? std::numeric_limits<double>::infinity() : cursor.non_negative();
 }
 
 template <class Table>
@@ -46,24 +44,6 @@ auto named(const JsonCursor& cursor, const Table& names) {
     known.push_back(entry.name);
   }
   cursor.fail(fmt::format("is '{}', which is not known here", word), suggest(word, known));
-}
-
-using Positions = std::unordered_map<std::string_view, std::uint32_t>;
-
-template <class Items>
-Positions positions(const Items& items) {
-  Positions result;
-  for (const auto& item : items) result.emplace(item.id, static_cast<std::uint32_t>(result.size()));
-  return result;
-}
-
-std::uint32_t position(const JsonCursor& cursor, const Positions& known, std::string_view what) {
-  const std::string id = cursor.text();
-  const auto found = known.find(id);
-  if (found == known.end())
-    cursor.fail(fmt::format("names '{}', and the matrix has no such {}", id, what),
-                "use the matrix that this placement was computed from");
-  return found->second;
 }
 
 std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const SignalTable& table) {
@@ -228,6 +208,7 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
     file["curve_complete"] = curve.is_complete;
   }
   if (placement.certificate) file["certificate"] = to_json(*placement.certificate, table);
+  if (placement.sensitivity) file["sensitivity"] = detail::to_json(*placement.sensitivity, table);
   return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -268,7 +249,7 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
                     "scenarios",       "critical",        "curve",
                     "bound_proof",     "ties_settled",    "min_spacing",
                     "forbidden_pairs", "labels",          "curve_complete",
-                    "certificate"});
+                    "certificate",     "sensitivity"});
   file["format"].integer(1, 1);
   Placement placement;
   placement.question.model = named(file["model"], model_names);
@@ -300,7 +281,28 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
     stated.fail(fmt::format("is {}, but {} transceivers are selected", stated.number(), placement.count()),
                 "correct one of them");
   if (const auto found = file.find("certificate")) placement.certificate = read_certificate(*found, table);
+  if (const auto found = file.find("sensitivity"))
+    placement.sensitivity = detail::read_sensitivity(*found, table);
   return placement;
+}
+
+ReachCurve read_curve(const std::filesystem::path& path, const SignalTable& table) {
+  const JsonCursor file = JsonCursor::parse_file(path);
+  ReachCurve curve;
+  const auto points = file.find("curve");
+  if (!points) return curve;
+  const auto labels = static_cast<std::int64_t>(table.rows());
+  for (const JsonCursor& element : points->elements()) {
+    element.expect_keys({"units", "at_least", "at_most"});
+    const std::int64_t at_least = element["at_least"].integer(0, labels);
+    const std::int64_t before =
+        curve.points.empty() ? 0 : static_cast<std::int64_t>(curve.points.back().units);
+    curve.points.push_back({static_cast<std::size_t>(element["units"].integer(before + 1, most_units)),
+                            static_cast<std::size_t>(at_least),
+                            static_cast<std::size_t>(element["at_most"].integer(at_least, labels))});
+  }
+  curve.is_complete = file["curve_complete"].boolean();
+  return curve;
 }
 
 }  // namespace shelfbeam

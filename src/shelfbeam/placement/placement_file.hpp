@@ -29,4 +29,7 @@ inline constexpr std::size_t most_listed_labels = 1000;
 /// the table does not have is one.
 Placement read_placement(const std::filesystem::path& path, const SignalTable& table);
 
+/// The curve in it, if there is one; without `selected`. Throws as `read_placement`.
+ReachCurve read_curve(const std::filesystem::path& path, const SignalTable& table);
+
 }  // namespace shelfbeam

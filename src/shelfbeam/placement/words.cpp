@@ -118,4 +118,21 @@ std::string statement(const Placement& placement) {
          (certificate.open.empty() ? "" : fmt::format(" It ended because {}.", certificate.open));
 }
 
+std::string statement(const Sensitivity& sensitivity, std::size_t labels) {
+  const std::size_t missed = sensitivity.low.missed.size(), open = sensitivity.low.undecided.size();
+  const std::string confidence = fmt::format("joint confidence {:.6g} %", 100 * sensitivity.confidence);
+  std::string text =
+      missed + open == 0
+          ? fmt::format("{0} of {0} labels are reached wherever in their ranges the reflectances are", labels)
+          : fmt::format(
+                "{} of {} labels are reached with all reflectances at the low end of their ranges, "
+                "{} missed, {} undecided",
+                labels - missed - open, labels, missed, open);
+  text += fmt::format(", with {}; the smallest margin is {:.3g} to {:.3g}", confidence,
+                      sensitivity.low.least.ratio, sensitivity.high.least.ratio);
+  if (!sensitivity.materials.empty())
+    text += fmt::format("; '{}' matters most", sensitivity.materials.front().material);
+  return text + ".";
+}
+
 }  // namespace shelfbeam

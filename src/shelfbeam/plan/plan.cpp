@@ -1,8 +1,38 @@
 #include "shelfbeam/plan/plan.hpp"
 
+#include <numeric>
+#include <vector>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
 namespace shelfbeam {
+
+namespace {
+
+// Nothing where it was interrupted: what has been found before stays.
+std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
+                                          const SensitivityOptions& options, const SimulationOptions& fresh,
+                                          const RunControl& control) {
+  const SignalMatrix& matrix = plan.simulation.matrix;
+  std::vector<std::uint32_t> labels(matrix.rows());
+  std::iota(labels.begin(), labels.end(), 0U);
+  std::vector<float> planned;
+  for (const std::uint32_t i : labels)
+    for (const std::uint32_t j : plan.placement.selected) planned.push_back(matrix.mean[matrix.at(i, j)]);
+  const VerificationEffort effort{fresh, mix_key(fresh.seed ^ 0x73656e7369746976, 0),
+                                  least_verifying_batches};
+  try {
+    return reflectance_sensitivity(sub_scene(scene, labels, plan.placement.selected), plan.placement.question,
+                                   planned, options, effort, control);
+  } catch (const Interrupted&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
 
 Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOptions& options,
                const RunControl& control) {
@@ -19,6 +49,11 @@ Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOpti
     plan.placement.certificate =
         certify(scene, table, {*options.confidence, options.budget_s, fresh, options.place},
                 plan.simulation.matrix, plan.placement, control);
+  if (options.curve && plan.placement.has_selection())
+    plan.curve =
+        add_curve(plan.placement, table(plan.simulation.matrix), options.place.time_limit_s, control);
+  if (options.sensitivity && plan.simulation.summary.complete && plan.placement.has_selection())
+    plan.placement.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);
   plan.complete = plan.simulation.summary.complete && !control.cancelled();
   return plan;
 }

@@ -3,8 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "shelfbeam/placement/curve.hpp"
 #include "shelfbeam/placement/placement.hpp"
 #include "shelfbeam/plan/certify.hpp"
+#include "shelfbeam/plan/sensitivity.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/transport/simulate.hpp"
 
@@ -17,18 +19,22 @@ struct PlanOptions {
   TableRule table;                          ///< empty: the matrix as it is
   std::optional<double> confidence = 0.99;  ///< of the certificate; none: no certificate
   double budget_s = 600;                    ///< of the certificate
+  bool curve = false;                       ///< tell what fewer units reach, too
+  std::optional<SensitivityOptions> sensitivity = {};
 };
 
 struct Plan {
   SimulationResult simulation;
   Placement placement;    ///< with its certificate, where one was asked for
+  ReachCurve curve;       ///< without points unless asked for
   bool complete = false;  ///< nothing was interrupted
 };
 
 /// Simulates a scene, places transceivers on the matrix that comes out, and certifies the placement, which
-/// may refine both; nothing is certified where the search for a placement was stopped without one. A
-/// simulation that is interrupted is placed with what it has, and not certified. With its checkpoint an
-/// interrupted plan goes on, and ends as one that was not (but for what time decides).
+/// may refine both; nothing is certified where the search for a placement was stopped without one. On what
+/// comes out rest the curve and, from fresh samples, the sensitivity. A simulation that is interrupted is
+/// placed with what it has, and not certified. With its checkpoint an interrupted plan goes on, and ends as
+/// one that was not (but for what time decides).
 Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOptions& options,
                const RunControl& control = {});
 

@@ -28,11 +28,6 @@ std::string residual_text(const PairResult& result) {
   return result.residual ? decibels(*result.residual) : "–";
 }
 
-std::string figure(const std::string& title, const std::string& picture, const std::string& note) {
-  return fmt::format("<figure><figcaption>{}</figcaption>\n{}{}</figure>\n", escape(title), picture,
-                     note.empty() ? "" : paragraph(note, "note"));
-}
-
 // Measured signals are divided by the factor, so that agreement is the diagonal.
 std::string scatter_figure(const ComparisonInput& input) {
   const Comparison& comparison = input.comparison;
@@ -71,7 +66,7 @@ std::string scatter_figure(const ComparisonInput& input) {
   if (absent > 0)
     note += fmt::format(" {} without a positive signal on both sides {} not drawn.", counted(absent, "pair"),
                         absent == 1 ? "is" : "are");
-  return figure("Measured and simulated signals", scatter_svg(chart) + scatter_legend(chart), note);
+  return html_figure("Measured and simulated signals", scatter_svg(chart) + scatter_legend(chart), note);
 }
 
 std::string residual_figure(const Comparison& comparison) {
@@ -101,7 +96,7 @@ std::string residual_figure(const Comparison& comparison) {
   const std::size_t outliers = comparison.fitted - residuals.size();
   const std::string note =
       fmt::format("{} {} not drawn.", counted(outliers, "outlier"), outliers == 1 ? "is" : "are");
-  return figure("Residuals of the fitted pairs", histogram_svg(chart), outliers > 0 ? note : "");
+  return html_figure("Residuals of the fitted pairs", histogram_svg(chart), outliers > 0 ? note : "");
 }
 
 std::string pair_table(const ComparisonInput& input, const std::vector<std::size_t>& pairs) {

@@ -13,11 +13,6 @@ namespace shelfbeam {
 
 namespace {
 
-std::string figure(const std::string& title, const std::string& picture, const std::string& note) {
-  return fmt::format("<figure><figcaption>{}</figcaption>\n{}{}</figure>\n", escape(title), picture,
-                     paragraph(note, "note"));
-}
-
 std::string excess_figure(const ReportData& data) {
   const ExcessDistribution excess = excess_distribution(data.outcome);
   const auto& [edges, counts, below, above] = excess.percent;
@@ -40,7 +35,7 @@ std::string excess_figure(const ReportData& data) {
   if (above > 0)
     note += fmt::format(" {} above {}\u00A0% {} not drawn.", counted(above, "label"), plain(edges.back()),
                         above == 1 ? "is" : "are");
-  return figure("Excess signal of the labels", histogram_svg(chart), note);
+  return html_figure("Excess signal of the labels", histogram_svg(chart), note);
 }
 
 // One line for each requirement that occurs; first and last where there are many.
@@ -85,7 +80,7 @@ std::string matrix_figure(const ReportData& data) {
   if (below > 0)
     note += fmt::format(" {} below {} {} not drawn.", counted(below, "entry", "entries"),
                         data.unit.text(edges.front()), below == 1 ? "is" : "are");
-  return figure("Signal of every candidate at every label", histogram_svg(chart), note);
+  return html_figure("Signal of every candidate at every label", histogram_svg(chart), note);
 }
 
 }  // namespace

@@ -274,6 +274,8 @@ Headline headline(const ReportData& data) {
   if (const std::string apart = kept_apart(placement); !apart.empty()) result.remarks.push_back(apart + ".");
   if (std::string remark = proof_remark(data); !remark.empty()) result.remarks.push_back(std::move(remark));
   if (!placement.certificate) result.remarks.push_back(sampling_remark(data));
+  if (placement.sensitivity)
+    result.remarks.push_back(statement(*placement.sensitivity, data.outcome.labels.size()));
   return result;
 }
 

@@ -40,6 +40,11 @@ std::string html_section(const std::string& id, const std::string& heading, cons
   return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, escape(heading), body);
 }
 
+std::string html_figure(const std::string& title, const std::string& picture, const std::string& note) {
+  return fmt::format("<figure><figcaption>{}</figcaption>\n{}{}</figure>\n", escape(title), picture,
+                     note.empty() ? "" : paragraph(note, "note"));
+}
+
 std::string paragraph(const std::string& text, const std::string& css_class) {
   return css_class.empty() ? fmt::format("<p>{}</p>\n", escape(text))
                            : fmt::format("<p class=\"{}\">{}</p>\n", css_class, escape(text));

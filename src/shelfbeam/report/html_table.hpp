@@ -26,6 +26,9 @@ class HtmlTable {
 /// <section> with a heading; `body` is HTML.
 std::string html_section(const std::string& id, const std::string& heading, const std::string& body);
 
+/// <figure> with a caption; `picture` is HTML, the note below it plain text or empty.
+std::string html_figure(const std::string& title, const std::string& picture, const std::string& note);
+
 /// <p> from plain text.
 std::string paragraph(const std::string& text, const std::string& css_class = {});
 

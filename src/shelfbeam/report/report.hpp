@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "shelfbeam/placement/curve.hpp"
 #include "shelfbeam/placement/placement.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
@@ -14,6 +15,7 @@ struct ReportInput {
   const Scene& scene;
   const SignalMatrix& matrix;
   const Placement& placement;
+  ReachCurve curve = {};  ///< without points: it was not asked for
 };
 
 /// A self-contained HTML page (no scripts needed to read it, no network).

@@ -12,8 +12,8 @@ std::string report_html(const ReportInput& input) {
   const std::string name = input.scene.name.empty() ? "Store" : input.scene.name;
   std::string body = answer_section(data) + key_figures(data) + unreachable_section(data) +
                      viewer_section(data, viewer_script()) + margin_section(data, maps) +
-                     reflection_section(data, maps) + distribution_section(data) + unit_section(data) +
-                     weakest_section(data) + facts_section(data);
+                     reflection_section(data, maps) + sensitivity_section(data) + distribution_section(data) +
+                     unit_section(data) + curve_section(data) + weakest_section(data) + facts_section(data);
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"

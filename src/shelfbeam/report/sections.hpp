@@ -22,8 +22,12 @@ std::string viewer_section(const ReportData& data, std::string_view script);
 inline constexpr std::size_t most_signal_bytes = 20'000'000;
 std::string margin_section(const ReportData& data, const Maps& maps);
 std::string reflection_section(const ReportData& data, const Maps& maps);
+/// What ranges of reflectances do to the placement; empty where that was not asked for.
+std::string sensitivity_section(const ReportData& data);
 std::string distribution_section(const ReportData& data);
 std::string unit_section(const ReportData& data);
+/// What fewer units reach; empty where that was not asked for.
+std::string curve_section(const ReportData& data);
 std::string weakest_section(const ReportData& data);
 std::string facts_section(const ReportData& data);
 

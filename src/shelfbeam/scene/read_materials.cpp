@@ -20,7 +20,7 @@ namespace {
 // The names stand for values at 940 nm; spectra of diffuse surfaces change little over the line of an LED.
 constexpr double library_nm = 940, library_reach_nm = 20;
 
-double named_reflectance(const JsonCursor& cursor, double wavelength_nm) {
+const NamedReflectance& named_reflectance(const JsonCursor& cursor, double wavelength_nm) {
   const std::string name = cursor.text();
   std::vector<std::string_view> known;
   for (const NamedReflectance& entry : reflectances_940nm()) {
@@ -30,13 +30,13 @@ double named_reflectance(const JsonCursor& cursor, double wavelength_nm) {
       cursor.fail(
           fmt::format("'{}' is known at {} nm, but the store is for {} nm", name, library_nm, wavelength_nm),
           "give its reflectance at that wavelength as a number");
-    return entry.reflectance;
+    return entry;
   }
   cursor.fail(fmt::format("there is no reflectance '{}'", name), suggest(name, known));
 }
 
 double read_reflectance(const JsonCursor& cursor, double wavelength_nm) {
-  if (cursor.is_string()) return named_reflectance(cursor, wavelength_nm);
+  if (cursor.is_string()) return named_reflectance(cursor, wavelength_nm).reflectance;
   const double value = cursor.non_negative();
   if (value > 1)
     cursor.fail(fmt::format("is {}: a surface cannot reflect more than it receives", value),
@@ -122,7 +122,8 @@ Conductor read_conductor(const JsonCursor& cursor) {
 }
 
 Plastic read_plastic(const JsonCursor& cursor, double wavelength_nm) {
-  cursor.expect_keys({"type", "ior", "reflectance", "roughness", "distribution", "masking", "sampling"});
+  cursor.expect_keys({"type", "ior", "reflectance", "reflectance_range", "roughness", "distribution",
+                      "masking", "sampling"});
   const double ior = read_ior(cursor);
   const double reflectance = read_reflectance(cursor["reflectance"], wavelength_nm);
   return make_plastic(ior, reflectance, read_facets(cursor, {.has_directions = false}));
@@ -150,17 +151,36 @@ Material read_material(const JsonCursor& cursor, double wavelength_nm) {
   if (type == "plastic") return read_plastic(cursor, wavelength_nm);
   if (type == "dielectric") return read_dielectric(cursor);
   if (type == "thin_dielectric") return read_thin_dielectric(cursor);
-  cursor.expect_keys({"type", "reflectance"});
+  cursor.expect_keys({"type", "reflectance", "reflectance_range"});
   return make_lambertian(read_reflectance(cursor["reflectance"], wavelength_nm));
+}
+
+// The one that is given, else that of the named reflectance.
+std::optional<std::array<double, 2>> read_range(const JsonCursor& cursor, const Material& material,
+                                                double wavelength_nm) {
+  const auto reflectance = given_reflectance(material);
+  if (!reflectance) return std::nullopt;
+  const auto range = cursor.find("reflectance_range");
+  if (!range) {
+    const JsonCursor value = cursor["reflectance"];
+    return value.is_string() ? named_reflectance(value, wavelength_nm).range : std::nullopt;
+  }
+  const std::vector<double> ends = range->numbers(2);
+  if (ends[0] < 0 || ends[1] > 1 || *reflectance < ends[0] || *reflectance > ends[1])
+    range->fail(fmt::format("is from {} to {}, and the reflectance is {}", ends[0], ends[1], *reflectance),
+                "give two values from 0 to 1, the lower first, with the reflectance between them");
+  return std::array{ends[0], ends[1]};
 }
 
 }  // namespace
 
 void read_materials(const JsonCursor& section, Store& store) {
-  for (const auto& [name, cursor] : section.members())
-    store.materials.push_back({check_name(name, cursor.where()), made_at(cursor, [&, &c = cursor] {
-                                 return read_material(c, store.wavelength_nm);
-                               })});
+  for (const auto& [name, cursor] : section.members()) {
+    const Material material =
+        made_at(cursor, [&, &c = cursor] { return read_material(c, store.wavelength_nm); });
+    store.materials.push_back(
+        {check_name(name, cursor.where()), material, read_range(cursor, material, store.wavelength_nm)});
+  }
 }
 
 }  // namespace shelfbeam

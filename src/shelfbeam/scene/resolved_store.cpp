@@ -23,7 +23,10 @@ class Resolver {
     json["name"] = store_.name;
     json["wavelength_nm"] = store_.wavelength_nm;
     if (store_.room) json["room"] = room(*store_.room);
-    for (const auto& [name, material] : store_.materials) json["materials"][name] = resolved(material);
+    for (const auto& [name, material, range] : store_.materials) {
+      Json& written = json["materials"][name] = resolved(material);
+      if (range) written["reflectance_range"] = *range;
+    }
     for (const LabelType& type : store_.label_types) json["label_types"][type.name] = resolved(type);
     for (const TransceiverType& type : store_.transceiver_types)
       json["transceiver_types"][type.name] = resolved(type);

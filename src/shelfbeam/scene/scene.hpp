@@ -32,6 +32,8 @@ struct Transceiver {
 struct NamedMaterial {
   std::string name;
   Material material;
+  /// Within which the given reflectance (given_reflectance) is known, both ends included; none: not told.
+  std::optional<std::array<double, 2>> reflectance_range = {};
 };
 
 /// Surfaces that shine: all triangles of a material emit this radiance from both sides. A light source like a

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/json.hpp"
+
+// What the parts of placement.json have in common.
+namespace shelfbeam::detail {
+
+using Json = nlohmann::ordered_json;
+
+/// null stands for a number without a value.
+inline Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+inline double number_or_infinity(const JsonCursor& cursor) {
+  return cursor.is_null() ? std::numeric_limits<double>::infinity() : cursor.non_negative();
+}
+
+using Positions = std::unordered_map<std::string_view, std::uint32_t>;
+
+template <class Items>
+Positions positions(const Items& items) {
+  Positions result;
+  for (const auto& item : items) result.emplace(item.id, static_cast<std::uint32_t>(result.size()));
+  return result;
+}
+
+inline std::uint32_t position(const JsonCursor& cursor, const Positions& known, std::string_view what) {
+  const std::string id = cursor.text();
+  const auto found = known.find(id);
+  if (found == known.end())
+    cursor.fail(fmt::format("names '{}', and the matrix has no such {}", id, what),
+                "use the matrix that this placement was computed from");
+  return found->second;
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,253 @@
+#include "shelfbeam/plan/sensitivity.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "shelfbeam/plan/sub_scene.hpp"
+#include "shelfbeam/stats/moments.hpp"
+#include "shelfbeam/transport/sample_batches.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double highest_assumed = 0.99;
+
+// The signal that counts of a label, one linear quantity chosen on the planning matrix: the sum, or that
+// without the strongest unit; the strongest link, or the second.
+class CountedSignals {
+ public:
+  CountedSignals(const Question& question, std::span<const float> planned, std::size_t columns)
+      : adds_up_(question.model == CommunicationModel::cooperative), redundant_(question.redundant) {
+    if (adds_up_ && !redundant_) return;
+    std::vector<std::uint32_t> order(columns);
+    for (std::size_t begin = 0; begin < planned.size(); begin += columns) {
+      std::iota(order.begin(), order.end(), 0U);
+      std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return planned[begin + a] > planned[begin + b];
+      });
+      column_.push_back(order[!adds_up_ && redundant_ && columns > 1 ? 1 : 0]);
+    }
+  }
+
+  template <class Signals>
+  double operator()(std::size_t label, const Signals& signals) const {
+    if (!adds_up_) return redundant_ && signals.size() < 2 ? 0 : static_cast<double>(signals[column_[label]]);
+    double sum = 0;
+    for (std::size_t j = 0; j < signals.size(); ++j)
+      if (!redundant_ || j != column_[label]) sum += static_cast<double>(signals[j]);
+    return sum;
+  }
+
+ private:
+  bool adds_up_, redundant_;
+  std::vector<std::uint32_t> column_;
+};
+
+// What each label gets, batch by batch, the known part included.
+struct Batches {
+  std::uint32_t count = 0;
+  std::vector<float> signal;  ///< of label i from i * count on
+
+  std::span<const float> of(std::size_t label) const {
+    return std::span(signal).subspan(label * count, count);
+  }
+};
+
+// One material after the other, at some of the labels.
+class Steps {
+ public:
+  /// `labels` are those of the scene out of the whole, and `planned` has their signals.
+  Steps(Scene scene, std::vector<std::uint32_t> labels, const Question& question,
+        std::span<const float> planned, const VerificationEffort& effort, const RunControl& control)
+      : scene_(std::move(scene)),
+        labels_(std::move(labels)),
+        counted_(question, planned, scene_.transceivers.size()),
+        simulation_(effort.simulation),
+        batches_(std::max(effort.batches, least_verifying_batches)),
+        control_(control) {
+    simulation_.seed = effort.seed;
+    for (const Label& label : scene_.labels) requirement_.push_back(scene_.type_of(label).requirement());
+    as_given_ = sample(scene_);
+  }
+
+  std::uint32_t batches() const { return batches_; }
+  LeastMargin as_given() const { return margin_of(as_given_, weakest(as_given_)); }
+
+  ReflectanceStep with(std::size_t material, double reflectance) const {
+    Scene changed = scene_;
+    Material& surface = changed.materials[material].material;
+    const bool is_other = given_reflectance(surface) != reflectance;
+    if (is_other) surface = with_reflectance(surface, reflectance);
+    const Batches batches = is_other ? sample(changed) : as_given_;
+    ReflectanceStep step;
+    const std::size_t weakest_label = weakest(batches);
+    step.least = margin_of(batches, weakest_label);
+    double changes = 0;
+    for (std::size_t i = 0; i < requirement_.size(); ++i) {
+      const double before = mean(as_given_.of(i)), after = mean(batches.of(i));
+      if (before > 0) changes += after / before - 1;
+      if (!is_met(after, requirement_[i])) ++step.labels_short;
+    }
+    step.mean_change = changes / static_cast<double>(requirement_.size());
+    Moments difference;
+    for (std::uint32_t b = 0; b < batches_; ++b)
+      difference.add(static_cast<double>(batches.of(weakest_label)[b]) -
+                     static_cast<double>(as_given_.of(weakest_label)[b]));
+    step.change = difference.mean() / requirement_[weakest_label];
+    step.change_error = difference.standard_error() / requirement_[weakest_label];
+    return step;
+  }
+
+ private:
+  static double mean(std::span<const float> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  }
+
+  Batches sample(const Scene& scene) const {
+    Batches batches{batches_, std::vector<float>(requirement_.size() * batches_)};
+    std::vector<std::uint32_t> taken(requirement_.size(), 0);
+    const auto take = [&](const BatchRow& row) {
+      batches.signal[row.label * batches_ + taken[row.label]++] =
+          static_cast<float>(counted_(row.label, row.values));
+    };
+    const BatchRun run = sample_batches(scene, simulation_, batches_, take, control_);
+    const std::size_t columns = scene.transceivers.size();
+    for (std::size_t i = 0; i < requirement_.size(); ++i) {
+      const auto known = static_cast<float>(counted_(i, std::span(run.known).subspan(i * columns, columns)));
+      for (std::uint32_t b = 0; b < batches_; ++b) batches.signal[i * batches_ + b] += known;
+    }
+    return batches;
+  }
+
+  // The first of several; a scene has a label at least.
+  std::size_t weakest(const Batches& batches) const {
+    std::vector<double> ratio(requirement_.size());
+    for (std::size_t i = 0; i < ratio.size(); ++i) ratio[i] = mean(batches.of(i)) / requirement_[i];
+    return static_cast<std::size_t>(std::min_element(ratio.begin(), ratio.end()) - ratio.begin());
+  }
+
+  LeastMargin margin_of(const Batches& batches, std::size_t label) const {
+    Moments moments;
+    for (const float value : batches.of(label)) moments.add(static_cast<double>(value));
+    return {moments.mean() / requirement_[label], moments.standard_error() / requirement_[label],
+            labels_[label]};
+  }
+
+  const Scene scene_;
+  const std::vector<std::uint32_t> labels_;
+  CountedSignals counted_;
+  SimulationOptions simulation_;
+  std::uint32_t batches_;
+  const RunControl& control_;
+  std::vector<double> requirement_;
+  Batches as_given_;
+};
+
+ReflectanceEnd judged(const std::vector<LabelVerdict>& labels) {
+  ReflectanceEnd end;
+  for (std::uint32_t i = 0; i < labels.size(); ++i) {
+    const LabelVerdict& label = labels[i];
+    if (label.verdict == Verdict::missed) end.missed.push_back(i);
+    if (label.verdict == Verdict::undecided) end.undecided.push_back(i);
+    if (const double ratio = label.signal / label.requirement; ratio < end.least.ratio)
+      end.least = {ratio, label.standard_error / label.requirement, i};
+  }
+  return end;
+}
+
+// The labels with the least margins, in their order.
+std::vector<std::uint32_t> nearest_to_missing(const std::vector<LabelVerdict>& labels) {
+  std::vector<std::uint32_t> order(labels.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto margin = [&](std::uint32_t i) { return labels[i].signal / labels[i].requirement; };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return margin(a) < margin(b); });
+  order.resize(std::min(order.size(), most_watched_labels));
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
+std::optional<MaterialSensitivity> range_of(const NamedMaterial& named, double assumed_error) {
+  const auto given = given_reflectance(named.material);
+  if (!given) return std::nullopt;
+  MaterialSensitivity one;
+  one.material = named.name;
+  one.reflectance = *given;
+  one.is_assumed = !named.reflectance_range;
+  one.lower = one.is_assumed ? *given * (1 - assumed_error) : (*named.reflectance_range)[0];
+  one.upper = one.is_assumed ? std::max(*given, std::min(highest_assumed, *given * (1 + assumed_error)))
+                             : (*named.reflectance_range)[1];
+  return one;
+}
+
+// Those of some surface.
+std::vector<bool> used_materials(const Scene& scene) {
+  std::vector<bool> used(scene.materials.size(), false);
+  for (const MaterialId id : scene.mesh.materials) used[id.value] = true;
+  return used;
+}
+
+}  // namespace
+
+Sensitivity reflectance_sensitivity(const Scene& scene, const Question& question,
+                                    std::span<const float> planned, const SensitivityOptions& options,
+                                    const VerificationEffort& effort, const RunControl& control) {
+  const auto start = std::chrono::steady_clock::now();
+  Sensitivity result;
+  result.confidence = options.confidence;
+  result.assumed_error = options.assumed_error;
+  std::vector<std::size_t> varied;
+  Scene low = scene, high = scene;
+  const std::vector<bool> used = used_materials(scene);
+  for (std::size_t k = 0; k < scene.materials.size(); ++k) {
+    if (!used[k]) continue;
+    const auto range = range_of(scene.materials[k], options.assumed_error);
+    if (!range) {
+      result.kept.push_back(scene.materials[k].name);
+      continue;
+    }
+    low.materials[k].material = with_reflectance(scene.materials[k].material, range->lower);
+    high.materials[k].material = with_reflectance(scene.materials[k].material, range->upper);
+    varied.push_back(k);
+    result.materials.push_back(*range);
+  }
+  const double level = (1 - options.confidence) / 2;
+  control.report("sensitivity", -1, "all reflectances low");
+  const std::vector<LabelVerdict> at_low = verify(low, question, planned, level, effort, control);
+  result.low = judged(at_low);
+  control.report("sensitivity", -1, "all reflectances high");
+  result.high = judged(verify(high, question, planned, level, effort, control));
+  const std::vector<std::uint32_t> watched = nearest_to_missing(at_low);
+  result.watched = watched.size();
+  const std::size_t columns = scene.transceivers.size();
+  std::vector<std::uint32_t> units(columns);
+  std::iota(units.begin(), units.end(), 0U);
+  std::vector<float> planned_of_watched;
+  for (const std::uint32_t i : watched) {
+    const auto row = planned.subspan(i * columns, columns);
+    planned_of_watched.insert(planned_of_watched.end(), row.begin(), row.end());
+  }
+  const Steps steps(sub_scene(scene, watched, units), watched, question, planned_of_watched, effort, control);
+  result.batches = steps.batches();
+  result.as_given = steps.as_given();
+  for (std::size_t k = 0; k < varied.size(); ++k) {
+    MaterialSensitivity& one = result.materials[k];
+    control.report("sensitivity", static_cast<double>(k) / static_cast<double>(varied.size()), one.material);
+    one.at_lower = steps.with(varied[k], one.lower);
+    one.at_upper = steps.with(varied[k], one.upper);
+  }
+  std::stable_sort(result.materials.begin(), result.materials.end(),
+                   [](const MaterialSensitivity& a, const MaterialSensitivity& b) {
+                     return a.at_lower.least.ratio < b.at_lower.least.ratio;
+                   });
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/instance.hpp"
+#include "shelfbeam/placement/sensitivity.hpp"
+#include "shelfbeam/plan/verification.hpp"
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+struct SensitivityOptions {
+  double assumed_error = 0.1;  ///< relative, of reflectances whose range nobody told; 0 to 1
+  double confidence = 0.99;    ///< of the verdicts at both ends together
+};
+
+/// One material after the other is examined at so many labels, those with the least margins where all
+/// reflectances are low: with one material low none has less than it has there.
+inline constexpr std::size_t most_watched_labels = 256;
+
+/// Simulates the transceivers of a scene (all of them are mounted) with all reflectances at the low and at
+/// the high ends of their ranges, and with those of one material after the other, and says which labels fall
+/// short and which material matters most. All simulations have the same random numbers, so that differences
+/// are known better than signals are. Materials that no surface has are left out.
+///
+/// Ranges are the scene's (NamedMaterial::reflectance_range), else `assumed_error` to both sides, up to 0.99
+/// at most (or the reflectance, if that is higher): a room whose surfaces all reflected everything would have
+/// no end of light.
+///
+/// `planned` has the signals that the placement was chosen on, m x n row by row. They tell which of a label's
+/// links, or which sum without one unit, margins are those of; verdicts are those of `verify`. Throws as
+/// that.
+Sensitivity reflectance_sensitivity(const Scene& scene, const Question& question,
+                                    std::span<const float> planned, const SensitivityOptions& options,
+                                    const VerificationEffort& effort, const RunControl& control = {});
+
+}  // namespace shelfbeam
