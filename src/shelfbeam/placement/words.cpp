@@ -128,7 +128,7 @@ std::string statement(const Sensitivity& sensitivity, std::size_t labels) {
                 "{} of {} labels are reached with all reflectances at the low end of their ranges, "
                 "{} missed, {} undecided",
                 labels - missed - open, labels, missed, open);
-  text += fmt::format(", with {}; the smallest margin is {:.3g} to {:.3g}", confidence,
+  text += fmt::format(", with {}; the weakest gets {:.3g} to {:.3g} of its requirement", confidence,
                       sensitivity.low.least.ratio, sensitivity.high.least.ratio);
   if (!sensitivity.materials.empty())
     text += fmt::format("; '{}' matters most", sensitivity.materials.front().material);

@@ -5,6 +5,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/random.hpp"
+#include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/signal/signal_table.hpp"
 
@@ -22,8 +23,8 @@ std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
   std::vector<float> planned;
   for (const std::uint32_t i : labels)
     for (const std::uint32_t j : plan.placement.selected) planned.push_back(matrix.mean[matrix.at(i, j)]);
-  const VerificationEffort effort{fresh, mix_key(fresh.seed ^ 0x73656e7369746976, 0),
-                                  least_verifying_batches};
+  const VerificationEffort effort{Rounds::with_enough_paths(fresh),
+                                  mix_key(fresh.seed ^ 0x73656e7369746976, 0), least_verifying_batches};
   try {
     return reflectance_sensitivity(sub_scene(scene, labels, plan.placement.selected), plan.placement.question,
                                    planned, options, effort, control);

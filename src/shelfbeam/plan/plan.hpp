@@ -31,10 +31,10 @@ struct Plan {
 };
 
 /// Simulates a scene, places transceivers on the matrix that comes out, and certifies the placement, which
-/// may refine both; nothing is certified where the search for a placement was stopped without one. On what
-/// comes out rest the curve and, from fresh samples, the sensitivity. A simulation that is interrupted is
-/// placed with what it has, and not certified. With its checkpoint an interrupted plan goes on, and ends as
-/// one that was not (but for what time decides).
+/// may refine both; nothing is certified where the search for a placement was stopped without one.
+/// On what comes out rest the curve and, from fresh samples, the sensitivity. A simulation that is
+/// interrupted is placed with what it has, and not certified. With its checkpoint an interrupted plan goes
+/// on, and ends as one that was not (but for what time decides).
 Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOptions& options,
                const RunControl& control = {});
 

@@ -22,10 +22,14 @@ class Rounds {
 
   /// The simulation's seed is that of the planning matrix.
   Rounds(double confidence, double budget_s, const SimulationOptions& simulation)
-      : error_(1 - confidence), budget_s_(budget_s), simulation_(simulation) {
-    simulation_.relative_error.reset();
-    simulation_.time_s.reset();
-    simulation_.samples = std::max(simulation_.samples, least_paths * batch_count);
+      : error_(1 - confidence), budget_s_(budget_s), simulation_(with_enough_paths(simulation)) {}
+
+  /// The same simulation with batches that limits can be made of.
+  static SimulationOptions with_enough_paths(SimulationOptions simulation) {
+    simulation.relative_error.reset();
+    simulation.time_s.reset();
+    simulation.samples = std::max(simulation.samples, least_paths * batch_count);
+    return simulation;
   }
 
   double seconds() const;

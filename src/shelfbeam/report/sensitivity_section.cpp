@@ -72,7 +72,7 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
   HtmlTable table({{"Material", false},
                    {"Reflectance", false},
                    {"Smallest margin, low end"},
-                   {"At label", false, true},
+                   {"At label", false},
                    {"Its change"},
                    {"Labels short"},
                    {"Light, low end"},
