@@ -54,7 +54,8 @@ function(shelfbeam_viewer out)
       --target=es2022 --charset=utf8 --loader:.css=text --legal-comments=inline --log-level=warning --outfile=${script})
   else()
     set(sources "")
-    set(make_script ${CMAKE_COMMAND} -E touch ${script}.none COMMAND ${CMAKE_COMMAND} -E copy ${script}.none ${script})
+    set(make_script ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/viewer
+      COMMAND ${CMAKE_COMMAND} -E touch ${script}.none COMMAND ${CMAKE_COMMAND} -E copy ${script}.none ${script})
   endif()
   add_custom_command(OUTPUT ${out}
     COMMAND ${make_script}
