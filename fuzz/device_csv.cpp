@@ -9,8 +9,8 @@ namespace {
 
 Store with_types() {
   Store store;
-  store.label_types.push_back({.name = "standard"});
-  store.transceiver_types.push_back({.name = "ceiling"});
+  store.label_types.emplace_back().name = "standard";
+  store.transceiver_types.emplace_back().name = "ceiling";
   return store;
 }
 

@@ -20,7 +20,10 @@ const char* name_of(std::string_view bytes) {
 }
 
 void read(std::string_view bytes) {
-  import_mesh(scratch().write(name_of(bytes), bytes), std::nullopt, {{"*", MaterialId{0}}}, "store.json");
+  constexpr std::size_t memory = 1 << 28;
+  scratch().write(name_of(bytes), bytes);
+  import_mesh(name_of(bytes), StoreFolder(scratch().path(), {false, memory}), std::nullopt,
+              {{"*", MaterialId{0}}}, "store.json");
 }
 
 template <class T>

@@ -59,7 +59,8 @@ const std::filesystem::path& folder() {
 }
 
 void read(std::string_view bytes) {
-  const Store store = parse_store(std::string(bytes), "store.json", folder());
+  constexpr std::size_t memory = 1 << 26;
+  const Store store = parse_store(std::string(bytes), "store.json", folder(), {false, memory});
   const Scene scene = make_scene(store);
   resolved_store_json(store, scene);
 }

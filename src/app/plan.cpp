@@ -39,6 +39,7 @@ struct Options {
   bool without_certificate = false;
   Requirements requirements;
   std::filesystem::path store, folder;
+  bool allow_outside = false;
 
   bool certifies() const { return !without_certificate; }
 };
@@ -60,7 +61,8 @@ void keep_store(const std::filesystem::path& folder, const std::filesystem::path
 }
 
 int run_plan(const Options& options) {
-  const LoadedStore store = load_store(options.store);
+  const LoadedStore store =
+      load_store(options.store, options.allow_outside, options.simulation.most_memory());
   keep_store(options.folder, options.store, store);
   // What is asked of the placement is checked before the light is simulated.
   SignalTable nothing = table_without_signals(store.scene);
@@ -136,6 +138,7 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
   add_certificate_options(*verb, options->certificate);
   verb->add_flag("--no-certificate", options->without_certificate,
                  "Place on the simulated matrix as it is, and say nothing of its errors");
+  add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -1,9 +1,9 @@
 #include "simulation_options.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/signal/checkpoint.hpp"
 
 #include "arguments.hpp"
@@ -13,12 +13,6 @@ namespace shelfbeam::app {
 namespace {
 
 constexpr double default_above = 0.3;
-
-// What the machine has, but for what others need.
-std::size_t most_of_the_memory() {
-  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) / 10 * 8 *
-         static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-}
 
 }  // namespace
 
@@ -44,9 +38,13 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
     options.max_bounces = max_bounces.value_or(PathRules::no_limit);
     options.by_bounce = by_bounce;
   }
-  options.memory = memory == 0 ? most_of_the_memory() : memory;
+  options.memory = most_memory();
   options.checkpoint = {checkpoint_path(output), resume, checkpoint_interval_s};
   return options;
+}
+
+std::size_t SimulationFlags::most_memory() const {
+  return memory == 0 ? most_of_the_memory() : memory;
 }
 
 // What only the uniform estimator knows asks for it.
