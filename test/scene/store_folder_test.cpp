@@ -62,6 +62,9 @@ TEST_F(References, OutsideAreRefusedUnlessAllowed) {
 TEST_F(References, OutsideAreRefusedWhetherOrNotTheyExist) {
   expect_input_error([&] { read("../none.obj"); }, refused);
   expect_input_error([&] { read("/etc/passwd"); }, refused);
+  expect_input_error([&] { read(""); }, "fixtures[0].file: names no file");
+  expect_input_error([&] { read(std::string("a\0.obj", 6)); }, "by a text with a zero in it");
+  expect_input_error([&] { read(std::string(100'000, 'a')); }, "fixtures[0].file: ");
   expect_input_error([&] { read(".."); }, refused);
   expect_input_error([&] { read("../store-2/own.obj"); }, refused);
   expect_input_error([&] { read("../none.obj", true); }, "none.obj' does not exist");

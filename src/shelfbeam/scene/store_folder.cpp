@@ -13,7 +13,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Both without symbolic links.
+// Absolute and without symbolic links, whether or not it exists.
+fs::path resolved(const fs::path& path, std::error_code& error) {
+  const fs::path absolute = fs::absolute(path, error);
+  return error ? fs::path() : fs::weakly_canonical(absolute, error);
+}
+
+// Both resolved.
 bool lies_below(const fs::path& file, const fs::path& folder) {
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
   return end == folder.end() && rest != file.end();
@@ -22,21 +28,22 @@ bool lies_below(const fs::path& file, const fs::path& folder) {
 }  // namespace
 
 StoreFolder::StoreFolder(fs::path folder, const StoreTrust& trust)
-    : folder_(folder.empty() ? fs::path(".") : std::move(folder)), trust_(trust) {}
+    : folder_(std::move(folder)), trust_(trust) {}
 
 fs::path StoreFolder::find(const JsonCursor& name) const {
   return find(name.text(), name.where(), "file");
 }
 
 fs::path StoreFolder::find(const fs::path& name, const std::string& where, const std::string& what) const {
+  if (name.empty()) throw InputError(where, "names no file", "give the name of one");
   fs::path path = folder_ / name;
   if (path.native().find('\0') != std::string::npos)
     throw InputError(where, "names a file by a text with a zero in it", "correct the name");
   std::error_code error;
   if (!trust_.allow_outside) {
     // Also of what does not exist, so that an error does not tell what lies elsewhere.
-    const fs::path home = fs::weakly_canonical(fs::absolute(folder_), error);
-    const fs::path target = error ? fs::path() : fs::weakly_canonical(fs::absolute(path), error);
+    const fs::path home = resolved(folder_.empty() ? "." : folder_, error);
+    const fs::path target = error ? fs::path() : resolved(path, error);
     if (error || !lies_below(target, home))
       throw InputError(where, fmt::format("'{}' lies outside the folder of the store file", name.string()),
                        "move it there, or trust the store file with '--allow-outside'");
