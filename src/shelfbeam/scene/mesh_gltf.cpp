@@ -146,7 +146,8 @@ void read_gltf(MeshLines& lines, const std::filesystem::path& name, const StoreF
   } catch (const InputError& refused) {
     // Its place is in the mesh; the store file that names it may name others.
     if (refused.where() == lines.where()) throw;
-    throw InputError(lines.where(), refused.what());
+    throw InputError(lines.where(),
+                     fmt::format("the mesh '{}' cannot be read ({})", name.string(), refused.what()));
   }
 }
 

@@ -19,10 +19,9 @@ fs::path resolved(const fs::path& path, std::error_code& error) {
   return error ? fs::path() : fs::weakly_canonical(absolute, error);
 }
 
-// Both resolved.
-bool lies_below(const fs::path& file, const fs::path& folder) {
-  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
-  return end == folder.end() && rest != file.end();
+// Both resolved; the folder itself is in it.
+bool lies_in(const fs::path& file, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
 }  // namespace
@@ -44,7 +43,7 @@ fs::path StoreFolder::find(const fs::path& name, const std::string& where, const
     // Also of what does not exist, so that an error does not tell what lies elsewhere.
     const fs::path home = resolved(folder_.empty() ? "." : folder_, error);
     const fs::path target = error ? fs::path() : resolved(path, error);
-    if (error || !lies_below(target, home))
+    if (error || !lies_in(target, home))
       throw InputError(where, fmt::format("'{}' lies outside the folder of the store file", name.string()),
                        "move it there, or trust the store file with '--allow-outside'");
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <limits>
@@ -22,7 +23,8 @@ class StoreFolder {
  public:
   explicit StoreFolder(std::filesystem::path folder, const StoreTrust& trust = {});
 
-  std::size_t memory() const { return trust_.memory; }
+  /// StoreTrust::memory, but not less than what the program takes by itself.
+  std::size_t memory() const { return std::max(trust_.memory, least_memory); }
 
   /// The file that a text names relative to the folder. Throws InputError at its place where there is none,
   /// or it is a folder, or it lies outside of this one: by "..", as an absolute path or by a symbolic link.
@@ -32,6 +34,8 @@ class StoreFolder {
                              const std::string& what) const;
 
  private:
+  static constexpr std::size_t least_memory = 1 << 26;
+
   std::filesystem::path folder_;
   StoreTrust trust_;
 };

@@ -38,7 +38,7 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   const StoreFolder folder(path, trust);
   Store store;
   store.file = name;
-  store.memory = trust.memory;
+  store.memory = folder.memory();
   if (const auto schema = root.find("$schema")) schema->text();
   if (const auto title = root.find("name")) store.name = title->text();
   if (const auto wavelength = root.find("wavelength_nm")) store.wavelength_nm = wavelength->number(100, 1e5);
