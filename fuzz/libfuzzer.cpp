@@ -5,6 +5,9 @@
 #include <cstring>
 #include <string>
 
+#include <pthread.h>
+#include <sanitizer/common_interface_defs.h>
+
 #include "shelfbeam/base/error.hpp"
 
 #include "reader.hpp"
@@ -21,6 +24,10 @@ const shelfbeam::fuzz::Reader& reader() {
   }
   return *found;
 }
+
+// A child process that a reader begins may crash (signal/detail/rehearsal.hpp): that is no finding.
+const int quiet_children =
+    ::pthread_atfork(nullptr, nullptr, [] { __sanitizer_set_death_callback(nullptr); });
 
 }  // namespace
 

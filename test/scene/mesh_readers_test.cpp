@@ -12,6 +12,7 @@
 namespace shelfbeam {
 namespace {
 
+using test::area;
 using test::expect_input_error;
 using test::Json;
 using test::TempFolder;
@@ -20,15 +21,6 @@ Scene read(const std::string& name, const std::string& content, const Json& mate
   const TempFolder folder;
   folder.write(name, content);
   return test::scene_of(test::mesh_store(name, materials), folder.path());
-}
-
-double area(const Scene& scene) {
-  double sum = 0;
-  for (const auto& [a, b, c] : scene.mesh.triangles) {
-    const auto& p = scene.mesh.vertices;
-    sum += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
-  }
-  return sum;
 }
 
 // An arrow: a fan from its first corner would cover 4 and not 2.
