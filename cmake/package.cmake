@@ -46,7 +46,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libshelfbeam-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "${PROJECT_DESCRIPTION}: headers and static library")
 set(shelfbeam_build_packages
-  libembree-dev libtbb-dev libassimp-dev libhdf5-dev libboost-dev zlib1g-dev nlohmann-json3-dev libfmt-dev)
+  libembree-dev libtbb-dev libhdf5-dev libboost-dev zlib1g-dev nlohmann-json3-dev libfmt-dev)
 if(CBC_FOUND)
   list(APPEND shelfbeam_build_packages coinor-libcbc-dev pkg-config)
 endif()

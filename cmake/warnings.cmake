@@ -15,3 +15,7 @@ if(SHELFBEAM_SANITIZE)
   target_compile_options(shelfbeam_options INTERFACE -fsanitize=${SHELFBEAM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(shelfbeam_options INTERFACE -fsanitize=${SHELFBEAM_SANITIZE})
 endif()
+if(SHELFBEAM_FUZZ)
+  # Counts coverage for libFuzzer; each fuzzer links its main function by itself.
+  target_compile_options(shelfbeam_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()

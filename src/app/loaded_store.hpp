@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+
+#include <CLI/CLI.hpp>
 
 #include "shelfbeam/scene/scene.hpp"
 
@@ -14,6 +17,11 @@ struct LoadedStore {
   std::string hash;      ///< of `resolved`
 };
 
-LoadedStore load_store(const std::filesystem::path& path);
+/// Files that the store names lie in its folder unless `allow_outside`. `memory`: bytes, 0 for most of what
+/// the machine has.
+LoadedStore load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0);
+
+/// --allow-outside.
+void add_store_options(CLI::App& verb, bool& allow_outside);
 
 }  // namespace shelfbeam::app

@@ -43,6 +43,7 @@ struct Options {
   double reflectance_error = SensitivityOptions().assumed_error;
   Requirements requirements;
   std::filesystem::path store, folder;
+  bool allow_outside = false;
 };
 
 SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
@@ -83,7 +84,8 @@ bool is_open(const Options& options, const Plan& plan) {
 
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
-  const LoadedStore store = load_store(options.store);
+  const LoadedStore store =
+      load_store(options.store, options.allow_outside, options.simulation.most_memory());
   keep_store(options.folder, options.store, store);
   // What is asked of the placement is checked before the light is simulated.
   SignalTable nothing = table_without_signals(store.scene);
@@ -167,6 +169,7 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
       ->check(CLI::Range(0.0, 1.0))
       ->needs(sensitivity)
       ->capture_default_str();
+  add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

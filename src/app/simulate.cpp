@@ -21,12 +21,14 @@ struct Options {
   CommonOptions common;
   SimulationFlags simulation;
   std::filesystem::path store, output;
+  bool allow_outside = false;
 };
 
 int run_simulate(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   keep_input(options.output, options.store);
-  const LoadedStore store = load_store(options.store);
+  const LoadedStore store =
+      load_store(options.store, options.allow_outside, options.simulation.most_memory());
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   expect_writable(options.output);
   SimulationSummary summary;
@@ -61,6 +63,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       ->check(a_path());
   add_simulation_options(*verb, options->simulation, "sampled");
   add_layers(*verb, options->simulation);
+  add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -1,9 +1,9 @@
 #include "simulation_options.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/signal/checkpoint.hpp"
 
 #include "arguments.hpp"
@@ -14,12 +14,6 @@ namespace {
 
 constexpr double default_above = 0.3;
 constexpr std::uint32_t default_lengths = 64;
-
-// What the machine has, but for what others need.
-std::size_t most_of_the_memory() {
-  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) / 10 * 8 *
-         static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-}
 
 }  // namespace
 
@@ -46,9 +40,13 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
     options.by_bounce = by_bounce;
     if (by_length) options.by_length = {*by_length, lengths.value_or(default_lengths)};
   }
-  options.memory = memory == 0 ? most_of_the_memory() : memory;
+  options.memory = most_memory();
   options.checkpoint = {checkpoint_path(output), resume, checkpoint_interval_s};
   return options;
+}
+
+std::size_t SimulationFlags::most_memory() const {
+  return memory == 0 ? most_of_the_memory() : memory;
 }
 
 // What only the uniform estimator knows asks for it.

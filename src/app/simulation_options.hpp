@@ -30,8 +30,9 @@ struct SimulationFlags {
   bool resume = false;
   double checkpoint_interval_s = 10;
 
-  /// `output` is what the checkpoint lies beside.
   EstimatorKind kind() const;
+  std::size_t most_memory() const;  ///< bytes
+  /// `output` is what the checkpoint lies beside.
   SimulationOptions options(std::uint64_t seed, const std::filesystem::path& output) const;
 };
 

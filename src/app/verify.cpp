@@ -18,6 +18,7 @@
 
 #include "arguments.hpp"
 #include "certificate_options.hpp"
+#include "loaded_store.hpp"
 #include "simulation_options.hpp"
 #include "store_table.hpp"
 #include "terminal.hpp"
@@ -34,6 +35,7 @@ struct Options {
   std::string model;
   bool survive_failure = false;
   std::filesystem::path store, placement, output;
+  bool allow_outside = false;
 };
 
 struct Installation {
@@ -47,8 +49,9 @@ bool is_json(const std::filesystem::path& path) {
   return first != std::string::npos && text[first] == '{';
 }
 
-Installation load_installation(const std::filesystem::path& store_path, const std::filesystem::path& units) {
-  const Store store = read_store(store_path);
+Installation load_installation(const Options& options) {
+  const std::filesystem::path& units = options.placement;
+  const Store store = read_store(options.store, {options.allow_outside, options.simulation.most_memory()});
   if (!is_json(units)) return {scene_with_units(store, units), {}};
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));
@@ -62,7 +65,7 @@ Installation load_installation(const std::filesystem::path& store_path, const st
 int run_verify(const Options& options) {
   keep_input(options.output, options.store);
   keep_input(options.output, options.placement);
-  const Installation installation = load_installation(options.store, options.placement);
+  const Installation installation = load_installation(options);
   Question question = installation.question;
   if (!options.model.empty())
     question.model = options.model == "cooperative" ? CommunicationModel::cooperative
@@ -108,6 +111,7 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
                  "Every label must stay reached when any one unit fails");
   add_certificate_options(*verb, options->certificate);
   add_simulation_options(*verb, options->simulation, "exact");
+  add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -83,4 +83,14 @@ inline Json mesh_store(const std::string& file, const Json& materials = {{"*", "
   return store;
 }
 
+/// Of all triangles, m^2.
+inline double area(const Scene& scene) {
+  double sum = 0;
+  for (const auto& [a, b, c] : scene.mesh.triangles) {
+    const auto& p = scene.mesh.vertices;
+    sum += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
+  }
+  return sum;
+}
+
 }  // namespace shelfbeam::test

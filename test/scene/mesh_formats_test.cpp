@@ -16,6 +16,7 @@
 namespace shelfbeam {
 namespace {
 
+using test::area;
 using test::Corner;
 using test::expect_input_error;
 using test::Json;
@@ -40,15 +41,6 @@ Scene read(const std::string& name, const std::string& content, const Json& mate
   const TempFolder folder;
   folder.write(name, content);
   return test::scene_of(mesh_store(name, materials), folder.path());
-}
-
-double area(const Scene& scene) {
-  double sum = 0;
-  for (const auto& [a, b, c] : scene.mesh.triangles) {
-    const auto& p = scene.mesh.vertices;
-    sum += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
-  }
-  return sum;
 }
 
 TEST(MeshFormats, AllHoldTheSameSolid) {

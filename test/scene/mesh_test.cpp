@@ -44,11 +44,12 @@ void expect_near(const Vec3& p, const Vec3& expected) {
   EXPECT_LT(length(p - expected), single) << p.x << ' ' << p.y << ' ' << p.z;
 }
 
-const std::string checkout = SHELFBEAM_SOURCE_DIR "/examples/grocery/checkout.glb";
+const std::filesystem::path grocery = SHELFBEAM_SOURCE_DIR "/examples/grocery";
+const std::filesystem::path checkout = grocery / "checkout.glb";
 
 TEST(Mesh, OfTheGroceryCheckout) {
   const Json materials = {{"Painted*", "steel"}, {"BeltRubber", "tile"}, {"*Plastic", "white"}};
-  const Scene scene = test::scene_of(mesh_store(checkout, materials));
+  const Scene scene = test::scene_of(mesh_store("checkout.glb", materials), grocery);
   // 3 blocks, a belt, and 2 blocks with a pole of 12 sides (scripts/make-example-meshes).
   EXPECT_EQ(scene.mesh.triangles.size(), 36u + 12 + 24 + 48);
   auto area = areas(scene);

@@ -97,12 +97,18 @@ class KeyWatcher {
   std::string repeated_;
 };
 
+// Deeper than any file of ours; each level costs much more memory than the bracket that opens it.
+constexpr int most_levels = 100;
+
 Node parse_strictly(std::string_view text, const std::string& name) {
   KeyWatcher keys;
   try {
     Node root = Node::parse(
         text,
-        [&](int, Node::parse_event_t event, const Node& value) {
+        [&](int depth, Node::parse_event_t event, const Node& value) {
+          if (depth > most_levels)
+            throw InputError(name, fmt::format("has more than {} brackets within each other", most_levels),
+                             "this is no file of this program");
           keys.see(event, value);
           return true;
         },
@@ -186,11 +192,18 @@ std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
 }
 
 std::vector<JsonCursor> JsonCursor::elements() const {
-  if (!is_array()) fail("is " + kind(as_node(node_)), "an array [ ... ] is expected");
   std::vector<JsonCursor> result;
-  for (std::size_t i = 0; i < as_node(node_).size(); ++i)
-    result.push_back(JsonCursor(document_, &as_node(node_)[i], fmt::format("{}[{}]", path_, i)));
+  for (std::size_t i = 0; i < size(); ++i) result.push_back(element(i));
   return result;
+}
+
+std::size_t JsonCursor::size() const {
+  if (!is_array()) fail("is " + kind(as_node(node_)), "an array [ ... ] is expected");
+  return as_node(node_).size();
+}
+
+JsonCursor JsonCursor::element(std::size_t index) const {
+  return JsonCursor(document_, &as_node(node_)[index], fmt::format("{}[{}]", path_, index));
 }
 
 double JsonCursor::number() const {

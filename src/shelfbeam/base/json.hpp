@@ -39,6 +39,8 @@ class JsonCursor {
 
   /// Arrays.
   std::vector<JsonCursor> elements() const;
+  std::size_t size() const;
+  JsonCursor element(std::size_t index) const;  ///< precondition: below `size()`
 
   double number() const;                         ///< finite
   double number(double low, double high) const;  ///< within [low, high]

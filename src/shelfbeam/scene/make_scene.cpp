@@ -9,6 +9,7 @@
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/scene/fixture_geometry.hpp"
 #include "shelfbeam/scene/misplaced.hpp"
+#include "shelfbeam/scene/scene_size.hpp"
 #include "shelfbeam/scene/sound_mesh.hpp"
 #include "shelfbeam/scene/store.hpp"
 #include "shelfbeam/scene/warning_list.hpp"
@@ -27,6 +28,7 @@ class SceneMaker {
     scene_.materials = store_.materials;
     scene_.label_types = store_.label_types;
     scene_.transceiver_types = store_.transceiver_types;
+    expect_memory();
     add_room();
     add_fixtures();
     if (scene_.mesh.triangles.empty()) fail("has neither a room nor fixtures", "add a room");
@@ -42,6 +44,23 @@ class SceneMaker {
  private:
   [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
     throw InputError(store_.file, problem, suggestion);
+  }
+
+  // Before anything is made.
+  void expect_memory() const {
+    std::size_t size = 0;
+    const auto add = [&](std::size_t more, const std::string& where) {
+      size += more;
+      if (size > store_.memory)
+        throw InputError(
+            where,
+            fmt::format("with this the store needs about {:.3g} GB of memory and may use {:.3g} GB",
+                        1e-9 * static_cast<double>(size), 1e-9 * static_cast<double>(store_.memory)),
+            "use wider spacings or simpler meshes, or allow more ('--memory')");
+    };
+    for (const auto& [fixture, where] : store_.fixtures) add(scene_size(fixture), where);
+    for (std::size_t g = 0; g < store_.grids.size(); ++g)
+      add(scene_size(store_.grids[g]), fmt::format("{}: transceivers.grids[{}]", store_.file, g));
   }
 
   void add_room() {

@@ -1,16 +1,16 @@
 #include <algorithm>
-#include <filesystem>
+#include <bit>
+#include <cctype>
+#include <cstdint>
 #include <set>
-#include <system_error>
+#include <unordered_map>
 
-#include <assimp/Importer.hpp>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/scene/mesh_text.hpp"
+#include "shelfbeam/scene/mesh_formats.hpp"
 #include "shelfbeam/scene/store_parts.hpp"
 
 namespace shelfbeam {
@@ -24,25 +24,11 @@ std::string printable(std::string name) {
   return name;
 }
 
-// Empty where the file names none; Assimp makes a name up then.
-std::string material_name(const aiScene& scene, const aiMesh& mesh, const std::string& extension) {
-  if (extension == ".stl" || extension == ".ply") return {};
-  const std::string name = scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str();
-  return name == AI_DEFAULT_MATERIAL_NAME ? "" : printable(name);
-}
-
-// Before the vertices are joined and moved, so that they are counted as in the file.
-void expect_finite(const aiScene& scene, const std::filesystem::path& file, const std::string& where) {
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m)
-    for (unsigned v = 0; v < scene.mMeshes[m]->mNumVertices; ++v) {
-      const aiVector3D& p = scene.mMeshes[m]->mVertices[v];
-      if (is_finite(Vec3{p.x, p.y, p.z})) continue;
-      const std::string name = printable(scene.mMeshes[m]->mName.C_Str());
-      throw InputError(where,
-                       fmt::format("vertex {} (counted from 0) {}of '{}' is not finite", v,
-                                   name.empty() ? "" : fmt::format("of mesh '{}' ", name), file.string()),
-                       "repair the mesh in the program that wrote it");
-    }
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 std::optional<MaterialId> mapped(const std::string& name,
@@ -52,20 +38,33 @@ std::optional<MaterialId> mapped(const std::string& name,
   return std::nullopt;
 }
 
-MeshPiece take_piece(const aiMesh& mesh, bool y_is_up, const std::filesystem::path& file,
-                     const std::string& where) {
-  MeshPiece piece;
-  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-    const aiVector3D& p = mesh.mVertices[v];
-    piece.vertices.push_back(y_is_up ? Vec3{p.x, -p.z, p.y} : Vec3{p.x, p.y, p.z});
-    if (!is_finite(piece.vertices.back()))
-      throw InputError(where, fmt::format("a node of '{}' moves a vertex beyond all numbers", file.string()),
-                       "repair the mesh in the program that wrote it");
+struct SamePlace {
+  bool operator()(const Vec3& a, const Vec3& b) const { return a.x == b.x && a.y == b.y && a.z == b.z; }
+};
+
+struct PlaceHash {
+  std::size_t operator()(const Vec3& p) const {
+    std::size_t hash = 0;
+    // Adding 0 makes one of the two zeros.
+    for (int axis = 0; axis < 3; ++axis)
+      hash = (hash ^ std::bit_cast<std::uint64_t>(p[axis] + 0.0)) * 0x9E3779B97F4A7C15U;
+    return hash ^ hash >> 32;
   }
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    if (face.mNumIndices == 3)
-      piece.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
+};
+
+// Corners at the same place become one vertex.
+MeshPiece piece_of(const MeshTriangles::OfMaterial& part, bool y_is_up) {
+  MeshPiece piece;
+  piece.name = printable(part.name);
+  std::unordered_map<Vec3, std::uint32_t, PlaceHash, SamePlace> known;
+  for (const auto& triangle : part.triangles) {
+    auto& corners = piece.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = triangle[k];
+      const auto [found, is_new] = known.emplace(p, static_cast<std::uint32_t>(piece.vertices.size()));
+      if (is_new) piece.vertices.push_back(y_is_up ? Vec3{p.x, -p.z, p.y} : p);
+      corners[k] = found->second;
+    }
   }
   return piece;
 }
@@ -86,42 +85,31 @@ MeshPiece take_piece(const aiMesh& mesh, bool y_is_up, const std::filesystem::pa
 
 }  // namespace
 
-std::vector<MeshPiece> import_mesh(const std::filesystem::path& file, std::optional<bool> y_is_up,
+std::vector<MeshPiece> import_mesh(const std::filesystem::path& name, const StoreFolder& folder,
+                                   std::optional<bool> y_is_up,
                                    const std::vector<std::pair<std::string, MaterialId>>& materials,
                                    const std::string& where) {
-  const std::string extension = mesh_extension(file);
+  const std::filesystem::path file = folder.find(name, where, "mesh");
+  const std::string extension = extension_of(file);
   const bool is_gltf = extension == ".gltf" || extension == ".glb";
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored))
-    throw InputError(where, fmt::format("'{}' is a folder", file.string()), "name a file in it");
-  if (!std::filesystem::is_regular_file(file, ignored))
-    throw InputError(where, fmt::format("the mesh '{}' does not exist", file.string()),
-                     "paths are relative to the store file");
-  // Assimp has readers of many more formats, which are not checked here.
   if (!is_gltf && extension != ".obj" && extension != ".stl" && extension != ".ply")
     throw InputError(where,
                      fmt::format("the name of the mesh '{}' says of no format that is read", file.string()),
                      "use glTF (.gltf, .glb), OBJ (.obj), STL (.stl) or PLY (.ply)");
-  check_mesh_text(file, where);
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file.string(), 0);
-  if (scene != nullptr) {
-    expect_finite(*scene, file, where);
-    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices |
-                                         aiProcess_JoinIdenticalVertices | aiProcess_SortByPType);
-  }
-  if (scene == nullptr)
-    throw InputError(
-        where, fmt::format("the mesh '{}' cannot be read ({})", file.string(), importer.GetErrorString()),
-        "it is damaged, or of another format than its name says; export it again");
+  const std::string content = read_file(file);
+  // Triangles stand twice in memory while they become a piece, and corners take more there.
+  MeshTriangles triangles(folder.memory() / 4);
+  MeshLines lines(content, file, where);
+  if (is_gltf) read_gltf(lines, name, folder, triangles);
+  if (extension == ".obj") read_obj(lines, triangles);
+  if (extension == ".stl") read_stl(lines, triangles);
+  if (extension == ".ply") read_ply(lines, triangles);
 
   std::vector<MeshPiece> pieces;
   std::set<std::string> unmatched;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
-    const aiMesh& mesh = *scene->mMeshes[m];
-    MeshPiece piece = take_piece(mesh, y_is_up.value_or(is_gltf), file, where);
-    if (piece.triangles.empty()) continue;
-    piece.name = material_name(*scene, mesh, extension);
+  for (const MeshTriangles::OfMaterial& part : triangles.all()) {
+    if (part.triangles.empty()) continue;
+    MeshPiece piece = piece_of(part, y_is_up.value_or(is_gltf));
     if (const auto material = mapped(piece.name, materials)) {
       piece.material = *material;
       pieces.push_back(std::move(piece));

@@ -7,9 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "shelfbeam/math/vec3.hpp"
+
 namespace shelfbeam {
 
-/// The lines of a mesh file as words, for checks that come before Assimp reads it.
+/// The lines of a mesh file as words, and the errors that its readers have in common.
 class MeshLines {
  public:
   /// All three are kept by reference.
@@ -18,12 +20,23 @@ class MeshLines {
 
   /// The next line that is not blank.
   bool next();
+  /// The same with the lines that follow a backslash at the end.
+  bool next_continued();
   const std::vector<std::string_view>& words() const { return words_; }
+  /// The line from the word of this number to its last.
+  std::string_view from(std::size_t word) const;
   /// What follows the line.
   std::string_view rest() const { return text_.substr(std::min(at_, text_.size())); }
 
-  /// Throws InputError unless the word of this number is a coordinate.
-  void expect_coordinate(std::size_t word) const;
+  /// Where the store file names the mesh.
+  const std::string& where() const { return where_; }
+
+  /// The word of this number. Throws InputError unless it is a coordinate.
+  double coordinate(std::size_t word) const;
+  /// The vertex of this number, from 0. Throws InputError unless it is finite.
+  Vec3 finite(const Vec3& vertex, std::size_t number) const;
+  /// Throws InputError where the triangles of a face with so many corners were not taken.
+  void expect_taken(bool taken, std::size_t corners) const;
   /// InputError at the line.
   [[noreturn]] void fail(const std::string& problem) const;
   /// InputError about the whole file.

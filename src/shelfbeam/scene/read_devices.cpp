@@ -41,14 +41,14 @@ Transceiver read_transceiver(const JsonCursor& cursor, const StoreNames& names) 
   return unit;
 }
 
-std::filesystem::path csv_path(const JsonCursor& section, const std::filesystem::path& folder) {
+std::filesystem::path csv_path(const JsonCursor& section, const StoreFolder& folder) {
   section.expect_keys({"csv"});
-  return read_path(section["csv"], folder);
+  return folder.find(section["csv"]);
 }
 
 }  // namespace
 
-void read_labels(const JsonCursor& section, const StoreNames& names, const std::filesystem::path& folder,
+void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                  Store& store) {
   if (section.is_object()) return read_labels_csv(csv_path(section, folder), names, store);
   for (const JsonCursor& cursor : section.elements()) {
@@ -59,8 +59,8 @@ void read_labels(const JsonCursor& section, const StoreNames& names, const std::
   }
 }
 
-void read_transceivers(const JsonCursor& section, const StoreNames& names,
-                       const std::filesystem::path& folder, Store& store) {
+void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
+                       Store& store) {
   section.expect_keys({"grids", "list", "keep_out", "installed"});
   if (const auto grids = section.find("grids"))
     for (const JsonCursor& cursor : grids->elements()) store.grids.push_back(read_grid(cursor, names));

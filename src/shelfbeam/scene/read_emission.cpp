@@ -45,9 +45,9 @@ EmissionTable read_table(const JsonCursor& cursor) {
 }
 
 template <class Read>
-EmissionTable read_photometry(const JsonCursor& cursor, const std::filesystem::path& folder, Read read) {
+EmissionTable read_photometry(const JsonCursor& cursor, const StoreFolder& folder, Read read) {
   cursor.expect_keys({"type", "file", "flux"});
-  const std::filesystem::path path = read_path(cursor["file"], folder);
+  const std::filesystem::path path = folder.find(cursor["file"]);
   const JsonCursor flux = cursor["flux"];
   const double watts = read_quantity(flux);
   const DirectionTable table = [&] {
@@ -64,7 +64,7 @@ EmissionTable read_photometry(const JsonCursor& cursor, const std::filesystem::p
   return EmissionTable{table};
 }
 
-Emission read_profile(const JsonCursor& cursor, const std::filesystem::path& folder) {
+Emission read_profile(const JsonCursor& cursor, const StoreFolder& folder) {
   const std::string type =
       cursor["type"].choice({"sin2theta", "isotropic", "lambertian", "table", "ies", "eulumdat"});
   if (type == "table") return read_table(cursor);
@@ -85,7 +85,7 @@ Emission read_profile(const JsonCursor& cursor, const std::filesystem::path& fol
 
 }  // namespace
 
-Emission read_emission(const JsonCursor& cursor, const std::filesystem::path& folder) {
+Emission read_emission(const JsonCursor& cursor, const StoreFolder& folder) {
   Emission emission = made_at(cursor, [&] { return read_profile(cursor, folder); });
   if (!(power(emission) > 0)) cursor.fail("emits nothing", "give it some intensity");
   return emission;

@@ -163,19 +163,18 @@ std::vector<MeshPiece> read_inline_pieces(const JsonCursor& parts, const StoreNa
 }
 
 std::vector<MeshPiece> read_mesh_file(const JsonCursor& c, const StoreNames& names,
-                                      const std::filesystem::path& folder) {
+                                      const StoreFolder& folder) {
   const JsonCursor file = c["file"];
-  const std::filesystem::path path = folder / file.text();
   std::vector<std::pair<std::string, MaterialId>> map;
   for (const auto& [pattern, name] : c["materials"].members())
     map.emplace_back(pattern, names.material(name));
   std::optional<bool> y_is_up;
   if (const auto up = c.find("up")) y_is_up = up->choice({"y", "z"}) == "y";
-  return import_mesh(path, y_is_up, map, file.where());
+  return import_mesh(file.text(), folder, y_is_up, map, file.where());
 }
 
 MeshFixture read_mesh(const JsonCursor& c, const std::string& id, const StoreNames& names,
-                      const std::filesystem::path& folder) {
+                      const StoreFolder& folder) {
   const bool is_inline = c.find("parts").has_value();
   if (is_inline && c.find("file")) c.fail("has both 'file' and 'parts'", "keep one of them");
   if (is_inline)
@@ -199,7 +198,7 @@ MeshFixture read_mesh(const JsonCursor& c, const std::string& id, const StoreNam
 
 }  // namespace
 
-void read_fixtures(const JsonCursor& section, const StoreNames& names, const std::filesystem::path& folder,
+void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                    Store& store) {
   for (const JsonCursor& cursor : section.elements()) {
     const std::string type = cursor["type"].choice({"gondola", "freezer", "box", "mesh"});

@@ -4,7 +4,7 @@
 
 namespace shelfbeam {
 
-void read_transceiver_types(const JsonCursor& section, const std::filesystem::path& folder, Store& store) {
+void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store) {
   for (const auto& [name, cursor] : section.members()) {
     cursor.expect_keys({"emission", "radius", "cost"});
     TransceiverType type;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -113,17 +112,6 @@ std::string check_name(std::string name, const std::string& where) {
 
 std::string read_name(const JsonCursor& cursor) {
   return check_name(cursor.text(), cursor.where());
-}
-
-std::filesystem::path read_path(const JsonCursor& cursor, const std::filesystem::path& folder) {
-  std::filesystem::path path = folder / cursor.text();
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    cursor.fail(fmt::format("'{}' is a folder", path.string()), "name a file in it");
-  if (!std::filesystem::is_regular_file(path, ignored))
-    cursor.fail(fmt::format("the file '{}' does not exist", path.string()),
-                "paths are relative to the store file");
-  return path;
 }
 
 }  // namespace shelfbeam

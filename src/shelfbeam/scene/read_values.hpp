@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,9 +49,6 @@ Vec3 unit_direction(const Vec3& v, const std::string& where);
 /// An id or a name: not empty, without control characters, which would break lines of messages and tables.
 std::string check_name(std::string name, const std::string& where);
 std::string read_name(const JsonCursor& cursor);
-
-/// The file that a text names relative to `folder`; it exists.
-std::filesystem::path read_path(const JsonCursor& cursor, const std::filesystem::path& folder);
 
 /// What `make` gives; what it refuses by std::invalid_argument is an error at this place.
 template <class Make>

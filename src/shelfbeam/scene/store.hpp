@@ -12,6 +12,7 @@
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/store_folder.hpp"
 
 namespace shelfbeam {
 
@@ -116,14 +117,17 @@ struct Store {
   std::vector<Listed<Transceiver>> transceivers;
   std::vector<KeepOut> keep_out;
   std::vector<Listed<std::string>> installed;
+  /// Bytes that a scene of it may take (StoreTrust::memory).
+  std::size_t memory = StoreTrust{}.memory;
 };
 
 /// Reads a store file (docs/formats/store.md) and the CSV and mesh files it names, relative to its folder.
 /// Throws InputError with file and JSON path.
-Store read_store(const std::filesystem::path& path);
+Store read_store(const std::filesystem::path& path, const StoreTrust& trust = {});
 
 /// As above, from a text; `folder` is where named files are looked for.
-Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder);
+Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                  const StoreTrust& trust = {});
 
 /// Expands fixtures and grids, checks ids and positions, and freezes the result. Throws InputError.
 Scene make_scene(const Store& store);

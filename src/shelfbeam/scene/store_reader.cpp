@@ -30,12 +30,15 @@ Room read_room(const JsonCursor& cursor, const StoreNames& names) {
 
 }  // namespace
 
-Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder) {
+Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& path,
+                  const StoreTrust& trust) {
   const JsonCursor root = JsonCursor::parse(text, name);
   root.expect_keys({"$schema", "name", "wavelength_nm", "room", "materials", "label_types",
                     "transceiver_types", "fixtures", "labels", "transceivers"});
+  const StoreFolder folder(path, trust);
   Store store;
   store.file = name;
+  store.memory = folder.memory();
   if (const auto schema = root.find("$schema")) schema->text();
   if (const auto title = root.find("name")) store.name = title->text();
   if (const auto wavelength = root.find("wavelength_nm")) store.wavelength_nm = wavelength->number(100, 1e5);
@@ -51,8 +54,8 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   return store;
 }
 
-Store read_store(const std::filesystem::path& path) {
-  return parse_store(read_file(path), path.string(), path.parent_path());
+Store read_store(const std::filesystem::path& path, const StoreTrust& trust) {
+  return parse_store(read_file(path), path.string(), path.parent_path(), trust);
 }
 
 }  // namespace shelfbeam

@@ -13,6 +13,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/signal/detail/text_file.hpp"
 
 namespace shelfbeam::detail {
@@ -265,6 +266,8 @@ struct Hdf5Reader::File {
     const double ratio = H5Pget_nfilters(plan) > 0 ? best_deflate : 1;
     if (stored > static_cast<double>(size) || bytes > stored * ratio)
       fail(path, fmt::format("claims {} bytes and holds {}", bytes, stored));
+    if (bytes > static_cast<double>(most_of_the_memory()))
+      fail(path, fmt::format("takes {} bytes, more than the memory holds", bytes));
     if (H5Pget_layout(plan) == H5D_CHUNKED) {
       hsize_t extents[2] = {1, 1};
       H5Pget_chunk(plan, 2, extents);

@@ -1,6 +1,7 @@
 #include "shelfbeam/signal/signal_file.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -8,8 +9,10 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/number.hpp"
 #include "shelfbeam/signal/detail/hdf5_io.hpp"
+#include "shelfbeam/signal/detail/rehearsal.hpp"
 #include "shelfbeam/signal/detail/text_file.hpp"
 
 namespace shelfbeam {
@@ -295,6 +298,12 @@ void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const s
 
 SignalMatrix read_signal_file(const std::filesystem::path& path) {
   if (!is_hdf5(path)) throw InputError(path.string(), "is no HDF5 file", "name the output of 'simulate'");
+  // The HDF5 library trusts metadata whose checksums are right, and anyone can make them right.
+  constexpr std::uintmax_t bytes_a_second = 10'000'000;
+  const std::chrono::seconds longest(60 + std::filesystem::file_size(path) / bytes_a_second);
+  if (!detail::ends_well([&] { MatrixReader(path).read(); }, longest, most_of_the_memory()))
+    throw InputError(path.string(), "is damaged: the HDF5 library cannot read it to its end",
+                     "simulate or export it again");
   return MatrixReader(path).read();
 }
 

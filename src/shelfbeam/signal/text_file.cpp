@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t piece = 1 << 20;
+constexpr std::size_t piece = 1 << 16;
 
 [[noreturn]] void cannot_read(const fs::path& path) {
   const std::string why = std::generic_category().message(errno);
@@ -54,7 +54,7 @@ std::string read_first_bytes(const fs::path& path, std::size_t count) {
   return bytes;
 }
 
-std::string read_text_file(const fs::path& path) {
+std::string read_text_file(const fs::path& path, std::size_t most) {
   check_is_file(path);
   errno = 0;
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose_r);
@@ -64,8 +64,8 @@ std::string read_text_file(const fs::path& path) {
   std::string text;
   std::size_t size = 0;
   while (true) {
-    text.resize(size + piece);
-    const int got = gzread(file.get(), text.data() + size, piece);
+    text.resize(size + std::clamp(size, piece, 64 * piece));
+    const int got = gzread(file.get(), text.data() + size, static_cast<unsigned>(text.size() - size));
     int state = Z_OK;
     const std::string message = gzerror(file.get(), &state);
     if (state == Z_ERRNO) cannot_read(path);
@@ -74,6 +74,9 @@ std::string read_text_file(const fs::path& path) {
                        "fetch or compress it again");
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
+    if (size > most)
+      throw InputError(path.string(), fmt::format("has more than {} bytes of text, decompressed", most),
+                       "check that it was meant; a signal file (HDF5) or NPY takes less memory");
   }
   text.resize(size);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);

@@ -1,0 +1,24 @@
+#include "shelfbeam/signal/detail/formats.hpp"
+
+#include "reader.hpp"
+
+namespace shelfbeam::fuzz {
+
+namespace {
+
+void read(std::string_view bytes) {
+  const SignalTable table = detail::read_csv_table(bytes, "matrix.csv");
+  detail::check_unique_ids(table, "matrix.csv");
+}
+
+std::vector<std::string> seeds() {
+  return {"0.1,0.2,0\n0,1e-3,4\n", "label,T1,T2\nA,0.1,0.2\n\"B, \"\"2\"\"\",0,1e-3\n",
+          "T1,T2\r\nA,0.1,0.2\r\n", "1\n2\n\n3\n"};
+}
+
+}  // namespace
+
+extern const Reader csv_table;
+const Reader csv_table{"csv_table", read, seeds};
+
+}  // namespace shelfbeam::fuzz

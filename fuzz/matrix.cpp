@@ -1,0 +1,41 @@
+#include <zlib.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/signal/signal_table.hpp"
+
+#include "reader.hpp"
+#include "scratch_folder.hpp"
+
+namespace shelfbeam::fuzz {
+
+namespace {
+
+// Finds the kind of the file by itself, and unpacks what is compressed.
+void read(std::string_view bytes) {
+  read_signal_table(scratch().write("matrix", bytes));
+}
+
+std::string gzip(const std::string& text) {
+  const std::filesystem::path path = scratch().path() / "seed.gz";
+  const gzFile file = gzopen(path.c_str(), "wb9");
+  gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(file);
+  return read_file(path);
+}
+
+std::vector<std::string> seeds() {
+  std::vector<std::string> files;
+  for (const std::string_view name : {"csv_table", "sparse_text", "or_library", "npy_table"}) {
+    const auto theirs = find_reader(name)->seeds();
+    files.insert(files.end(), theirs.begin(), theirs.end());
+    if (name != "npy_table") files.push_back(gzip(theirs.front()));
+  }
+  return files;
+}
+
+}  // namespace
+
+extern const Reader matrix;
+const Reader matrix{"matrix", read, seeds};
+
+}  // namespace shelfbeam::fuzz

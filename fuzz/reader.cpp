@@ -1,0 +1,31 @@
+#include "reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "shelfbeam/base/file.hpp"
+
+namespace shelfbeam::fuzz {
+
+extern const Reader checkpoint, csv_table, device_csv, eulumdat, ies, matrix, measurements, mesh, npy_table,
+    or_library, placement_file, selection_csv, signal_file, sparse_text, store;
+
+std::span<const Reader> readers() {
+  static const std::array all{store,  csv_table,   npy_table,     sparse_text,  or_library,
+                              matrix, signal_file, checkpoint,    ies,          eulumdat,
+                              mesh,   device_csv,  selection_csv, measurements, placement_file};
+  return all;
+}
+
+const Reader* find_reader(std::string_view name) {
+  const auto all = readers();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Reader& r) { return r.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string source_file(std::string_view path) {
+  return read_file(std::filesystem::path(SHELFBEAM_SOURCE_DIR) / path);
+}
+
+}  // namespace shelfbeam::fuzz

@@ -1,0 +1,32 @@
+#include "shelfbeam/signal/apart.hpp"
+#include "shelfbeam/signal/signal_table.hpp"
+
+#include "reader.hpp"
+#include "scratch_folder.hpp"
+#include "small_values.hpp"
+
+namespace shelfbeam::fuzz {
+
+namespace {
+
+// The tables of costs and of forbidden pairs, told apart by their header.
+void read(std::string_view bytes) {
+  static const SignalTable unchanged = small_table();
+  SignalTable table = unchanged;
+  const std::filesystem::path file = scratch().write("selection.csv", bytes);
+  if (bytes.starts_with("id"))
+    apply_costs(table, file);
+  else
+    forbid_pairs(table, file);
+}
+
+std::vector<std::string> seeds() {
+  return {"id,cost\nT0,2\nT3,0.5\n", "id,link_cost,signal_cost\nL0,1,2\nL2,0,1e-3\n", "a,b\nT0,T1\nT2,T3\n"};
+}
+
+}  // namespace
+
+extern const Reader selection_csv;
+const Reader selection_csv{"selection_csv", read, seeds};
+
+}  // namespace shelfbeam::fuzz

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/store_folder.hpp"
+
+namespace shelfbeam {
+
+/// A glTF 2.0 file, .gltf or .glb, and the bytes of its buffers. What it says of their contents is checked
+/// before it is believed. All members throw InputError.
+class GltfFile {
+ public:
+  /// `text` must outlive the object; `name` is the mesh as the store file names it, which buffers lie beside.
+  GltfFile(std::string_view text, std::filesystem::path name, const StoreFolder& folder);
+
+  const JsonCursor& root() const { return root_; }
+  /// The object of that number in a list of the file ("meshes").
+  JsonCursor item(std::string_view list, const JsonCursor& number) const;
+
+  /// The positions that an accessor holds, finite.
+  std::vector<Vec3> positions(const JsonCursor& accessor);
+  /// Numbers of vertices, each below `vertices`.
+  std::vector<std::uint32_t> indices(const JsonCursor& accessor, std::size_t vertices);
+
+ private:
+  /// Numbers in a buffer, `components` side by side.
+  struct Numbers {
+    std::string_view bytes;
+    std::size_t count = 0, components = 1, stride = 0;
+    std::int64_t type = 0;
+    bool is_normalized = false;
+
+    double at(std::size_t index, std::size_t component) const;
+  };
+
+  Numbers numbers(const JsonCursor& accessor, std::string_view type, std::size_t components);
+  const std::string& buffer(const JsonCursor& number);
+  std::string load(const JsonCursor& buffer, bool is_first) const;
+
+  std::string_view json_, binary_;
+  std::filesystem::path name_;
+  const StoreFolder& folder_;
+  JsonCursor root_;
+  std::map<std::int64_t, std::string> buffers_;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,58 @@
+#include "shelfbeam/scene/store_folder.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+
+namespace shelfbeam {
+namespace fs = std::filesystem;
+
+namespace {
+
+// Absolute and without symbolic links, whether or not it exists.
+fs::path resolved(const fs::path& path, std::error_code& error) {
+  const fs::path absolute = fs::absolute(path, error);
+  return error ? fs::path() : fs::weakly_canonical(absolute, error);
+}
+
+// Both resolved; the folder itself is in it.
+bool lies_in(const fs::path& file, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
+
+}  // namespace
+
+StoreFolder::StoreFolder(fs::path folder, const StoreTrust& trust)
+    : folder_(std::move(folder)), trust_(trust) {}
+
+fs::path StoreFolder::find(const JsonCursor& name) const {
+  return find(name.text(), name.where(), "file");
+}
+
+fs::path StoreFolder::find(const fs::path& name, const std::string& where, const std::string& what) const {
+  if (name.empty()) throw InputError(where, "names no file", "give the name of one");
+  fs::path path = folder_ / name;
+  if (path.native().find('\0') != std::string::npos)
+    throw InputError(where, "names a file by a text with a zero in it", "correct the name");
+  std::error_code error;
+  if (!trust_.allow_outside) {
+    // Also of what does not exist, so that an error does not tell what lies elsewhere.
+    const fs::path home = resolved(folder_.empty() ? "." : folder_, error);
+    const fs::path target = error ? fs::path() : resolved(path, error);
+    if (error || !lies_in(target, home))
+      throw InputError(where, fmt::format("'{}' lies outside the folder of the store file", name.string()),
+                       "move it there, or trust the store file with '--allow-outside'");
+  }
+  if (fs::is_directory(path, error))
+    throw InputError(where, fmt::format("'{}' is a folder", path.string()), "name a file in it");
+  if (!fs::is_regular_file(path, error))
+    throw InputError(where, fmt::format("the {} '{}' does not exist", what, path.string()),
+                     "paths are relative to the store file");
+  return path;
+}
+
+}  // namespace shelfbeam
