@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/checker.hpp"
@@ -28,6 +29,7 @@ using detail::position;
 using detail::Positions;
 using detail::positions;
 
+constexpr int format_version = 1;
 constexpr std::int64_t most_units = std::numeric_limits<std::uint32_t>::max();
 
 // Whole numbers without ".0", as a reader expects of a count.
@@ -178,7 +180,7 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
     unreachable.push_back(
         {{"label", table.labels[label.label].id}, {"requirement", label.requirement}, {"most", label.most}});
   const Question& question = placement.question;
-  Json file = {{"format", 1},
+  Json file = {{"format", format_version},
                {"model", name_of(model_names, question.model)},
                {"objective", name_of(objective_names, question.objective)},
                {"combination", name_of(combination_names, question.combination)},
@@ -219,7 +221,7 @@ std::string certificate_json(const Certificate& certificate, const SignalTable& 
 std::string reach_json(const Reach& reach, const SignalTable& table) {
   Json selected = Json::array();
   for (const std::uint32_t j : reach.selected) selected.push_back(table.transceivers[j].id);
-  const Json file = {{"format", 1},
+  const Json file = {{"format", format_version},
                      {"model", name_of(model_names, reach.question.model)},
                      {"survives_failure", reach.question.redundant},
                      {"at_most", reach.at_most},
@@ -240,6 +242,7 @@ std::string reach_json(const Reach& reach, const SignalTable& table) {
 
 Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
   const JsonCursor file = JsonCursor::parse_file(path);
+  expect_format_version(file.where(), file["format"].integer(0, most_versions), format_version);
   file.expect_keys({"format",          "model",           "objective",
                     "combination",     "share",           "survives_failure",
                     "selected",        "count",           "count_lower_bound",
@@ -250,7 +253,6 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
                     "bound_proof",     "ties_settled",    "min_spacing",
                     "forbidden_pairs", "labels",          "curve_complete",
                     "certificate",     "sensitivity"});
-  file["format"].integer(1, 1);
   Placement placement;
   placement.question.model = named(file["model"], model_names);
   placement.question.objective = named(file["objective"], objective_names);

@@ -20,6 +20,7 @@ class Resolver {
 
   Json store() const {
     Json json;
+    json["format"] = store_format_version;
     json["name"] = store_.name;
     json["wavelength_nm"] = store_.wavelength_nm;
     if (store_.room) json["room"] = room(*store_.room);

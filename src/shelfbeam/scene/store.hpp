@@ -121,6 +121,9 @@ struct Store {
   std::size_t memory = StoreTrust{}.memory;
 };
 
+/// Of the store file (its key "format").
+inline constexpr int store_format_version = 1;
+
 /// Reads a store file (docs/formats/store.md) and the CSV and mesh files it names, relative to its folder.
 /// Throws InputError with file and JSON path.
 Store read_store(const std::filesystem::path& path, const StoreTrust& trust = {});

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store.hpp"
 #include "shelfbeam/scene/store_parts.hpp"
@@ -33,7 +34,9 @@ Room read_room(const JsonCursor& cursor, const StoreNames& names) {
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& path,
                   const StoreTrust& trust) {
   const JsonCursor root = JsonCursor::parse(text, name);
-  root.expect_keys({"$schema", "name", "wavelength_nm", "room", "materials", "label_types",
+  if (const auto format = root.find("format"))
+    expect_format_version(root.where(), format->integer(0, most_versions), store_format_version);
+  root.expect_keys({"$schema", "format", "name", "wavelength_nm", "room", "materials", "label_types",
                     "transceiver_types", "fixtures", "labels", "transceivers"});
   const StoreFolder folder(path, trust);
   Store store;

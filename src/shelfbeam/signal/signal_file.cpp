@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/number.hpp"
@@ -153,10 +154,7 @@ class MatrixReader {
   SignalMatrix read() {
     if (!file_.has_attribute("format_version"))
       throw InputError(name_, "is HDF5, but no signal file of this program", "name the output of 'simulate'");
-    if (const auto version = file_.attribute<std::uint32_t>("format_version"); version != format_version)
-      throw InputError(name_,
-                       fmt::format("is of format version {}, this program reads {}", version, format_version),
-                       "use the program version that wrote it");
+    expect_format_version(name_, file_.attribute<std::uint32_t>("format_version"), format_version);
     SignalMatrix matrix;
     matrix.provenance = {file_.text_attribute("program_version"), file_.text_attribute("store_hash"),
                          file_.attribute<std::uint64_t>("seed"), file_.text_attribute("estimator")};
