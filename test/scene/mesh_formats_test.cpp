@@ -140,6 +140,7 @@ TEST(MeshFormats, PlyHeadersAreNotTrusted) {
   refused(good, "\n3 0 1 2", "\n3 0 1 -1", "a face names the vertex -1 of 12");
   refused(good, "\n3 0 1 2", "\n3 0 1 0.5", "a face names the vertex 0.5 of 12");
   refused(good, "\n3 0 1 2", "\n-3 0 1 2", "value 1 is no length of a list");
+  refused(good, "\n3 0 1 2", "\n1e300 0 1 2", "value 1 is no length of a list");
   refused(good, "\n3 0 1 2", "\n4 0 1 2", "a number is expected as value 5");
   const std::string face = test::bytes_of(std::uint8_t{3}) + test::bytes_of(std::int32_t{9});
   for (const std::int32_t wrong : {12, -1, 1'000'000'000})

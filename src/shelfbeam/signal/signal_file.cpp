@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/number.hpp"
 #include "shelfbeam/signal/detail/hdf5_io.hpp"
