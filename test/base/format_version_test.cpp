@@ -23,7 +23,8 @@ TEST(FormatVersion, OfTheProgramIsAccepted) {
 
 TEST(FormatVersion, OfAnotherProgramIsRefusedWithWhatToDo) {
   using testing::HasSubstr;
-  EXPECT_THAT(message(4, 3), HasSubstr("a.file: is of format version 4, this program reads 3; use a newer version"));
+  EXPECT_THAT(message(4, 3),
+              HasSubstr("a.file: is of format version 4, this program reads 3; use a newer version"));
   EXPECT_THAT(message(2, 3), HasSubstr("use the version of shelfbeam that wrote it"));
 }
 
