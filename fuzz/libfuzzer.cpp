@@ -26,8 +26,8 @@ const shelfbeam::fuzz::Reader& reader() {
   return *found;
 }
 
-// A child process that a reader begins may crash or ask for too much (signal/detail/rehearsal.hpp): that is
-// no finding. What libFuzzer would write of it goes to a relative path, which the child does not have.
+// A child process that a reader begins may crash or ask for too much (signal/detail/child_process.hpp): that
+// is no finding. What libFuzzer would write of it goes to a relative path, which the child does not have.
 const int quiet_children = ::pthread_atfork(nullptr, nullptr, [] {
   __sanitizer_set_death_callback(nullptr);
   if (::chdir("/") != 0) std::abort();

@@ -13,6 +13,9 @@ make_root() {
   fi
   say "Debian $1 in $root"
   [[ -x $root/usr/bin/apt-get ]] || mmdebstrap --variant=apt "$1" "$root"
+  # Where this machine's network has certificates of its own, npm needs them inside, too.
+  : >"$root/etc/extra-certificates.pem"
+  [[ ! -r ${NODE_EXTRA_CA_CERTS-} ]] || cp "$NODE_EXTRA_CA_CERTS" "$root/etc/extra-certificates.pem"
 }
 
 # inside COMMAND...: runs it in the root, in /shop/shelfbeam.
@@ -23,5 +26,6 @@ inside() {
     mount -t proc proc "$0/proc"
     mount --rbind /dev "$0/dev"
     exec chroot "$0" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/shop LC_ALL=C.UTF-8 CI=true \
+      NODE_EXTRA_CA_CERTS=/etc/extra-certificates.pem \
       sh -c '\''cd /shop/shelfbeam && exec "$@"'\'' sh "$@"' "$root" "$@"
 }

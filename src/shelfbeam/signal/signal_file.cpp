@@ -12,8 +12,8 @@
 #include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/number.hpp"
+#include "shelfbeam/signal/detail/child_process.hpp"
 #include "shelfbeam/signal/detail/hdf5_io.hpp"
-#include "shelfbeam/signal/detail/rehearsal.hpp"
 #include "shelfbeam/signal/detail/text_file.hpp"
 
 namespace shelfbeam {
@@ -265,6 +265,49 @@ class MatrixReader {
   detail::Hdf5Reader file_;
 };
 
+// Every part of a matrix, in the order in which PipeWriter sends and PipeReader takes them.
+template <class Pipe>
+void pass(Pipe& pipe, LabelRow& row) {
+  pipe(row.id), pipe(row.type), pipe(row.position), pipe(row.normal), pipe(row.requirement);
+  pipe(row.link_cost), pipe(row.signal_cost), pipe(row.batches), pipe(row.samples);
+}
+
+template <class Pipe>
+void pass(Pipe& pipe, TransceiverColumn& column) {
+  pipe(column.id), pipe(column.type), pipe(column.position), pipe(column.axis), pipe(column.cost);
+  pipe(column.installed);
+}
+
+template <class Pipe>
+void pass(Pipe& pipe, SignalLayer& layer) {
+  pipe(layer.mean), pipe(layer.standard_error);
+}
+
+template <class Pipe>
+void pass(Pipe& pipe, Provenance& provenance) {
+  pipe(provenance.program_version), pipe(provenance.store_hash);
+  pipe(provenance.seed), pipe(provenance.estimator);
+}
+
+template <class Pipe, class Part>
+void pass(Pipe& pipe, std::vector<Part>& parts) {
+  std::vector<char> places(parts.size());  // a byte for each, so that no number is believed by itself
+  pipe(places);
+  if constexpr (std::is_same_v<Pipe, detail::PipeReader>) parts.resize(places.size());
+  for (Part& part : parts) pass(pipe, part);
+}
+
+template <class Pipe>
+void pass(Pipe& pipe, SignalMatrix& matrix) {
+  pass(pipe, matrix.provenance);
+  pipe(matrix.wavelength_nm), pipe(matrix.length_step);
+  pass(pipe, matrix.labels);
+  pass(pipe, matrix.transceivers);
+  pipe(matrix.mean), pipe(matrix.standard_error), pipe(matrix.direct);
+  pass(pipe, matrix.by_bounce);
+  pass(pipe, matrix.by_length);
+}
+
 void write(const SignalMatrix& head, const SignalRows& rows, AtomicFile& target) {
   detail::Hdf5Writer file(target.temporary(), target.target().string());
   MatrixWriter(head, rows, file).write();
@@ -296,13 +339,31 @@ void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const s
 
 SignalMatrix read_signal_file(const std::filesystem::path& path) {
   if (!is_hdf5(path)) throw InputError(path.string(), "is no HDF5 file", "name the output of 'simulate'");
-  // The HDF5 library trusts metadata whose checksums are right, and anyone can make them right.
+  // The HDF5 library trusts metadata whose checksums are right, and anyone can make them right. So it works
+  // in a process of its own, which may crash or spoil its memory.
   constexpr std::uintmax_t bytes_a_second = 10'000'000;
   const std::chrono::seconds longest(60 + std::filesystem::file_size(path) / bytes_a_second);
-  if (!detail::ends_well([&] { MatrixReader(path).read(); }, longest, most_of_the_memory()))
+  SignalMatrix matrix;
+  std::string where, problem;
+  const auto give = [&](detail::PipeWriter& pipe) {
+    try {
+      matrix = MatrixReader(path).read();
+    } catch (const InputError& error) {
+      where = error.where();
+      problem = error.what() + (where.empty() ? 0 : where.size() + 2);
+    }
+    pipe(where), pipe(problem);
+    if (problem.empty()) pass(pipe, matrix);
+  };
+  const auto take = [&](detail::PipeReader& pipe) {
+    pipe(where), pipe(problem);
+    if (problem.empty()) pass(pipe, matrix);
+  };
+  if (!detail::through_child(give, take, longest, most_of_the_memory()))
     throw InputError(path.string(), "is damaged: the HDF5 library cannot read it to its end",
                      "simulate or export it again");
-  return MatrixReader(path).read();
+  if (!problem.empty()) throw InputError(where, problem);
+  return matrix;
 }
 
 bool is_hdf5(const std::filesystem::path& path) {
