@@ -166,7 +166,8 @@ Settings parse(int argc, char** argv) {
     };
     const auto positive = [&](const std::string& text) {
       const double number = std::strtod(text.c_str(), nullptr);
-      if (!(number > 0)) throw std::invalid_argument(word + " needs positive numbers, not " + text);
+      if (!(number > 0))
+        throw std::invalid_argument(fmt::format("{} needs positive numbers, not {}", word, text));
       return number;
     };
     if (word == "--limit") {

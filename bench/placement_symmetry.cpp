@@ -54,6 +54,7 @@ std::optional<Grid> grid_of(const SignalTable& table) {
                    distinct.end());
     count = distinct.size();
     std::vector<std::size_t> result;
+    result.reserve(values.size());
     for (const double value : values)
       result.push_back(static_cast<std::size_t>(
           std::lower_bound(distinct.begin(), distinct.end(), value - 1e-6) - distinct.begin()));

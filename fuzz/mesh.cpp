@@ -58,13 +58,15 @@ std::string ply(bool binary) {
 }
 
 std::vector<std::string> seeds() {
-  return {
-      source_file("examples/grocery/checkout.glb"), source_file("examples/chiller/security-mirror.obj"),
+  const std::string obj =
       "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nvt 0 0\nvn 0 0 1\no a\ng b c\nusemtl x\ns 1\nf 1/1/1 3//1 2\nf -4 "
-      "-3 -1\nl 1 2\np 3\n",
+      "-3 -1\nl 1 2\np 3\n";
+  const std::string stl =
       "solid s\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\nendloop\nendfacet\n"
-      "endsolid s\n",
-      binary_stl(), ply(false), ply(true),
+      "endsolid s\n";
+  return {
+      source_file("examples/grocery/checkout.glb"), source_file("examples/chiller/security-mirror.obj"), obj,
+      stl, binary_stl(), ply(false), ply(true),
       // A triangle; indices 0 1 2, then three corners.
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1],"scale":[1,2,1]},{"mesh":0,"translation":[1,0,0]}],"meshes":[{"name":"m","primitives":[{"attributes":{"POSITION":1},"indices":0,"material":0}]}],"materials":[{"name":"x"}],"buffers":[{"uri":"data:application/octet-stream;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=","byteLength":44}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":6,"target":34963},{"buffer":0,"byteOffset":8,"byteLength":36,"target":34962}],"accessors":[{"bufferView":0,"byteOffset":0,"componentType":5123,"count":3,"type":"SCALAR","max":[2],"min":[0]},{"bufferView":1,"byteOffset":0,"componentType":5126,"count":3,"type":"VEC3","max":[1,1,0],"min":[0,0,0]}]})"};
 }

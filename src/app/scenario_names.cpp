@@ -24,7 +24,7 @@ std::string distinct_tail(const std::vector<Path>& paths, std::size_t k) {
   std::ptrdiff_t most = 0;
   for (const Path& path : paths) most = std::max(most, std::distance(path.begin(), path.end()));
   for (std::ptrdiff_t parts = 1; parts <= most; ++parts) {
-    const std::string name = tail(paths[k], parts);
+    std::string name = tail(paths[k], parts);
     const auto has_it = [&](const Path& other) { return tail(other, parts) == name; };
     if (std::count_if(paths.begin(), paths.end(), has_it) == 1) return name;
   }

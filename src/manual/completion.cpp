@@ -8,6 +8,7 @@ namespace {
 
 std::vector<std::string> names_of(const std::vector<Command>& verbs) {
   std::vector<std::string> names;
+  names.reserve(verbs.size());
   for (const Command& verb : verbs) names.push_back(verb.name);
   return names;
 }

@@ -99,11 +99,13 @@ TEST_F(Extremes, SlowAHundredThousandLabels) {
   Json store = smallest_store(1e-6);
   store["room"]["size"] = {100, 80, 4};
   store["labels"] = Json::array();
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < 100000; ++i) {
+    const int row = i / 400;
     store["labels"].push_back({{"id", fmt::format("L{}", i)},
-                               {"position", {0.1 + 0.25 * (i % 400), 0.1 + 0.3 * (i / 400), 1.2}},
+                               {"position", {0.1 + 0.25 * (i % 400), 0.1 + 0.3 * row, 1.2}},
                                {"normal", {0, 0, 1}},
                                {"type", "standard"}});
+  }
   store["transceivers"] = Json::parse(
       R"({ "grids": [ { "type": "ceiling", "min": [25, 20], "max": [75, 60], "spacing": 25, "z": 3.9 } ] })");
   const Json answer = planned(store, 0, {"--estimator", "uniform", "--max-bounces", "1", "--no-certificate"});

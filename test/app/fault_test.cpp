@@ -85,10 +85,10 @@ TEST_F(Fault, WhatWasSimulatedIsKeptWhereTheOutputCannotBeWritten) {
 // A batch of two billion samples a label never ends.
 TEST_F(Fault, AHangupStopsAsCtrlCDoes) {
   test::Outcome outcome;
-  for (double delay = 0.3; delay < 20; delay *= 2) {
+  for (std::chrono::milliseconds delay{300}; delay < std::chrono::seconds{20}; delay *= 2) {
     test::Process process(test::command({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples",
                                          "60000000000", "--estimator", "uniform"}));
-    std::this_thread::sleep_for(std::chrono::duration<double>(delay));
+    std::this_thread::sleep_for(delay);
     process.send(SIGHUP);
     outcome = process.wait();
     if (outcome.exit_code != 128 + SIGHUP) break;

@@ -99,7 +99,8 @@ TEST(HostileFiles, MeshesThatClaimMore) {
 // A mesh of few bytes, which many nodes put into the scene.
 TEST(HostileFiles, MeshesThatMultiply) {
   const TempFolder folder;
-  constexpr int nodes = 20'000, triangles = 2'000;
+  constexpr int nodes = 20'000;
+  constexpr std::size_t triangles = 2'000;
   std::string numbers, objects;
   for (int k = 0; k < nodes; ++k) {
     numbers += (k > 0 ? "," : "") + std::to_string(k);

@@ -13,9 +13,9 @@ namespace {
 TEST(ThesisTablesSlow, StandBesideThePapersNumbers) {
   const test::TempFolder folder;
   const auto run = [&](const std::string& limit) {
-    const test::Outcome outcome =
-        test::run({"/usr/bin/env", std::string("SHELFBEAM=") + SHELFBEAM_BINARY, "TIME_LIMIT=" + limit,
-                   SHELFBEAM_SOURCE_DIR "/scripts/thesis-tables", "--quick", folder.path().string()});
+    const test::Outcome outcome = test::run(
+        {"/usr/bin/env", std::string("SHELFBEAM=") + SHELFBEAM_BINARY, "TIME_LIMIT=" + limit,
+         std::string(SHELFBEAM_SOURCE_DIR) + "/scripts/thesis-tables", "--quick", folder.path().string()});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return outcome.out;
   };

@@ -12,7 +12,6 @@ namespace {
 
 using test::expect_silent;
 using test::Json;
-using test::shelfbeam;
 using testing::HasSubstr;
 
 class VerifySlow : public testing::Test {

@@ -71,9 +71,9 @@ struct Integrals {
 TEST(Flux, OfEveryProfileIsItsQuasiRandomIntegral) {
   Integrals all;
   for (const auto& [name, e] : test::profiles())
-    all.add(name, power(e), [&](const Vec3& d) { return intensity(e, d); });
+    all.add(name, power(e), [&profile = e](const Vec3& d) { return intensity(profile, d); });
   for (const auto& [name, r] : test::responses())
-    all.add(name, integral(r), [&](const Vec3& d) { return response(r, d.z); });
+    all.add(name, integral(r), [&heard = r](const Vec3& d) { return response(heard, d.z); });
   const ZTest test = all.test();
   EXPECT_TRUE(test.pass) << all.names[test.worst] << ": " << all.claimed[test.worst] << " is not "
                          << all.found[test.worst] << " +- " << all.errors[test.worst];

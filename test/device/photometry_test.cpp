@@ -143,8 +143,9 @@ TEST(Photometry, TheProjectsProfilesAreTheSameInBothFormats) {
     const DirectionTable ies = read_ies(test::data_folder / (name + ".ies")).with_integral(1);
     const DirectionTable ldt = read_eulumdat(test::data_folder / (name + ".ldt")).with_integral(1);
     double worst = 0, turned = 0;
-    for (double theta = 0; theta <= 95; theta += 0.7)
-      for (double phi = 0; phi < 359; phi += 3.3) {
+    for (int ring = 0; ring < 136; ++ring)
+      for (int sector = 0; sector < 109; ++sector) {
+        const double theta = 0.7 * ring, phi = 3.3 * sector;
         worst = std::max(worst, std::abs(value_at(ies, theta, phi) - value_at(ldt, theta, phi)));
         turned = std::max(turned, std::abs(value_at(ies, theta, phi) - value_at(ldt, theta, phi + 1)));
       }

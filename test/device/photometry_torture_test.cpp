@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/error.hpp"
@@ -42,7 +43,7 @@ TEST(PhotometryTorture, LineEndsMarksAndTrailingBlanksDoNotMatter) {
     const std::string text = read_file(file), name = file.filename().string();
     const DirectionTable expected = test::parse_photometry(ies, text, name);
     const auto check = [&](const std::string& variant, const std::string& what) {
-      expect_same(test::parse_photometry(ies, variant, name), expected, name + " " + what);
+      expect_same(test::parse_photometry(ies, variant, name), expected, fmt::format("{} {}", name, what));
     };
     check(with_line_ends(text, "\r\n"), "CR LF");
     check(with_line_ends(text, "\r"), "CR");

@@ -27,8 +27,9 @@ TEST(Responsivity, HasTheValuesOfItsDefinition) {
 }
 
 TEST(Responsivity, PowerOneIsTheCosine) {
-  for (double theta = 0; theta < 180; theta += 7.3)
-    EXPECT_NEAR(at_degrees(CosinePowerResponse{1}, theta), at_degrees(CosineResponse{}, theta), 1e-16);
+  for (int k = 0; k < 25; ++k)
+    EXPECT_NEAR(at_degrees(CosinePowerResponse{1}, 7.3 * k), at_degrees(CosineResponse{}, 7.3 * k), 1e-16)
+        << k;
   EXPECT_NEAR(integral(CosinePowerResponse{1}), integral(CosineResponse{}), 1e-15);
 }
 

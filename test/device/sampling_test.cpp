@@ -27,16 +27,22 @@ struct Case {
   std::function<double(const Vec3&)> value;  ///< what the density is proportional to
 };
 
+Case case_of(const std::string& name, const Emission& e) {
+  return {name, [e](double u1, double u2) { return sample(e, u1, u2); },
+          [e](const Vec3& d) { return pdf(e, d); },
+          [e](const Vec3& d) { return intensity(e, d) / power(e); }};
+}
+
+Case case_of(const std::string& name, const Responsivity& r) {
+  return {name, [r](double u1, double u2) { return sample(r, u1, u2); },
+          [r](const Vec3& d) { return pdf(r, d); },
+          [r](const Vec3& d) { return response(r, d.z) / integral(r); }};
+}
+
 std::vector<Case> cases() {
   std::vector<Case> result;
-  for (const auto& [name, e] : test::profiles())
-    result.push_back({name, [e](double u1, double u2) { return sample(e, u1, u2); },
-                      [e](const Vec3& d) { return pdf(e, d); },
-                      [e](const Vec3& d) { return intensity(e, d) / power(e); }});
-  for (const auto& [name, r] : test::responses())
-    result.push_back({name, [r](double u1, double u2) { return sample(r, u1, u2); },
-                      [r](const Vec3& d) { return pdf(r, d); },
-                      [r](const Vec3& d) { return response(r, d.z) / integral(r); }});
+  for (const auto& [name, emission] : test::profiles()) result.push_back(case_of(name, emission));
+  for (const auto& [name, responsivity] : test::responses()) result.push_back(case_of(name, responsivity));
   return result;
 }
 

@@ -38,7 +38,8 @@ TEST(Fresnel, ReflectsTotallyBeyondTheCriticalAngle) {
 }
 
 TEST(Fresnel, IsTheSameFromBothSidesOfARefractedRay) {
-  for (double cos_i = 0.05; cos_i <= 1; cos_i += 0.05) {
+  for (int k = 1; k <= 20; ++k) {
+    const double cos_i = 0.05 * k;
     const double cos_t = std::sqrt(1 - (1 - cos_i * cos_i) / (1.5 * 1.5));
     EXPECT_NEAR(fresnel_dielectric(cos_i, 1.5), fresnel_dielectric(cos_t, 1 / 1.5), rounding);
   }
@@ -64,7 +65,8 @@ TEST(Fresnel, OfMetalsIsThatOfIndependentArithmetic) {
   for (const Metal& m : {Metal{0.196, 6.021, 0.97920}, Metal{1.674, 8.608, 0.91758},
                          Metal{2.939, 3.680, 0.59543}, Metal{3.357, 3.546, 0.57449}}) {
     EXPECT_NEAR(fresnel_conductor(1, m.eta, m.k), m.normal, 1e-5);
-    for (double cos_i = 0; cos_i <= 1; cos_i += 0.01) {
+    for (int percent = 0; percent <= 100; ++percent) {
+      const double cos_i = 0.01 * percent;
       EXPECT_NEAR(fresnel_conductor(cos_i, m.eta, m.k), conductor_by_hand(cos_i, m.eta, m.k), 1e-9);
       if (cos_i > 0.05 && cos_i < 0.95) {
         EXPECT_GT(
@@ -76,9 +78,11 @@ TEST(Fresnel, OfMetalsIsThatOfIndependentArithmetic) {
 }
 
 TEST(Fresnel, OfAConductorWithoutAbsorptionIsThatOfADielectric) {
-  for (double cos_i = 0; cos_i <= 1; cos_i += 0.05)
+  for (int k = 0; k <= 20; ++k) {
+    const double cos_i = 0.05 * k;
     EXPECT_NEAR(fresnel_conductor(cos_i, 1.5, 0), fresnel_dielectric(cos_i, 1.5), rounding);
-  for (double cos_i = 0; cos_i <= 1; cos_i += 0.05) EXPECT_NEAR(fresnel_conductor(cos_i, 0, 1), 1, rounding);
+    EXPECT_NEAR(fresnel_conductor(cos_i, 0, 1), 1, rounding);
+  }
 }
 
 }  // namespace

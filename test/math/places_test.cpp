@@ -39,6 +39,7 @@ TEST(Places, EqualComparisonOfAllPairs) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> error(-0.45e-6, 0.45e-6);
   std::vector<Vec3> positions;
+  positions.reserve(600);
   for (int k = 0; k < 600; ++k)
     positions.push_back({0.1 * static_cast<double>(random() % 5) + error(random),
                          0.3 * static_cast<double>(random() % 7) + error(random),

@@ -31,8 +31,8 @@ TEST(Philox, UnitNumbersStayBelowOne) {
 // Chi-square at level 1e-4 over 320 cells and 320,000 draws: keys and counters that differ by one must not
 // show. The control draws with the lowest bit of the index stuck.
 TEST(Philox, IndicesAreUniformOverNeighbouringCounters) {
-  constexpr std::uint32_t cells = 320, draws = 1000 * cells;
-  std::vector<double> counts(cells), stuck(cells), expected(cells, draws / cells);
+  constexpr std::uint32_t cells = 320, each = 1000, draws = each * cells;
+  std::vector<double> counts(cells), stuck(cells), expected(cells, each);
   for (std::uint32_t k = 0; k < draws; ++k) {
     const std::uint32_t index = to_index(philox({k % 7, k, 3, 0}, mix_key(1, k % 5))[k % 4], cells);
     ++counts[index];

@@ -23,7 +23,7 @@ struct Room {
     bare.unit({x, 2, 2.8}, {0, 0, -1}, GeneralizedLambertian{});
     if (is_boxed) bare.box(paper, {x - 0.1, 1.9, 2.7}, {x + 0.1, 2.1, 2.9});
   }
-  ShadowRays shadow_rays(SimulationOptions options, unsigned threads = 0) const {
+  ShadowRays shadow_rays(const SimulationOptions& options, unsigned threads = 0) const {
     return simulate(bare.scene, "hash", options, {threads}).summary.shadow_rays;
   }
 };

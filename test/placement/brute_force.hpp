@@ -138,6 +138,7 @@ struct BruteForce {
   /// In order: ties are settled by them.
   static std::vector<std::string> ids(const SignalTable& table, const std::vector<std::uint32_t>& columns) {
     std::vector<std::string> result;
+    result.reserve(columns.size());
     for (const std::uint32_t j : columns) result.push_back(table.transceivers[j].id);
     std::sort(result.begin(), result.end());
     return result;

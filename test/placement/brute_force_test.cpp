@@ -114,7 +114,7 @@ struct Controls {
     std::vector<std::uint32_t> selected;
     for (std::uint32_t j = 0; j < table.columns(); ++j)
       if ((set >> j & 1U) != 0) selected.push_back(j);
-    const Check check = check_selection(table, question, selected);
+    Check check = check_selection(table, question, selected);
     EXPECT_FALSE(check.met());
     return check;
   }

@@ -55,13 +55,15 @@ SignalMatrix as_matrix(const SignalTable& table) {
     matrix.labels.push_back(
         {label.id, "", {}, {}, label.requirement, label.link_cost, label.signal_cost, 2, 2});
   matrix.mean.assign(table.rows() * table.columns(), 0);
-  for (std::size_t j = 0; j < table.columns(); ++j)
+  for (std::size_t j = 0; j < table.columns(); ++j) {
+    const std::size_t across = j % 3, along = j / 3;
     matrix.transceivers.push_back({table.transceivers[j].id,
                                    "",
-                                   {0.1 * static_cast<double>(j % 3), 0.3 * static_cast<double>(j / 3), 3},
+                                   {0.1 * static_cast<double>(across), 0.3 * static_cast<double>(along), 3},
                                    {0, 0, -1},
                                    table.transceivers[j].cost,
                                    table.transceivers[j].installed});
+  }
   for (std::size_t i = 0; i < table.rows(); ++i)
     for (const SignalEntry& entry : table.row(i))
       matrix.mean[matrix.at(i, entry.transceiver)] = static_cast<float>(entry.signal);

@@ -22,7 +22,7 @@ SimulationOptions options_of(EstimatorKind estimator) {
   SimulationOptions options;
   options.estimator = estimator;
   options.direct = DirectLight::exact;
-  options.samples = 32 * 20;
+  options.samples = std::uint64_t{batch_count} * 20;
   options.seed = 5;
   return options;
 }

@@ -17,12 +17,12 @@
 namespace shelfbeam {
 namespace {
 
-SimulationOptions connections(std::uint32_t max_bounces, std::uint64_t samples = 32 * 200) {
+SimulationOptions connections(std::uint32_t max_bounces, std::uint64_t samples_a_batch = 200) {
   SimulationOptions options;
   options.strategy = Strategy::nee;
   options.direct = DirectLight::exact;
   options.max_bounces = max_bounces;
-  options.samples = samples;
+  options.samples = batch_count * samples_a_batch;
   return options;
 }
 
@@ -76,7 +76,7 @@ TEST(Sensitivity, ChangesAreThoseOfASphere) {
   const Sphere sphere;
   const Scene scene = sphere.room().scene;
   for (const bool once : {true, false}) {
-    const Sensitivity found = of(scene, connections(once ? 1 : PathRules::no_limit, 32 * 4000));
+    const Sensitivity found = of(scene, connections(once ? 1 : PathRules::no_limit, 4000));
     ASSERT_EQ(found.materials.size(), 1U);
     const MaterialSensitivity& wall = found.materials[0];
     EXPECT_FALSE(wall.is_assumed);
@@ -134,7 +134,7 @@ SimulationOptions reuse() {
   SimulationOptions options;
   options.estimator = EstimatorKind::reuse;
   options.direct = DirectLight::exact;
-  options.samples = 32 * 64;
+  options.samples = std::uint64_t{batch_count} * 64;
   return options;
 }
 
@@ -169,7 +169,7 @@ TEST(Sensitivity, DifferencesAreKnownBetterThanSignals) {
 
 TEST(Sensitivity, IsTheSameForAnyNumberOfThreads) {
   const Scene scene = three_materials();
-  for (const SimulationOptions& options : {connections(PathRules::no_limit, 32 * 20), reuse()}) {
+  for (const SimulationOptions& options : {connections(PathRules::no_limit, 20), reuse()}) {
     const Sensitivity one = of(scene, options, {}, 0.1, 11, 1), three = of(scene, options, {}, 0.1, 11, 3);
     const Sensitivity other = of(scene, options, {}, 0.1, 12, 3);
     EXPECT_EQ(one.low.least.ratio, three.low.least.ratio);
@@ -249,7 +249,7 @@ TEST(Sensitivity, WatchesTheLabelsNearestToMissing) {
     label.id += "+" + std::to_string(scene.labels.size());
     scene.labels.push_back(label);
   }
-  const Sensitivity found = of(scene, connections(2, 32 * 20));
+  const Sensitivity found = of(scene, connections(2, 20));
   EXPECT_EQ(found.watched, most_watched_labels);
   const MaterialSensitivity& one = found.materials[0];
   // The weakest label of a step is in the numbering of the whole scene.
@@ -261,7 +261,7 @@ TEST(Sensitivity, WatchesTheLabelsNearestToMissing) {
 TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {
   const Scene scene = test::PlanStore().scene();
   PlanOptions options;
-  options.simulation = connections(PathRules::no_limit, 32 * 16);
+  options.simulation = connections(PathRules::no_limit, 16);
   options.simulation.seed = 3;
   options.confidence.reset();
   Plan plan = make_plan(scene, "", options);

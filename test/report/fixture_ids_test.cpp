@@ -78,6 +78,7 @@ TEST(FixtureIds, AreJoinedByALineWhereNothingNearIsFree) {
 // Neighbours 3 m apart in a hall of 120 m: ids of the usual size would lie over one another.
 TEST(FixtureIds, AreSmallerWhereAMetreIs) {
   std::vector<Vec2> row;
+  row.reserve(9);
   for (int k = 0; k < 9; ++k) row.push_back({40.0 + 3 * k, 8});
   const Drawn hall = draw(row, {1, 1, 1}, {120, 18, 4});
   EXPECT_NEAR(hall.view.mark_share(), 1000.0 / 120 / 16, 1e-9);

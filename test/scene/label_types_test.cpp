@@ -16,8 +16,8 @@ using test::expect_input_error;
 using test::read_text;
 
 LabelType changed(const std::string& type, const std::string& key, const std::string& value) {
-  for (const LabelType& one :
-       read_text(changed_store("/label_types/" + type + "/" + key, value).dump()).label_types)
+  const std::string where = "/label_types/" + type + "/" + key;
+  for (const LabelType& one : read_text(changed_store(where, value).dump()).label_types)
     if (one.name == type) return one;
   ADD_FAILURE();
   return {};

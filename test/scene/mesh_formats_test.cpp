@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "scene/mesh_files.hpp"
@@ -78,9 +79,13 @@ TEST(MeshFormats, TextsWithoutAFiniteNumberAreRefused) {
        {"nan", "NaN", "-nan", "inf", "-Infinity", "1e999", "1,5", "x", "0x10", "1.5m"}) {
     const auto refused = [&](const std::string& name, const std::string& before, const std::string& after,
                              const std::string& line) {
-      EXPECT_NO_THROW(read(name, before + good + after)) << name;
-      expect_input_error([&] { read(name, before + wrong + after); }, "store.json: fixtures[0].file: " + line,
-                         name + "': the coordinate '" + wrong + "' is no finite number; repair the mesh");
+      const auto read_with = [&](const std::string& number) {
+        read(name, fmt::format("{}{}{}", before, number, after));
+      };
+      EXPECT_NO_THROW(read_with(good)) << name;
+      expect_input_error(
+          [&] { read_with(wrong); }, "store.json: fixtures[0].file: " + line,
+          fmt::format("{}': the coordinate '{}' is no finite number; repair the mesh", name, wrong));
     };
     refused("a.obj", "# v x\nv 0 0 0\nv 1 0 0\nv 0 ", " 0 0.1 0.2 0.3\nvn 0 0 1\nf 1 2 3\n", "line 4 of '");
     refused("a.stl",
@@ -110,7 +115,8 @@ TEST(MeshFormats, CutFilesAreRefused) {
     for (std::size_t length = 0; length < keep; ++length) {
       // An OBJ file does not say how many faces it has.
       if (name == "mesh.obj" && length > content.find("\nf ")) break;
-      expect_input_error([&] { read(name, content.substr(0, length)); }, "store.json: fixtures[0].file: ");
+      const std::string cut = content.substr(0, length);
+      expect_input_error([&, &file = name] { read(file, cut); }, "store.json: fixtures[0].file: ");
     }
   }
   expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n"); }, "line 5 of '",
@@ -140,6 +146,7 @@ TEST(MeshFormats, PlyHeadersAreNotTrusted) {
   refused(good, "\n3 0 1 2", "\n3 0 1 -1", "a face names the vertex -1 of 12");
   refused(good, "\n3 0 1 2", "\n3 0 1 0.5", "a face names the vertex 0.5 of 12");
   refused(good, "\n3 0 1 2", "\n-3 0 1 2", "value 1 is no length of a list");
+  refused(good, "\n3 0 1 2", "\n1e300 0 1 2", "value 1 is no length of a list");
   refused(good, "\n3 0 1 2", "\n4 0 1 2", "a number is expected as value 5");
   const std::string face = test::bytes_of(std::uint8_t{3}) + test::bytes_of(std::int32_t{9});
   for (const std::int32_t wrong : {12, -1, 1'000'000'000})

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "scene/mesh_files.hpp"
@@ -28,7 +29,7 @@ const std::string arrow = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\n";
 
 TEST(MeshReaders, FacesWithADentAreCutAtTheDent) {
   for (const std::string corners : {"1 2 3 4", "2 3 4 1", "3 4 1 2", "4 1 2 3", "4 3 2 1"}) {
-    const Scene scene = read("a.obj", arrow + "f " + corners + "\n");
+    const Scene scene = read("a.obj", fmt::format("{}f {}\n", arrow, corners));
     EXPECT_EQ(scene.mesh.triangles.size(), 2u) << corners;
     EXPECT_DOUBLE_EQ(area(scene), 1) << corners;
   }

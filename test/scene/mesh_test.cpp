@@ -281,7 +281,8 @@ TEST(Mesh, BrokenFilesAreRefused) {
   };
   for (const auto& [name, content] : files) {
     folder.write(name, content);
-    const std::string message = test::input_error([&] { test::scene_of(mesh_store(name), folder.path()); });
+    const std::string message =
+        test::input_error([&, &file = name] { test::scene_of(mesh_store(file), folder.path()); });
     EXPECT_TRUE(message.starts_with("store.json: fixtures[0].file: ")) << name << ": " << message;
   }
   expect_input_error([&] { test::scene_of(mesh_store("none.obj"), folder.path()); },

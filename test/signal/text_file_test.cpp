@@ -12,7 +12,7 @@ namespace shelfbeam::detail {
 namespace {
 
 std::filesystem::path zipped(const test::TempFolder& folder, const std::string& text) {
-  const std::filesystem::path path = folder / "matrix.csv.gz";
+  std::filesystem::path path = folder / "matrix.csv.gz";
   const gzFile file = gzopen(path.c_str(), "wb9");
   gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
   gzclose(file);
@@ -32,11 +32,11 @@ TEST(TextFile, IsReadWholeWhateverItsSize) {
 
 TEST(TextFile, UnpacksToNoMoreThanAllowed) {
   const test::TempFolder folder;
-  const std::filesystem::path bomb = zipped(folder, std::string(10'000'000, '0'));
-  ASSERT_LT(std::filesystem::file_size(bomb), 20'000u) << "of ten million characters";
-  test::expect_input_error([&] { read_text_file(bomb, 9'999'999); },
-                           "has more than 9999999 bytes of text, decompressed");
-  EXPECT_EQ(read_text_file(bomb, 10'000'000).size(), 10'000'000u);
+  const std::filesystem::path bomb = zipped(folder, std::string(8'000'000, '0'));
+  ASSERT_LT(std::filesystem::file_size(bomb), 20'000u) << "of eight million characters";
+  test::expect_input_error([&] { read_text_file(bomb, 7'999'999); },
+                           "has more than 7999999 bytes of text, decompressed");
+  EXPECT_EQ(read_text_file(bomb, 8'000'000).size(), 8'000'000u);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace shelfbeam {
 namespace {
 
-constexpr std::uint32_t per_face = 10;
+constexpr std::size_t per_face = 10;
 
 // Two shelves from wall to wall and two metres between them; labels on all four faces, in this order:
 // towards the first wall, the aisle from both sides, towards the last wall.

@@ -88,6 +88,7 @@ std::vector<BoundRow> most_violated(std::span<const std::uint32_t> labels, std::
                    [](const Cut& a, const Cut& b) { return a.violation > b.violation; });
   cuts.resize(std::min(cuts.size(), most));
   std::vector<BoundRow> rows;
+  rows.reserve(cuts.size());
   for (Cut& cut : cuts) rows.push_back(std::move(cut.row));
   return rows;
 }

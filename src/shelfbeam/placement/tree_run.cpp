@@ -96,6 +96,7 @@ std::vector<std::uint32_t> TreeRun::missed_rows() const {
   for (const auto& [row, number] : missed_) by_number.emplace_back(number, row);
   std::sort(by_number.rbegin(), by_number.rend());
   std::vector<std::uint32_t> rows;
+  rows.reserve(by_number.size());
   for (const auto& [number, row] : by_number) rows.push_back(row);
   return rows;
 }

@@ -56,6 +56,7 @@ OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
   std::vector<std::uint32_t> all(n);
   std::iota(all.begin(), all.end(), 0U);
   std::vector<std::vector<std::uint32_t>> orders;
+  orders.reserve(rows.size());
   for (const std::uint32_t i : rows) orders.push_back(by_strength(planned, i));
   const SumRule rule = [&](std::size_t label, std::span<const double> signals, std::span<double> sums) {
     double sum = 0;

@@ -38,7 +38,7 @@ std::string symbol(ScatterChart::Mark mark) {
 std::vector<double> ticks(double low, double high) {
   std::vector<double> result;
   const bool few = high - low < 2.5;
-  for (double decade = std::floor(low); decade <= high; ++decade)
+  for (int decade = static_cast<int>(std::floor(low)); decade <= high; ++decade)
     for (const double factor : {1.0, 2.0, 5.0}) {
       const double at = decade + std::log10(factor);
       if ((factor == 1 || few) && at >= low && at <= high) result.push_back(at);

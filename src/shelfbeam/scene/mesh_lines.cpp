@@ -43,7 +43,7 @@ bool MeshLines::next_continued() {
   if (!next()) return false;
   while (words_.back().ends_with('\\')) {
     words_.back().remove_suffix(1);
-    std::vector<std::string_view> before = std::move(words_);
+    std::vector<std::string_view> before = std::exchange(words_, {});
     if (before.back().empty()) before.pop_back();
     const bool goes_on = next();
     if (goes_on) before.insert(before.end(), words_.begin(), words_.end());

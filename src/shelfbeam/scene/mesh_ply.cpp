@@ -15,6 +15,8 @@ namespace shelfbeam {
 
 namespace {
 
+constexpr double most_counted = 4294967295;  // uint is the widest type that counts
+
 enum class Kind { signed_integer, unsigned_integer, real };
 
 struct Type {
@@ -42,7 +44,7 @@ struct Property {
 };
 
 struct Element {
-  double count;
+  std::uint64_t count;
   bool is_vertex, is_face;
   std::vector<Property> properties = {};
 
@@ -94,9 +96,10 @@ Header read_header(MeshLines& lines) {
       header.format = words.size() > 1 ? words[1] : "";
     } else if (words[0] == "element") {
       const auto count = words.size() == 3 ? to_number(words[2]) : std::nullopt;
-      if (!count || !(*count >= 0 && *count <= 4294967295.0) || *count != std::floor(*count))
+      if (!count || !(*count >= 0 && *count <= most_counted) || *count != std::floor(*count))
         lines.fail("'element' and a name and a count are expected");
-      header.elements.push_back({*count, words[1] == "vertex", words[1] == "face"});
+      header.elements.push_back(
+          {static_cast<std::uint64_t>(*count), words[1] == "vertex", words[1] == "face"});
       if (words[1] == "vertex") header.vertices += *count;
     } else if (words[0] == "property") {
       if (header.elements.empty()) lines.fail("a property belongs to no element");
@@ -121,7 +124,7 @@ std::string index_problem(double index, double vertices) {
 }
 
 bool is_length(double count) {
-  return count >= 0 && count == std::floor(count);
+  return count >= 0 && count <= most_counted && count == std::floor(count);
 }
 
 class PlyBytes {
@@ -140,8 +143,14 @@ class PlyBytes {
       return type.bytes == 8 ? std::bit_cast<double>(bits)
                              : std::bit_cast<float>(static_cast<std::uint32_t>(bits));
     if (type.kind == Kind::unsigned_integer) return static_cast<double>(bits);
-    const std::uint64_t sign = std::uint64_t{1} << (8 * type.bytes - 1);
-    return static_cast<double>(static_cast<std::int64_t>((bits ^ sign) - sign));
+    switch (type.bytes) {
+      case 1:
+        return static_cast<std::int8_t>(bits);
+      case 2:
+        return static_cast<std::int16_t>(bits);
+      default:
+        return static_cast<std::int32_t>(bits);
+    }
   }
 
  private:
@@ -202,7 +211,7 @@ class PlyReader {
 
   void read(MeshTriangles& triangles) {
     for (const Element& element : header_.elements)
-      for (double k = 0; k < element.count; ++k) read_element(element);
+      for (std::uint64_t k = 0; k < element.count; ++k) read_element(element);
     // Faces may stand before the vertices that they name.
     std::vector<Vec3> face;
     for (std::size_t begin = 0; begin < corners_.size(); begin += 1 + corners_[begin]) {
@@ -234,7 +243,7 @@ class PlyReader {
     if (!is_length(count)) numbers_.bad_length();
     const std::size_t begin = corners_.size();
     if (property.is_corners) corners_.push_back(0);
-    for (double left = count; left > 0; --left) {
+    for (auto left = static_cast<std::uint64_t>(count); left > 0; --left) {
       const double index = numbers_.next(property.type);
       if (!property.is_corners) continue;
       if (const auto problem = index_problem(index, header_.vertices); !problem.empty())

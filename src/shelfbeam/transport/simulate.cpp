@@ -91,9 +91,10 @@ SimulationSummary run(const Scene& scene, const std::string& store_hash, const S
 SimulationResult simulate(const Scene& scene, const std::string& store_hash, const SimulationOptions& options,
                           const RunControl& control) {
   SimulationResult result;
-  result.summary = run(scene, store_hash, options, true, control, [&](SignalMatrix head, const auto& rows) {
-    result.matrix = detail::filled(std::move(head), rows);
-  });
+  result.summary =
+      run(scene, store_hash, options, true, control, [&](SignalMatrix head, const detail::MatrixRows& rows) {
+        result.matrix = detail::filled(std::move(head), rows);
+      });
   return result;
 }
 
