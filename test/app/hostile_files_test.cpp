@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/process.hpp"
+#include "support/sanitizers.hpp"
 #include "support/temp_folder.hpp"
 
 // Files that ask for far more than they hold: refused (exit code 2) by a program that has half a gigabyte of
@@ -21,6 +22,13 @@ std::string repeated(const std::string& text, int count) {
   for (int k = 0; k < count; ++k) result += text;
   return result;
 }
+
+class HostileFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (test::has_address_sanitizer) GTEST_SKIP() << "the address sanitizer needs all addresses";
+  }
+};
 
 Outcome run_small(const std::string& arguments) {
   return test::run(
@@ -64,7 +72,7 @@ void expect_refused(const std::string& arguments, const std::string& message) {
   EXPECT_LT(taken.count(), 20) << arguments;
 }
 
-TEST(HostileFiles, StoresThatMultiply) {
+TEST_F(HostileFiles, StoresThatMultiply) {
   const TempFolder folder;
   const std::string store = folder.write("store.json", store_of(100));
   const std::string rest = " -o " + (folder / "signal.h5").string() + " --memory ";
@@ -73,7 +81,7 @@ TEST(HostileFiles, StoresThatMultiply) {
   EXPECT_EQ(run_small("simulate " + store + rest + "500G").exit_code, 4);
 }
 
-TEST(HostileFiles, BracketsWithinBrackets) {
+TEST_F(HostileFiles, BracketsWithinBrackets) {
   const TempFolder folder;
   const std::string store = folder.write("store.json", std::string(3'000'000, '['));
   expect_refused("inspect " + store, "has more than 100 brackets within each other");
@@ -81,7 +89,7 @@ TEST(HostileFiles, BracketsWithinBrackets) {
   expect_refused("inspect " + objects, "has more than 100 brackets within each other");
 }
 
-TEST(HostileFiles, MeshesThatClaimMore) {
+TEST_F(HostileFiles, MeshesThatClaimMore) {
   const TempFolder folder;
   folder.write("a.ply",
                "ply\nformat binary_little_endian 1.0\nelement vertex 4294967295\nproperty float x\nproperty "
@@ -97,7 +105,7 @@ TEST(HostileFiles, MeshesThatClaimMore) {
 }
 
 // A mesh of few bytes, which many nodes put into the scene.
-TEST(HostileFiles, MeshesThatMultiply) {
+TEST_F(HostileFiles, MeshesThatMultiply) {
   const TempFolder folder;
   constexpr int nodes = 20'000;
   constexpr std::size_t triangles = 2'000;
@@ -121,7 +129,7 @@ TEST(HostileFiles, MeshesThatMultiply) {
                  "has more triangles than the memory holds");
 }
 
-TEST(HostileFiles, MatricesThatClaimMore) {
+TEST_F(HostileFiles, MatricesThatClaimMore) {
   const TempFolder folder;
   const auto place = [&](const std::string& file) {
     return "place " + file + " -o " + (folder / "placement.json").string() + " --threshold 1";

@@ -33,7 +33,7 @@ std::string statement(const Placement& placement);
 
 /// What it does not cover.
 inline constexpr std::string_view certificate_scope =
-    "It covers the error of sampling, for these candidates, materials and this geometry.";
+    "The confidence covers the error of sampling, for these candidates, materials and this geometry.";
 
 /// "390 of 390 labels are reached wherever in their ranges the reflectances are, with joint confidence 99 %":
 /// what simulations at their ends say of so many labels; a sentence.

@@ -25,13 +25,6 @@ std::string margin(const LeastMargin& least) {
   return decibels(margin_db(least.ratio, 1));
 }
 
-// "+1.20 dB (0.3 %)": the error is that of the ratio, relative to it.
-std::string with_error(const LeastMargin& least) {
-  return least.ratio > 0
-             ? fmt::format("{} (± {})", margin(least), percent(least.standard_error / least.ratio))
-             : margin(least);
-}
-
 std::string rounded(double reflectance) {
   return plain(std::round(1000 * reflectance) / 1000);
 }
@@ -82,7 +75,7 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
     table.add_row(
         {one.material,
          fmt::format("{} ({}){}", rounded(one.reflectance), range_of(one), one.is_assumed ? " *" : ""),
-         with_error(one.at_lower.least), data.label(one.at_lower.least.label).id,
+         margin(one.at_lower.least), data.label(one.at_lower.least.label).id,
          fmt::format("{} (± {})", signed_percent(one.at_lower.change), percent(one.at_lower.change_error, 2)),
          grouped(one.at_lower.labels_short), signed_percent(one.at_lower.mean_change),
          margin(one.at_upper.least), signed_percent(one.at_upper.mean_change)});
@@ -106,7 +99,8 @@ std::string notes(const ReportData& data, const Sensitivity& sensitivity) {
   std::string text =
       "One material after the other at the low and the high end of its range, all others as in the store "
       "file; the material first whose low end leaves the least. Margins are of the chosen units, on fresh "
-      "samples, with standard errors. The change is of that label's signal, in percent of its requirement; "
+      "samples. The change is of that label's signal, in percent of its requirement, with its standard "
+      "error; "
       "light is what the labels get more or less of, on average.";
   if (sensitivity.watched < data.outcome.labels.size())
     text += fmt::format(" All rows are about the {} labels with the least margins at the low end of all.",
