@@ -35,6 +35,7 @@ const int quiet_children = ::pthread_atfork(nullptr, nullptr, [] {
 
 }  // namespace
 
+// NOLINTBEGIN(readability-identifier-naming): the names are libFuzzer's.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -55,3 +56,4 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   std::memcpy(data, bytes.data(), size);
   return size;
 }
+// NOLINTEND(readability-identifier-naming)
