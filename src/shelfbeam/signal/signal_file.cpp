@@ -14,6 +14,7 @@
 #include "shelfbeam/base/number.hpp"
 #include "shelfbeam/signal/detail/child_process.hpp"
 #include "shelfbeam/signal/detail/hdf5_io.hpp"
+#include "shelfbeam/signal/detail/signal_reading.hpp"
 #include "shelfbeam/signal/detail/text_file.hpp"
 
 namespace shelfbeam {
@@ -337,6 +338,10 @@ void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const s
   target.commit();
 }
 
+SignalMatrix detail::read_signal_file_here(const std::filesystem::path& path) {
+  return MatrixReader(path).read();
+}
+
 SignalMatrix read_signal_file(const std::filesystem::path& path) {
   if (!is_hdf5(path)) throw InputError(path.string(), "is no HDF5 file", "name the output of 'simulate'");
   // The HDF5 library trusts metadata whose checksums are right, and anyone can make them right. So it works
@@ -347,7 +352,7 @@ SignalMatrix read_signal_file(const std::filesystem::path& path) {
   std::string where, problem;
   const auto give = [&](detail::PipeWriter& pipe) {
     try {
-      matrix = MatrixReader(path).read();
+      matrix = detail::read_signal_file_here(path);
     } catch (const InputError& error) {
       where = error.where();
       problem = error.what() + (where.empty() ? 0 : where.size() + 2);
