@@ -135,7 +135,7 @@ struct Search {
 }  // namespace
 
 MipAnswer place_by_mip(const SignalTable& table, const Question& question,
-                       std::optional<std::vector<std::uint32_t>> start, const SolveFunction& solve,
+                       const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control) {
   Incumbent incumbent(table, question);
   incumbent.offer(start);

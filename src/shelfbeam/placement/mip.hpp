@@ -30,7 +30,7 @@ struct MipAnswer {
 /// The time limit covers everything; without any time, `solve` may be empty, and the answer is `start` with
 /// the bounds that need no search.
 MipAnswer place_by_mip(const SignalTable& table, const Question& question,
-                       std::optional<std::vector<std::uint32_t>> start, const SolveFunction& solve,
+                       const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control);
 
 }  // namespace shelfbeam

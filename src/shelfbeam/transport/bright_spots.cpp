@@ -136,8 +136,8 @@ void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, std::
       const auto s = static_cast<std::uint32_t>(found - spot.chances.begin());
       const double below = s == 0 ? 0 : spot.chances[s - 1], own = spot.chances[s] - below;
       const double v1 = std::clamp((u1 - below) / own, 0.0, 1.0);
-      auto light =
-          shine(world_, units_, spot.unit, (s / side + v1) / side, (s % side + u2) / side, random, rays);
+      const std::uint32_t row = s / side, column = s % side;
+      auto light = shine(world_, units_, spot.unit, (row + v1) / side, (column + u2) / side, random, rays);
       if (!light) continue;
       light->power /= count * chance * own * side * side;
       lights.push_back(*light);
