@@ -23,6 +23,7 @@
 #include "shelfbeam/transport/simulate.hpp"
 
 #include "plan_store.hpp"
+#include "support/sanitizers.hpp"
 #include "support/temp_folder.hpp"
 
 namespace shelfbeam {
@@ -143,7 +144,7 @@ TEST(Certify, DoesNotTakeTheMatrixAtItsWordWhereItSaysNo) {
       PlanOptions options;
       options.simulation = few_samples(20 + seed);
       options.simulation.samples = std::uint64_t{batch_count} * 2;
-      options.budget_s = 10;
+      options.budget_s = 10 * test::slowness;
       options.confidence.reset();
       const bool matrix_says_no = !make_plan(store.scene(), "", options).placement.has_selection();
       options.confidence = 0.99;
