@@ -11,6 +11,7 @@
 #include "formula_instances.hpp"
 #include "random_table.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/sanitizers.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -179,12 +180,12 @@ SignalTable hard_table() {
 TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
   const SignalTable table = hard_table();
   for (const milp::Backend& backend : milp::backends()) {
-    for (const double limit : {0.0, 2.0}) {
+    for (const double limit : {0.0, 2.0 * test::slowness}) {
       const auto start = std::chrono::steady_clock::now();
       const Placement found = place(table, {coop, Objective::signal},
                                     {.backend = std::string(backend.name), .time_limit_s = limit});
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      EXPECT_LT(seconds, 20.0);
+      EXPECT_LT(seconds, 20 * test::slowness);
       EXPECT_EQ(found.status, Status::stopped);
       EXPECT_TRUE(check_selection(table, {coop}, found.selected).met());
       EXPECT_GT(found.lower_bound, 0);
@@ -200,7 +201,7 @@ TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
 TEST(Placement, SearchLeavesNothingToAMip) {
   const SignalTable table = test::cube_cycles(5);
   const Question question{alone};
-  const Placement with_mip = place(table, question, {.time_limit_s = 1});
+  const Placement with_mip = place(table, question, {.time_limit_s = test::slowness});
   EXPECT_EQ(with_mip.bound_proof, BoundProof::solver) << "negative control";
   const Placement search = place(table, question, {.solver = SolverChoice::search, .time_limit_s = 1});
   EXPECT_TRUE(check_selection(table, question, search.selected).met());

@@ -12,4 +12,11 @@ inline constexpr bool has_address_sanitizer = __has_feature(address_sanitizer);
 inline constexpr bool has_address_sanitizer = false;
 #endif
 
+/// What limits of time that are to suffice for something are to be multiplied by.
+#if defined(__SANITIZE_THREAD__)
+inline constexpr double slowness = 10;
+#else
+inline constexpr double slowness = has_address_sanitizer ? 10 : 1;
+#endif
+
 }  // namespace shelfbeam::test
