@@ -92,7 +92,7 @@ double SpotLight::intensity(const Scene& scene, const Vec3& direction) const {
 
 BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t seed)
     : world_(world), units_(units) {
-  std::vector<double> found(side * side);
+  std::vector<double> found(std::size_t{side} * side);
   for (std::uint32_t j = 0; j < world.scene.transceivers.size(); ++j) {
     const std::uint64_t key = mix_key(seed, hash64(world.scene.transceivers[j].id));
     const ScrambledSobol square(key);
