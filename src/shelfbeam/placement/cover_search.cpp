@@ -5,8 +5,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include "shelfbeam/base/parallel.hpp"
 
 namespace shelfbeam::detail {
 
@@ -200,14 +201,12 @@ std::optional<std::vector<std::uint32_t>> cover_search(const SignalTable& table,
   tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
                                              : static_cast<int>(control.threads));
   arena.execute([&] {
-    tbb::parallel_for(
-        std::uint32_t{0}, effort.walks,
-        [&](std::uint32_t k) {
-          CoverWalk walk(cover, start.size() - reduction.forced.size(), effort.seed + k);
-          walk.run(effort, k == 0 ? control : RunControl{control.threads, control.cancel});
-          found[k] = walk.best();
-        },
-        tbb::simple_partitioner());
+    for_each_task(effort.walks, [&](std::size_t k) {
+      CoverWalk walk(cover, start.size() - reduction.forced.size(),
+                     effort.seed + static_cast<std::uint32_t>(k));
+      walk.run(effort, k == 0 ? control : RunControl{control.threads, control.cancel});
+      found[k] = walk.best();
+    });
   });
   std::optional<std::vector<std::uint32_t>> best;
   for (const auto& columns : found) {

@@ -8,8 +8,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include "shelfbeam/base/parallel.hpp"
 
 namespace shelfbeam::detail {
 
@@ -296,15 +297,12 @@ std::optional<std::vector<std::uint32_t>> local_search(const SearchProblem& prob
   tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
                                              : static_cast<int>(control.threads));
   arena.execute([&] {
-    tbb::parallel_for(
-        std::uint32_t{0}, effort.walks,
-        [&](std::uint32_t k) {
-          Walk walk(problem, all, start, effort.seed + k);
-          walk.run(effort, k == 0 ? control : RunControl{control.threads, control.cancel});
-          found[k] = walk.best();
-          cost[k] = walk.best_cost();
-        },
-        tbb::simple_partitioner());
+    for_each_task(effort.walks, [&](std::size_t k) {
+      Walk walk(problem, all, start, effort.seed + static_cast<std::uint32_t>(k));
+      walk.run(effort, k == 0 ? control : RunControl{control.threads, control.cancel});
+      found[k] = walk.best();
+      cost[k] = walk.best_cost();
+    });
   });
   const auto best = static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
   return found.empty() ? std::nullopt : found[best];

@@ -7,7 +7,7 @@
 #include <memory>
 #include <tuple>
 
-#include <tbb/parallel_for.h>
+#include "shelfbeam/base/parallel.hpp"
 
 namespace shelfbeam::detail {
 
@@ -455,13 +455,10 @@ void TreeWalk::children_in_parallel() {
     children_.push_back(std::move(walk));
     forbid(frames_[0], j);
   }
-  tbb::parallel_for(
-      std::size_t{0}, children_.size(),
-      [&](std::size_t k) {
-        children_[k]->visit(1);
-        children_[k]->frames_.clear();  // of many children they would add up
-      },
-      tbb::simple_partitioner());
+  for_each_task(children_.size(), [&](std::size_t k) {
+    children_[k]->visit(1);
+    children_[k]->frames_.clear();  // of many children they would add up
+  });
 }
 
 }  // namespace shelfbeam::detail
