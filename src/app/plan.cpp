@@ -72,6 +72,10 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
   if (placement.certificate) text += fmt::format("certificate: {}\n", statement(placement));
   if (placement.sensitivity)
     text += fmt::format("sensitivity: {}\n", statement(*placement.sensitivity, table.rows()));
+  else if (options.sensitivity)
+    text += fmt::format("  no sensitivity {}\n", placement.has_selection()
+                                                     ? "yet: the run was stopped before it was known"
+                                                     : "without a placement");
   return text;
 }
 

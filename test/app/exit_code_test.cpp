@@ -69,7 +69,10 @@ TEST_F(ExitCode, OneWhereOptionsExcludeOneAnother) {
       { "id": "to west", "position": [4, 3, 2.9], "axis": [-1, 0, -0.36], "type": "spot" },
       { "id": "to east", "position": [4, 3, 2.9], "axis": [1, 0, -0.36], "type": "spot" } ] }
   })");
-  std::string out = expect_silent({"plan", path("spots.json"), "-o", path("plan"), "--samples", "320"}, 1);
+  std::string out = expect_silent(
+      {"plan", path("spots.json"), "-o", path("plan"), "--samples", "320", "--curve", "--sensitivity"}, 1);
+  for (const char* missing : {"no curve without a placement", "no sensitivity without a placement"})
+    EXPECT_NE(out.find(missing), std::string::npos) << out;
   EXPECT_NE(out.find("each could be reached, but not all of them at once"), std::string::npos) << out;
   EXPECT_EQ(json("plan/placement.json")["status"], "infeasible");
   EXPECT_TRUE(json("plan/placement.json")["unreachable"].empty());

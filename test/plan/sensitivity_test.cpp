@@ -242,20 +242,41 @@ TEST(Sensitivity, AssumesRangesThatNobodyTold) {
   EXPECT_EQ(exact.low.least.ratio, exact.high.least.ratio);
 }
 
-TEST(Sensitivity, WatchesTheLabelsNearestToMissing) {
-  Scene scene = plan_scene(0.4, 0.7);
-  while (scene.labels.size() <= most_watched_labels) {
-    Label label = scene.labels[scene.labels.size() % 16];
+// Labels a and a+1, a+2 ... are at the same place.
+void repeat_labels(Scene& scene, std::size_t count) {
+  const std::size_t places = scene.labels.size();
+  while (scene.labels.size() < count) {
+    Label label = scene.labels[scene.labels.size() % places];
     label.id += "+" + std::to_string(scene.labels.size());
     scene.labels.push_back(label);
   }
+}
+
+TEST(Sensitivity, WatchesTheLabelsNearestToMissing) {
+  Scene scene = plan_scene(0.6, 0.6);
+  repeat_labels(scene, least_watched_labels + 16);
   const Sensitivity found = of(scene, connections(2, 20));
-  EXPECT_EQ(found.watched, most_watched_labels);
+  EXPECT_EQ(found.watched, least_watched_labels);
   const MaterialSensitivity& one = found.materials[0];
   // The weakest label of a step is in the numbering of the whole scene.
   const std::string &low = scene.labels[found.low.least.label].id,
                     &step = scene.labels[one.at_lower.least.label].id;
   EXPECT_EQ(low.substr(0, low.find('+')), step.substr(0, step.find('+')));
+}
+
+// Where light at the high end is more than most labels have at the low end, most may have the least of all
+// with one material low. Of many materials no more labels are watched than there is time for.
+TEST(Sensitivity, WatchesAllLabelsThatMayHaveTheLeast) {
+  constexpr std::size_t labels = 2 * least_watched_labels;
+  Scene scene = plan_scene(0.05, 0.95);
+  repeat_labels(scene, labels);
+  const Sensitivity wide = of(scene, connections(2, 20));
+  ASSERT_GT(wide.high.least.ratio, 1);
+  EXPECT_GT(wide.watched, least_watched_labels);
+  Scene three = three_materials();
+  three.materials[0].reflectance_range = {0.05, 0.95};
+  repeat_labels(three, labels);
+  EXPECT_EQ(of(three, connections(2, 20)).watched, least_watched_labels);
 }
 
 TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {

@@ -57,7 +57,7 @@ TEST(PlanSections, TellWhatReflectancesDo) {
         std::string("3 labels missed at the low end"), std::string("1 label undecided at the low end")})
     EXPECT_NE(text.find(piece), std::string::npos) << piece;
   const std::vector<std::string> expected{
-      "0.6 (0.45 to 0.75) *", "0.6 (0.45 to 0.75)", "−1.0\u00A0dB",  "−37.5\u00A0% (± 0.13\u00A0%)",
+      "0.6 (0.45 to 0.75) *", "0.6 (0.45 to 0.75)", "−0.97\u00A0dB", "−37.5\u00A0% (±\u00A00.13)",
       "−6.2\u00A0%",          "+8.8\u00A0%",        data.label(5).id};
   for (const std::string& cell : expected) EXPECT_TRUE(cells.contains(cell)) << cell;
   EXPECT_FALSE(cells.contains("−6.4\u00A0%")) << "nothing that is not in it";
@@ -78,6 +78,21 @@ TEST(PlanSections, TellThatAPlanHolds) {
   EXPECT_NE(read_markup(html).text.find("926 of 926 labels are reached wherever in their ranges"),
             std::string::npos);
   EXPECT_EQ(html.find("missed at the low end"), std::string::npos);
+}
+
+TEST(PlanSections, NameNoMaterialWhereNoneMatters) {
+  Supermarket s;
+  s.placement.sensitivity = made_up();
+  for (MaterialSensitivity& one : s.placement.sensitivity->materials) {
+    one.at_lower = one.at_upper = {s.placement.sensitivity->as_given, 0, 0, 0, 0};
+    one.at_upper.mean_change = 1e-5;
+  }
+  const std::string html = static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  EXPECT_EQ(html.find("matters most"), std::string::npos);
+  const auto cells = pieces(html);
+  EXPECT_TRUE(cells.contains("0.0\u00A0%"));
+  EXPECT_FALSE(cells.contains("+0.0\u00A0%"));
 }
 
 // A label in the dark has no margin in decibels; a bar has to end somewhere.

@@ -46,6 +46,22 @@ const others = [
   plan("options", storeOf("chiller")),
 ];
 
+/** What reflectances might do to the grocery: numbers of their own wherever the page shows one. */
+function madeUpSensitivity(ids) {
+  const least = (margin, label) => ({ smallest_margin: margin, standard_error: 0.01, label: ids[label] });
+  const step = (margin, label, change, mean, short) =>
+    ({ ...least(margin, label), change, change_standard_error: Math.abs(change) / 90, mean_change: mean, labels_short: short });
+  const material = (name, k) => ({
+    name, reflectance: 0.5 + 0.013 * k, range: [0.3 + 0.011 * k, 0.7 + 0.017 * k], assumed: k % 2 === 1,
+    low: step(0.713 + 0.041 * k, 3 + k, -0.431 + 0.0371 * k, -0.183 + 0.0151 * k, 9 - k), high: step(1.633 - 0.027 * k, 30 + k, 0.3, 0.231 - 0.0173 * k, 0),
+  });
+  return {
+    confidence: 0.975, holds: "no", assumed_error: 0.15, as_given: least(1.293, 2), low: { ...least(0.617, 5), missed: ids.slice(0, 23), undecided: ids.slice(40, 51) },
+    high: { ...least(2.171, 6), missed: [], undecided: [] }, materials: ["carton", "a floor", "plaster <white>", "steel", "foil"].map(material),
+    kept: ["glass"], watched: 256, batches: 64, seconds: 71.5,
+  };
+}
+
 /** The grocery's plan with a certificate that has every verdict, as if fresh samples had said so. */
 function certifiedGrocery() {
   const folder = join(work, "certified");
@@ -58,7 +74,11 @@ function certifiedGrocery() {
     confidence: 0.975, reached: ids.length - missed.length - undecided.length, missed, undecided,
     count_lower_bound: grocery.placement.count - 1, bound_labels: 41, rounds: 3, seconds: 123.25, open: "it was interrupted",
   };
-  writeFileSync(path, JSON.stringify({ ...readJson(path), certificate }));
+  const { count } = grocery.placement;
+  const curve = Array.from({ length: count }, (_, k) => ({
+    units: k + 1, at_least: ids.length - 97 * (count - 1 - k), at_most: ids.length - 61 * (count - 1 - k),
+  }));
+  writeFileSync(path, JSON.stringify({ ...readJson(path), certificate, curve, curve_complete: true, sensitivity: madeUpSensitivity(ids) }));
   run("report", folder, "--quiet");
   return readPlan(folder);
 }
@@ -177,7 +197,7 @@ const staticPage = (page) =>
       return {
         answer: words(document.querySelector("header")),
         cards: Object.fromEntries([...document.querySelectorAll(".card")].map((card) => [words(card.querySelector("dt")), words(card.querySelector("dd")).replace(words(card.querySelector("small")), "")])),
-        units: table("units"), weakest: table("weakest"),
+        units: table("units"), weakest: table("weakest"), sensitivity: table("sensitivity"), curve: table("curve"),
         facts: Object.fromEntries([...document.querySelectorAll("#facts .facts > div")].map((part) => [words(part.querySelector("h3")), list(part)])),
       };
     })()`,
@@ -263,6 +283,57 @@ for (const files of [grocery, certified])
       }
     await page.close();
   });
+
+const decibelsOf = (ratio) => 10 * Math.log10(ratio);
+
+function planSectionsAre({ answer, sensitivity, curve }, { placement, labels }) {
+  const of = placement.sensitivity;
+  equal(sensitivity.length, of.materials.length, "materials");
+  of.materials.forEach(({ name, reflectance, range, assumed, low, high }, k) => {
+    const [material, reflects, least, label, change, short, light, leastHigh, lightHigh] = sensitivity[k];
+    equal([material, label, short], [name, low.label, String(low.labels_short)], "material");
+    const [, given, lower, upper, star] = /^([\d.]+) \(([\d.]+) to ([\d.]+)\)( \*)?$/.exec(reflects);
+    for (const [cell, value] of [[given, reflectance], [lower, range[0]], [upper, range[1]]])
+      check(Math.abs(Number(cell) - value) <= 0.00051, `${name}: '${cell}' of ${value}`);
+    equal(star !== undefined, assumed, "assumed");
+    shows(least, decibelsOf(low.smallest_margin), `${name}, low`);
+    shows(leastHigh, decibelsOf(high.smallest_margin), `${name}, high`);
+    shows(change, 100 * low.change, `change with ${name}`);
+    shows(/± ([\d.]+)\)/.exec(change)[1], 100 * low.change_standard_error, `error with ${name}`);
+    shows(light, 100 * low.mean_change, `light with ${name} low`);
+    shows(lightHigh, 100 * high.mean_change, `light with ${name} high`);
+  });
+  const { missed, undecided, smallest_margin } = of.low;
+  for (const part of [
+    `${labels.length - missed.length - undecided.length} of ${labels.length} labels are reached with all reflectances at the low end`,
+    `${missed.length} missed, ${undecided.length} undecided, with joint confidence ${100 * of.confidence} %`,
+    `the weakest gets ${smallest_margin} to ${of.high.smallest_margin.toPrecision(3)} of its requirement`, `'${of.materials[0].name}' matters most`,
+  ])
+    check(answer.includes(part), `'${part}' is not said: ${answer}`);
+  equal(curve.length, placement.curve.length, "points of the curve");
+  placement.curve.forEach(({ units, at_least, at_most }, k) => {
+    const [count, least, leastLabels, most, mostLabels] = curve[k];
+    equal([count, leastLabels, mostLabels], [units, at_least, at_most].map(String), "point of the curve");
+    shows(least, (100 * at_least) / labels.length, "at least");
+    shows(most, (100 * at_most) / labels.length, "at most");
+  });
+}
+
+test("sections on reflectances and fewer transceivers have the numbers of the files", async () => {
+  const page = await open(certified);
+  const found = await staticPage(page);
+  planSectionsAre(found, certified);
+  const { sensitivity, curve } = certified.placement;
+  const [first, ...rest] = sensitivity.materials;
+  const withFirst = (changed) => ({ sensitivity: { ...sensitivity, materials: [{ ...first, ...changed }, ...rest] } });
+  for (const other of [
+    withFirst({ reflectance: 0.6 }), withFirst({ low: { ...first.low, change: -0.43 } }), withFirst({ low: { ...first.low, smallest_margin: 0.72 } }),
+    withFirst({ high: { ...first.high, mean_change: 0.24 } }), { sensitivity: { ...sensitivity, confidence: 0.99 } },
+    { curve: curve.map((point) => ({ ...point, at_least: point.at_least - 1 })) },
+  ])
+    fails(() => planSectionsAre(found, { ...certified, placement: { ...certified.placement, ...other } }), JSON.stringify(other));
+  await page.close();
+});
 
 test("verdicts of the certificate are shown while the plan is as it was made", async () => {
   const page = await open(certified);
@@ -531,7 +602,7 @@ test("it fits 360 px", async () => {
     await page.settle();
     equal(await page.evaluate("document.documentElement.scrollWidth"), 360, "width");
     const wide = await page.evaluate(
-      "[...document.querySelectorAll('#viewer *')].filter((e) => !e.closest('.scroll') && e.getBoundingClientRect().right > 360.5).map((e) => e.className || e.tagName)",
+      "[...document.querySelectorAll('body *')].filter((e) => !e.closest('.scroll') && e.getBoundingClientRect().right > 360.5).map((e) => e.className || e.tagName)",
     );
     equal(wide, [], "too wide");
     await picture(page, dark ? "narrow-dark" : "narrow");

@@ -130,8 +130,9 @@ std::string statement(const Sensitivity& sensitivity, std::size_t labels) {
                 labels - missed - open, labels, missed, open);
   text += fmt::format(", with {}; the weakest gets {:.3g} to {:.3g} of its requirement", confidence,
                       sensitivity.low.least.ratio, sensitivity.high.least.ratio);
-  if (!sensitivity.materials.empty())
-    text += fmt::format("; '{}' matters most", sensitivity.materials.front().material);
+  if (!sensitivity.materials.empty() &&
+      sensitivity.materials.front().at_lower.least.ratio < sensitivity.as_given.ratio)
+    text += fmt::format("; by estimate, '{}' matters most", sensitivity.materials.front().material);
   return text + ".";
 }
 

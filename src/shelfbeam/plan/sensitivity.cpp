@@ -161,14 +161,20 @@ ReflectanceEnd judged(const std::vector<LabelVerdict>& labels) {
   return end;
 }
 
-// The labels with the least margins, in their order.
-std::vector<std::uint32_t> nearest_to_missing(const std::vector<LabelVerdict>& labels) {
+// The labels with the least margins at the low end, in their order: those that may have the least of all
+// somewhere in the ranges, or fall short.
+std::vector<std::uint32_t> nearest_to_missing(const std::vector<LabelVerdict>& labels, double least_at_high,
+                                              std::size_t materials) {
   std::vector<std::uint32_t> order(labels.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto margin = [&](std::uint32_t i) { return labels[i].signal / labels[i].requirement; };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return margin(a) < margin(b); });
-  order.resize(std::min(order.size(), most_watched_labels));
+  const double up_to = std::max(1.0, least_at_high);
+  const auto near = static_cast<std::size_t>(
+      std::count_if(order.begin(), order.end(), [&](std::uint32_t i) { return margin(i) <= up_to; }));
+  const std::size_t affordable = labels.size() / std::max<std::size_t>(materials, 1);
+  order.resize(std::min(order.size(), std::max(std::min(near, affordable), least_watched_labels)));
   std::sort(order.begin(), order.end());
   return order;
 }
@@ -223,7 +229,8 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const Question& question
   result.low = judged(at_low);
   control.report("sensitivity", -1, "all reflectances high");
   result.high = judged(verify(high, question, planned, level, effort, control));
-  const std::vector<std::uint32_t> watched = nearest_to_missing(at_low);
+  const std::vector<std::uint32_t> watched =
+      nearest_to_missing(at_low, result.high.least.ratio, varied.size());
   result.watched = watched.size();
   const std::size_t columns = scene.transceivers.size();
   std::vector<std::uint32_t> units(columns);

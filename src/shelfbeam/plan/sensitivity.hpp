@@ -17,9 +17,11 @@ struct SensitivityOptions {
   double confidence = 0.99;    ///< of the verdicts at both ends together
 };
 
-/// One material after the other is examined at so many labels, those with the least margins where all
-/// reflectances are low: with one material low none has less than it has there.
-inline constexpr std::size_t most_watched_labels = 256;
+/// One material after the other is examined at so many labels at least, those with the least margins where
+/// all reflectances are low. A label has no less there with one material low, and the least margin is no more
+/// than that where all are high. So all labels whose margin at the low end is up to that are watched, too, as
+/// long as the materials one by one cost no more than the two ends do, which are simulated at every label.
+inline constexpr std::size_t least_watched_labels = 256;
 
 /// Simulates the transceivers of a scene (all of them are mounted) with all reflectances at the low and at
 /// the high ends of their ranges, and with those of one material after the other, and says which labels fall

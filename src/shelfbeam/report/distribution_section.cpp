@@ -73,8 +73,8 @@ std::string matrix_figure(const ReportData& data) {
   chart.x_title = fmt::format("signal of one unit at one label ({})", data.unit.name);
   chart.y_title = "entries";
   std::string note =
-      fmt::format("{} of {} ({}) carry no signal and are not drawn.", grouped(distribution.zeros),
-                  counted(distribution.entries, "entry", "entries"),
+      fmt::format("{} of {} ({}) are zero or, through noise, negative, and are not drawn.",
+                  grouped(distribution.zeros), counted(distribution.entries, "entry", "entries"),
                   percent(static_cast<double>(distribution.zeros) /
                           static_cast<double>(std::max<std::uint64_t>(1, distribution.entries))));
   if (below > 0)

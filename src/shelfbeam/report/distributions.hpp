@@ -24,7 +24,7 @@ struct ExcessDistribution {
 ExcessDistribution excess_distribution(const Outcome& outcome);
 
 /// All entries of M (Fig. 3.7): `bins_per_decade` bins a decade, at most `signal_decades` decades down from
-/// the largest entry; what is smaller counts as below, entries without signal as zeros.
+/// the largest entry; what is smaller counts as below, zero and what is negative through noise as zeros.
 inline constexpr int bins_per_decade = 5;
 inline constexpr int signal_decades = 8;
 struct SignalDistribution {

@@ -45,7 +45,8 @@ figure{margin:0 0 28px;background:var(--card);border:1px solid var(--line);borde
 figcaption{font-weight:600;margin-bottom:8px}
 figure .note{margin:8px 0 0}
 .pair{display:grid;grid-template-columns:1fr 1fr;gap:16px}
-.pair figure{margin-bottom:14px;min-width:0}
+.pair>*{min-width:0}
+.pair figure{margin-bottom:14px}
 svg{display:block;width:100%;height:auto}
 .defs{position:absolute;width:0;height:0}
 .legend{list-style:none;display:flex;flex-wrap:wrap;gap:4px 18px;margin:10px 0 0;padding:0}
@@ -102,6 +103,7 @@ text{fill:var(--ink);font-family:inherit}
 .mark{stroke:var(--strong);stroke-width:1.6;stroke-dasharray:5 3}
 .equal{stroke:var(--strong);stroke-width:1.6}
 .chart{--fs:13px}
+.chart .strong{paint-order:stroke;stroke:var(--card);stroke-width:4;stroke-linejoin:round}
 @media (max-width:1079px){
 .cards{grid-template-columns:repeat(3,1fr)}
 th,td{padding:7px 6px}

@@ -21,8 +21,9 @@ double drawn_db(const LeastMargin& least) {
   return std::max(margin_db(least.ratio, 1), lowest_db);
 }
 
+// Two decimals: materials differ by less than a tenth.
 std::string margin(const LeastMargin& least) {
-  return decibels(margin_db(least.ratio, 1));
+  return decibels(margin_db(least.ratio, 1), 2);
 }
 
 std::string rounded(double reflectance) {
@@ -34,12 +35,13 @@ std::string range_of(const MaterialSensitivity& one) {
 }
 
 std::string signed_percent(double share) {
-  return (share > 0 ? "+" : "") + percent(share);
+  const std::string text = percent(share);
+  return (share > 0 && text != percent(0) ? "+" : "") + text;
 }
 
 std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
   TornadoChart chart;
-  chart.description = "Smallest margin of all labels with reflectances at both ends of their ranges";
+  chart.description = "Smallest margin with reflectances at both ends of their ranges";
   const auto add = [&](const std::string& name, const LeastMargin& low, const LeastMargin& high) {
     chart.bars.push_back(
         {name, drawn_db(low), drawn_db(high),
@@ -54,7 +56,7 @@ std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
   chart.middle = drawn_db(sensitivity.as_given);
   chart.middle_text = "as in the store file";
   chart.limit_text = "requirement";
-  chart.x_title = "smallest margin of all labels (dB)";
+  chart.x_title = "smallest margin (dB)";
   std::string note = "Orange: reflectances at the low end of their range, blue: at the high end.";
   if (sensitivity.materials.size() > most_bars)
     note += fmt::format(" The {} materials that matter most.", most_bars);
@@ -66,8 +68,8 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
                    {"Reflectance", false},
                    {"Smallest margin, low end"},
                    {"At label", false},
-                   {"Its change"},
-                   {"Labels short"},
+                   {"Change there, of its need"},
+                   {"Labels short, low end"},
                    {"Light, low end"},
                    {"Smallest margin, high end"},
                    {"Light, high end"}});
@@ -76,7 +78,8 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
         {one.material,
          fmt::format("{} ({}){}", rounded(one.reflectance), range_of(one), one.is_assumed ? " *" : ""),
          margin(one.at_lower.least), data.label(one.at_lower.least.label).id,
-         fmt::format("{} (± {})", signed_percent(one.at_lower.change), percent(one.at_lower.change_error, 2)),
+         fmt::format("{} (±\u00A0{})", signed_percent(one.at_lower.change),
+                     fixed(100 * one.at_lower.change_error, 2)),
          grouped(one.at_lower.labels_short), signed_percent(one.at_lower.mean_change),
          margin(one.at_upper.least), signed_percent(one.at_upper.mean_change)});
   return table.html();
@@ -99,15 +102,15 @@ std::string notes(const ReportData& data, const Sensitivity& sensitivity) {
   std::string text =
       "One material after the other at the low and the high end of its range, all others as in the store "
       "file; the material first whose low end leaves the least. Margins are of the chosen units, on fresh "
-      "samples. The change is of that label's signal, in percent of its requirement, with its standard "
-      "error; "
-      "light is what the labels get more or less of, on average.";
+      "samples. The change is of the signal at the label that has the least then, in percent of what this "
+      "label needs, with its standard error; light is what the labels get more or less of, on average. "
+      "These are estimates: the confidence is of all reflectances low, and all high.";
   if (sensitivity.watched < data.outcome.labels.size())
     text += fmt::format(" All rows are about the {} labels with the least margins at the low end of all.",
                         grouped(sensitivity.watched));
   if (std::any_of(sensitivity.materials.begin(), sensitivity.materials.end(),
                   [](const MaterialSensitivity& one) { return one.is_assumed; }))
-    text += fmt::format(" * Nobody told this range: {} to both sides, by assumption.",
+    text += fmt::format(" * Nobody told this range: {} to both sides, by assumption, up to 0.99 at most.",
                         percent(sensitivity.assumed_error, 0));
   if (!sensitivity.kept.empty())
     text += fmt::format(" Kept as they are, for their indices say what they reflect: {}.",

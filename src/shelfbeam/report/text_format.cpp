@@ -1,5 +1,6 @@
 #include "shelfbeam/report/text_format.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -56,10 +57,10 @@ std::string significant(double value, int digits) {
   return fixed(rounded, std::max(0, digits - 1 - exponent));
 }
 
-std::string decibels(double value) {
+std::string decibels(double value, int decimals) {
   if (std::isinf(value)) return value < 0 ? "no signal" : "no requirement";
   // A label that is met by a hair should not read as if it had nothing to spare.
-  const std::string text = fixed(value, std::abs(value) < 0.095 ? 2 : 1);
+  const std::string text = fixed(value, std::abs(value) < 0.095 ? std::max(decimals, 2) : decimals);
   return (value > 0 && text != "0.00" ? "+" : "") + text + "\u00A0dB";
 }
 

@@ -17,7 +17,7 @@ std::string fixed(double value, int decimals);
 std::string significant(double value, int digits = 3);
 
 /// "+3.2 dB", two decimals near zero; "no signal" for minus infinity, "no requirement" for plus infinity.
-std::string decibels(double value);
+std::string decibels(double value, int decimals = 1);
 
 /// Up to six significant digits without trailing zeros: for round numbers such as ticks and edges.
 std::string plain(double value);
