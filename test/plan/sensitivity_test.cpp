@@ -280,12 +280,17 @@ TEST(Sensitivity, WatchesAllLabelsThatMayHaveTheLeast) {
   EXPECT_EQ(of(three, connections(2, 20)).watched, least_watched_labels);
 }
 
-TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {
-  const Scene scene = test::PlanStore().scene();
+PlanOptions without_certificate() {
   PlanOptions options;
   options.simulation = connections(PathRules::no_limit, 16);
   options.simulation.seed = 3;
   options.confidence.reset();
+  return options;
+}
+
+TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {
+  const Scene scene = test::PlanStore().scene();
+  PlanOptions options = without_certificate();
   Plan plan = make_plan(scene, "", options);
   EXPECT_FALSE(plan.placement.sensitivity);
   EXPECT_TRUE(plan.curve.points.empty());
@@ -308,10 +313,7 @@ struct CancelAtMaterial : ProgressSink {
 
 TEST(Plan, KeepsWhatItHasWhereSensitivityIsInterrupted) {
   const Scene scene = test::PlanStore().scene();
-  PlanOptions options;
-  options.simulation = connections(PathRules::no_limit, 16);
-  options.simulation.seed = 3;
-  options.confidence.reset();
+  PlanOptions options = without_certificate();
   options.curve = true;
   options.sensitivity = SensitivityOptions{};
   const Plan whole = make_plan(scene, "", options);
