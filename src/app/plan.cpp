@@ -144,9 +144,9 @@ int run_plan(const Options& options) {
                additions(options, plan, table), (options.folder / report_name).string());
   if (plan.complete) return is_open(options, plan) ? stopped_early : exit_code(plan.placement.status);
   if (!options.common.quiet)
-    fmt::print(
-        stderr,
-        "stopped early: the plan rests on the samples so far; the same command with '--resume' goes on\n");
+    fmt::print(stderr, "stopped early: {}; the same command with '--resume' goes on\n",
+               summary.complete ? "the simulation had ended, what follows it had not"
+                                : "the plan rests on the samples so far");
   return stopped_early;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -279,12 +280,17 @@ TEST(Sensitivity, WatchesAllLabelsThatMayHaveTheLeast) {
   EXPECT_EQ(of(three, connections(2, 20)).watched, least_watched_labels);
 }
 
-TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {
-  const Scene scene = test::PlanStore().scene();
+PlanOptions without_certificate() {
   PlanOptions options;
   options.simulation = connections(PathRules::no_limit, 16);
   options.simulation.seed = 3;
   options.confidence.reset();
+  return options;
+}
+
+TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {
+  const Scene scene = test::PlanStore().scene();
+  PlanOptions options = without_certificate();
   Plan plan = make_plan(scene, "", options);
   EXPECT_FALSE(plan.placement.sensitivity);
   EXPECT_TRUE(plan.curve.points.empty());
@@ -295,6 +301,30 @@ TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {
   EXPECT_EQ(plan.placement.sensitivity->materials[0].material, "paper");
   ASSERT_EQ(plan.curve.points.size(), plan.placement.count());
   EXPECT_EQ(plan.curve.points.back().at_least, scene.labels.size());
+}
+
+// Asks for an end when a material is begun with.
+struct CancelAtMaterial : ProgressSink {
+  void report(std::string_view task, double, std::string_view detail) override {
+    if (task == "sensitivity" && detail == "paper") token.request();
+  }
+  CancelToken token;
+};
+
+TEST(Plan, KeepsWhatItHasWhereSensitivityIsInterrupted) {
+  const Scene scene = test::PlanStore().scene();
+  PlanOptions options = without_certificate();
+  options.curve = true;
+  options.sensitivity = SensitivityOptions{};
+  const Plan whole = make_plan(scene, "", options);
+  CancelAtMaterial cancel;
+  const Plan part = make_plan(scene, "", options, {.cancel = &cancel.token, .progress = &cancel});
+  EXPECT_TRUE(whole.complete);
+  EXPECT_FALSE(part.complete);
+  EXPECT_TRUE(part.simulation.summary.complete);
+  EXPECT_FALSE(part.placement.sensitivity);
+  EXPECT_EQ(part.placement.selected, whole.placement.selected);
+  EXPECT_EQ(part.curve.points.size(), whole.curve.points.size());
 }
 
 }  // namespace

@@ -52,9 +52,10 @@ TEST(PlanSections, TellWhatReflectancesDo) {
   for (const std::string& piece :
        {std::string("922 of 926 labels are reached with all reflectances at the low end of their ranges, "
                     "3 missed, 1 undecided"),
-        std::string("'tiles <grey>' matters most"), std::string("10\u00A0% to both sides, by assumption"),
-        std::string("what they reflect: glass"), std::string("256 labels with the least margins"),
-        std::string("3 labels missed at the low end"), std::string("1 label undecided at the low end")})
+        std::string("'tiles <grey>' matters most"), std::string("joint confidence 99\u00A0%"),
+        std::string("10\u00A0% to both sides, by assumption"), std::string("what they reflect: glass"),
+        std::string("256 labels with the least margins"), std::string("3 labels missed at the low end"),
+        std::string("1 label undecided at the low end")})
     EXPECT_NE(text.find(piece), std::string::npos) << piece;
   const std::vector<std::string> expected{
       "0.6 (0.45 to 0.75) *", "0.6 (0.45 to 0.75)", "−0.97\u00A0dB", "−37.5\u00A0% (±\u00A00.13)",

@@ -33,6 +33,7 @@ TEST(TextFormat, WritesDecibelsSoThatZeroIsNotMistaken) {
   EXPECT_EQ(decibels(3.16), "+3.2\u00A0dB");
   EXPECT_EQ(decibels(-0.42), "−0.4\u00A0dB");
   EXPECT_EQ(decibels(0.012), "+0.01\u00A0dB");
+  EXPECT_EQ(decibels(3.164, 2), "+3.16\u00A0dB");
   EXPECT_EQ(decibels(-0.0001), "0.00\u00A0dB");
   EXPECT_EQ(decibels(-infinite), "no signal");
   EXPECT_EQ(decibels(infinite), "no requirement");

@@ -634,6 +634,17 @@ test("without scripts the static report stands", async () => {
   await page.close();
 });
 
+test("without WebGL the page says so, and the static report stands", async () => {
+  const page = await browser.page("about:blank", { ready: false });
+  await page.send("Page.addScriptToEvaluateOnNewDocument", { source: "HTMLCanvasElement.prototype.getContext = () => null;" });
+  await page.go(urlOf(grocery.folder));
+  await page.evaluate("window.shelfbeamViewer.then(() => true, () => true)");
+  await page.settle();
+  check((await text(page, "#viewer-root")).includes("cannot be shown in this browser"), await text(page, "#viewer-root"));
+  check((await page.evaluate("document.querySelectorAll('#plans svg').length")) > 3, "no plans");
+  await page.close();
+});
+
 test("40,000 labels", async () => {
   const store = storeOf("hypermarket");
   const folder = join(work, "large");

@@ -82,8 +82,9 @@ std::string key_figures(const ReportData& data) {
                        fmt::format("of {}, on fresh samples", grouped(labels)))
                 : card("Labels reached", grouped(data.outcome.met), "of " + grouped(labels));
     const std::uint32_t weakest = data.outcome.by_margin.front();
-    html += card("Least margin", decibels(data.outcome.labels[weakest].margin()),
-                 "label " + data.label(weakest).id);
+    html += card(
+        "Least margin", decibels(data.outcome.labels[weakest].margin()),
+        fmt::format("label {}{}", data.label(weakest).id, placement.certificate ? ", on the matrix" : ""));
   } else if (placement.status == Status::infeasible && placement.unreachable.empty()) {
     html += card("Labels", grouped(labels), "each alone could be reached");
   } else if (placement.status == Status::infeasible) {

@@ -186,12 +186,6 @@ std::string closeness_remark(const ReportData& data) {
       one ? "its requirement" : "their requirements");
 }
 
-// On a page a number and its percent sign stay in one line.
-std::string with_joined_percent(std::string text) {
-  for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) text.replace(at, 2, "\u00A0%");
-  return text;
-}
-
 // What fresh samples say comes first; what the matrix says then is a remark.
 void put_certificate_first(const Placement& placement, Headline& headline) {
   const Certificate& certificate = *placement.certificate;
@@ -275,7 +269,8 @@ Headline headline(const ReportData& data) {
   if (std::string remark = proof_remark(data); !remark.empty()) result.remarks.push_back(std::move(remark));
   if (!placement.certificate) result.remarks.push_back(sampling_remark(data));
   if (placement.sensitivity)
-    result.remarks.push_back(statement(*placement.sensitivity, data.outcome.labels.size()));
+    result.remarks.push_back(
+        with_joined_percent(statement(*placement.sensitivity, data.outcome.labels.size())));
   return result;
 }
 

@@ -126,7 +126,7 @@ std::string sensitivity_section(const ReportData& data) {
   const std::string beside = notes(data, *sensitivity) + labels(data, sensitivity->low.missed, "missed") +
                              labels(data, sensitivity->low.undecided, "undecided");
   return html_section("sensitivity", "If surfaces reflect less or more",
-                      paragraph(statement(*sensitivity, data.outcome.labels.size())) +
+                      paragraph(with_joined_percent(statement(*sensitivity, data.outcome.labels.size()))) +
                           fmt::format("<div class=\"pair\">\n{}<div>\n{}</div>\n</div>\n",
                                       tornado(data, *sensitivity), beside) +
                           material_table(data, *sensitivity));

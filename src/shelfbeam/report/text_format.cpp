@@ -68,6 +68,11 @@ std::string percent(double share, int decimals) {
   return fixed(100 * share, decimals) + "\u00A0%";
 }
 
+std::string with_joined_percent(std::string text) {
+  for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) text.replace(at, 2, "\u00A0%");
+  return text;
+}
+
 std::string plain(double value) {
   const std::string text = fmt::format("{:.6g}", std::abs(value));
   return value < 0 && text != "0" ? "−" + text : text;

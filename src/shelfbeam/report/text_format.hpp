@@ -16,7 +16,8 @@ std::string fixed(double value, int decimals);
 /// At least `digits` significant digits as a plain decimal; powers of ten only below 1e-4 and from 1e7 on.
 std::string significant(double value, int digits = 3);
 
-/// "+3.2 dB", two decimals near zero; "no signal" for minus infinity, "no requirement" for plus infinity.
+/// "+3.2 dB", two decimals at least near zero; "no signal" for minus infinity, "no requirement" for plus
+/// infinity.
 std::string decibels(double value, int decimals = 1);
 
 /// Up to six significant digits without trailing zeros: for round numbers such as ticks and edges.
@@ -24,6 +25,9 @@ std::string plain(double value);
 
 /// A share in percent: 0.166 -> "16.6 %".
 std::string percent(double share, int decimals = 1);
+
+/// A statement in words, on a page: its numbers and their percent signs stay in one line.
+std::string with_joined_percent(std::string text);
 
 /// Signals in the SI prefix that makes a reference value (the requirement) read well.
 struct SignalUnit {
