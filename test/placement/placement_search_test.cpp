@@ -145,6 +145,24 @@ TEST(PlacementSearch, EqualsEnumerationWithoutAMip) {
   EXPECT_EQ(tally.by[static_cast<int>(BoundProof::solver)], 0);
 }
 
+// Trees on several threads find one or another selection first; the answer must not show it.
+TEST(PlacementSearchSlow, IsTheSameForAnyNumberOfThreadsWhereTiesAreLeftOpen) {
+  test::RandomTables random(11);
+  int open = 0;
+  for (int k = 0; k < 4; ++k) {
+    const SignalTable table = test::scattered_table(random, 250, 150, 0.034);
+    const Placement one = place(table, {}, {}, {.threads = 1});
+    ASSERT_EQ(one.status, Status::optimal);
+    open += !one.ties_settled;
+    for (const unsigned threads : {2U, 4U}) {
+      const Placement more = place(table, {}, {}, {.threads = threads});
+      EXPECT_EQ(more.selected, one.selected);
+      EXPECT_EQ(more.ties_settled, one.ties_settled);
+    }
+  }
+  EXPECT_GT(open, 0);
+}
+
 TEST(PlacementSearchSlow, EqualsEnumerationOnManyMore) {
   expect_kinds(run(13, 15000, {.transceivers = 13}), 15000);
   expect_kinds(run(14, 15000, {.labels = 30, .transceivers = 12}), 15000);

@@ -150,4 +150,23 @@ class RandomTables {
   RandomTableLimits limits_;
 };
 
+/// Labels and units scattered over a square: signals fall with the distance, with some noise on them. Few
+/// units do, and very many selections of as many nearly do.
+inline SignalTable scattered_table(RandomTables& random, std::size_t labels, std::size_t units,
+                                   double strength = 0.06) {
+  std::vector<std::vector<double>> matrix(labels, std::vector<double>(units));
+  std::vector<double> x, y;
+  for (std::size_t j = 0; j < units; ++j) {
+    x.push_back(random.real(0, 1));
+    y.push_back(random.real(0, 1));
+  }
+  for (auto& row : matrix) {
+    const double label_x = random.real(0, 1), label_y = random.real(0, 1);
+    for (std::size_t j = 0; j < units; ++j)
+      row[j] = strength / (0.03 + std::pow(label_x - x[j], 2) + std::pow(label_y - y[j], 2)) *
+               random.real(0.8, 1.25);
+  }
+  return make_table(matrix, units);
+}
+
 }  // namespace shelfbeam::test

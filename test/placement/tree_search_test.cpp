@@ -239,6 +239,54 @@ TEST(TreeSearch, EndsAtItsLimitsAndSaysSo) {
   EXPECT_FALSE(check_proof(table, question, none.proof));
 }
 
+TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
+  test::RandomTables random(7);
+  int complete = 0, open_and_found = 0, more_with_more_work = 0;
+  for (int k = 0; k < 30 && !HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    const SignalTable table = test::scattered_table(random, 150, 40);
+    const Question question;
+    const SearchProblem problem(table, question);
+    const SearchMatrix all(table, question.model);
+    TreeGoal goal;
+    goal.kind = k % 3 == 0 ? Kind::any : k % 3 == 1 ? Kind::cheapest : Kind::widest;
+    goal.most_units = static_cast<std::size_t>(random.whole(4, 6));
+    const auto look = [&](std::uint64_t work, unsigned threads) {
+      return TreeSearch(problem, all).run(goal, {.work = work}, {.threads = threads});
+    };
+    std::optional<double> margin;
+    std::vector<float> memory;
+    for (const std::uint64_t work : {300'000U, 3'000'000U, 30'000'000U}) {
+      const TreeAnswer one = look(work, 1);
+      for (const unsigned threads : {2U, 4U, 4U}) {
+        const TreeAnswer more = look(work, threads);
+        EXPECT_EQ(more.selected, one.selected);
+        EXPECT_EQ(more.nodes, one.nodes);
+        EXPECT_EQ(more.is_complete, one.is_complete);
+      }
+      complete += one.is_complete;
+      open_and_found += !one.is_complete && one.selected.has_value();
+      if (one.is_complete && goal.kind != Kind::any) {
+        const TreeAnswer whole = search(problem, goal, 2);
+        EXPECT_EQ(whole.selected.has_value(), one.selected.has_value());
+        if (goal.kind == Kind::widest) {
+          EXPECT_EQ(whole.selected, one.selected);
+        }
+      }
+      if (goal.kind != Kind::widest || !one.selected) continue;
+      const double now = margin_of(table, question, all, *one.selected, memory).smallest;
+      if (margin) {
+        EXPECT_GE(now, *margin);
+        more_with_more_work += now > *margin;
+      }
+      margin = now;
+    }
+  }
+  EXPECT_GT(complete, 10);
+  EXPECT_GT(open_and_found, 3) << "searches that end early, where threads would tell";
+  EXPECT_GT(more_with_more_work, 0);
+}
+
 // Signals far beyond every requirement: single precision stops telling them apart, the answer does not.
 TEST(TreeSearch, TellsLargeMarginsApart) {
   const SignalTable table = test::make_table({{3e6, 5e8, 0, 4e8}, {3e6, 2e6, 7e7, 4e8}}, 4);

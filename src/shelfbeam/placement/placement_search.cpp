@@ -63,6 +63,7 @@ class Engine {
 
   Placement run() {
     improve(is_plain_cover(table_, question_) || is_small() ? 1000 : 20000);
+    untimed_ = best_;
     report();
     constexpr std::uint64_t nodes_of_a_first_look = 200000;
     if (!closed() && is_small()) climb(part_of_rest(0.2), nodes_of_a_first_look);
@@ -442,7 +443,8 @@ class Engine {
         0.0, (static_cast<double>(most) + 1 - static_cast<double>(units + 1) / 2) * problem_.cost_unit);
   }
 
-  // Nothing dearer may win, but for what sums of prices such as 0.1 and 0.2 are off.
+  // Nothing dearer may win, but for what sums of prices such as 0.1 and 0.2 are off. Limited by work, and
+  // from nothing that timing may have had a part in: the same for any number of threads, settled or not.
   void settle_ties() {
     const std::size_t most_units = is_weighted_ ? affordable(best_value_) : best_.size();
     if (!has_tree(most_units) || out_of_time()) return;
@@ -454,13 +456,13 @@ class Engine {
       goal.most_cost = problem_.cost_of(best_);
       goal.most_cost += goal.most_cost >> bits_of_rounding;
     }
-    goal.start = best_;
+    if (untimed_.size() <= most_units && problem_.cost_of(untimed_) <= goal.most_cost) goal.start = untimed_;
     TreeSearch::Limits limits;
-    // No longer than all before, but for a moment; where units are many they are rarely settled.
-    const double before = std::chrono::duration<double>(Clock::now() - begin_).count();
-    const double longest = is_small() ? 2 : 1;
-    limits.until = after(std::min(std::clamp(before, 0.3, longest), part_of_rest(0.5)));
-    const TreeAnswer answer = tree_->run(goal, limits, control_);
+    constexpr std::uint64_t most_work = 2'000'000'000;  // some tenths of a second
+    limits.work = most_work;
+    limits.until = after(part_of_rest(0.5));
+    TreeSearch tree(problem_, *matrix_);
+    const TreeAnswer answer = tree.run(goal, limits, control_);
     if (answer.selected) accept(*answer.selected);
     ties_settled_ = answer.is_complete;
   }
@@ -471,7 +473,7 @@ class Engine {
   const SearchLimits& limits_;
   Progress progress_;
   RunControl control_;
-  Clock::time_point begin_ = Clock::now(), end_;
+  Clock::time_point end_;
   SearchProblem problem_;
   std::optional<SearchMatrix> matrix_;
   std::optional<TreeSearch> tree_;
@@ -480,7 +482,7 @@ class Engine {
   std::vector<double> first_cost_;
   CostBounds bounds_;
   bool is_weighted_;
-  Selection best_;
+  Selection best_, untimed_;
   double best_value_ = std::numeric_limits<double>::infinity();
   double bound_ = 0;
   BoundProof proof_ = BoundProof::trivial;

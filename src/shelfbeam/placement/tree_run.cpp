@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@ TreeRun::TreeRun(const SearchProblem& p, const SearchMatrix& a, const SearchMatr
       rule(receiving(p.question)),
       control_(control),
       is_searched_(a.rows(), false),
+      most_work_(l.work > 0 ? l.work : std::numeric_limits<std::uint64_t>::max()),
       most_cost_(g.most_cost),
       margin_(g.least_margin),
       widest_(g.start) {
@@ -27,15 +29,47 @@ TreeRun::TreeRun(const SearchProblem& p, const SearchMatrix& a, const SearchMatr
   for (std::size_t i = 0; i < matrix.rows(); ++i) is_searched_[matrix.row(i)] = true;
 }
 
+TreeRun::TreeRun(const TreeRun& whole, std::uint64_t shares)
+    : problem(whole.problem),
+      all(whole.all),
+      matrix(whole.matrix),
+      goal(whole.goal),
+      limits(whole.limits),
+      rule(whole.rule),
+      control_(whole.control_),
+      is_searched_(whole.is_searched_),
+      most_work_((whole.most_work_ - std::min(whole.most_work_, whole.work())) / shares),
+      nodes_before_(whole.nodes()),
+      misses_before_(whole.misses_),
+      misses_(whole.misses_.load()),
+      logged_(whole.logged_.load()),
+      most_cost_(whole.most_cost()),
+      margin_(whole.margin_.load()),
+      widest_(whole.widest_),
+      found_(whole.found_any()),
+      cut_(whole.was_cut()) {}
+
+void TreeRun::join(const TreeRun& part) {
+  nodes_ += part.nodes();
+  work_ += part.work();
+  misses_ += part.misses_ - part.misses_before_;
+  for (const auto& [row, number] : part.missed_) missed_[row] += number;
+  is_part_cut_ = is_part_cut_ || !part.is_complete();
+  std::vector<float> memory;
+  if (part.best && !found_any()) offer(*part.best, memory);
+}
+
 bool TreeRun::ends() {
   constexpr std::uint64_t between_looks = 64;
   const std::uint64_t node = nodes_.fetch_add(1, std::memory_order_relaxed);
+  if (work() >= most_work_) cut_.store(true, std::memory_order_relaxed);
   if (node % between_looks == 0) {
     if (control_.cancelled() || node >= limits.nodes || std::chrono::steady_clock::now() >= limits.until ||
         misses_rows())
       cut_.store(true, std::memory_order_relaxed);
     if (const std::unique_lock lock(reporting_, std::try_to_lock); lock.owns_lock() && control_.progress)
-      control_.report("tree search", -1, fmt::format("{} nodes, {} units", node, goal.most_units));
+      control_.report("tree search", -1,
+                      fmt::format("{} nodes, {} units", nodes_before_ + node, goal.most_units));
   }
   return was_cut() || found_any();
 }
@@ -54,6 +88,7 @@ float TreeRun::target() const {
 
 Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float>& memory) {
   const Margin margin = margin_of(problem.table, problem.question, all, selected, memory);
+  count_work(all.padded_rows() * selected.size());
   if (!margin.is_met) return margin;
   const std::lock_guard lock(mutex_);
   std::vector<std::uint32_t> sorted(selected.begin(), selected.end());

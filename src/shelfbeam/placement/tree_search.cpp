@@ -77,11 +77,12 @@ TreeAnswer TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const R
   TreeAnswer answer;
   if (rows_.empty()) choose_rows(wanted.most_units);
   TreeGoal goal = wanted;
+  Limits left = limits;
   const int threads = control.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(control.threads);
   tbb::task_arena arena(threads);
   while (true) {
     if (!matrix_) matrix_.emplace(problem_.table, problem_.question.model, rows_);
-    TreeRun run(problem_, all_, *matrix_, goal, limits, control);
+    TreeRun run(problem_, all_, *matrix_, goal, left, control);
     TreeWalk root(run, weights_, 0);
     arena.execute([&] { root.from_root(); });
     std::copy_n(root.weights().begin(), weights_.size(), weights_.begin());
@@ -91,7 +92,7 @@ TreeAnswer TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const R
       if (goal.kind == TreeGoal::Kind::cheapest) goal.most_cost = problem_.cost_of(*run.best) - 1;
       if (goal.kind == TreeGoal::Kind::widest) goal.start = *run.best;
     }
-    answer.is_complete = !run.was_cut() || (goal.kind == TreeGoal::Kind::any && run.best.has_value());
+    answer.is_complete = run.is_complete() || (goal.kind == TreeGoal::Kind::any && run.best.has_value());
     if (answer.is_complete || !run.misses_rows() || control.cancelled() ||
         std::chrono::steady_clock::now() >= limits.until || answer.nodes >= limits.nodes) {
       if (limits.wants_proof) {
@@ -109,6 +110,7 @@ TreeAnswer TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const R
       weights_.push_back(weight_of_new);
     }
     matrix_.reset();
+    if (limits.work > 0) left.work -= std::min(left.work - 1, run.work());
   }
 }
 

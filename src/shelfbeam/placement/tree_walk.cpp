@@ -136,6 +136,7 @@ void TreeWalk::score(Frame& frame, std::size_t units) {
   std::fill(frame.supporters.begin(), frame.supporters.end(), 0.0F);
   frame.gain.resize(frame.allowed.size());
   const SearchKernels::Rows of_node = rows_of(frame);
+  run_.count_work((frame.allowed.size() + 4) * rows);
   for (std::size_t c = 0; c < frame.allowed.size(); ++c) {
     const std::uint32_t j = frame.allowed[c];
     const float scale = frame.by_cost ? static_cast<float>(run_.problem.cost[j]) : 1.0F;
@@ -336,6 +337,7 @@ void TreeWalk::take_last(std::size_t depth) {
   for (const std::uint32_t j : frame.allowed) {
     const float* const column = frame.window->column(j);
     if (column[hardest] < least || spent_ + run_.problem.cost[j] > run_.most_cost()) continue;
+    run_.count_work(frame.value.size());
     if (!SearchKernels::suffices(run_.rule, column, frame.lacking.data(), target, frame.value.size()))
       continue;
     if (run_.ends()) {
@@ -443,22 +445,37 @@ void TreeWalk::from_root() {
   if (enter(0)) children_in_parallel();
 }
 
+// Walks that are limited by work know nothing of those beside them: what they find must not depend on timing.
 void TreeWalk::children_in_parallel() {
   columns_of_children_ = frames_[0].order;
-  for (const std::uint32_t j : columns_of_children_) {
-    auto walk =
-        std::make_unique<TreeWalk>(run_, frames_[0].weight, static_cast<std::uint32_t>(children_.size() + 1));
-    walk->make_child(frames_[0], j, walk->frames_[1]);
-    walk->frames_[1].weights_id = unlogged;
-    walk->chosen_.push_back(j);
-    walk->spent_ += run_.problem.cost[j];
-    children_.push_back(std::move(walk));
-    forbid(frames_[0], j);
+  const std::size_t count = columns_of_children_.size();
+  constexpr std::size_t parts_at_once = 8, shares = 4;
+  const bool in_parts = run_.limits.work > 0;
+  const std::size_t at_once = in_parts ? parts_at_once : std::max<std::size_t>(count, 1);
+  for (std::size_t first = 0; first < count; first += at_once) {
+    const std::size_t last = std::min(first + at_once, count);
+    std::vector<std::unique_ptr<TreeRun>> parts;
+    for (std::size_t k = first; k < last; ++k) {
+      if (in_parts) parts.push_back(std::make_unique<TreeRun>(run_, shares));
+      add_child(in_parts ? *parts.back() : run_, columns_of_children_[k]);
+    }
+    for_each_task(last - first, [&](std::size_t k) {
+      children_[first + k]->visit(1);
+      children_[first + k]->frames_.clear();  // of many children they would add up
+    });
+    for (const auto& part : parts) run_.join(*part);
   }
-  for_each_task(children_.size(), [&](std::size_t k) {
-    children_[k]->visit(1);
-    children_[k]->frames_.clear();  // of many children they would add up
-  });
+}
+
+void TreeWalk::add_child(TreeRun& run, std::uint32_t column) {
+  auto walk =
+      std::make_unique<TreeWalk>(run, frames_[0].weight, static_cast<std::uint32_t>(children_.size() + 1));
+  walk->make_child(frames_[0], column, walk->frames_[1]);
+  walk->frames_[1].weights_id = unlogged;
+  walk->chosen_.push_back(column);
+  walk->spent_ += run_.problem.cost[column];
+  children_.push_back(std::move(walk));
+  forbid(frames_[0], column);
 }
 
 }  // namespace shelfbeam::detail

@@ -35,8 +35,9 @@ struct SearchLimits {
 /// what reductions leave. `start` is a selection that the checker accepts. The answer lacks `seconds`.
 ///
 /// Where the tree search ends by proof, ties are settled, too: of all placements that cost the same, that
-/// with the largest smallest margin, of these that with the fewest units, of these the first by id. Then the
-/// answer is the same for any number of threads.
+/// with the largest smallest margin, of these that with the fewest units, of these the first by id. Ties are
+/// searched with limited work, so that the answer is the same for any number of threads even where they are
+/// too many to be settled.
 Placement search_placement(const SignalTable& table, const Question& question,
                            const std::vector<std::uint32_t>& start, const Solvers& solvers,
                            double time_limit_s, std::uint64_t seed, const RunControl& control,

@@ -43,8 +43,8 @@ struct TreeAnswer {
 /// (docs/methods/placement.md). Works on rows that matter and takes in others when selections leave them
 /// unmet; what is found has passed the contract's rule on the whole table.
 ///
-/// Which selection `any` returns may depend on timing; whether there is one, the least cost and the largest
-/// margin do not.
+/// Which selection `any` returns, and `cheapest` of those that cost the same, may depend on timing, unless
+/// the search is limited by work; whether there is one, the least cost and the largest margin do not.
 class TreeSearch {
  public:
   /// All must outlive it. `all` holds all rows of the table.
@@ -58,6 +58,9 @@ class TreeSearch {
     std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
     std::uint64_t nodes = std::numeric_limits<std::uint64_t>::max();
     bool wants_proof = false;
+    /// Places of the matrix that may be looked at; 0: as many as it takes. A search with such a limit finds
+    /// the same for any number of threads, complete or not, as long as no other limit comes first.
+    std::uint64_t work = 0;
   };
   TreeAnswer run(const TreeGoal& goal, const Limits& limits, const RunControl& control);
 

@@ -19,8 +19,16 @@ class TreeRun {
   TreeRun(const SearchProblem& problem, const SearchMatrix& all, const SearchMatrix& matrix,
           const TreeGoal& goal, const TreeSearch::Limits& limits, const RunControl& control);
 
+  /// A part of it that begins with what is known now, keeps to itself what it finds, and has one of so many
+  /// shares of the work that is left.
+  TreeRun(const TreeRun& whole, std::uint64_t shares);
+  /// Takes over what a part has found.
+  void join(const TreeRun& part);
+
   /// Counts a node; true when the search ends here, found or not.
   bool ends();
+  /// Counts places of the matrix that are looked at.
+  void count_work(std::uint64_t places) { work_.fetch_add(places, std::memory_order_relaxed); }
   /// The margin that a selection must have, as float arithmetic may test it.
   float target() const;
   double exact_target() const;
@@ -47,7 +55,9 @@ class TreeRun {
 
   bool found_any() const { return found_.load(std::memory_order_relaxed); }
   bool was_cut() const { return cut_.load(std::memory_order_relaxed); }
+  bool is_complete() const { return !was_cut() && !is_part_cut_; }
   std::uint64_t nodes() const { return nodes_.load(std::memory_order_relaxed); }
+  std::uint64_t work() const { return work_.load(std::memory_order_relaxed); }
   std::optional<std::vector<std::uint32_t>> best;  ///< ascending
 
  private:
@@ -58,7 +68,9 @@ class TreeRun {
   std::mutex mutex_, reporting_;
   std::vector<bool> is_searched_;
   std::map<std::uint32_t, std::uint64_t> missed_;
-  std::atomic<std::uint64_t> nodes_{0}, misses_{0}, logged_{0};
+  std::uint64_t most_work_, nodes_before_ = 0, misses_before_ = 0;
+  bool is_part_cut_ = false;
+  std::atomic<std::uint64_t> nodes_{0}, misses_{0}, logged_{0}, work_{0};
   std::atomic<std::int64_t> most_cost_;
   std::atomic<double> margin_;
   std::vector<std::uint32_t> widest_;
@@ -109,6 +121,7 @@ class TreeWalk {
   void visit(std::size_t depth);
   void visit_children(std::size_t depth);
   void children_in_parallel();
+  void add_child(TreeRun& run, std::uint32_t column);
   bool enter(std::size_t depth);
   void complete(std::size_t depth);
   void take_last(std::size_t depth);
