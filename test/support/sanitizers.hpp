@@ -2,8 +2,6 @@
 
 namespace shelfbeam::test {
 
-/// Whether the address sanitizer is on: it ends the program where memory is refused, so tests of limits of
-/// memory cannot be.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool has_address_sanitizer = true;
 #elif defined(__has_feature)
@@ -12,11 +10,17 @@ inline constexpr bool has_address_sanitizer = __has_feature(address_sanitizer);
 inline constexpr bool has_address_sanitizer = false;
 #endif
 
-/// What limits of time that are to suffice for something are to be multiplied by.
 #if defined(__SANITIZE_THREAD__)
-inline constexpr double slowness = 10;
+inline constexpr bool has_thread_sanitizer = true;
 #else
-inline constexpr double slowness = has_address_sanitizer ? 10 : 1;
+inline constexpr bool has_thread_sanitizer = false;
 #endif
+
+/// Whether a limit of memory can be tested: these sanitizers take all addresses, and end where memory is
+/// refused.
+inline constexpr bool memory_can_be_limited = !has_address_sanitizer && !has_thread_sanitizer;
+
+/// What limits of time that are to suffice for something are to be multiplied by.
+inline constexpr double slowness = has_address_sanitizer || has_thread_sanitizer ? 10 : 1;
 
 }  // namespace shelfbeam::test

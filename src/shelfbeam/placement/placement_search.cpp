@@ -65,11 +65,12 @@ class Engine {
     improve(is_plain_cover(table_, question_) || is_small() ? 1000 : 20000);
     untimed_ = best_;
     report();
-    constexpr std::uint64_t nodes_of_a_first_look = 200000;
+    constexpr std::uint64_t nodes_of_a_first_look = 15000, nodes_of_a_second_look = 5000000;
     if (!closed() && is_small()) climb(part_of_rest(0.2), nodes_of_a_first_look);
     if (!closed()) bound_by_lp(part_of_rest(0.5));
     // What reductions leave is often little, and then nothing is as fast; nor is anything for small models.
     if (!closed() && !is_small()) ask_mip(reduces() ? part_of_rest(0.3) : std::min(part_of_rest(0.15), 5.0));
+    if (!closed() && is_small() && !reduces()) climb(part_of_rest(0.3), nodes_of_a_second_look);
     if (!closed()) improve(200000, after(std::min(part_of_rest(0.2), 20.0)));
     // Covers of many units are what MIP solvers are good at, once they are reduced, and trees are not.
     if (!closed() && (is_small() || !reduces())) climb(part_of_rest(is_small() ? 0.6 : 0.35));
@@ -110,10 +111,10 @@ class Engine {
   class Progress : public ProgressSink {
    public:
     Progress(const Engine& engine, ProgressSink* sink) : engine_(engine), sink_(sink) {}
-    void report(std::string_view task, double, std::string_view detail) override {
+    void report(std::string_view stage, double, std::string_view detail) override {
       if (sink_ == nullptr) return;
-      const std::string stage = task == Engine::task ? "" : fmt::format("; {}", task);
-      sink_->report(Engine::task, -1, fmt::format("{}{} {}", engine_.state(), stage, detail));
+      const std::string below = stage == task ? "" : fmt::format("; {}", stage);
+      sink_->report(task, -1, fmt::format("{}{} {}", engine_.state(), below, detail));
     }
 
    private:

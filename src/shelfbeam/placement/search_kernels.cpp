@@ -15,6 +15,13 @@ SHELFBEAM_INLINE inline float larger(float a, float b) {
   return a > b ? a : b;
 }
 
+// One lane after the other would take longer than all else where rows are few.
+SHELFBEAM_INLINE inline float sum_of(const float* lanes) {
+  float part[4];
+  for (std::size_t k = 0; k < 4; ++k) part[k] = (lanes[k] + lanes[k + 4]) + (lanes[k + 8] + lanes[k + 12]);
+  return (part[0] + part[1]) + (part[2] + part[3]);
+}
+
 template <bool sums>
 SHELFBEAM_INLINE inline float given(float signal, float target) {
   if constexpr (sums)
@@ -36,9 +43,7 @@ SHELFBEAM_INLINE inline float gain_of(const float* column, float scale, const Se
       supporters[i + k] += a >= scale * rows.share[i + k] ? 1.0F : 0.0F;
     }
   }
-  float sum = 0;
-  for (std::size_t k = 0; k < width; ++k) sum += total[k];
-  return sum;
+  return sum_of(total);
 }
 
 template <bool sums>
@@ -49,9 +54,7 @@ SHELFBEAM_INLINE inline bool suffices_for(const float* column, const float* lack
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < width; ++k)
       missing[k] = given<sums>(column[i + k], target) < lacking[i + k] ? 1.0F : 0.0F;
-    float sum = 0;
-    for (std::size_t k = 0; k < width; ++k) sum += missing[k];
-    if (sum > 0) return false;
+    if (sum_of(missing) > 0) return false;
   }
   return true;
 }
@@ -117,9 +120,7 @@ bool SearchKernels::lack(Receiving rule, const float* value, const float* best, 
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < width; ++k) total[k] += lacking[i + k];
   }
-  float sum = 0;
-  for (std::size_t k = 0; k < width; ++k) sum += total[k];
-  return sum > 0;
+  return sum_of(total) > 0;
 }
 
 SHELFBEAM_FOR_EACH_CPU
@@ -137,9 +138,7 @@ float SearchKernels::need(const float* lacking, const float* weight, std::size_t
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < width; ++k) total[k] += weight[i + k] * lacking[i + k];
   }
-  float sum = 0;
-  for (std::size_t k = 0; k < width; ++k) sum += total[k];
-  return sum;
+  return sum_of(total);
 }
 
 SHELFBEAM_FOR_EACH_CPU
@@ -158,9 +157,7 @@ float SearchKernels::worth(const float* column, const float* weight, const float
     for (std::size_t k = 0; k < width; ++k)
       total[k] += weight[i + k] * smaller(column[i + k], larger(0.0F, demand - held[i + k]));
   }
-  float sum = 0;
-  for (std::size_t k = 0; k < width; ++k) sum += total[k];
-  return sum;
+  return sum_of(total);
 }
 
 SHELFBEAM_FOR_EACH_CPU
@@ -172,9 +169,7 @@ float SearchKernels::loss(const float* column, const float* weight, const float*
     for (std::size_t k = 0; k < width; ++k)
       total[k] += weight[i + k] * larger(0.0F, column[i + k] - larger(0.0F, held[i + k] - demand));
   }
-  float sum = 0;
-  for (std::size_t k = 0; k < width; ++k) sum += total[k];
-  return sum;
+  return sum_of(total);
 }
 
 SHELFBEAM_FOR_EACH_CPU
