@@ -40,6 +40,19 @@ std::optional<ScatterSample> Plastic::sample(const Vec3& known, double u_lobe, d
   return ScatterSample{direction, eval(known, direction) * direction.z / density, density};
 }
 
+double Plastic::transmission(double cosine) const {
+  return 1 - coat->at(cosine);
+}
+
+std::optional<ScatterSample> Plastic::sample_coat(const Vec3& known, double u1, double u2) const {
+  if (!facets) return ScatterSample{detail::reflected(known, {0, 0, 1}), specular_reflectance(known), 1, true};
+  const Vec3 h = facets->sample(known, u1, u2);
+  const Vec3 direction = detail::reflected(known, h);
+  if (dot(known, h) <= 0 || direction.z <= 0) return std::nullopt;
+  return ScatterSample{direction, fresnel_dielectric(dot(known, h), ior) * facets->weight(known, direction, h),
+                       facets->reflection_pdf(known, h)};
+}
+
 double Plastic::albedo(const Vec3& known) const {
   const double e = coat->at(known.z);
   return e + (1 - e) * base_albedo;

@@ -37,6 +37,12 @@ struct Plastic {
   double specular_reflectance(const Vec3& known) const;
   bool has_only_specular() const { return false; }
 
+  /// The base by itself is transmission(known.z) base_scale / pi transmission(sampled.z): the share 1 - E of
+  /// light that passes the coat.
+  double transmission(double cosine) const;
+  /// Draws from the coat alone; the weight is f_coat cos / density, or the reflectance of a smooth one.
+  std::optional<ScatterSample> sample_coat(const Vec3& known, double u1, double u2) const;
+
  private:
   double coat_probability(const Vec3& known) const;
 };

@@ -106,7 +106,7 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
 }
 
 std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells, std::size_t cell,
-                                   const std::vector<float>& factors, std::uint64_t seed,
+                                   const std::vector<SurfaceGuide>& guides, std::uint64_t seed,
                                    std::uint64_t& rays) {
   const auto places = cells.places(cell);
   const std::uint64_t stream = mix_key(seed, cells.key(cell));
@@ -122,7 +122,7 @@ std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells
     if (!end) continue;
     const std::uint32_t there = cells.find(end->point);
     if (there == SurfaceCells::nowhere) continue;
-    links.push_back({there, static_cast<float>(end->throughput * pi) * factors[end->material.value] /
+    links.push_back({there, static_cast<float>(end->throughput * pi) * guides[end->material.value].flat() /
                                 static_cast<float>(gather_rays)});
   }
   std::stable_sort(links.begin(), links.end(),

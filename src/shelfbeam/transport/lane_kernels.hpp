@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "shelfbeam/transport/surface_guide.hpp"
 #include "shelfbeam/transport/unit_groups.hpp"
 
 namespace shelfbeam {
@@ -36,12 +37,25 @@ struct LaneKernels {
                              const LanePoint& point, bool is_capped, float weight, const std::uint8_t* share,
                              const std::uint16_t* indirect, float* sums);
 
+  /// The same of radiance: sums[g][k] += weight (f_k e_k share_k + flat indirect_k), f as `scatter` has it.
+  static void add_radiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
+                           const LanePoint& point, const LaneScatter& scatter, bool is_capped, float weight,
+                           float flat, const std::uint8_t* share, const std::uint16_t* indirect, float* sums);
+
+  /// f of one lane: of the base without its exit, and of the highlight.
+  struct Parts {
+    float base, lobe;
+  };
+  static Parts parts(const UnitGroups& groups, std::size_t g, std::size_t lane, const LanePoint& point,
+                     const LaneScatter& scatter, float base);
+
   /// How much the sampling of shadow rays should care for each lane of a row: e (sqrt |share (1 - share)| +
   /// 0.05) + floor x bound, e up to its cap if asked. Keeps the whole e in `irradiance`, the result in
   /// `importance`; returns its sum.
+  /// With `scatter`, e counts as much more as the highlight outshines white paint.
   static float importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
                           const LanePoint& point, bool is_capped, const std::uint8_t* share, float floor,
-                          float* irradiance, float* importance);
+                          const LaneScatter* scatter, float* irradiance, float* importance);
 
   /// sums[list[c]][k] += weight values[c][k] for the packed rows of lanes of a list.
   static void add_listed(const std::uint16_t* list, std::size_t count, float weight,

@@ -21,18 +21,10 @@ using detail::CellLink;
 
 constexpr int rounds = 6;  // of Jacobi's iteration
 
-// Radiance per irradiance of what a material scatters, mirrors apart.
-std::vector<float> radiance_factors(const Scene& scene) {
-  std::vector<float> factors;
-  for (const NamedMaterial& named : scene.materials) {
-    const Vec3 from = normalized({1, 0, 1});
-    const double scattered =
-        has_only_specular(named.material)
-            ? 0
-            : std::max(0.0, albedo(named.material, from) - specular_reflectance(named.material, from));
-    factors.push_back(static_cast<float>(scattered / pi));
-  }
-  return factors;
+std::vector<SurfaceGuide> surface_guides(const Scene& scene) {
+  std::vector<SurfaceGuide> guides;
+  for (const NamedMaterial& named : scene.materials) guides.emplace_back(named.material);
+  return guides;
 }
 
 // Cell by cell on all threads.
@@ -49,7 +41,7 @@ void for_cells(std::size_t count, const RunControl& control, const Body& body) {
 
 RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float least, std::uint64_t seed,
                              const RunControl& control)
-    : factors_(radiance_factors(world.scene)), cells_(world, seed, control) {
+    : guides_(surface_guides(world.scene)), cells_(world, seed, control) {
   control.report("preparing", 0.1);
   const std::size_t count = cells_.size();
   std::vector<CellLight> light(count);
@@ -58,7 +50,7 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
   for_cells(count, control, [&](std::size_t cell) {
     std::uint64_t traced = 0;
     light[cell] = detail::straight_light(world, units, cells_, cell, least, traced);
-    links[cell] = detail::gather_links(world, cells_, cell, factors_, seed, traced);
+    links[cell] = detail::gather_links(world, cells_, cell, guides_, seed, traced);
     rays.fetch_add(traced, std::memory_order_relaxed);
   });
   rays_ = rays;

@@ -7,6 +7,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/transport/detail/surface_cells.hpp"
 #include "shelfbeam/transport/lane_kernels.hpp"
+#include "shelfbeam/transport/surface_guide.hpp"
 #include "shelfbeam/transport/unit_groups.hpp"
 
 namespace shelfbeam {
@@ -44,8 +45,7 @@ class RadianceCache {
   /// Of the cell around a point; empty where nothing is known. The point's normal is on the side meant.
   Row row(const SurfacePoint& point) const;
 
-  /// Radiance per irradiance that the solution takes a material to have, in every direction.
-  float radiance_factor(MaterialId material) const { return factors_[material.value]; }
+  const SurfaceGuide& guide(MaterialId material) const { return guides_[material.value]; }
 
   std::size_t cells() const { return cells_.size(); }
   std::size_t entries() const { return groups_.size() * lanes; }
@@ -59,7 +59,7 @@ class RadianceCache {
   void iterate(std::vector<detail::CellLight>& light, const std::vector<std::vector<detail::CellLink>>& links,
                const RunControl& control);
 
-  std::vector<float> factors_;  // by material
+  std::vector<SurfaceGuide> guides_;  // by material
   detail::SurfaceCells cells_;
   std::vector<std::size_t> begin_;  // by cell: first of its groups
   std::vector<std::uint16_t> groups_;

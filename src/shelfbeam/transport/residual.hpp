@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "shelfbeam/transport/direct.hpp"
 #include "shelfbeam/transport/lane_row.hpp"
 #include "shelfbeam/transport/radiance_cache.hpp"
 #include "shelfbeam/transport/specular_chain.hpp"
@@ -17,12 +19,31 @@ namespace shelfbeam {
 struct PathVertex {
   PathVertex(const World& world, const RadianceCache& cache, const ChainEnd& where);
 
+  /// Share of the base's light that leaves towards a place.
+  double exit_towards(const Vec3& place) const;
+
   ChainEnd end;
   RadianceCache::Row row;
-  float factor = 0;         ///< the cache's radiance per irradiance
-  bool is_capped = false;   ///< the light of bright spots is not asked for (BrightSpots)
-  bool is_diffuse = false;  ///< Lambertian: looks the same from everywhere, so that others may use it, too
-  double reflectance = 0;   ///< of a Lambertian surface
+  const SurfaceGuide* guide;
+  LaneScatter scatter;     ///< of a surface with a coat
+  bool is_capped = false;  ///< the light of bright spots is not asked for (BrightSpots)
+  double exit = 1;         ///< share of the base's light that leaves towards where the path came from
+  float flat;              ///< radiance per indirect irradiance, towards the same
+
+  /// Adds the cache's radiance.
+  void look_up(const UnitGroups& units, float weight, LaneRow& row) const;
+};
+
+/// L - h at a vertex, in two parts: what leaves the base, without its exit, looks the same from everywhere;
+/// highlights go where the path came from.
+struct ResidualRows {
+  explicit ResidualRows(std::size_t groups) : base(groups), lobe(groups) {}
+  void clear() {
+    base.clear();
+    lobe.clear();
+  }
+
+  LaneRow base, lobe;
 };
 
 /// How much is spent where on paths.
@@ -67,7 +88,7 @@ class Residual {
   struct Scratch {
     struct Generation {
       std::vector<PathVertex> vertices;
-      std::vector<LaneRow> rows;
+      std::vector<ResidualRows> rows;
     };
     std::deque<Generation> generations;
     std::vector<float> irradiance, importance, shares;
@@ -76,20 +97,23 @@ class Residual {
     std::vector<Vec3> targets;
     std::vector<std::uint32_t> places, sharers;
     std::vector<double> inverse_probability;
-    std::vector<double> known, taken;
+    std::vector<double> known, known_lobe, taken;
     std::vector<LightPoint> lights;
     std::vector<Passage> passages;
   };
 
   /// Puts the differences into the rows, which are clear, one a vertex.
   void estimate(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
-                Scratch& scratch, std::span<LaneRow> rows, std::uint64_t& rays) const;
+                Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const;
 
  private:
   void add_direct(const PathVertex& vertex, double stake, RandomStream& random, Scratch& scratch,
-                  LaneRow& row, std::uint64_t& rays) const;
-  void add_far(const PathVertex& vertex, RandomStream& random, LaneRow& row, std::uint64_t& rays) const;
+                  ResidualRows& rows, std::uint64_t& rays) const;
+  void add_far(const PathVertex& vertex, RandomStream& random, ResidualRows& rows, std::uint64_t& rays) const;
   double reflected(const PathVertex& vertex, const Vec3& to_source) const;
+  std::pair<DirectSignal, DirectSignal> split(const PathVertex& vertex, const LightPoint& light,
+                                              const DirectSignal& signal) const;
+  double reflected_by_base(const PathVertex& vertex, const Vec3& to_source) const;
 
   const World& world_;
   const UnitGroups& units_;

@@ -38,7 +38,8 @@ double smallest_requirement(const Scene& scene) {
 struct ReuseEstimator::Impl {
   struct Workspace {
     Residual::Scratch residual;
-    std::vector<LaneRow> labels, points;
+    std::vector<LaneRow> labels;
+    std::vector<ResidualRows> points;
     std::vector<SurfacePoint> at;
     std::vector<PathVertex> vertices;
     std::vector<std::uint32_t> owner;
@@ -108,17 +109,11 @@ void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::u
     const bool is_point = world.receivers.is_point(i);
     // A row of the cache is used one ray later, when it has come from memory.
     struct Found {
-      RadianceCache::Row row;
-      LanePoint point;
-      bool is_capped;
+      PathVertex vertex;
       float weight;
     };
     std::optional<Found> last;
-    const auto use = [&](const Found& found) {
-      row.use(found.row.groups, found.row.count);
-      LaneKernels::add_irradiance(units, found.row.groups, found.row.count, found.point, found.is_capped,
-                                  found.weight, found.row.share, found.row.indirect, row.mutable_values());
-    };
+    const auto use = [&](const Found& found) { found.vertex.look_up(units, found.weight, row); };
     for (std::uint32_t s = 0; s < effort.lookups; ++s) {
       const auto [u1, u2] = square.point(s);
       const auto drawn = shelfbeam::sample(responsivity, u1, u2);
@@ -132,11 +127,11 @@ void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::u
           follow_chain(world, from, world.receivers.frame(i).to_world(drawn->direction), false, random, rays,
                        [&](std::size_t j, double value) { row.add(units.place(j), weight * value); });
       if (!end) continue;
-      Found found{cache.row(end->point), LanePoint(end->point), end->is_straight,
-                  static_cast<float>(weight * end->throughput) * cache.radiance_factor(end->material)};
-      found.row.prefetch();
+      Found found{PathVertex(world, cache, *end), static_cast<float>(weight * end->throughput)};
+      found.vertex.is_capped = end->is_straight;
+      found.vertex.row.prefetch();
       if (last) use(*last);
-      last = found;
+      last.emplace(found);
     }
     if (last) use(*last);
   }
@@ -215,7 +210,7 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
   const auto flush = [&] {
     if (work.vertices.empty()) return;
     while (work.points.size() < work.vertices.size()) work.points.emplace_back(units.size());
-    for (LaneRow& row : work.points) row.clear();
+    for (ResidualRows& row : work.points) row.clear();
     residual.estimate(work.vertices, {mix_key(key, 0x9E51D), batch, group++}, 0, work.residual,
                       std::span(work.points).first(work.vertices.size()), rays);
     share_points(block, work, rays);
@@ -240,7 +235,7 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
       work.vertices.back().is_capped = end->is_straight;
       work.owner.push_back(static_cast<std::uint32_t>(c));
       work.weight.push_back(weight * end->throughput);
-      work.is_shared.push_back(end->is_straight && work.vertices.back().is_diffuse);
+      work.is_shared.push_back(end->is_straight && work.vertices.back().guide->has_base());
       if (work.vertices.size() == effort.group) flush();
     }
   flush();
@@ -252,11 +247,13 @@ void ReuseEstimator::Impl::share_points(const Block& block, Workspace& work, std
   work.density.resize(block.rows.size());
   for (std::size_t b = 0; b < work.vertices.size(); ++b) {
     const std::uint32_t owner = work.owner[b];
+    const PathVertex& vertex = work.vertices[b];
+    work.labels[owner].add(work.points[b].lobe, work.weight[b]);
     if (!work.is_shared[b]) {
-      work.labels[owner].add(work.points[b], work.weight[b]);
+      work.labels[owner].add(work.points[b].base, vertex.exit * work.weight[b]);
       continue;
     }
-    const ChainEnd& end = work.vertices[b].end;
+    const ChainEnd& end = vertex.end;
     work.sharers.clear();
     work.targets.clear();
     for (std::uint32_t c = 0; c < block.rows.size(); ++c) {
@@ -277,8 +274,9 @@ void ReuseEstimator::Impl::share_points(const Block& block, Workspace& work, std
     for (std::size_t t = 0; t < work.sharers.size(); ++t) {
       const std::uint32_t c = work.sharers[t];
       if (work.passages[t].share == 0) continue;
-      work.labels[c].add(work.points[b], integral(world.receivers.responsivity(block.rows[c])) /
-                                             effort.points * work.density[c] * work.passages[t].share / sum);
+      work.labels[c].add(work.points[b].base, integral(world.receivers.responsivity(block.rows[c])) /
+                                                  effort.points * vertex.exit_towards(work.at[c].position) *
+                                                  work.density[c] * work.passages[t].share / sum);
     }
   }
 }

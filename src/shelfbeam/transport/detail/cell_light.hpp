@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/transport/detail/surface_cells.hpp"
+#include "shelfbeam/transport/surface_guide.hpp"
 #include "shelfbeam/transport/unit_groups.hpp"
 
 namespace shelfbeam::detail {
@@ -30,7 +31,7 @@ struct CellLink {
 
 /// By rays from the places of a cell; `factors` is radiance per irradiance, by material.
 std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells, std::size_t cell,
-                                   const std::vector<float>& factors, std::uint64_t seed,
+                                   const std::vector<SurfaceGuide>& guides, std::uint64_t seed,
                                    std::uint64_t& rays);
 
 }  // namespace shelfbeam::detail
