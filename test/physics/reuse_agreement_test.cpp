@@ -91,6 +91,32 @@ Scene lopsided() {
   return room.scene;
 }
 
+// Highlights that the control variate holds (GGX) and bases under coats of every kind, one of them black;
+// labels close to the floor see it at grazing angles.
+Scene coats() {
+  test::BareScene room;
+  const auto facets = [](FacetDistribution kind, double roughness) {
+    return make_microfacets(kind, roughness, roughness);
+  };
+  const MaterialId paper = room.material(Lambertian{0.6});
+  const MaterialId floor = room.material(make_plastic(1.5, 0.3, facets(FacetDistribution::ggx, 0.2)));
+  const MaterialId walls = room.material(make_plastic(1.5, 0.6));
+  room.box({floor, paper, walls}, {0, 0, 0}, {6, 5, 3});
+  room.box(room.material(make_conductor(1.7, 8.6, facets(FacetDistribution::ggx, 0.3))), {0.8, 0.8, 0},
+           {2.8, 1.4, 1.6});
+  room.box(room.material(make_plastic(1.8, 0, facets(FacetDistribution::ggx, 0.5))), {3.2, 3.6, 0},
+           {5.4, 4.2, 1.8});
+  room.box(room.material(make_plastic(1.5, 0.7, facets(FacetDistribution::beckmann, 0.3))), {3.4, 1.6, 0.2},
+           {3.9, 2.6, 1.7});
+  put(room, places, {CosineResponse{}});
+  room.label({3, 0.01, 0.15}, {0, 1, 0}, CosineResponse{});
+  room.label({5.99, 2.5, 0.3}, {-1, 0, 0}, CosineResponse{}, {0.2, 0.1});
+  room.unit({1.2, 1.8, 2.8}, {0, 0, -1}, SinTwoTheta{1});
+  room.unit({4.6, 2.4, 2.9}, normalized({-0.3, 0.4, -0.6}), IsotropicHemisphere{0.6});
+  room.unit({5.8, 4.6, 2.6}, {0, 0, -1}, SinTwoTheta{1});
+  return room.scene;
+}
+
 Scene other_devices() {
   test::BareScene room;
   const MaterialId paper = room.material(Lambertian{0.7}), floor = room.material(Lambertian{0.4});
@@ -162,6 +188,9 @@ TEST(ReuseAgreement, MirrorPaneAndGlassWithDiscsAndRectangles) {
 TEST(ReuseAgreement, LopsidedUnitsAndRoughThings) {
   expect_agreement(lopsided(), test::nee, {32, 100000}, 0.08, 1.06);
 }
+TEST(ReuseAgreement, Coats) {
+  expect_agreement(coats(), test::nee, {16, 100000}, 0.05, 1.05);
+}
 TEST(ReuseAgreement, DarkDoors) {
   expect_agreement(dark_doors(), test::nee, {32, 100000}, 0.03, 1.03);
 }
@@ -186,6 +215,9 @@ TEST(ReuseAgreementSlow, MirrorPaneAndGlassWithDiscsAndRectangles) {
 }
 TEST(ReuseAgreementSlow, LopsidedUnitsAndRoughThings) {
   expect_agreement(lopsided(), test::nee, {320, 1200000}, 0.025, 1.02);
+}
+TEST(ReuseAgreementSlow, Coats) {
+  expect_agreement(coats(), test::nee, {160, 1200000}, 0.015, 1.015);
 }
 TEST(ReuseAgreementSlow, DarkDoors) {
   expect_agreement(dark_doors(), test::nee, {160, 1000000}, 0.01, 1.01);

@@ -50,7 +50,7 @@ TEST(RadianceCache, HoldsRoughlyTheIrradiance) {
   const RadianceCache cache(world, groups, 1e-4F, 5);
   EXPECT_GT(cache.cells(), 100U);
   EXPECT_GT(cache.rays(), 10000U);
-  EXPECT_NEAR(static_cast<double>(cache.radiance_factor(MaterialId{0})) * pi, albedo, 1e-6);
+  EXPECT_NEAR(static_cast<double>(cache.guide(MaterialId{0}).flat()) * pi, albedo, 1e-6);
 
   const auto deviation = [&](double other_albedo) {
     test::BareScene other = room();

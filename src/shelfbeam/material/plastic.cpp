@@ -45,11 +45,13 @@ double Plastic::transmission(double cosine) const {
 }
 
 std::optional<ScatterSample> Plastic::sample_coat(const Vec3& known, double u1, double u2) const {
-  if (!facets) return ScatterSample{detail::reflected(known, {0, 0, 1}), specular_reflectance(known), 1, true};
+  if (!facets)
+    return ScatterSample{detail::reflected(known, {0, 0, 1}), specular_reflectance(known), 1, true};
   const Vec3 h = facets->sample(known, u1, u2);
   const Vec3 direction = detail::reflected(known, h);
   if (dot(known, h) <= 0 || direction.z <= 0) return std::nullopt;
-  return ScatterSample{direction, fresnel_dielectric(dot(known, h), ior) * facets->weight(known, direction, h),
+  return ScatterSample{direction,
+                       fresnel_dielectric(dot(known, h), ior) * facets->weight(known, direction, h),
                        facets->reflection_pdf(known, h)};
 }
 

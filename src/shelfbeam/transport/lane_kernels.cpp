@@ -70,36 +70,52 @@ SHELFBEAM_INLINE inline void for_lanes(const Group& group, int profile, const fl
   }
 }
 
-SHELFBEAM_INLINE inline float on_curve(const CosineCurve& curve, const float* at, float cosine) {
-  float value = curve.factor[CosineCurve::nodes - 1];
-  for (std::size_t k = CosineCurve::nodes - 1; k-- > 0;) value = value * (cosine - at[k]) + curve.factor[k];
+// A LaneScatter in the registers and on the stack of one loop.
+struct Facets {
+  Facets() = default;
+  explicit Facets(const LaneScatter& s)
+      : ox(s.ox), oy(s.oy), oz(s.oz), on(s.on), base(s.base), scale(s.highlight), alpha2(s.alpha2) {
+    for (std::size_t k = 0; k < CosineCurve::nodes; ++k) {
+      at[k] = CosineCurve::at[k];
+      entry[k] = s.entry->factor[k];
+      fresnel[k] = s.fresnel->factor[k];
+    }
+  }
+
+  float ox = 0, oy = 0, oz = 0, on = 0, base = 0, scale = 0, alpha2 = 1;
+  float at[CosineCurve::nodes] = {}, entry[CosineCurve::nodes] = {}, fresnel[CosineCurve::nodes] = {};
+};
+
+SHELFBEAM_INLINE inline float on_curve(const float* factor, const float* at, float cosine) {
+  float value = factor[CosineCurve::nodes - 1];
+  for (std::size_t k = CosineCurve::nodes - 1; k-- > 0;) value = value * (cosine - at[k]) + factor[k];
   return value;
 }
 
-// D F G1(l) / cos l of GGX (2.23), (2.29), (2.31), all but what `lobe` holds.
-SHELFBEAM_INLINE inline float highlight(const LaneScatter& s, const float* at, float ln, float between) {
-  const float across = 2 + 2 * between;  // |o + l|^2
-  const float doubled = across > 1e-6F ? across < 4 ? across : 4 : 1e-6F;
-  const float sum = s.on + ln;
-  const float d = sum * sum / doubled * (s.alpha2 - 1) + 1;
-  const float g = ln + std::sqrt(s.alpha2 + (1 - s.alpha2) * ln * ln);
-  return 2 * s.alpha2 / (static_cast<float>(pi) * d * d * g) * on_curve(s.fresnel, at, std::sqrt(doubled) / 2);
+// F D G / (4 cos cos) of GGX (2.23), (2.29), (2.31); `squared`: |o + l|^2.
+SHELFBEAM_INLINE inline float highlight(const Facets& f, float ln, float squared) {
+  const float facing = (f.on + ln) * (f.on + ln) / squared;  // cos^2 of the facets
+  const float d = 1 - (1 - f.alpha2) * (facing < 1 ? facing : 1);
+  const float g = ln + std::sqrt(f.alpha2 + (1 - f.alpha2) * ln * ln);
+  return f.scale * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) *
+         on_curve(f.fresnel, f.at, std::sqrt(squared) / 2);
 }
 
-// Towards a unit: its cosine at the point, and that between it and where the light goes.
+// The direction l of a unit: its cosine at the point, and |o + l|^2, which at grazing angles is small.
 struct Way {
-  float ln, between;
+  float ln, squared;
 };
 
 template <class Group>
-SHELFBEAM_INLINE inline Way way_to(const Group& group, const LanePoint& p, const LaneScatter& s,
-                                   std::size_t k) {
+SHELFBEAM_INLINE inline Way way_to(const Group& group, const LanePoint& p, const Facets& f, std::size_t k) {
   const float dx = group.x[k] - p.x, dy = group.y[k] - p.y, dz = group.z[k] - p.z;
   const float whole = dx * dx + dy * dy + dz * dz;
   const float squared = whole > least_squared_distance ? whole : least_squared_distance;
   const float inverse = 1 / std::sqrt(squared);
   const float facing = (p.nx * dx + p.ny * dy + p.nz * dz) * inverse;
-  return {facing > 0 ? facing < 1 ? facing : 1 : 0, (s.ox * dx + s.oy * dy + s.oz * dz) * inverse};
+  const float hx = f.ox + dx * inverse, hy = f.oy + dy * inverse, hz = f.oz + dz * inverse;
+  const float sum = hx * hx + hy * hy + hz * hz;
+  return {facing > 0 ? facing < 1 ? facing : 1 : 0, sum > 1e-12F ? sum < 4 ? sum : 4 : 1e-12F};
 }
 
 // A loop of its own: loops that mix widths of numbers are turned into vectors of the smallest one's length.
@@ -145,12 +161,10 @@ void LaneKernels::add_irradiance(const UnitGroups& groups, const std::uint16_t* 
 SHELFBEAM_FOR_EACH_CPU
 void LaneKernels::add_radiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
                                const LanePoint& point, const LaneScatter& scatter, bool is_capped,
-                               float weight, float flat, const std::uint8_t* share,
+                               float weight, float indirect_factor, const std::uint8_t* share,
                                const std::uint16_t* indirect, float* sums) {
   const LanePoint p = point;
-  const LaneScatter s = scatter;
-  alignas(64) float at[CosineCurve::nodes];
-  for (std::size_t k = 0; k < CosineCurve::nodes; ++k) at[k] = CosineCurve::at[k];
+  const Facets facets(scatter);
   for (std::size_t c = 0; c < count; ++c) {
     const auto& group = groups.groups_[list[c]];
     float* const sum = sums + list[c] * lanes;
@@ -159,16 +173,18 @@ void LaneKernels::add_radiance(const UnitGroups& groups, const std::uint16_t* li
     unpack(share + c * lanes, part);
     const std::uint16_t* const d = indirect + c * lanes;
     SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < lanes; ++k) rest[k] = flat * PackedLane::value(d[k]);
-    if (s.lobe > 0) {
+    for (std::size_t k = 0; k < lanes; ++k) rest[k] = indirect_factor * PackedLane::value(d[k]);
+    if (facets.scale > 0) {
       SHELFBEAM_VECTORIZE
       for (std::size_t k = 0; k < lanes; ++k) {
-        const Way way = way_to(group, p, s, k);
-        f[k] = s.base * on_curve(s.entry, at, way.ln) + s.lobe * highlight(s, at, way.ln, way.between);
+        const Way way = way_to(group, p, facets, k);
+        f[k] =
+            facets.base * on_curve(facets.entry, facets.at, way.ln) + highlight(facets, way.ln, way.squared);
       }
     } else {
       SHELFBEAM_VECTORIZE
-      for (std::size_t k = 0; k < lanes; ++k) f[k] = s.base * on_curve(s.entry, at, way_to(group, p, s, k).ln);
+      for (std::size_t k = 0; k < lanes; ++k)
+        f[k] = facets.base * on_curve(facets.entry, facets.at, way_to(group, p, facets, k).ln);
     }
     for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
               UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
@@ -178,10 +194,11 @@ void LaneKernels::add_radiance(const UnitGroups& groups, const std::uint16_t* li
 }
 
 LaneKernels::Parts LaneKernels::parts(const UnitGroups& groups, std::size_t g, std::size_t lane,
-                                      const LanePoint& point, const LaneScatter& scatter, float base) {
-  const Way way = way_to(groups.groups_[g], point, scatter, lane);
-  return {base * on_curve(scatter.entry, CosineCurve::at.data(), way.ln),
-          scatter.lobe > 0 ? scatter.lobe * highlight(scatter, CosineCurve::at.data(), way.ln, way.between) : 0};
+                                      const LanePoint& point, const LaneScatter& scatter) {
+  const Facets facets(scatter);
+  const Way way = way_to(groups.groups_[g], point, facets, lane);
+  return {on_curve(facets.entry, facets.at, way.ln),
+          scatter.highlight > 0 ? highlight(facets, way.ln, way.squared) : 0};
 }
 
 SHELFBEAM_FOR_EACH_CPU
@@ -189,6 +206,7 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
                               const LanePoint& point, bool is_capped, const std::uint8_t* share, float floor,
                               const LaneScatter* scatter, float* irradiance, float* importance) {
   const LanePoint p = point;
+  const Facets facets = scatter != nullptr ? Facets(*scatter) : Facets();
   alignas(64) float total[lanes] = {};
   for (std::size_t c = 0; c < count; ++c) {
     const auto& group = groups.groups_[list[c]];
@@ -201,19 +219,19 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
     unpack(s, part);
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < lanes; ++k) more[k] = 1;
-    if (scatter != nullptr && scatter->lobe > 0) {
-      const LaneScatter highlighted = *scatter;
+    if (facets.scale > 0) {
       SHELFBEAM_VECTORIZE
       for (std::size_t k = 0; k < lanes; ++k) {
-        const Way way = way_to(group, p, highlighted, k);
-        more[k] += static_cast<float>(pi) * highlighted.lobe * highlight(highlighted, CosineCurve::at.data(), way.ln, way.between);
+        const Way way = way_to(group, p, facets, k);
+        more[k] += static_cast<float>(pi) * highlight(facets, way.ln, way.squared);
       }
     }
     for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
               UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
                 whole[k] = e;
                 const float used = e < cap[k] ? e : cap[k];
-                const float value = used * more[k] * (std::sqrt(std::abs(part[k] * (1 - part[k]))) + 0.05F) + least;
+                const float value =
+                    used * more[k] * (std::sqrt(std::abs(part[k] * (1 - part[k]))) + 0.05F) + least;
                 at_stake[k] = value;
                 total[k] += value;
               });

@@ -37,22 +37,24 @@ struct LaneKernels {
                              const LanePoint& point, bool is_capped, float weight, const std::uint8_t* share,
                              const std::uint16_t* indirect, float* sums);
 
-  /// The same of radiance: sums[g][k] += weight (f_k e_k share_k + flat indirect_k), f as `scatter` has it.
+  /// The same of radiance: sums[g][k] += weight (f_k e_k share_k + indirect_factor indirect_k), f as
+  /// `scatter` has it.
   static void add_radiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
                            const LanePoint& point, const LaneScatter& scatter, bool is_capped, float weight,
-                           float flat, const std::uint8_t* share, const std::uint16_t* indirect, float* sums);
+                           float indirect_factor, const std::uint8_t* share, const std::uint16_t* indirect,
+                           float* sums);
 
-  /// f of one lane: of the base without its exit, and of the highlight.
+  /// The parts of f for one unit: entry(cos l), and the highlight.
   struct Parts {
-    float base, lobe;
+    float entry, highlight;
   };
   static Parts parts(const UnitGroups& groups, std::size_t g, std::size_t lane, const LanePoint& point,
-                     const LaneScatter& scatter, float base);
+                     const LaneScatter& scatter);
 
   /// How much the sampling of shadow rays should care for each lane of a row: e (sqrt |share (1 - share)| +
   /// 0.05) + floor x bound, e up to its cap if asked. Keeps the whole e in `irradiance`, the result in
   /// `importance`; returns its sum.
-  /// With `scatter`, e counts as much more as the highlight outshines white paint.
+  /// With `scatter`, e counts by as many times more as the highlight outshines white paint.
   static float importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
                           const LanePoint& point, bool is_capped, const std::uint8_t* share, float floor,
                           const LaneScatter* scatter, float* irradiance, float* importance);

@@ -48,6 +48,10 @@ class RadianceCache {
   const SurfaceGuide& guide(MaterialId material) const { return guides_[material.value]; }
 
   std::size_t cells() const { return cells_.size(); }
+  /// How many units a cell holds, in the mean.
+  double units_a_cell() const {
+    return cells() > 0 ? static_cast<double>(entries()) / static_cast<double>(cells()) : 0;
+  }
   std::size_t entries() const { return groups_.size() * lanes; }
   std::size_t bytes() const;
   std::uint64_t rays() const { return rays_; }

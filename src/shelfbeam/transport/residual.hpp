@@ -3,56 +3,32 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "shelfbeam/transport/direct.hpp"
-#include "shelfbeam/transport/lane_row.hpp"
-#include "shelfbeam/transport/radiance_cache.hpp"
-#include "shelfbeam/transport/specular_chain.hpp"
-#include "shelfbeam/transport/unit_groups.hpp"
+#include "shelfbeam/transport/path_vertex.hpp"
 
 namespace shelfbeam {
 
-/// A vertex at which paths scatter, and what is known of it.
-struct PathVertex {
-  PathVertex(const World& world, const RadianceCache& cache, const ChainEnd& where);
-
-  /// Share of the base's light that leaves towards a place.
-  double exit_towards(const Vec3& place) const;
-
-  ChainEnd end;
-  RadianceCache::Row row;
-  const SurfaceGuide* guide;
-  LaneScatter scatter;     ///< of a surface with a coat
-  bool is_capped = false;  ///< the light of bright spots is not asked for (BrightSpots)
-  double exit = 1;         ///< share of the base's light that leaves towards where the path came from
-  float flat;              ///< radiance per indirect irradiance, towards the same
-
-  /// Adds the cache's radiance.
-  void look_up(const UnitGroups& units, float weight, LaneRow& row) const;
-};
-
-/// L - h at a vertex, in two parts: what leaves the base, without its exit, looks the same from everywhere;
-/// highlights go where the path came from.
+/// L - h at a vertex, in the two parts of PathVertex: of the base, without its exit, and the path's own.
 struct ResidualRows {
-  explicit ResidualRows(std::size_t groups) : base(groups), lobe(groups) {}
+  explicit ResidualRows(std::size_t groups) : base(groups), own(groups) {}
   void clear() {
     base.clear();
-    lobe.clear();
+    own.clear();
   }
 
-  LaneRow base, lobe;
+  LaneRow base, own;
 };
 
 /// How much is spent where on paths.
 struct ReuseEffort {
-  std::uint32_t lookups = 128;     ///< rays a label and batch that only look the cache up
-  std::uint32_t points = 3;        ///< first hits a label and batch from which paths start
-  double stake = 0.05;             ///< of the requirement: units with more at stake get a shadow ray, others
-  double later_stake = 0.05;       ///< one in proportion; the second at later vertices
-  std::uint32_t tails = 24;        ///< rays that look the cache up at such a point,
+  std::uint32_t lookups = 128;  ///< rays a label and batch that only look the cache up
+  std::uint32_t points = 3;     ///< first hits a label and batch from which paths start
+  double stake = 0.05;          ///< of the requirement: units with more at stake get a shadow ray, others
+  double later_stake = 0.05;  ///< one in proportion; the second at later vertices. More where units are many
+  std::uint32_t tails = 24;   ///< rays that look the cache up at such a point,
   std::uint32_t later_tails = 16;  ///< and at later vertices
   std::size_t group = 96;          ///< vertices that share their continuations
   std::uint32_t spot_rays = 8;     ///< from a unit beside a surface at most, for a cluster and batch
@@ -62,21 +38,14 @@ struct ReuseEffort {
 /// The difference between the radiance that leaves vertices and what the cache says, L - h, for all units at
 /// once, without bias: shadow rays to units chosen by what is at stake, several rays that look up the cache
 /// for what comes over further bounces, and one that goes on to where the same is asked of it. Vertices of a
-/// group share those that go on (path reuse with the balance heuristic, Bekaert et al. 2002): each is
-/// weighted by the densities with which all of the group would have sent it.
+/// group share those that go on by their base (path reuse with the balance heuristic, Bekaert et al. 2002):
+/// each is weighted by the densities with which all of the group would have sent it.
 class Residual {
  public:
   /// `requirement`: the smallest signal that matters. Units that may give a twentieth of it to a vertex are
   /// all considered there.
   Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, double requirement,
-           const ReuseEffort& effort)
-      : world_(world),
-        units_(units),
-        cache_(cache),
-        requirement_(requirement),
-        reach_(static_cast<float>(0.05 * requirement)),
-        effort_(effort),
-        any_loose_(units.any_loose()) {}
+           const ReuseEffort& effort);
 
   /// Identifies the paths of a group.
   struct Key {
@@ -97,7 +66,7 @@ class Residual {
     std::vector<Vec3> targets;
     std::vector<std::uint32_t> places, sharers;
     std::vector<double> inverse_probability;
-    std::vector<double> known, known_lobe, taken;
+    std::vector<double> known_base, known_own, taken, density;
     std::vector<LightPoint> lights;
     std::vector<Passage> passages;
   };
@@ -107,13 +76,18 @@ class Residual {
                 Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const;
 
  private:
+  struct Continuation;
+  struct Found;
   void add_direct(const PathVertex& vertex, double stake, RandomStream& random, Scratch& scratch,
                   ResidualRows& rows, std::uint64_t& rays) const;
   void add_far(const PathVertex& vertex, RandomStream& random, ResidualRows& rows, std::uint64_t& rays) const;
-  double reflected(const PathVertex& vertex, const Vec3& to_source) const;
-  std::pair<DirectSignal, DirectSignal> split(const PathVertex& vertex, const LightPoint& light,
-                                              const DirectSignal& signal) const;
-  double reflected_by_base(const PathVertex& vertex, const Vec3& to_source) const;
+  void subtract_indirect(const PathVertex& vertex, ResidualRows& rows) const;
+  std::optional<Found> gather(const PathVertex& vertex, bool by_base, std::uint32_t tails,
+                              std::uint64_t points, RandomStream& random, LaneRow& row,
+                              std::uint64_t& rays) const;
+  void share(std::span<const PathVertex> vertices, const std::vector<double>& chances,
+             const Continuation& from, const PathVertex& found, const ResidualRows& carried, Scratch& scratch,
+             std::span<ResidualRows> rows, std::uint64_t& rays) const;
 
   const World& world_;
   const UnitGroups& units_;
@@ -122,6 +96,7 @@ class Residual {
   float reach_;
   ReuseEffort effort_;
   bool any_loose_;
+  double crowd_;  ///< of units in reach, 1 or more: so many times more must be at stake for a shadow ray
 };
 
 }  // namespace shelfbeam

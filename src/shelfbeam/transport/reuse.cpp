@@ -235,7 +235,7 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
       work.vertices.back().is_capped = end->is_straight;
       work.owner.push_back(static_cast<std::uint32_t>(c));
       work.weight.push_back(weight * end->throughput);
-      work.is_shared.push_back(end->is_straight && work.vertices.back().guide->has_base());
+      work.is_shared.push_back(end->is_straight && work.vertices.back().has_base());
       if (work.vertices.size() == effort.group) flush();
     }
   flush();
@@ -248,7 +248,7 @@ void ReuseEstimator::Impl::share_points(const Block& block, Workspace& work, std
   for (std::size_t b = 0; b < work.vertices.size(); ++b) {
     const std::uint32_t owner = work.owner[b];
     const PathVertex& vertex = work.vertices[b];
-    work.labels[owner].add(work.points[b].lobe, work.weight[b]);
+    work.labels[owner].add(work.points[b].own, work.weight[b]);
     if (!work.is_shared[b]) {
       work.labels[owner].add(work.points[b].base, vertex.exit * work.weight[b]);
       continue;
