@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -104,6 +106,28 @@ TEST(Engine, AddsBatchesInTheirOrder) {
   ASSERT_EQ(engine.sums()[0].batches, batches);
   EXPECT_EQ(engine.sums()[0].values, one_by_one(0, 0));
   EXPECT_NE(engine.sums()[0].values, one_by_one(3, 9));
+}
+
+// Of the second label of an item and its first source.
+TEST(Engine, TakesNothingThatIsNoNumber) {
+  const Scene scene = test::SmallStore{}.scene();
+  const Estimator::Block block{{3, 5}, {1, 2}};
+  BatchValues values;
+  values.values = {{0, 1, 0}, {2, 1, 1}};
+  EXPECT_NO_THROW(expect_numbers(scene, block, values));
+  for (const double wrong : {std::nan(""), HUGE_VAL}) {
+    values.values[1] = {2, wrong, 0};
+    try {
+      expect_numbers(scene, block, values);
+      ADD_FAILURE() << wrong;
+    } catch (const std::runtime_error& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find("'" + scene.labels[5].id + "'"), std::string::npos) << said;
+      EXPECT_NE(said.find("'" + scene.transceivers[1].id + "'"), std::string::npos) << said;
+    }
+    values.values[1] = {2, 1, wrong};
+    EXPECT_THROW(expect_numbers(scene, block, values), std::runtime_error);
+  }
 }
 
 TEST(Engine, StopsWithinItsTimeButNotBeforeSixteenBatches) {

@@ -61,7 +61,7 @@ double deviation(const Material& guided, const Material& real, Directions direct
   double squares = 0, differences = 0;
   for (std::uint32_t k = 0; k < 100; ++k) {
     const Vec3 out = directions(k, 2);
-    const LaneScatter scatter = guide.towards(out, out.z);
+    const LaneScatter scatter = guide.towards(out, out.z, guide.exit(out.z));
     for (std::size_t j = 0; j < scene.scene.transceivers.size(); ++j) {
       const Vec3 in = normalized(scene.scene.transceivers[j].position - point.position);
       const auto [entry, highlight] = LaneKernels::parts(units, units.place(j) / lanes,
@@ -87,6 +87,26 @@ TEST(SurfaceGuide, KnowsHighlightsAndBases) {
   EXPECT_GT(deviation(coated(0.6, 0.55), coated(0.6, 0.5)), 0.02);
   EXPECT_LT(deviation(make_plastic(1.5, 0.5), make_plastic(1.5, 0.5)), 0.05);
   EXPECT_GT(deviation(make_plastic(1.5, 0.55), make_plastic(1.5, 0.5)), 0.05);
+}
+
+// The polynomials dip below zero where almost nothing is reflected, a probability must not.
+TEST(SurfaceGuide, HasNoNegativeHighlights) {
+  const test::BareScene scene = sky();
+  const World world(scene.scene);
+  const UnitGroups units(world);
+  const auto facets = make_microfacets(FacetDistribution::ggx, 0.03, 0.03);
+  for (const Material& material :
+       {Material{make_plastic(1.02, 0.5, facets)}, Material{make_conductor(0.9, 0, facets)}}) {
+    const SurfaceGuide guide(material);
+    for (std::size_t j = 0; j < scene.scene.transceivers.size(); ++j) {
+      const Vec3 in = normalized(scene.scene.transceivers[j].position - point.position);
+      const Vec3 out{-in.x, -in.y, in.z};
+      const LaneKernels::Parts parts =
+          LaneKernels::parts(units, units.place(j) / lanes, units.place(j) % lanes, LanePoint(point),
+                             guide.towards(out, out.z, guide.exit(out.z)));
+      EXPECT_GE(parts.highlight, 0);
+    }
+  }
 }
 
 // Where almost everything is highlight, and the half vector a small difference.
@@ -115,7 +135,7 @@ TEST(SurfaceGuide, IsTheSameInVectors) {
   double with = 0, without = 0;
   for (std::uint32_t k = 0; k < 100; ++k) {
     const Vec3 out = upward(k, 3);
-    const LaneScatter scatter = guide.towards(out, out.z);
+    const LaneScatter scatter = guide.towards(out, out.z, guide.exit(out.z));
     std::vector<float> sums(share.size());
     LaneKernels::add_radiance(units, list.data(), list.size(), LanePoint(point), scatter, false, 2, 0.1F,
                               share.data(), indirect.data(), sums.data());
@@ -159,7 +179,7 @@ TEST(SurfaceGuide, TellsWhatLeavesInWhichWay) {
   }
   const SurfaceGuide guide(rough);
   for (const double cosine : {0.1, 0.5, 1.0})
-    EXPECT_NEAR(guide.exit(cosine) * guide.base_albedo() + guide.highlight_albedo(cosine),
+    EXPECT_NEAR(guide.exit(cosine) * guide.base_albedo() + 1 - guide.exit(cosine),
                 albedo(rough, {std::sqrt(1 - cosine * cosine), 0, cosine}), 1e-9);
   EXPECT_EQ(SurfaceGuide(mirror).flat(), 0);
 }

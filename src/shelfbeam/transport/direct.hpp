@@ -23,7 +23,7 @@ struct DirectSignal {
 /// through. `share_of` gives the share of the straight way, and is asked only if it matters.
 template <class Weight, class Share>
 DirectSignal light_from(const World& world, std::size_t j, const LightPoint& light, const SurfacePoint& at,
-                        bool images, const Weight& weight, const Share& share_of) {
+                        bool images, Weight&& weight, const Share& share_of) {
   DirectSignal signal;
   const Vec3 way = light.position - at.position;
   const double squared = length_squared(way);

@@ -165,6 +165,7 @@ bool Engine::sample(std::uint32_t item, std::uint32_t batch, BatchValues& values
   values.rays = 0;
   values.shadow_rays = {};
   if (!estimator_.sample(item, batch, control_.cancel, values)) return false;
+  expect_numbers(world_.scene, estimator_.block(item), values);
   rays_.fetch_add(values.rays, std::memory_order_relaxed);
   {
     const std::scoped_lock lock(shadow_rays_mutex_);

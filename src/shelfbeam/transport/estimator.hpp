@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/transport/batch_values.hpp"
 
 namespace shelfbeam {
@@ -47,5 +48,9 @@ class Estimator {
   virtual bool sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
                       BatchValues& values) const = 0;
 };
+
+/// Throws std::runtime_error if a signal of a batch is not a finite number, naming label and source: a defect
+/// that no file and no plan may carry on.
+void expect_numbers(const Scene& scene, const Estimator::Block& block, const BatchValues& values);
 
 }  // namespace shelfbeam

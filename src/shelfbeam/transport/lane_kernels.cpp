@@ -95,10 +95,11 @@ SHELFBEAM_INLINE inline float on_curve(const float* factor, const float* at, flo
 // F D G / (4 cos cos) of GGX (2.23), (2.29), (2.31); `squared`: |o + l|^2.
 SHELFBEAM_INLINE inline float highlight(const Facets& f, float ln, float squared) {
   const float facing = (f.on + ln) * (f.on + ln) / squared;  // cos^2 of the facets
-  const float d = 1 - (1 - f.alpha2) * (facing < 1 ? facing : 1);
+  const float across = facing < 1 ? 1 - facing : 0;
+  const float d = across + f.alpha2 * (1 - across);
   const float g = ln + std::sqrt(f.alpha2 + (1 - f.alpha2) * ln * ln);
-  return f.scale * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) *
-         on_curve(f.fresnel, f.at, std::sqrt(squared) / 2);
+  const float fresnel = on_curve(f.fresnel, f.at, std::sqrt(squared) / 2);
+  return f.scale * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) * (fresnel > 0 ? fresnel : 0);
 }
 
 // The direction l of a unit: its cosine at the point, and |o + l|^2, which at grazing angles is small.

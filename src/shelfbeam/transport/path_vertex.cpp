@@ -12,14 +12,15 @@ PathVertex::PathVertex(const World& world, const RadianceCache& cache, const Cha
       row(cache.row(where.point)),
       material(&world.scene.materials[where.material.value].material),
       guide(&cache.guide(where.material)) {
+  const double flat = static_cast<double>(guide->flat()) * pi;
+  if (!has_base()) own_albedo = flat;
   if (guide->is_detailed()) {
     const double cosine = dot(end.point.normal, end.outgoing);
-    scatter = guide->towards(end.outgoing, cosine);
     exit = guide->exit(cosine);
-    own_albedo = guide->highlight_albedo(cosine);
-  } else if (!has_base()) {
-    own_albedo = static_cast<double>(guide->flat()) * pi;
+    scatter = guide->towards(end.outgoing, cosine, exit);
+    if (has_base() && guide->has_highlight()) own_albedo = 1 - exit;
   }
+  albedo = has_base() ? exit * guide->base_albedo() + (1 - exit) : flat;
 }
 
 double PathVertex::exit_towards(const Vec3& place) const {
@@ -27,29 +28,29 @@ double PathVertex::exit_towards(const Vec3& place) const {
   return guide->exit(dot(end.point.normal, normalized(place - end.point.position)));
 }
 
-double PathVertex::reflected(const Vec3& to_source) const {
-  if (has_base() && !guide->is_detailed()) return reflected_by_base(to_source);
-  const Frame frame = Frame::of_surface(end.outside);
-  const Vec3 incoming = frame.to_local(to_source);
-  return eval(*material, frame.to_local(end.outgoing), incoming) * std::abs(incoming.z);
-}
-
-double PathVertex::reflected_by_base(const Vec3& to_source) const {
+PathVertex::Reflection PathVertex::reflected(const Vec3& to_source) const {
   const double cosine = dot(end.point.normal, to_source);
-  return cosine > 0 ? guide->base(cosine) * cosine : 0;
+  Reflection result;
+  if (has_base() && cosine > 0) result.base = guide->base(cosine) * cosine;
+  if (has_base() && !guide->has_highlight()) {
+    result.whole = exit * result.base;
+  } else {
+    const Frame frame = Frame::of_surface(end.outside);
+    const Vec3 incoming = frame.to_local(to_source);
+    result.whole = eval(*material, frame.to_local(end.outgoing), incoming) * std::abs(incoming.z);
+  }
+  return result;
 }
 
-PathVertex::Parts PathVertex::split(const LightPoint& light, const DirectSignal& signal) const {
+PathVertex::Parts PathVertex::split(const Reflection& straight, const DirectSignal& signal) const {
   if (!has_base()) return {{}, signal};
   if (!guide->is_detailed()) return {signal, {}};
   Parts parts{{}, signal};
   parts.own.straight = 0;
-  const Vec3 to_source = normalized(light.position - end.point.position);
-  // Nothing where rounding puts a source in the plane of the surface below it.
-  const double whole = signal.straight > 0 ? reflected(to_source) : 0;
-  if (!(whole > 0)) return parts;
-  parts.base.straight = signal.straight * reflected_by_base(to_source) / whole;
-  if (guide->has_highlight()) parts.own.straight = signal.straight - exit * parts.base.straight;
+  if (signal.straight > 0) {
+    parts.base.straight = signal.straight * straight.base / straight.whole;
+    if (guide->has_highlight()) parts.own.straight = signal.straight - exit * parts.base.straight;
+  }
   return parts;
 }
 
@@ -65,7 +66,7 @@ std::optional<PathVertex::Scattered> PathVertex::scatter_otherwise(double u_lobe
   const Vec3 outgoing = frame.to_local(end.outgoing);
   const auto drawn = plastic != nullptr ? plastic->sample_coat(outgoing, u1, u2)
                                         : sample(*material, outgoing, u_lobe, u1, u2);
-  if (!drawn) return std::nullopt;
+  if (!drawn || drawn->weight == 0) return std::nullopt;
   return Scattered{frame.to_world(drawn->direction), drawn->weight, drawn->specular};
 }
 

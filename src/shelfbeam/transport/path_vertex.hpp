@@ -19,16 +19,19 @@ struct PathVertex {
   /// Share of the base's light that leaves towards a place.
   double exit_towards(const Vec3& place) const;
 
-  /// f cos towards a source: of both parts, and of the base without its exit.
-  double reflected(const Vec3& to_source) const;
-  double reflected_by_base(const Vec3& to_source) const;
+  /// f cos towards a source: of all that leaves towards where the path came from, and of the base without
+  /// its exit.
+  struct Reflection {
+    double whole = 0, base = 0;
+  };
+  Reflection reflected(const Vec3& to_source) const;
 
   struct Parts {
     DirectSignal base, own;
   };
-  /// Of light that `reflected` has been applied to. Light that comes over a mirror is all the path's own
-  /// where there is a coat.
-  Parts split(const LightPoint& light, const DirectSignal& signal) const;
+  /// Of light that has been reflected, the straight one in this way. What comes over a mirror is all the
+  /// path's own where there is a coat.
+  Parts split(const Reflection& straight, const DirectSignal& signal) const;
 
   struct Scattered {
     Vec3 direction;
@@ -50,6 +53,7 @@ struct PathVertex {
   bool is_capped = false;  ///< the light of bright spots is not asked for (BrightSpots)
   double exit = 1;         ///< share of the base's light that leaves towards where the path came from
   double own_albedo = 0;   ///< share of indirect irradiance that the cache takes to leave besides the base's
+  double albedo = 0;       ///< share of light from there that is reflected in all, mirrors included
 };
 
 }  // namespace shelfbeam

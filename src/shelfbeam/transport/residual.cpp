@@ -11,13 +11,16 @@ namespace {
 
 constexpr double most_survival = 0.95;
 
-// Share of the light of a vertex that does not leave by its base, as far as rays should care.
+// Share of the light of a vertex that does not leave by its base, as far as rays should care. Where others
+// share the base, some of them see more of it than the path at hand.
 double share_otherwise(const PathVertex& vertex) {
   constexpr double least = 0.1;
-  if (!vertex.has_base()) return 1;
-  if (!vertex.guide->is_detailed()) return 0;
-  const double base = vertex.exit * vertex.guide->base_albedo(), coat = 1 - vertex.exit;
-  return base > 0 ? std::clamp(coat / (coat + base), least, 1 - least) : 1;
+  const SurfaceGuide& guide = *vertex.guide;
+  if (!guide.has_base() || guide.base_albedo() == 0) return guide.is_detailed() || !guide.has_base() ? 1 : 0;
+  if (!guide.is_detailed()) return 0;
+  const double base = (vertex.end.is_straight ? guide.exit(1) : vertex.exit) * guide.base_albedo();
+  const double coat = 1 - vertex.exit;
+  return std::clamp(coat / (coat + base), least, 1 - least);
 }
 
 // Of so many rays; one is enough for a mirror, and none for nothing.
@@ -27,6 +30,21 @@ std::uint32_t tails_otherwise(const PathVertex& vertex, double share, std::uint3
   if (share == 1) return tails;
   return std::max(1U, static_cast<std::uint32_t>(std::lround(share * tails)));
 }
+
+// What light_from asks a vertex for; the straight way is the first that it asks about.
+struct StraightFirst {
+  explicit StraightFirst(const PathVertex& v) : vertex(v) {}
+
+  double operator()(const Vec3& to_source) {
+    const PathVertex::Reflection reflection = vertex.reflected(to_source);
+    if (asked++ == 0) straight = reflection;
+    return reflection.whole;
+  }
+
+  const PathVertex& vertex;
+  PathVertex::Reflection straight;
+  int asked = 0;
+};
 
 }  // namespace
 
@@ -153,12 +171,12 @@ void Residual::add_direct(const PathVertex& vertex, double stake, RandomStream& 
   const bool has_images = world_.mirrors.size() > 0 && random.unit() < mirror_chance;
   for (std::size_t t = 0; t < scratch.targets.size(); ++t) {
     const std::size_t j = units_.column(scratch.places[t] / lanes, scratch.places[t] % lanes);
-    const DirectSignal light = light_from(
-        world_, j, scratch.lights[t], vertex.end.point, has_images && world_.emitters.is_point(j),
-        [&](const Vec3& to_source) { return vertex.reflected(to_source); },
-        [&] { return static_cast<double>(scratch.shares[t]); });
+    StraightFirst reflected{vertex};
+    const DirectSignal light =
+        light_from(world_, j, scratch.lights[t], vertex.end.point, has_images && world_.emitters.is_point(j),
+                   reflected, [&] { return static_cast<double>(scratch.shares[t]); });
     rays += light.rays > 1 ? light.rays - 1 : 0;
-    const auto [base, own] = vertex.split(scratch.lights[t], light);
+    const auto [base, own] = vertex.split(reflected.straight, light);
     const double weight = scratch.inverse_probability[t];
     const auto add = [&](LaneRow& row, const DirectSignal& part, double of_cache) {
       const double value = part.straight * scratch.taken[t] + part.mirrored / mirror_chance - of_cache;
@@ -197,10 +215,10 @@ void Residual::add_far(const PathVertex& vertex, RandomStream& random, ResidualR
     const std::uint32_t j = units_.column(g, k);
     const double u1 = random.unit(), u2 = random.unit();
     const LightPoint light = world_.emitters.point(j, u1, u2);
-    const DirectSignal signal = light_from(
-        world_, j, light, vertex.end.point, world_.emitters.is_point(j),
-        [&](const Vec3& to_source) { return vertex.reflected(to_source); },
-        [&] { return world_.rays.passage(vertex.end.point, light.position).share; });
+    StraightFirst reflected{vertex};
+    const DirectSignal signal =
+        light_from(world_, j, light, vertex.end.point, world_.emitters.is_point(j), reflected,
+                   [&] { return world_.rays.passage(vertex.end.point, light.position).share; });
     rays += signal.rays;
     double taken = 1;  // of its light: not that of bright spots
     if (vertex.is_capped) {
@@ -210,7 +228,7 @@ void Residual::add_far(const PathVertex& vertex, RandomStream& random, ResidualR
     }
     const auto place = static_cast<std::uint32_t>(g * lanes + k);
     const double scale = total * static_cast<double>(count) / own;
-    const PathVertex::Parts parts = vertex.split(light, signal);
+    const PathVertex::Parts parts = vertex.split(reflected.straight, signal);
     const auto add = [&](LaneRow& row, const DirectSignal& part) {
       const double value = part.straight * taken + part.mirrored;
       if (value != 0) row.add(place, value * scale);
@@ -292,8 +310,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
 
     // As bright as the surface, the chance keeps the variance finite: a generation multiplies it by albedo^2
     // over the chance.
-    const double albedo = vertex.exit * vertex.guide->base_albedo() + vertex.own_albedo;
-    const double survival = std::clamp(albedo, effort_.survival, most_survival);
+    const double survival = std::clamp(vertex.albedo, effort_.survival, most_survival);
     chances[a] = survival * (1 - otherwise);
     const double u = random.unit();
     if (u >= survival) continue;

@@ -19,9 +19,13 @@ namespace {
 
 class BatchSampler {
  public:
-  BatchSampler(const Estimator& estimator, std::size_t columns,
+  BatchSampler(const Scene& scene, const Estimator& estimator, std::size_t columns,
                const std::function<void(const BatchRow&)>& take, const RunControl& control)
-      : estimator_(estimator), take_(take), control_(control), row_(std::vector<double>(columns)) {
+      : scene_(scene),
+        estimator_(estimator),
+        take_(take),
+        control_(control),
+        row_(std::vector<double>(columns)) {
     for (std::size_t item = 0; item < estimator.items(); ++item)
       if (estimator.block(item).columns.size() != columns)
         throw InputError("--strategy particle", "has no batches of whole rows", "use another strategy");
@@ -53,6 +57,7 @@ class BatchSampler {
         values.clear();
         const auto batch = first_batch + static_cast<std::uint32_t>(k / items);
         if (!estimator_.sample(k % items, batch, control_.cancel, values)) return;
+        expect_numbers(scene_, estimator_.block(k % items), values);
         if (count == 1) hand_out(k, values);
       }
     });
@@ -85,6 +90,7 @@ class BatchSampler {
     return own;
   }
 
+  const Scene& scene_;
   const Estimator& estimator_;
   const std::function<void(const BatchRow&)>& take_;
   const RunControl& control_;
@@ -115,7 +121,7 @@ BatchRun sample_batches(const Scene& scene, const SimulationOptions& options, st
     for (std::size_t i = 0; i < rows; ++i)
       for (std::size_t j = 0; j < columns; ++j)
         run.known[i * columns + j] = static_cast<float>(known.straight(i, j) + known.mirrored(i, j));
-    BatchSampler sampler(*estimator, columns, take, control);
+    BatchSampler sampler(scene, *estimator, columns, take, control);
     run.rays = known.rays() + sampler.run(batches);
   });
   return run;

@@ -50,12 +50,7 @@ SurfaceGuide::SurfaceGuide(const Material& material) : plastic_(std::get_if<Plas
   }
 }
 
-double SurfaceGuide::highlight_albedo(double cosine) const {
-  if (plastic_ == nullptr) return static_cast<double>(flat_) * pi;
-  return plastic_->facets ? 1 - plastic_->transmission(cosine) : 0;
-}
-
-LaneScatter SurfaceGuide::towards(const Vec3& outgoing, double cosine) const {
+LaneScatter SurfaceGuide::towards(const Vec3& outgoing, double cosine, double exit) const {
   constexpr double least_cosine = 1e-4;
   LaneScatter scatter;
   const double c = std::clamp(cosine, least_cosine, 1.0);
@@ -63,7 +58,7 @@ LaneScatter SurfaceGuide::towards(const Vec3& outgoing, double cosine) const {
   scatter.oy = static_cast<float>(outgoing.y);
   scatter.oz = static_cast<float>(outgoing.z);
   scatter.on = static_cast<float>(c);
-  if (has_base_) scatter.base = static_cast<float>(base_ * exit(cosine));
+  if (has_base_) scatter.base = static_cast<float>(base_ * exit);
   scatter.entry = &entry_;
   scatter.fresnel = &fresnel_;
   if (alpha_ > 0) {

@@ -43,10 +43,8 @@ class SurfaceGuide {
   double bare_base() const { return base_; }
   /// Share of the irradiance that leaves by the base, without the exit.
   double base_albedo() const { return base_albedo_; }
-  /// Share that rough coats and metals reflect of light from a direction with this cosine.
-  double highlight_albedo(double cosine) const;
-
-  LaneScatter towards(const Vec3& outgoing, double cosine) const;
+  /// `cosine` is that of the direction, `exit` is exit(cosine).
+  LaneScatter towards(const Vec3& outgoing, double cosine, double exit) const;
 
  private:
   const Plastic* plastic_;
