@@ -217,7 +217,7 @@ TEST(ReuseAgreementSlow, LopsidedUnitsAndRoughThings) {
   expect_agreement(lopsided(), test::nee, {320, 1200000}, 0.025, 1.02);
 }
 TEST(ReuseAgreementSlow, Coats) {
-  expect_agreement(coats(), test::nee, {160, 1200000}, 0.015, 1.015);
+  expect_agreement(coats(), test::nee, {80, 600000}, 0.02, 1.02);
 }
 TEST(ReuseAgreementSlow, DarkDoors) {
   expect_agreement(dark_doors(), test::nee, {160, 1000000}, 0.01, 1.01);
