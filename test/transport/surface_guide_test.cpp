@@ -74,8 +74,8 @@ double deviation(const Material& guided, const Material& real, Directions direct
   return std::sqrt(differences / squares);
 }
 
-// The polynomials of the Fresnel terms and of what passes the coat err by 1 %; controls: a roughness, a
-// reflectance and an index that are a little off.
+// The polynomials of the Fresnel terms and of what passes the coat err by 1 %; controls: a roughness
+// and a reflectance that are a little off.
 TEST(SurfaceGuide, KnowsHighlightsAndBases) {
   for (const double roughness : {0.15, 0.3, 0.6}) {
     EXPECT_LT(deviation(coated(roughness), coated(roughness)), 0.02) << roughness;

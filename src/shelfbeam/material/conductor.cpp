@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "shelfbeam/material/detail/directions.hpp"
+#include "shelfbeam/material/detail/facet_reflection.hpp"
 #include "shelfbeam/material/detail/require.hpp"
 #include "shelfbeam/material/fresnel.hpp"
 
@@ -23,12 +24,8 @@ double Conductor::pdf(const Vec3& known, const Vec3& sampled) const {
 std::optional<ScatterSample> Conductor::sample(const Vec3& known, double, double u1, double u2) const {
   if (!facets)
     return ScatterSample{detail::reflected(known, {0, 0, 1}), specular_reflectance(known), 1, true};
-  const Vec3 h = facets->sample(known, u1, u2);
-  const Vec3 direction = detail::reflected(known, h);
-  if (dot(known, h) <= 0 || direction.z <= 0) return std::nullopt;
-  const double reflectance = fresnel_conductor(dot(known, h), eta, k);
-  return ScatterSample{direction, reflectance * facets->weight(known, direction, h),
-                       facets->reflection_pdf(known, h)};
+  return detail::sample_reflection(*facets, known, u1, u2,
+                                   [&](double cosine) { return fresnel_conductor(cosine, eta, k); });
 }
 
 double Conductor::albedo(const Vec3& known) const {

@@ -4,6 +4,7 @@
 
 #include "shelfbeam/material/detail/coat_albedo.hpp"
 #include "shelfbeam/material/detail/directions.hpp"
+#include "shelfbeam/material/detail/facet_reflection.hpp"
 #include "shelfbeam/material/detail/require.hpp"
 #include "shelfbeam/material/fresnel.hpp"
 #include "shelfbeam/math/warp.hpp"
@@ -12,7 +13,7 @@ namespace shelfbeam {
 
 double Plastic::eval(const Vec3& known, const Vec3& sampled) const {
   if (sampled.z <= 0) return 0;
-  const double base = base_scale / pi * (1 - coat->at(known.z)) * (1 - coat->at(sampled.z));
+  const double base = base_scale / pi * transmission(known.z) * transmission(sampled.z);
   if (!facets) return base;
   const Vec3 h = normalized(known + sampled);
   return base + fresnel_dielectric(dot(known, h), ior) * facets->reflection(known, sampled, h);
@@ -47,12 +48,8 @@ double Plastic::transmission(double cosine) const {
 std::optional<ScatterSample> Plastic::sample_coat(const Vec3& known, double u1, double u2) const {
   if (!facets)
     return ScatterSample{detail::reflected(known, {0, 0, 1}), specular_reflectance(known), 1, true};
-  const Vec3 h = facets->sample(known, u1, u2);
-  const Vec3 direction = detail::reflected(known, h);
-  if (dot(known, h) <= 0 || direction.z <= 0) return std::nullopt;
-  return ScatterSample{direction,
-                       fresnel_dielectric(dot(known, h), ior) * facets->weight(known, direction, h),
-                       facets->reflection_pdf(known, h)};
+  return detail::sample_reflection(*facets, known, u1, u2,
+                                   [&](double cosine) { return fresnel_dielectric(cosine, ior); });
 }
 
 double Plastic::albedo(const Vec3& known) const {

@@ -76,19 +76,19 @@ struct Facets {
   explicit Facets(const LaneScatter& s)
       : ox(s.ox), oy(s.oy), oz(s.oz), on(s.on), base(s.base), scale(s.highlight), alpha2(s.alpha2) {
     for (std::size_t k = 0; k < CosineCurve::nodes; ++k) {
-      at[k] = CosineCurve::at[k];
       entry[k] = s.entry->factor[k];
       fresnel[k] = s.fresnel->factor[k];
     }
   }
 
   float ox = 0, oy = 0, oz = 0, on = 0, base = 0, scale = 0, alpha2 = 1;
-  float at[CosineCurve::nodes] = {}, entry[CosineCurve::nodes] = {}, fresnel[CosineCurve::nodes] = {};
+  float entry[CosineCurve::nodes] = {}, fresnel[CosineCurve::nodes] = {};
 };
 
-SHELFBEAM_INLINE inline float on_curve(const float* factor, const float* at, float cosine) {
+SHELFBEAM_INLINE inline float on_curve(const float* factor, float cosine) {
   float value = factor[CosineCurve::nodes - 1];
-  for (std::size_t k = CosineCurve::nodes - 1; k-- > 0;) value = value * (cosine - at[k]) + factor[k];
+  for (std::size_t k = CosineCurve::nodes - 1; k-- > 0;)
+    value = value * (cosine - CosineCurve::at[k]) + factor[k];
   return value;
 }
 
@@ -98,7 +98,7 @@ SHELFBEAM_INLINE inline float highlight(const Facets& f, float ln, float squared
   const float across = facing < 1 ? 1 - facing : 0;
   const float d = across + f.alpha2 * (1 - across);
   const float g = ln + std::sqrt(f.alpha2 + (1 - f.alpha2) * ln * ln);
-  const float fresnel = on_curve(f.fresnel, f.at, std::sqrt(squared) / 2);
+  const float fresnel = on_curve(f.fresnel, std::sqrt(squared) / 2);
   return f.scale * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) * (fresnel > 0 ? fresnel : 0);
 }
 
@@ -179,13 +179,12 @@ void LaneKernels::add_radiance(const UnitGroups& groups, const std::uint16_t* li
       SHELFBEAM_VECTORIZE
       for (std::size_t k = 0; k < lanes; ++k) {
         const Way way = way_to(group, p, facets, k);
-        f[k] =
-            facets.base * on_curve(facets.entry, facets.at, way.ln) + highlight(facets, way.ln, way.squared);
+        f[k] = facets.base * on_curve(facets.entry, way.ln) + highlight(facets, way.ln, way.squared);
       }
     } else {
       SHELFBEAM_VECTORIZE
       for (std::size_t k = 0; k < lanes; ++k)
-        f[k] = facets.base * on_curve(facets.entry, facets.at, way_to(group, p, facets, k).ln);
+        f[k] = facets.base * on_curve(facets.entry, way_to(group, p, facets, k).ln);
     }
     for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
               UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
@@ -198,8 +197,7 @@ LaneKernels::Parts LaneKernels::parts(const UnitGroups& groups, std::size_t g, s
                                       const LanePoint& point, const LaneScatter& scatter) {
   const Facets facets(scatter);
   const Way way = way_to(groups.groups_[g], point, facets, lane);
-  return {on_curve(facets.entry, facets.at, way.ln),
-          scatter.highlight > 0 ? highlight(facets, way.ln, way.squared) : 0};
+  return {on_curve(facets.entry, way.ln), scatter.highlight > 0 ? highlight(facets, way.ln, way.squared) : 0};
 }
 
 SHELFBEAM_FOR_EACH_CPU

@@ -16,8 +16,9 @@ constexpr double most_survival = 0.95;
 double share_otherwise(const PathVertex& vertex) {
   constexpr double least = 0.1;
   const SurfaceGuide& guide = *vertex.guide;
-  if (!guide.has_base() || guide.base_albedo() == 0) return guide.is_detailed() || !guide.has_base() ? 1 : 0;
+  if (!guide.has_base()) return 1;
   if (!guide.is_detailed()) return 0;
+  if (guide.base_albedo() == 0) return 1;
   const double base = (vertex.end.is_straight ? guide.exit(1) : vertex.exit) * guide.base_albedo();
   const double coat = 1 - vertex.exit;
   return std::clamp(coat / (coat + base), least, 1 - least);
@@ -304,7 +305,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
 
     const double otherwise = share_otherwise(vertex);
     const std::uint32_t others = tails_otherwise(vertex, otherwise, tails);
-    const std::uint32_t of_base = otherwise == 1 ? 0 : others < tails ? tails - others : 1;
+    const std::uint32_t of_base = otherwise == 1 ? 0 : std::max(others + 1, tails) - others;
     const auto by_base = gather(vertex, true, of_base, points, random, rows[a].base, rays);
     const auto by_other = gather(vertex, false, others, mix_key(points, 0x0FF), random, rows[a].own, rays);
 

@@ -20,7 +20,7 @@ bool is_plain(const Microfacets& facets) {
 }  // namespace
 
 SurfaceGuide::SurfaceGuide(const Material& material) : plastic_(std::get_if<Plastic>(&material)) {
-  if (shelfbeam::has_only_specular(material)) return;
+  if (has_only_specular(material)) return;
   const Vec3 from = normalized({1, 0, 1});
   flat_ =
       static_cast<float>(std::max(0.0, albedo(material, from) - specular_reflectance(material, from)) / pi);

@@ -29,7 +29,7 @@ struct CellLink {
   float weight;  ///< irradiance here for each W/m^2 of irradiance there
 };
 
-/// By rays from the places of a cell; `guides` is radiance per irradiance, by material.
+/// By rays from the places of a cell; `guides` tell the radiance per irradiance, by material.
 std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells, std::size_t cell,
                                    const std::vector<SurfaceGuide>& guides, std::uint64_t seed,
                                    std::uint64_t& rays);
