@@ -19,7 +19,7 @@ constexpr Question alone{.model = CommunicationModel::non_cooperative};
 
 std::optional<std::vector<std::uint32_t>> search(const SignalTable& table, const Question& question,
                                                  const std::vector<std::uint32_t>& start,
-                                                 const detail::CoverSearchEffort& effort) {
+                                                 const detail::SearchEffort& effort) {
   const std::vector<double> ones(table.columns(), 1.0);
   return detail::cover_search(table, question, detail::reduce_cover(table, alone, ones), start, effort, {});
 }
@@ -50,7 +50,7 @@ TEST(CoverSearch, FindsTheKnownOptima) {
 TEST(CoverSearch, KeepsWhatIsInstalledAndClaimsNothing) {
   SignalTable table = test::affine_lines(3);
   table.transceivers[5].installed = table.transceivers[6].installed = true;
-  const detail::CoverSearchEffort effort{.moves = 20000};
+  const detail::SearchEffort effort{.moves = 20000};
   const auto found = search(table, alone, everything(table), effort);
   ASSERT_TRUE(found);
   EXPECT_TRUE(std::count(found->begin(), found->end(), 5U) == 1 &&

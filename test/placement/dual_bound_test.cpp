@@ -19,13 +19,33 @@ using detail::DualBound;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The least cost of an answer of so many units; of those with, and of those without every column.
+/// In these answers some unit gives a label so much of what it requires; anything does where it is 0.
+struct Strongest {
+  std::uint32_t label = 0;
+  double share = 0;
+
+  bool holds(const SignalTable& table, const Question& question,
+             const std::vector<std::uint32_t>& selected) const {
+    if (share == 0) return true;
+    const double requirement = requirement_of(table.labels[label], question.model);
+    for (const SignalEntry& entry : table.row(label)) {
+      const bool is_chosen = std::count(selected.begin(), selected.end(), entry.transceiver) > 0;
+      const bool is_enough = question.model == CommunicationModel::cooperative
+                                 ? entry.signal / requirement >= share
+                                 : is_met(entry.signal, requirement);
+      if (is_chosen && is_enough) return true;
+    }
+    return false;
+  }
+};
+
+/// The least cost of such an answer; of those with, and of those without every column.
 struct Least {
   double cost = infinite;
   std::vector<double> with, without;
 
   Least(const SignalTable& table, const Question& question, const std::vector<double>& costs,
-        const detail::UnitCount& count)
+        const detail::AnswerSet& answers, const Strongest& strongest = {})
       : with(table.columns(), infinite), without(table.columns(), infinite) {
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
       std::vector<std::uint32_t> selected;
@@ -36,7 +56,12 @@ struct Least {
         if (in) selected.push_back(j), sum += costs[j];
         holds_installed = holds_installed && (in || !table.transceivers[j].installed);
       }
-      if (!holds_installed || selected.size() < count.least || selected.size() > count.most) continue;
+      if (!holds_installed || selected.size() < answers.least || selected.size() > answers.most) continue;
+      const auto is_out = [&](std::uint32_t j) {
+        return std::count(answers.without.begin(), answers.without.end(), j) > 0;
+      };
+      if (std::any_of(selected.begin(), selected.end(), is_out)) continue;
+      if (!strongest.holds(table, question, selected)) continue;
       if (!check_selection(table, question, selected).met()) continue;
       cost = std::min(cost, sum);
       for (std::uint32_t j = 0; j < table.columns(); ++j) {
@@ -83,19 +108,27 @@ TEST(DualBound, HoldsForAnyMultipliers) {
     const auto units = [&](int least) {
       return static_cast<std::size_t>(random.whole(least, static_cast<int>(table.columns())));
     };
-    detail::UnitCount count{.most = units(0)};
-    if (random.chance(0.3)) count.least = count.most;
-    if (random.chance(0.1)) count = {.least = units(0)};
-    const Least least(table, question, cost, count);
+    detail::AnswerSet answers{.most = units(0)};
+    if (random.chance(0.3)) answers.least = answers.most;
+    if (random.chance(0.1)) answers = {.least = units(0)};
+    if (random.chance(0.3))
+      for (std::uint32_t j = 0; j < table.columns(); ++j)
+        if (!table.transceivers[j].installed && random.chance(0.2)) answers.without.push_back(j);
+    Strongest strongest;
+    if (table.rows() > 0 && random.chance(0.3))
+      strongest = {static_cast<std::uint32_t>(random.whole(0, static_cast<int>(table.rows()) - 1)),
+                   random.real(0.05, 1)};
+    const Least least(table, question, cost, answers, strongest);
     const Least least_of_all(table, question, cost, {});
-    const std::vector<BoundRow> rows = random_rows(table, std::min(count.most, table.columns()), random);
+    std::vector<BoundRow> rows = random_rows(table, std::min(answers.most, table.columns()), random);
+    if (strongest.share > 0) rows.push_back({.label = strongest.label, .strongest = strongest.share});
     const double largest = cost.empty() ? 1 : *std::max_element(cost.begin(), cost.end());
     for (int l = 0; l < 8; ++l) {
       std::vector<double> y;
       const double size = largest * std::pow(2.0, -l);
       for (std::size_t i = 0; i < rows.size(); ++i)
         y.push_back(random.chance(0.3) ? random.real(0, size) : 0);
-      const DualBound dual = dual_bound(table, question, rows, y, cost, count);
+      const DualBound dual = dual_bound(table, question, rows, y, cost, answers);
       ASSERT_LE(dual.bound, least.cost + rounding(least.cost)) << k;
       if (dual.bound > 0.7 * least.cost && least.cost > 0 && least.cost < infinite) ++tight;
       for (std::size_t j = 0; j < table.columns(); ++j) {
@@ -104,7 +137,7 @@ TEST(DualBound, HoldsForAnyMultipliers) {
         ASSERT_GE(std::max(dual.if_chosen[j], dual.if_left_out[j]), dual.bound);
       }
 
-      // Negative control: for answers of more units the same rows prove too much now and then.
+      // Negative control: for all answers the same rows prove too much now and then.
       if (dual.bound > least_of_all.cost + 1e-3 * largest) ++too_much;
 
       // No answer that is worth it is lost by fixing columns.
@@ -160,7 +193,7 @@ TEST(DualBound, KnowsKnapsackCovers) {
 TEST(DualBound, KnowsHowManyUnitsThereAre) {
   SignalTable table = test::make_table({{1, 1, 1, 1}}, 4);
   const std::vector<double> cost = {5, 2, 3, 1};
-  const auto bound = [&](const detail::UnitCount& count) {
+  const auto bound = [&](const detail::AnswerSet& count) {
     return dual_bound(table, {}, {}, {}, cost, count);
   };
   EXPECT_NEAR(bound({}).bound, 0, 1e-12);
@@ -190,7 +223,7 @@ TEST(DualBound, KnowsThePigeonholePrinciple) {
   // Where all units together give as much below the share as the label needs, it says nothing.
   EXPECT_NEAR(bound(0.5, 2), 0, 1e-9);
   EXPECT_NEAR(bound(0.46, 3), 0, 1e-9);
-  EXPECT_NEAR(bound(0.46, detail::UnitCount().most), 0, 1e-9);
+  EXPECT_NEAR(bound(0.46, detail::AnswerSet().most), 0, 1e-9);
 }
 
 TEST(DualBound, CountsOneUnitAMountingPoint) {

@@ -39,7 +39,7 @@ Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) 
     if (answers.empty()) continue;
     const Columns& start =
         answers[static_cast<std::size_t>(random.whole(0, static_cast<int>(answers.size()) - 1))].columns;
-    const LocalSearchEffort effort{.moves = 300, .walks = 3};
+    const SearchEffort effort{.moves = 300, .walks = 3};
     const auto found = local_search(problem, all, start, effort, {.threads = 1});
     ++tally.started;
     for (const unsigned threads : {2U, 4U})

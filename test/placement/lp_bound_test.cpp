@@ -126,7 +126,7 @@ TEST_P(LpBounds, OfTheSecondObjectiveKnowTheCount) {
     const test::BruteForce truth(table, question);
     if (!truth.feasible || truth.best_at_fewest == 0) continue;
     const std::vector<double> cost = objective_coefficients(table, question);
-    const LpBound with = bound(table, question, cost, {.count = {truth.fewest, truth.fewest}});
+    const LpBound with = bound(table, question, cost, {.answers = {truth.fewest, truth.fewest}});
     const LpBound without = bound(table, question, cost);
     EXPECT_LE(with.dual.bound, truth.best_at_fewest + rounding(truth.best_at_fewest)) << k;
     EXPECT_GE(with.dual.bound, without.dual.bound - 1e-6 * truth.best_at_fewest) << k;
@@ -135,6 +135,31 @@ TEST_P(LpBounds, OfTheSecondObjectiveKnowTheCount) {
   }
   EXPECT_GT(compared, 50);
   EXPECT_GT(better, 20);
+}
+
+// By cases more is shown than by one linear program, and never that the fewest units are too few.
+TEST_P(LpBounds, OfTheCountAreRaisedByCases) {
+  test::RandomTables random(43, {.labels = 12, .transceivers = 11, .mounts = true});
+  int open = 0, closed = 0;
+  for (int k = 0; k < 400; ++k) {
+    const SignalTable table = random.chance(0.3) ? random.next() : a_few_together(random);
+    const Question question;
+    const test::BruteForce truth(table, question);
+    if (!truth.feasible) continue;
+    const std::vector<double> ones(table.columns(), 1.0);
+    for (const std::size_t most : {truth.fewest - std::min<std::size_t>(truth.fewest, 1), truth.fewest}) {
+      const LpBound limited = bound(table, question, ones, {.answers = {.most = most}});
+      const bool shown = needs_more(table, question, GetParam(), most, limited, 60, {});
+      if (most == truth.fewest) {
+        ASSERT_FALSE(shown) << k;
+      } else if (limited.dual.bound < static_cast<double>(most) + 1e-6) {
+        ++open;
+        closed += shown;
+      }
+    }
+  }
+  EXPECT_GT(open, 50);
+  EXPECT_GT(closed, open / 2);
 }
 
 // Two units each give 0.8 to one label and 0.2 to the four others: the relaxation is 3.125, and four units

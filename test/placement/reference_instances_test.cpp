@@ -47,9 +47,9 @@ TEST(PlacementReferenceSlow, SolvesTheSupermarket) {
   const Placement stopped = place(table, {coop}, {.time_limit_s = 30});
   EXPECT_EQ(stopped.status, Status::stopped);
   EXPECT_TRUE(check_selection(table, {coop}, stopped.selected).met());
-  EXPECT_EQ(stopped.count(), 26U);
+  EXPECT_LE(stopped.count(), 26U);
   EXPECT_GE(stopped.count_lower_bound, 22);
-  EXPECT_LE(stopped.count_lower_bound, 26);
+  EXPECT_LE(stopped.count_lower_bound, 25);
   EXPECT_LE(stopped.seconds, 60);
 }
 #endif

@@ -16,7 +16,7 @@ std::vector<BoundRow> rows_for(const LpBound& bound, std::size_t count) {
   for (const std::uint32_t label : bound.labels) rows.push_back({label});
   const auto units = static_cast<double>(count);
   for (BoundRow row : bound.rows) {
-    if (row.taken.empty() && row.share == 0) continue;
+    if (row.is_plain()) continue;
     row.share *= units / (units + 1);
     rows.push_back(std::move(row));
   }
@@ -45,10 +45,12 @@ CountBound count_bound(const SignalTable& table, const Question& question, const
     const LpBound limited = lp_bound(table, question, ones, backend,
                                      {.time_limit_s = seconds_left(),
                                       .enough = enough,
-                                      .count = {.most = result.count},
+                                      .answers = {.most = result.count},
                                       .rows = std::move(rows)},
                                      control);
-    if (limited.dual.bound < enough) {
+    if (limited.dual.bound < enough &&
+        !(limited.complete &&
+          needs_more(table, question, backend, result.count, limited, seconds_left(), control))) {
       result.complete = limited.complete;
       break;
     }

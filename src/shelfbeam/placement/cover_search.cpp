@@ -66,7 +66,7 @@ class CoverWalk {
       score_[c] = static_cast<std::int64_t>(cover.rows_of[c].size());
   }
 
-  void run(const CoverSearchEffort& effort, const RunControl& control) {
+  void run(const SearchEffort& effort, const RunControl& control) {
     while (!open_.empty()) add(best_for(open_[random_() % open_.size()], true));
     constexpr std::uint64_t between_looks = 1024;
     std::uint32_t last = SparseCover::none;
@@ -192,7 +192,7 @@ bool is_plain_cover(const SignalTable& table, const Question& question) {
 std::optional<std::vector<std::uint32_t>> cover_search(const SignalTable& table, const Question& question,
                                                        const Reduction& reduction,
                                                        const std::vector<std::uint32_t>& start,
-                                                       const CoverSearchEffort& effort,
+                                                       const SearchEffort& effort,
                                                        const RunControl& control) {
   if (!is_plain_cover(table, question) || effort.walks == 0) return std::nullopt;
   if (reduction.infeasible || start.size() <= reduction.forced.size()) return std::nullopt;

@@ -48,9 +48,14 @@ Point make_point(std::vector<std::uint32_t> options, const std::vector<double>& 
 
 /// The units that may be chosen: points without an installed unit. Adds the installed ones to the bound and
 /// rules out the other options of their points.
-std::vector<Point> free_points(const SignalTable& table, DualBound& dual) {
+std::vector<Point> free_points(const SignalTable& table, const std::vector<std::uint32_t>& without,
+                               DualBound& dual) {
   std::vector<Point> points;
-  std::vector<bool> shares(table.columns(), false);
+  std::vector<bool> shares(table.columns(), false), is_out(table.columns(), false);
+  for (const std::uint32_t j : without) {
+    is_out[j] = true;
+    dual.if_chosen[j] = infinite;
+  }
   for (const auto& mount : table.mounts) {
     bool taken = false;
     for (const std::uint32_t j : mount) {
@@ -59,13 +64,16 @@ std::vector<Point> free_points(const SignalTable& table, DualBound& dual) {
     }
     for (const std::uint32_t j : mount)
       if (taken && !table.transceivers[j].installed) dual.if_chosen[j] = infinite;
-    if (!taken) points.push_back(make_point(mount, dual.reduced_cost));
+    std::vector<std::uint32_t> options;
+    for (const std::uint32_t j : mount)
+      if (!is_out[j]) options.push_back(j);
+    if (!taken && !options.empty()) points.push_back(make_point(std::move(options), dual.reduced_cost));
   }
   for (std::uint32_t j = 0; j < table.columns(); ++j) {
     if (table.transceivers[j].installed) {
       dual.bound += dual.reduced_cost[j];
       dual.if_left_out[j] = infinite;
-    } else if (!shares[j]) {
+    } else if (!shares[j] && !is_out[j]) {
       points.push_back(make_point({j}, dual.reduced_cost));
     }
   }
@@ -107,9 +115,9 @@ void take_points(std::vector<Point> points, std::size_t least, std::size_t most,
 }  // namespace
 
 DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
-                     std::span<const double> y, std::span<const double> cost, const UnitCount& count) {
+                     std::span<const double> y, std::span<const double> cost, const AnswerSet& answers) {
   const std::size_t n = table.columns();
-  const WeighedRows weighed(table, question, rows, y, count.most);
+  const WeighedRows weighed(table, question, rows, y, answers.most);
   DualBound dual{weighed.bound, std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), {}};
   double added = weighed.bound;
   for (std::size_t j = 0; j < n; ++j) {
@@ -123,12 +131,12 @@ DualBound dual_bound(const SignalTable& table, const Question& question, std::sp
     return dual;
   }
 
-  std::vector<Point> points = free_points(table, dual);
+  std::vector<Point> points = free_points(table, answers.without, dual);
   const auto installed = static_cast<std::size_t>(
       std::count_if(table.transceivers.begin(), table.transceivers.end(),
                     [](const SignalTable::Transceiver& unit) { return unit.installed; }));
-  take_points(std::move(points), count.least - std::min(count.least, installed),
-              count.most - std::min(count.most, installed), dual);
+  take_points(std::move(points), answers.least - std::min(answers.least, installed),
+              answers.most - std::min(answers.most, installed), dual);
 
   const double slack =
       static_cast<double>(rows.size() + n + 8) * std::numeric_limits<double>::epsilon() * added;

@@ -5,19 +5,20 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/placement/detail/active_rows.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
 
-constexpr std::size_t block = SearchMatrix::block;
-constexpr std::size_t rows_at_first = 256, rows_at_once = 32;
+constexpr std::size_t rows_at_first = 256;
 // More candidates for a row are worse, not only slower: the best of all is too often the same.
 constexpr std::size_t most_supporters = 24;
 
@@ -28,6 +29,7 @@ class Walk {
       : problem_(problem),
         all_(all),
         rule_(receiving(problem.question)),
+        rows_(all, rule_),
         demand_(rule_ == Receiving::second_best ? 2.0F : 1.0F),
         price_(all.columns(), 1.0),
         is_free_(problem.available),
@@ -38,10 +40,11 @@ class Walk {
       for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(problem.cost[j]);
     for (const std::uint32_t j : start) in_[j] = true;
     if (margin_of(problem.table, problem.question, all, start, memory_).is_met) best_cost_ = cost();
-    take_rows(hardest_rows(rows_at_first));
+    rows_.take_hardest_for(start, rows_at_first);
+    follow_rows();
   }
 
-  void run(const LocalSearchEffort& effort, const RunControl& control) {
+  void run(const SearchEffort& effort, const RunControl& control) {
     constexpr std::uint64_t between_looks = 64;
     const auto is_over = [&] {
       return control.cancelled() || std::chrono::steady_clock::now() >= effort.until;
@@ -76,38 +79,14 @@ class Walk {
     return sum;
   }
 
-  float held_by(std::uint32_t row, std::uint32_t column) const {
-    const float ratio = all_.column(column)[row];
-    if (is_sum(rule_)) return std::min(ratio, 1.0F);
-    return ratio >= 1.0F ? 1.0F : 0.0F;
-  }
-
-  std::vector<std::uint32_t> hardest_rows(std::size_t count) const {
-    std::vector<std::pair<float, std::uint32_t>> by_margin;
-    for (std::uint32_t i = 0; i < all_.rows(); ++i) {
-      float sum = 0;
-      for (std::uint32_t j = 0; j < in_.size(); ++j)
-        if (in_[j]) sum += held_by(i, j);
-      by_margin.emplace_back(sum, i);
-    }
-    count = std::min(count, by_margin.size());
-    std::partial_sort(by_margin.begin(), by_margin.begin() + static_cast<std::ptrdiff_t>(count),
-                      by_margin.end());
-    std::vector<std::uint32_t> rows;
-    for (std::size_t k = 0; k < count; ++k) rows.push_back(by_margin[k].second);
-    return rows;
-  }
-
-  // Adds rows to those that are searched with.
-  void take_rows(const std::vector<std::uint32_t>& fresh) {
-    const std::size_t before = rows_.size();
-    for (const std::uint32_t row : fresh) {
-      rows_.push_back(row);
-      weight_.resize(rows_.size(), 1.0F);
-      weight_.back() = 1;
+  // Weights and supporters of rows that have come in.
+  void follow_rows() {
+    weight_.resize(rows_.padded(), 0.0F);
+    for (std::size_t r = supporters_.size(); r < rows_.size(); ++r) {
+      const std::uint32_t row = rows_.row(r);
       std::vector<std::uint32_t> columns;
       for (std::uint32_t j = 0; j < in_.size(); ++j)
-        if (is_free_[j] && held_by(row, j) > 0) columns.push_back(j);
+        if (is_free_[j] && rows_.used_of(row, j) > 0) columns.push_back(j);
       const std::size_t count = std::min(most_supporters, columns.size());
       std::partial_sort(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(count), columns.end(),
                         [&](std::uint32_t a, std::uint32_t b) {
@@ -116,32 +95,20 @@ class Walk {
                         });
       columns.resize(count);
       supporters_.push_back(std::move(columns));
+      weight_[r] = 1;
     }
-    if (rows_.size() > padded_) {
-      const std::size_t wider = std::max(2 * padded_, (rows_.size() + block - 1) / block * block);
-      std::vector<float> values(wider * in_.size(), 0.0F);
-      for (std::size_t j = 0; j < in_.size(); ++j)
-        std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(j * padded_), before,
-                    values.begin() + static_cast<std::ptrdiff_t>(j * wider));
-      values_ = std::move(values);
-      padded_ = wider;
-    }
-    for (std::uint32_t j = 0; j < in_.size(); ++j)
-      for (std::size_t r = before; r < rows_.size(); ++r) values_[j * padded_ + r] = held_by(rows_[r], j);
-    weight_.resize(padded_, 0.0F);
-    std::fill(weight_.begin() + static_cast<std::ptrdiff_t>(rows_.size()), weight_.end(), 0.0F);
     recount();
   }
-
-  const float* column(std::size_t j) const { return values_.data() + j * padded_; }
 
   Receiving counting_rule() const { return rule_ == Receiving::sum_without_best ? rule_ : Receiving::sum; }
 
   void recount() {
-    held_.assign(padded_, 0.0F);
-    largest_.assign(padded_, 0.0F);
+    held_.assign(rows_.padded(), 0.0F);
+    largest_.assign(rows_.padded(), 0.0F);
     for (std::size_t j = 0; j < in_.size(); ++j)
-      if (in_[j]) SearchKernels::receive(counting_rule(), column(j), padded_, held_.data(), largest_.data());
+      if (in_[j])
+        SearchKernels::receive(counting_rule(), rows_.column(j), rows_.padded(), held_.data(),
+                               largest_.data());
   }
 
   bool meets_rows() {
@@ -170,36 +137,14 @@ class Walk {
       }
       return true;
     }
-    // `memory_` holds what every row receives.
-    std::vector<std::pair<float, std::uint32_t>> short_of;
-    std::vector<bool> is_known(all_.rows(), false);
-    for (const std::uint32_t row : rows_) is_known[row] = true;
-    for (std::uint32_t i = 0; i < all_.rows(); ++i)
-      if (memory_[i] < 1 && !is_known[i]) short_of.emplace_back(memory_[i], i);
-    std::sort(short_of.begin(), short_of.end());
-    std::vector<std::uint32_t> fresh;
-    for (std::size_t k = 0; k < std::min(rows_at_once, short_of.size()); ++k)
-      fresh.push_back(short_of[k].second);
-    if (!fresh.empty())
-      take_rows(fresh);
-    else if (!is_known[margin.label])  // met in float arithmetic only
-      take_rows({margin.label});
-    else
-      ask_more_of(margin.label);
+    if (!rows_.learn(std::span(memory_).first(all_.rows()), margin.label)) rows_.ask_more_of(margin.label);
+    follow_rows();
     return false;
-  }
-
-  // Of a sum that float arithmetic takes for met and the rule does not. (Links are as the rule has them.)
-  void ask_more_of(std::uint32_t label) {
-    constexpr float less = 1 - 1e-4F;
-    const auto r = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), label) - rows_.begin());
-    for (std::size_t j = 0; j < in_.size(); ++j) values_[j * padded_ + r] *= less;
-    recount();
   }
 
   double lost_with(std::uint32_t j) const {
     return static_cast<double>(
-        SearchKernels::loss(column(j), weight_.data(), held_.data(), demand_, padded_));
+        SearchKernels::loss(rows_.column(j), weight_.data(), held_.data(), demand_, rows_.padded()));
   }
 
   bool remove_cheapest() {
@@ -219,8 +164,8 @@ class Walk {
     if (rule_ == Receiving::sum_without_best) {
       recount();
     } else {
-      const float* const lost = column(out);
-      for (std::size_t r = 0; r < padded_; ++r) held_[r] -= lost[r];
+      const float* const lost = rows_.column(out);
+      for (std::size_t r = 0; r < rows_.padded(); ++r) held_[r] -= lost[r];
     }
     return true;
   }
@@ -233,7 +178,7 @@ class Walk {
     for (const std::uint32_t j : supporters_[row]) {
       if (in_[j] || (touched_[j] > 0 && touched_[j] + 1 >= now_) || price_[j] >= best_cost_) continue;
       double gained = static_cast<double>(
-          SearchKernels::worth(column(j), weight_.data(), held_.data(), demand_, padded_));
+          SearchKernels::worth(rows_.column(j), weight_.data(), held_.data(), demand_, rows_.padded()));
       for (const std::uint32_t other : problem_.excludes[j])
         if (in_[other]) gained -= lost_with(other);
       const double worth = ratio(gained, price_[j]);
@@ -255,7 +200,8 @@ class Walk {
       if (replaces)
         recount();
       else
-        SearchKernels::receive(counting_rule(), column(in), padded_, held_.data(), largest_.data());
+        SearchKernels::receive(counting_rule(), rows_.column(in), rows_.padded(), held_.data(),
+                               largest_.data());
     }
     constexpr double rounding = 1e-12;
     while (cost() >= best_cost_ * (1 - rounding))
@@ -270,16 +216,14 @@ class Walk {
   const SearchProblem& problem_;
   const SearchMatrix& all_;
   Receiving rule_;
+  ActiveRows rows_;
   float demand_;
   std::vector<double> price_;
   std::vector<bool> is_free_, in_;
   std::vector<std::uint64_t> touched_;  ///< the move in which it came or went last
   std::mt19937 random_;
   std::uint64_t now_ = 0;
-  std::vector<std::uint32_t> rows_;
   std::vector<std::vector<std::uint32_t>> supporters_;  ///< by row: the free columns that give it most
-  std::size_t padded_ = 0;
-  std::vector<float> values_;  ///< by column: what a row can use of it
   std::vector<float> weight_, held_, largest_, memory_;
   std::vector<std::uint32_t> unmet_;
   std::optional<std::vector<std::uint32_t>> best_;
@@ -290,7 +234,7 @@ class Walk {
 
 std::optional<std::vector<std::uint32_t>> local_search(const SearchProblem& problem, const SearchMatrix& all,
                                                        const std::vector<std::uint32_t>& start,
-                                                       const LocalSearchEffort& effort,
+                                                       const SearchEffort& effort,
                                                        const RunControl& control) {
   std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
   std::vector<double> cost(effort.walks, std::numeric_limits<double>::infinity());

@@ -29,11 +29,11 @@ class RowGeneration {
         cost_(cost),
         options_(options),
         control_(control),
-        reader_(table, question, options.count.most),
-        pricing_(table, question, options.count.most),
+        reader_(table, question, options.answers.most),
+        pricing_(table, question, options.answers.most),
         lp_(load(table, cost, backend, options)),
         is_row_(table.rows(), false) {
-    result_.dual = dual_bound(table, question, {}, {}, cost, options.count);
+    result_.dual = dual_bound(table, question, {}, {}, cost, options.answers);
   }
 
   LpBound run() {
@@ -54,13 +54,14 @@ class RowGeneration {
  private:
   // An upper limit alone is left to the inequalities with a share: where it leaves nothing the LP would have
   // no solution and no multipliers that say so.
-  static bool limits_count(const LpBoundOptions& options) { return options.count.least > 0; }
+  static bool limits_count(const LpBoundOptions& options) { return options.answers.least > 0; }
 
   static std::unique_ptr<milp::LpSession> load(const SignalTable& table, std::span<const double> cost,
                                                const milp::Backend& backend, const LpBoundOptions& options) {
     std::vector<milp::Column> columns;
     for (std::size_t j = 0; j < table.columns(); ++j)
       columns.push_back({cost[j], table.transceivers[j].installed ? 1.0 : 0.0, 1, false, {}});
+    for (const std::uint32_t j : options.answers.without) columns[j].upper = 0;
     auto lp = backend.lp(columns);
     std::vector<milp::Row> rows;
     for (const auto& mount : table.mounts) {
@@ -70,7 +71,7 @@ class RowGeneration {
     }
     if (limits_count(options)) {
       milp::Row row{
-          static_cast<double>(options.count.least), static_cast<double>(options.count.most), {}, {}};
+          static_cast<double>(options.answers.least), static_cast<double>(options.answers.most), {}, {}};
       for (std::uint32_t j = 0; j < table.columns(); ++j) row.entries.push_back({j, 1.0});
       rows.push_back(std::move(row));
     }
@@ -88,7 +89,7 @@ class RowGeneration {
     for (const BoundRow& row : batch) {
       milp::Row& built = rows.emplace_back();
       built.lower = reader_.read(row, [&](std::uint32_t j, double a) { built.entries.push_back({j, a}); });
-      if (row.taken.empty() && row.share == 0) {
+      if (row.is_plain()) {
         is_row_[row.label] = true;
         result_.labels.push_back(row.label);
       }
@@ -112,7 +113,7 @@ class RowGeneration {
       rows.push_back(rows_[k]);
       y.push_back(dual);
     }
-    DualBound dual = dual_bound(table_, question_, rows, y, cost_, options_.count);
+    DualBound dual = dual_bound(table_, question_, rows, y, cost_, options_.answers);
     if (dual.bound > result_.dual.bound) {
       result_.dual = std::move(dual);
       result_.rows = std::move(rows);
@@ -132,9 +133,9 @@ class RowGeneration {
     result_.complete = batch.empty();
     if (batch.empty() && options_.cuts && question_.model == CommunicationModel::cooperative) {
       batch = cover_cuts(table_, question_, result_.labels, result_.x, most);
-      if (options_.count.most < table_.columns())
+      if (options_.answers.most < table_.columns())
         for (BoundRow& row :
-             share_cuts(table_, question_, options_.count.most, result_.labels, result_.x, most))
+             share_cuts(table_, question_, options_.answers.most, result_.labels, result_.x, most))
           batch.push_back(std::move(row));
     }
     return batch;

@@ -15,6 +15,7 @@
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/bounds.hpp"
 #include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/detail/annealing.hpp"
 #include "shelfbeam/placement/detail/cover_search.hpp"
 #include "shelfbeam/placement/detail/local_search.hpp"
 #include "shelfbeam/placement/detail/lp_bound.hpp"
@@ -67,7 +68,8 @@ class Engine {
     report();
     constexpr std::uint64_t nodes_of_a_first_look = 15000, nodes_of_a_second_look = 5000000;
     if (!closed() && is_small()) climb(part_of_rest(0.2), nodes_of_a_first_look);
-    if (!closed()) bound_by_lp(part_of_rest(0.5));
+    // Where neither a tree nor a MIP may follow, the bound is what takes the time.
+    if (!closed()) bound_by_lp(part_of_rest(tree_ || may_ask_mip() ? 0.5 : 0.7));
     // What reductions leave is often little, and then nothing is as fast; nor is anything for small models.
     if (!closed() && !is_small()) ask_mip(reduces() ? part_of_rest(0.3) : std::min(part_of_rest(0.15), 5.0));
     if (!closed() && is_small() && !reduces()) climb(part_of_rest(0.3), nodes_of_a_second_look);
@@ -146,6 +148,10 @@ class Engine {
     return question_.model == CommunicationModel::non_cooperative && !question_.redundant;
   }
 
+  bool may_ask_mip() const {
+    return !solvers_.only_linear && (reduces() || table_.entries.size() <= limits_.most_mip_entries);
+  }
+
   std::string state() const {
     const double gap = best_value_ > bound_ ? 100 * (best_value_ - bound_) / best_value_ : 0;
     return fmt::format("best {:.6g}, at least {:.6g}, gap {:.1f} %", best_value_, bound_, gap);
@@ -192,11 +198,15 @@ class Engine {
   void improve(std::uint64_t moves, Clock::time_point until = Clock::time_point::max()) {
     if (out_of_time()) return;
     constexpr std::uint32_t walks = 2;
-    constexpr std::uint64_t cover_moves = 10;  // for one of the other kind
+    constexpr std::uint64_t cover_moves = 10;  // in the time of one move of local search
+    const std::uint64_t exchanges = is_small() ? 10 : 40;
     until = std::min(until, end_);
     if (is_plain_cover(table_, question_) && !is_small()) {
       moves = std::min(moves, std::numeric_limits<std::uint64_t>::max() / cover_moves) * cover_moves;
       offer(cover_search(table_, question_, reduction(), best_, {moves, walks, until, seed_}, control_));
+    } else if (matrix_ && can_anneal(question_)) {
+      moves = std::min(moves, std::numeric_limits<std::uint64_t>::max() / exchanges) * exchanges;
+      offer(anneal(problem_, *matrix_, best_, {moves, walks, until, seed_}, control_));
     } else if (matrix_) {
       offer(local_search(problem_, *matrix_, best_, {moves, walks, until, seed_}, control_));
     }
@@ -254,7 +264,7 @@ class Engine {
     std::vector<std::uint32_t> rows;
     std::vector<double> weights;
     for (std::size_t k = 0; k < lp.rows.size(); ++k) {
-      if (!lp.rows[k].taken.empty() || lp.rows[k].share > 0) continue;
+      if (!lp.rows[k].is_plain()) continue;
       rows.push_back(lp.rows[k].label);
       weights.push_back(lp.y[k]);
     }
@@ -337,7 +347,7 @@ class Engine {
   }
 
   void ask_mip(double seconds) {
-    if (out_of_time() || solvers_.only_linear) return;
+    if (out_of_time() || !may_ask_mip()) return;
     const Clock::time_point until = after(seconds);
     const auto left = [&] { return std::chrono::duration<double>(until - Clock::now()).count(); };
     if (reduces()) {
@@ -352,7 +362,7 @@ class Engine {
       const double bound = useless.empty() ? answer.bound : std::min(answer.bound, next_above(worth));
       raise(bound, BoundProof::solver);
       if (answer.proven) close_by_solver(answer.selected);
-    } else if (table_.entries.size() <= limits_.most_mip_entries) {
+    } else {
       Question first = question_;
       if (!is_weighted_) first.objective = Objective::count;
       const ReducedAnswer answer = ask_in_turn(solvers_.preferred, [&](const milp::Backend& backend) {
@@ -400,7 +410,7 @@ class Engine {
     if (!is_small()) {
       LpBoundOptions options;
       options.time_limit_s = part_of_rest(0.3);
-      options.count = {best_.size(), best_.size()};
+      options.answers = {best_.size(), best_.size()};
       const LpBound lp = lp_bound(table_, question_, cost, solvers_.preferred.front(), options, control_);
       lift(lp.dual.bound, BoundProof::dual);
       begin_tree_with(lp);
@@ -503,7 +513,7 @@ std::optional<std::vector<std::uint32_t>> first_selection(const SignalTable& tab
   if (table.rows() * table.columns() > limits.most_places_of_local_search) return std::nullopt;
   const SearchProblem problem(table, question);
   const SearchMatrix matrix(table, question.model);
-  LocalSearchEffort effort;
+  SearchEffort effort;
   effort.moves = 5000;
   effort.until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                     std::chrono::duration<double>(std::clamp(time_limit_s, 0.0, 1e8)));

@@ -173,6 +173,35 @@ float SearchKernels::loss(const float* column, const float* weight, const float*
 }
 
 SHELFBEAM_FOR_EACH_CPU
+float SearchKernels::lack_after(const float* held, const float* out, const float* in, float demand,
+                                std::size_t rows) {
+  alignas(64) float total[width] = {};
+  for (std::size_t i = 0; i < rows; i += width) {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < width; ++k)
+      total[k] += larger(0.0F, demand - (held[i + k] - out[i + k] + in[i + k]));
+  }
+  return sum_of(total);
+}
+
+SHELFBEAM_FOR_EACH_CPU
+void SearchKernels::exchange(const float* out, const float* in, std::size_t rows, float* held) {
+  SHELFBEAM_VECTORIZE
+  for (std::size_t i = 0; i < rows; ++i) held[i] += in[i] - out[i];
+}
+
+SHELFBEAM_FOR_EACH_CPU
+float SearchKernels::distance(const float* a, const float* b, std::size_t rows) {
+  alignas(64) float total[width] = {};
+  for (std::size_t i = 0; i < rows; i += width) {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < width; ++k)
+      total[k] += larger(a[i + k], b[i + k]) - smaller(a[i + k], b[i + k]);
+  }
+  return sum_of(total);
+}
+
+SHELFBEAM_FOR_EACH_CPU
 void SearchKernels::load(Receiving rule, const float* column, const Rows& rows, float* load) {
   const Rows r = rows;
   if (is_sum(rule))

@@ -22,6 +22,7 @@ class BoundRowReader {
   /// says nothing.
   template <class Visit>
   double read(const BoundRow& row, Visit visit) {
+    if (row.strongest > 0) return read_strongest(row, visit);
     if (row.share > 0) return read_above_share(row, visit);
     if (!row.taken.empty()) return read_without_taken(row, visit);
     cover_.for_entries(row.label, visit);
@@ -31,6 +32,14 @@ class BoundRowReader {
  private:
   static constexpr double rounding = 1e-10;  // of sums of up to a million numbers up to 1
   static constexpr double least_lack = 1e-3;
+
+  template <class Visit>
+  double read_strongest(const BoundRow& row, Visit visit) const {
+    cover_.for_entries(row.label, [&](std::uint32_t j, double a) {
+      if (a >= row.strongest) visit(j, 1.0);
+    });
+    return 1;
+  }
 
   template <class Visit>
   double read_above_share(const BoundRow& row, Visit visit) const {

@@ -1,22 +1,15 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/detail/reductions.hpp"
+#include "shelfbeam/placement/detail/search_effort.hpp"
 #include "shelfbeam/placement/instance.hpp"
 
 namespace shelfbeam::detail {
-
-struct CoverSearchEffort {
-  std::uint64_t moves = 1000000;  ///< of each walk
-  std::uint32_t walks = 2;        ///< with random numbers of their own, on all threads
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
-  std::uint32_t seed = 1;  ///< of the first walk, the next ones have those that follow
-};
 
 /// Whether `cover_search` takes this question: the fewest units (lexicographic), each label reached by one,
 /// and no candidates that exclude one another.
@@ -30,7 +23,6 @@ bool is_plain_cover(const SignalTable& table, const Question& question);
 std::optional<std::vector<std::uint32_t>> cover_search(const SignalTable& table, const Question& question,
                                                        const Reduction& reduction,
                                                        const std::vector<std::uint32_t>& start,
-                                                       const CoverSearchEffort& effort,
-                                                       const RunControl& control);
+                                                       const SearchEffort& effort, const RunControl& control);
 
 }  // namespace shelfbeam::detail

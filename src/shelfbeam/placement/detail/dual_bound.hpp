@@ -16,23 +16,29 @@ namespace shelfbeam::detail {
 /// chosen
 ///   the label still lacks d = b - sum_{j in A} a_ij, without A no less, so
 ///   sum_{j not in A} min(1, a_ij / d) T_j >= 1;
-/// - with a share s > 0, for answers of at most K units (UnitCount::most): these give s K at most beyond what
+/// - with a share s > 0, for answers of at most K units (AnswerSet::most): these give s K at most beyond what
 /// each gives above s,
 ///   so the label needs d = b - s K from that, and sum_j min(1, max(0, a_ij - s) / d) T_j >= 1. Near s = 1 /
 ///   K this is the pigeonhole principle: one unit gives at least that.
-/// The last two say nothing where d is not positive. A and a share exclude one another.
+/// - with t > 0, for answers in which some unit gives the label t at least: sum_{a_ij >= t} T_j >= 1.
+/// The second and third say nothing where d is not positive. A, a share and t exclude one another.
 struct BoundRow {
   std::uint32_t label = 0;
   std::vector<std::uint32_t> taken = {};  ///< A, ascending
   double share = 0;                       ///< s
+  double strongest = 0;                   ///< t
+
+  /// The label's own row.
+  bool is_plain() const { return taken.empty() && share == 0 && strongest == 0; }
 
   bool operator==(const BoundRow&) const = default;
 };
 
-/// How many units the answers have that a bound is for, installed ones included.
-struct UnitCount {
-  std::size_t least = 0;
+/// Which answers a bound is for.
+struct AnswerSet {
+  std::size_t least = 0;  ///< units, installed ones included
   std::size_t most = std::numeric_limits<std::size_t>::max();
+  std::vector<std::uint32_t> without = {};  ///< columns that none of them has, no installed one
 };
 
 /// What multipliers prove about the cost of answers; every number is safe against rounding.
@@ -48,13 +54,13 @@ struct DualBound {
 ///
 /// For every answer T, c T >= c T + sum_i y_i (b_i - a_i T) = sum_i y_i b_i + sum_j r_j T_j with the reduced
 /// costs r_j = c_j - sum_i y_i a_ij. The right-hand side is least over all T with the installed units in, at
-/// most one unit a mounting point and as many units as `count` allows, where of every other point the option
+/// most one unit a mounting point and what `answers` allows, where of every other point the option
 /// of least r_j competes: the points of least r_j are taken, at least so many, and further ones as long as
 /// they are negative, at most so many. `if_chosen` and `if_left_out` are the same minimum with one T_j given.
 /// This holds for every y; multipliers that are negative or not finite count as 0. Errors of rounding are
 /// bounded by (rows + columns + 8) 2^-52 times the sum of what was added up.
 DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
-                     std::span<const double> y, std::span<const double> cost, const UnitCount& count = {});
+                     std::span<const double> y, std::span<const double> cost, const AnswerSet& answers = {});
 
 /// What every answer that costs at most `worth` has in common.
 struct FixedColumns {

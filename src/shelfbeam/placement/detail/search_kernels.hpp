@@ -54,6 +54,16 @@ struct SearchKernels {
   static float loss(const float* column, const float* weight, const float* held, float demand,
                     std::size_t rows);
 
+  /// Sum over rows of max(0, demand - (held - out + in)): what is lacking once one column has replaced
+  /// another.
+  static float lack_after(const float* held, const float* out, const float* in, float demand,
+                          std::size_t rows);
+  /// held += in - out.
+  static void exchange(const float* out, const float* in, std::size_t rows, float* held);
+
+  /// Sum over rows of |a - b|.
+  static float distance(const float* a, const float* b, std::size_t rows);
+
   /// load_i += min(max(0, a - shift_i), lacking_i) / lacking_i where something is lacking.
   static void load(Receiving rule, const float* column, const Rows& rows, float* load);
 };
