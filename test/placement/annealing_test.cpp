@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -73,6 +74,17 @@ TEST(Annealing, LeavesOtherQuestionsAlone) {
   EXPECT_EQ(found->size(), 1U);
 }
 
+TEST(Annealing, EndsWhenCancelled) {
+  const SignalTable table = test::make_table({{1, 1}}, 2);
+  const Question question;
+  CancelToken cancel;
+  cancel.request();
+  const SearchEffort endless{.moves = std::numeric_limits<std::uint64_t>::max()};
+  EXPECT_EQ(anneal(SearchProblem(table, question), SearchMatrix(table, question.model), {0, 1}, endless,
+                   {.cancel = &cancel}),
+            std::nullopt);
+}
+
 TEST(Annealing, EndsWithoutLabelsWalksAndTime) {
   for (const SignalTable& table :
        {test::make_table({}, 3), test::make_table({}, 0), test::make_table({{1}}, 1)}) {
@@ -87,7 +99,7 @@ TEST(Annealing, EndsWithoutLabelsWalksAndTime) {
   }
 }
 
-// Sums that single precision takes for met and the rule does not: such labels must be asked for more.
+// Sums that single precision takes for met and the rule does not are no answer, and no end either.
 TEST(Annealing, GetsPastLabelsThatAreMetInSinglePrecisionOnly) {
   std::vector<std::vector<double>> matrix(600, {1, 0, 1, 0});
   for (std::size_t i = 300; i < matrix.size(); ++i) matrix[i] = {0.5, 0.5 - 5e-9, 0, 1};

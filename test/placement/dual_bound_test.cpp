@@ -226,6 +226,28 @@ TEST(DualBound, KnowsThePigeonholePrinciple) {
   EXPECT_NEAR(bound(0.46, detail::AnswerSet().most), 0, 1e-9);
 }
 
+// Two units of which one gives the label all it needs and the other half: where a unit gives it all, or where
+// the strong one is out, one unit or nothing is left.
+TEST(DualBound, KnowsTheCasesOfALabel) {
+  const SignalTable table = test::make_table({{1, 0.5}}, 2);
+  const std::vector<double> price{1, 1};
+  const BoundRow strong{.label = 0, .strongest = 1}, half{.label = 0, .strongest = 0.5}, plain{0};
+  const auto bound = [&](const BoundRow& row, double y, const std::vector<std::uint32_t>& without) {
+    return dual_bound(table, {}, std::vector{row}, std::vector{y}, price, {.without = without});
+  };
+  EXPECT_NEAR(bound(strong, 1, {}).bound, 1, 1e-9);
+  EXPECT_NEAR(bound(strong, 1, {}).if_chosen[1], 2, 1e-9) << "the strong one and this one";
+  EXPECT_NEAR(bound(half, 1, {}).if_chosen[1], 1, 1e-9) << "at the share itself";
+  EXPECT_NEAR(bound(plain, 2, {}).bound, 1, 1e-8);
+  EXPECT_NEAR(bound(plain, 2, {0}).bound, 2, 1e-8);
+  EXPECT_EQ(bound(plain, 2, {0}).if_chosen[0], infinite);
+  SignalTable shared = table;
+  shared.mounts = {{0, 1}};
+  EXPECT_NEAR(dual_bound(shared, {}, std::vector{plain}, std::vector{2.0}, price, {.without = {0, 1}}).bound,
+              2, 1e-8)
+      << "nothing is left of the point";
+}
+
 TEST(DualBound, CountsOneUnitAMountingPoint) {
   // Label 0 is met by units 0 and 1, label 1 by 2 and 3; 1 and 2 are options of one point.
   SignalTable table = test::make_table({{1, 1, 0, 0}, {0, 0, 1, 1}}, 4);

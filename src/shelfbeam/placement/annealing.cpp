@@ -23,7 +23,7 @@ constexpr std::size_t rows_at_first = 256;
 
 // In requirements of a label. Of the exchanges some 6 % are accepted at the hot end, 3 % at the cold one.
 constexpr double hot = 0.03, cold = 0.015;
-constexpr std::uint64_t longest_cooling = 2'000'000, shortest_cooling = 20'000, coolings = 4;
+constexpr std::uint64_t longest_cooling = 2'000'000, shortest_cooling = 2'500, coolings = 4;
 
 class Annealing {
  public:
@@ -49,14 +49,17 @@ class Annealing {
   void run(const SearchEffort& effort, const RunControl& control) {
     constexpr std::uint64_t between_looks = 4096;
     const std::uint64_t cooling = std::clamp(effort.moves / coolings, shortest_cooling, longest_cooling);
+    const auto is_over = [&] {
+      return control.cancelled() || std::chrono::steady_clock::now() >= effort.until;
+    };
     for (std::uint64_t move = 0; move < effort.moves; ++move) {
       if (move % between_looks == 0) {
-        if (control.cancelled() || std::chrono::steady_clock::now() >= effort.until) return;
+        if (is_over()) return;
         control.report("annealing", -1, fmt::format("{} moves", move));
         recount();  // sums that were added to and taken from drift
       }
-      while (lack_ <= 0 && meets_all()) {
-        if (free_.empty()) return;
+      while (lack_ <= 0 && !has_failed_ && meets_all()) {
+        if (free_.empty() || is_over()) return;
         drop_least();
       }
       if (free_.empty() || free_.size() == candidates_.size()) return;
@@ -106,13 +109,16 @@ class Annealing {
     recount();
   }
 
-  // Keeps the selection if it meets all labels; else takes rows that it leaves unmet, if these are new. (A
-  // sum that only single precision takes for met is tried again whenever it comes up.)
+  // Keeps the selection if it meets all labels; else takes rows that it leaves unmet. One whose sums only
+  // single precision takes for met has failed, until an exchange makes another of it.
   bool meets_all() {
     const std::vector<std::uint32_t> selected = selection();
     Margin margin;
     while (!(margin = margin_of(problem_.table, problem_.question, all_, selected, memory_)).is_met) {
-      if (!rows_.learn(std::span(memory_).first(all_.rows()), margin.label)) return false;
+      if (!rows_.learn(std::span(memory_).first(all_.rows()), margin.label)) {
+        has_failed_ = true;
+        return false;
+      }
       recount();
       if (lack_ > 0) return false;
     }
@@ -151,6 +157,7 @@ class Annealing {
     in_[out] = false;
     in_[in] = true;
     place = in;
+    has_failed_ = false;
     SearchKernels::exchange(rows_.column(out), rows_.column(in), held_.size(), held_.data());
     lack_ = lack;
     if (lack_ <= 0) recount();
@@ -163,7 +170,8 @@ class Annealing {
   std::vector<std::uint32_t> fixed_, free_, candidates_;
   std::optional<SimilarColumns> similar_;
   std::vector<float> held_, nothing_, memory_;
-  float lack_ = 0;  ///< what all active rows lack
+  float lack_ = 0;           ///< what all active rows lack
+  bool has_failed_ = false;  ///< the selection, on all rows, though none of them is new
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   std::optional<std::vector<std::uint32_t>> best_;
   std::mt19937 random_;

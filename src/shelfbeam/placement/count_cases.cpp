@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -21,7 +20,6 @@ using Clock = std::chrono::steady_clock;
 struct Split {
   BoundRow row;
   std::vector<std::uint32_t> strong;
-  bool needs_strong = false;  ///< all others together are not enough
 };
 
 class Cases {
@@ -53,30 +51,42 @@ class Cases {
     std::vector<BoundRow> with_strong = rows;
     with_strong.push_back(split->row);
     if (!close_case(open, std::move(with_strong), without)) return false;
-    if (split->needs_strong) return true;
     std::vector<std::uint32_t> without_strong = without;
     without_strong.insert(without_strong.end(), split->strong.begin(), split->strong.end());
     std::sort(without_strong.begin(), without_strong.end());
     without_strong.erase(std::unique(without_strong.begin(), without_strong.end()), without_strong.end());
-    return close_case(open, std::move(rows), without_strong);
+    return is_empty(open, without_strong) || close_case(open, std::move(rows), without_strong);
   }
 
  private:
   static constexpr int most_cases = 64;
   static constexpr double deepest = 5;  // levels
 
+  // Whether some label cannot be met without these columns.
+  bool is_empty(const LpBound& open, const std::vector<std::uint32_t>& without) const {
+    constexpr double rounding = 1e-9;
+    std::vector<bool> is_out(table_.columns(), false);
+    for (const std::uint32_t j : without) is_out[j] = true;
+    return std::any_of(open.labels.begin(), open.labels.end(), [&](std::uint32_t label) {
+      double most = 0;
+      cover_.for_entries(label, [&](std::uint32_t j, double a) { most += is_out[j] ? 0 : a; });
+      return most * (1 + rounding) < cover_.bound();
+    });
+  }
+
   bool close_case(const LpBound& open, std::vector<BoundRow> rows,
                   const std::vector<std::uint32_t>& without) {
     const double left = std::chrono::duration<double>(end_ - Clock::now()).count();
     if (left <= 0 || control_.cancelled() || ++cases_ > most_cases) return false;
+    control_.report("bound", -1, fmt::format("at most {} units, case {}", most_, cases_));
     const LpBound bound = lp_bound(table_, question_, ones_, backend_,
                                    {.time_limit_s = left,
                                     .enough = enough_,
                                     .answers = {.most = most_, .without = without},
                                     .rows = std::move(rows)},
-                                   control_);
+                                   {control_.threads, control_.cancel});
     if (bound.dual.bound >= enough_) return true;
-    // As many levels again as it would take at this pace are too many.
+    // Given up where it would take more than `deepest` further levels at this pace.
     const double gained = bound.dual.bound - open.dual.bound, lacking = enough_ - bound.dual.bound;
     return bound.complete && lacking <= deepest * gained && close(bound, without);
   }
@@ -118,15 +128,7 @@ class Cases {
     Split split;
     split.row.label = label;
     split.row.strongest = terms[count - 1].a;
-    double others = 0;
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-      if (k < count)
-        split.strong.push_back(terms[k].column);
-      else
-        others += terms[k].a;
-    }
-    constexpr double rounding = 1e-9;
-    split.needs_strong = others * (1 + rounding) < cover_.bound();
+    for (std::size_t k = 0; k < count; ++k) split.strong.push_back(terms[k].column);
     return split;
   }
 

@@ -141,6 +141,7 @@ class RowGeneration {
     return batch;
   }
 
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const SignalTable& table_;
   const Question& question_;
   std::span<const double> cost_;
@@ -152,7 +153,6 @@ class RowGeneration {
   std::vector<BoundRow> rows_;  ///< all in the LP
   std::vector<bool> is_row_;    ///< per label: its row is in the LP
   LpBound result_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace

@@ -69,7 +69,7 @@ class Engine {
     constexpr std::uint64_t nodes_of_a_first_look = 15000, nodes_of_a_second_look = 5000000;
     if (!closed() && is_small()) climb(part_of_rest(0.2), nodes_of_a_first_look);
     // Where neither a tree nor a MIP may follow, the bound is what takes the time.
-    if (!closed()) bound_by_lp(part_of_rest(tree_ || may_ask_mip() ? 0.5 : 0.7));
+    if (!closed()) bound_by_lp(part_of_rest(has_tree(best_.size()) || may_ask_mip() ? 0.5 : 0.7));
     // What reductions leave is often little, and then nothing is as fast; nor is anything for small models.
     if (!closed() && !is_small()) ask_mip(reduces() ? part_of_rest(0.3) : std::min(part_of_rest(0.15), 5.0));
     if (!closed() && is_small() && !reduces()) climb(part_of_rest(0.3), nodes_of_a_second_look);

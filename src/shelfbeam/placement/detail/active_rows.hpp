@@ -21,7 +21,6 @@ class ActiveRows {
   /// `size` rounded up to a multiple of SearchMatrix::block; the rows beyond `size` are zeros.
   std::size_t padded() const { return (rows_.size() + block - 1) / block * block; }
   std::uint32_t row(std::size_t r) const { return rows_[r]; }  ///< of the table
-  bool knows(std::uint32_t row) const { return is_known_[row]; }
   const float* column(std::size_t j) const { return values_.data() + j * stride_; }
 
   float used_of(std::uint32_t row, std::uint32_t column) const;

@@ -50,7 +50,7 @@ struct DualBound {
 };
 
 /// The Lagrangian bound of multipliers y >= 0 of `rows` for costs c of any sign, from the table alone: no
-/// solver is asked or believed. It holds for answers of `count` units.
+/// solver is asked or believed. It holds for `answers`.
 ///
 /// For every answer T, c T >= c T + sum_i y_i (b_i - a_i T) = sum_i y_i b_i + sum_j r_j T_j with the reduced
 /// costs r_j = c_j - sum_i y_i a_ij. The right-hand side is least over all T with the installed units in, at

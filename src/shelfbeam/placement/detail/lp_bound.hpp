@@ -54,7 +54,7 @@ bool needs_more(const SignalTable& table, const Question& question, const milp::
 struct CountBound {
   std::size_t count = 0;  ///< no answer has fewer units
   LpBound relaxation;     ///< of the count, whatever it is
-  bool complete = false;  ///< nothing more can be had this way: it did not end with the time
+  bool complete = false;  ///< none of the linear programs of at most k units ended with the time
 };
 
 /// The LP bound of the count, rounded up to k; then, as long as the LP bound of the answers of at most k
