@@ -8,12 +8,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
-#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/detail/active_rows.hpp"
 #include "shelfbeam/placement/detail/similar_columns.hpp"
+#include "shelfbeam/placement/detail/walks.hpp"
 
 namespace shelfbeam::detail {
 
@@ -188,14 +187,10 @@ std::optional<std::vector<std::uint32_t>> anneal(const SearchProblem& problem, c
                                                  const SearchEffort& effort, const RunControl& control) {
   if (!can_anneal(problem.question)) return std::nullopt;
   std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
-  tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(control.threads));
-  arena.execute([&] {
-    for_each_task(effort.walks, [&](std::size_t k) {
-      Annealing walk(problem, all, start, effort.seed + static_cast<std::uint32_t>(k));
-      walk.run(effort, k == 0 ? control : RunControl{control.threads, control.cancel});
-      found[k] = walk.best();
-    });
+  for_each_walk(effort, control, [&](std::size_t k, std::uint32_t seed, const RunControl& own) {
+    Annealing walk(problem, all, start, seed);
+    walk.run(effort, own);
+    found[k] = walk.best();
   });
   std::optional<std::vector<std::uint32_t>> best;
   for (auto& one : found)

@@ -9,17 +9,12 @@ namespace shelfbeam::detail {
 
 namespace {
 
-/// What a bound was found with, for the next count: the rows of all its labels, and the other inequalities
-/// with multipliers, their shares so much smaller that all units together give the same below them.
+/// What a bound was found with, for the next count: its shares are so much smaller that all units together
+/// give the same below them.
 std::vector<BoundRow> rows_for(const LpBound& bound, std::size_t count) {
-  std::vector<BoundRow> rows;
-  for (const std::uint32_t label : bound.labels) rows.push_back({label});
+  std::vector<BoundRow> rows = rows_of(bound);
   const auto units = static_cast<double>(count);
-  for (BoundRow row : bound.rows) {
-    if (row.is_plain()) continue;
-    row.share *= units / (units + 1);
-    rows.push_back(std::move(row));
-  }
+  for (BoundRow& row : rows) row.share *= units / (units + 1);
   return rows;
 }
 

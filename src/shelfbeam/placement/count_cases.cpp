@@ -43,19 +43,12 @@ class Cases {
     if (open.x.empty()) return false;
     const std::optional<Split> split = best_split(open);
     if (!split) return false;
-    std::vector<BoundRow> rows;
-    for (const std::uint32_t label : open.labels) rows.push_back({label});
-    for (const BoundRow& row : open.rows)
-      if (!row.is_plain()) rows.push_back(row);
-
-    std::vector<BoundRow> with_strong = rows;
+    std::vector<BoundRow> with_strong = rows_of(open);
     with_strong.push_back(split->row);
     if (!close_case(open, std::move(with_strong), without)) return false;
     std::vector<std::uint32_t> without_strong = without;
     without_strong.insert(without_strong.end(), split->strong.begin(), split->strong.end());
-    std::sort(without_strong.begin(), without_strong.end());
-    without_strong.erase(std::unique(without_strong.begin(), without_strong.end()), without_strong.end());
-    return is_empty(open, without_strong) || close_case(open, std::move(rows), without_strong);
+    return is_empty(open, without_strong) || close_case(open, rows_of(open), without_strong);
   }
 
  private:
@@ -99,8 +92,7 @@ class Cases {
     double most = 0;
     for (std::uint32_t label = 0; label < table_.rows(); ++label) {
       if (weight[label] <= most) continue;
-      constexpr double least_part = 0.5, most_part = 0.8;
-      std::optional<Split> split = halved(label, open.x, least_part, most_part);
+      std::optional<Split> split = halved(label, open.x);
       if (!split) continue;
       most = weight[label];
       best = std::move(split);
@@ -108,8 +100,8 @@ class Cases {
     return best;
   }
 
-  std::optional<Split> halved(std::uint32_t label, const std::vector<double>& x, double least_part,
-                              double most_part) const {
+  std::optional<Split> halved(std::uint32_t label, const std::vector<double>& x) const {
+    constexpr double least_part = 0.5, most_part = 0.8;
     struct Term {
       double a = 0;
       std::uint32_t column = 0;

@@ -5,9 +5,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
-#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/placement/detail/walks.hpp"
 
 namespace shelfbeam::detail {
 
@@ -198,15 +197,10 @@ std::optional<std::vector<std::uint32_t>> cover_search(const SignalTable& table,
   if (reduction.infeasible || start.size() <= reduction.forced.size()) return std::nullopt;
   const SparseCover cover(table, question, reduction);
   std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
-  tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(control.threads));
-  arena.execute([&] {
-    for_each_task(effort.walks, [&](std::size_t k) {
-      CoverWalk walk(cover, start.size() - reduction.forced.size(),
-                     effort.seed + static_cast<std::uint32_t>(k));
-      walk.run(effort, k == 0 ? control : RunControl{control.threads, control.cancel});
-      found[k] = walk.best();
-    });
+  for_each_walk(effort, control, [&](std::size_t k, std::uint32_t seed, const RunControl& own) {
+    CoverWalk walk(cover, start.size() - reduction.forced.size(), seed);
+    walk.run(effort, own);
+    found[k] = walk.best();
   });
   std::optional<std::vector<std::uint32_t>> best;
   for (const auto& columns : found) {

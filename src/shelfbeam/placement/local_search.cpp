@@ -9,10 +9,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
-#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/detail/active_rows.hpp"
+#include "shelfbeam/placement/detail/walks.hpp"
 
 namespace shelfbeam::detail {
 
@@ -238,15 +237,11 @@ std::optional<std::vector<std::uint32_t>> local_search(const SearchProblem& prob
                                                        const RunControl& control) {
   std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
   std::vector<double> cost(effort.walks, std::numeric_limits<double>::infinity());
-  tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(control.threads));
-  arena.execute([&] {
-    for_each_task(effort.walks, [&](std::size_t k) {
-      Walk walk(problem, all, start, effort.seed + static_cast<std::uint32_t>(k));
-      walk.run(effort, k == 0 ? control : RunControl{control.threads, control.cancel});
-      found[k] = walk.best();
-      cost[k] = walk.best_cost();
-    });
+  for_each_walk(effort, control, [&](std::size_t k, std::uint32_t seed, const RunControl& own) {
+    Walk walk(problem, all, start, seed);
+    walk.run(effort, own);
+    found[k] = walk.best();
+    cost[k] = walk.best_cost();
   });
   const auto best = static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
   return found.empty() ? std::nullopt : found[best];

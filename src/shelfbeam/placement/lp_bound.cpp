@@ -157,6 +157,14 @@ class RowGeneration {
 
 }  // namespace
 
+std::vector<BoundRow> rows_of(const LpBound& bound) {
+  std::vector<BoundRow> rows;
+  for (const std::uint32_t label : bound.labels) rows.push_back({label});
+  for (const BoundRow& row : bound.rows)
+    if (!row.is_plain()) rows.push_back(row);
+  return rows;
+}
+
 LpBound lp_bound(const SignalTable& table, const Question& question, std::span<const double> cost,
                  const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control) {
   tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic

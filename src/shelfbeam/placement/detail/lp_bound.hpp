@@ -34,6 +34,10 @@ struct LpBound {
   std::size_t rounds = 0;  ///< LPs that were solved
 };
 
+/// The rows of all its labels, and its other inequalities with multipliers: what a linear program like it
+/// begins with.
+std::vector<BoundRow> rows_of(const LpBound& bound);
+
 /// Bounds min c T over the answers by its LP relaxation, rows generated: begins with the label that is worst
 /// off at every strongest unit, solves, adds the most violated labels, of those with the same strongest unit
 /// only one a round, and ends when no row is violated, with the time or when cancelled. Every round has a
