@@ -13,15 +13,12 @@ namespace shelfbeam {
 
 namespace {
 
-// W/m^2 for each W/sr of the unit's peak: what it gives at 4 m.
-constexpr float cap_by_peak = 1.0F / 16;
 constexpr std::uint32_t side = 16;  // strata of a unit's rays, each way
 // The share of a unit's rays that are sent where the first look has found nothing, too.
 constexpr double everywhere = 0.1;
 constexpr double least_chance = 0.02;
 
-// Where light that leaves a unit arrives in a straight line, if above the cap; `power` is that of the ray,
-// times the share above.
+// Where light that leaves a unit arrives in a straight line, if above the cap; `power` is that of the ray.
 std::optional<SpotLight> shine(const World& world, const UnitGroups& units, std::uint32_t j, double u1,
                                double u2, RandomStream& random, std::uint64_t& rays) {
   const double u3 = random.unit(), u4 = random.unit();
@@ -52,7 +49,8 @@ std::optional<SpotLight> shine(const World& world, const UnitGroups& units, std:
     LaneValues e;
     units.irradiance(g, LanePoint(light.point), e);
     if (!(e[lane] > units.cap(g, lane))) return std::nullopt;
-    light.power = flux * (1 - static_cast<double>(units.cap(g, lane) / e[lane]));
+    light.power = flux;
+    light.capped = static_cast<double>(units.cap(g, lane) / e[lane]);
     return light;
   }
 }
@@ -86,12 +84,13 @@ std::vector<double> running_chances(const std::vector<double>& flux) {
 
 double SpotLight::intensity(const Scene& scene, const Vec3& direction) const {
   const double cosine = dot(direction, point.normal);
-  if (cosine <= 0) return 0;  // labels that touch a surface from behind take its light themselves
+  if (cosine <= 0) return 0;
   return power * cosine * eval(scene.materials[material.value].material, frame.to_local(direction), incoming);
 }
 
-BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t seed)
-    : world_(world), units_(units) {
+BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t seed, const SpotRule& rule)
+    : world_(world), units_(units), rule_(rule) {
+  const auto cap_by_peak = static_cast<float>(1 / (rule.cap_at * rule.cap_at));
   std::vector<double> found(std::size_t{side} * side);
   for (std::uint32_t j = 0; j < world.scene.transceivers.size(); ++j) {
     const std::uint64_t key = mix_key(seed, hash64(world.scene.transceivers[j].id));
@@ -105,7 +104,7 @@ BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t se
       RandomStream random(key, r, 0, 0);
       const auto light = shine(world, units, j, u1, u2, random, rays);
       if (!light) continue;
-      const double part = light->power / (side * side);
+      const double part = light->power * (1 - light->capped) / (side * side);
       found[stratum(static_cast<std::size_t>(u1 * side), static_cast<std::size_t>(u2 * side))] += part;
       flux += part;
     }
@@ -114,10 +113,14 @@ BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t se
     else
       units.set_cap(j, std::numeric_limits<float>::max());
   }
+  for (const Spot& spot : spots_)
+    groups_.push_back(static_cast<std::uint16_t>(units.place(spot.unit) / lanes));
+  std::sort(groups_.begin(), groups_.end());
+  groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
 }
 
-void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, std::uint64_t key,
-                       std::uint32_t batch, std::vector<SpotLight>& lights, std::uint64_t& rays) const {
+void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, const Key& key,
+                       std::vector<SpotLight>& lights, std::uint64_t& rays) const {
   lights.clear();
   for (const Spot& spot : spots_) {
     const Vec3& from = world_.scene.transceivers[spot.unit].position;
@@ -125,11 +128,11 @@ void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, std::
     for (const Vec3& point : points) sum += 1 / std::max(1.0, length_squared(point - from));
     const double much = spot.flux / pi * sum / static_cast<double>(points.size()) / effort.relevant;
     const double chance = std::clamp(much, least_chance, 1.0);
-    RandomStream random(mix_key(key, spot.unit), batch, 0, 0x5B07);
+    RandomStream random(mix_key(key.stream, spot.unit), key.batch, 0, 0x5B07);
     if (random.unit() >= chance) continue;
     const auto count =
         static_cast<std::uint32_t>(std::clamp(much * much, 1.0, static_cast<double>(effort.most)));
-    const ScrambledSobol square(mix_key(mix_key(key, spot.unit), batch));
+    const ScrambledSobol square(mix_key(mix_key(key.stream, spot.unit), key.batch));
     for (std::uint32_t r = 0; r < count; ++r) {
       const auto [u1, u2] = square.point(r);
       const auto found = std::upper_bound(spot.chances.begin(), spot.chances.end() - 1, u1);
@@ -141,6 +144,32 @@ void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, std::
       if (!light) continue;
       light->power /= count * chance * own * side * side;
       lights.push_back(*light);
+    }
+  }
+}
+
+void BrightSpots::add_near(const PathVertex& vertex, double p, double weight, RandomStream& random,
+                           LaneRow& row, std::uint64_t& rays) const {
+  const double rise = rule_.near * rule_.near * pi * p;
+  if (!(rise > 1)) return;
+  const LanePoint point(vertex.end.point);
+  for (const std::uint16_t g : groups_) {
+    LaneValues e;
+    units_.irradiance(g, point, e);
+    for (std::size_t k = 0; k < units_.count(g); ++k) {
+      if (!(e[k] > units_.cap(g, k))) continue;
+      const double whole = static_cast<double>(e[k]), cap = static_cast<double>(units_.cap(g, k));
+      const double share = (std::min(whole, cap * rise) - cap) / whole;
+      const std::uint32_t j = units_.column(g, k);
+      const double u1 = random.unit(), u2 = random.unit();
+      const LightPoint light = world_.emitters.point(j, u1, u2);
+      const DirectSignal signal = light_from(
+          world_, j, light, vertex.end.point, false,
+          [&](const Vec3& to_source) { return vertex.reflected(to_source).whole; },
+          [&] { return world_.rays.passage(vertex.end.point, light.position).share; });
+      rays += signal.rays;
+      if (signal.straight > 0)
+        row.add(static_cast<std::uint32_t>(g * lanes + k), weight * share * signal.straight);
     }
   }
 }

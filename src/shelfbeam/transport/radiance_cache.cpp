@@ -1,8 +1,10 @@
 #include "shelfbeam/transport/radiance_cache.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <tbb/enumerable_thread_specific.h>
@@ -20,6 +22,7 @@ using detail::CellLight;
 using detail::CellLink;
 
 constexpr int rounds = 6;  // of Jacobi's iteration
+constexpr double most_ratio = 0.995;
 
 std::vector<SurfaceGuide> surface_guides(const Scene& scene) {
   std::vector<SurfaceGuide> guides;
@@ -114,6 +117,8 @@ void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std
     }
   });
   std::vector<std::uint16_t> whole = straight, fresh(straight.size());
+  std::vector<double> of_cell(count);
+  std::array<double, 3> totals{};  // of the last rounds
   tbb::enumerable_thread_specific<std::vector<float>> sums;
   for (int round = 0; round < rounds; ++round) {
     for_cells(count, control, [&](std::size_t cell) {
@@ -136,15 +141,26 @@ void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std
           b += run;
         }
       }
-      for (std::size_t k = 0; k < sum.size(); ++k) fresh[begin * lanes + k] = PackedLane::pack(sum[k]);
+      of_cell[cell] = 0;
+      for (std::size_t k = 0; k < sum.size(); ++k) {
+        fresh[begin * lanes + k] = PackedLane::pack(sum[k]);
+        of_cell[cell] += static_cast<double>(sum[k]);
+      }
     });
     whole.swap(fresh);
+    totals = {totals[1], totals[2], std::accumulate(of_cell.begin(), of_cell.end(), 0.0)};
     control.report("preparing", 0.6 + 0.4 * (round + 1) / rounds);
   }
+  // What further rounds would bring, if each gave so many times what the one before it gave.
+  const double before = totals[1] - totals[0], last = totals[2] - totals[1];
+  const double ratio = before > 0 ? std::clamp(last / before, 0.0, most_ratio) : 0;
+  const auto further = static_cast<float>(ratio / (1 - ratio));
   indirect_ = std::move(whole);
-  for (std::size_t k = 0; k < indirect_.size(); ++k)
-    indirect_[k] =
-        PackedLane::pack(std::max(0.0F, PackedLane::value(indirect_[k]) - PackedLane::value(straight[k])));
+  for (std::size_t k = 0; k < indirect_.size(); ++k) {
+    const float now = PackedLane::value(indirect_[k]);
+    const float tail = further * std::max(0.0F, now - PackedLane::value(fresh[k]));
+    indirect_[k] = PackedLane::pack(std::max(0.0F, now + tail - PackedLane::value(straight[k])));
+  }
 }
 
 RadianceCache::Row RadianceCache::row(const SurfacePoint& point) const {

@@ -9,7 +9,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double most_survival = 0.95;
+constexpr double most_survival = 0.99;
 
 // Share of the light of a vertex that does not leave by its base, as far as rays should care. Where others
 // share the base, some of them see more of it than the path at hand.
@@ -65,10 +65,11 @@ struct Residual::Continuation {
 
 // Where a point sees many hundreds of units, shadow rays would take most of the time.
 Residual::Residual(const World& world, const UnitGroups& units, const RadianceCache& cache,
-                   double requirement, const ReuseEffort& effort)
+                   const BrightSpots& spots, double requirement, const ReuseEffort& effort)
     : world_(world),
       units_(units),
       cache_(cache),
+      spots_(spots),
       requirement_(requirement),
       reach_(static_cast<float>(0.05 * requirement)),
       effort_(effort),
@@ -240,6 +241,31 @@ void Residual::add_far(const PathVertex& vertex, RandomStream& random, ResidualR
   }
 }
 
+// What bright spots send straight to the bases.
+void Residual::add_spots(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
+                         Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const {
+  if (spots_.size() == 0 || !spots_.rule().for_vertices) return;
+  std::vector<std::uint32_t>& with_base = scratch.sharers;
+  with_base.clear();
+  scratch.targets.clear();
+  for (std::uint32_t a = 0; a < vertices.size(); ++a) {
+    if (!vertices[a].has_base()) continue;
+    with_base.push_back(a);
+    scratch.targets.push_back(vertices[a].end.point.position);
+  }
+  const std::uint64_t stream = mix_key(key.stream, (std::uint64_t{key.group} << 32) | generation);
+  const auto receive = [&](std::uint32_t k, const Vec3& from) {
+    const PathVertex& vertex = vertices[with_base[k]];
+    const double cosine = dot(from, vertex.end.point.normal);
+    if (!(cosine > 0)) return SpotReceiver{};
+    return SpotReceiver{cosine * vertex.guide->base(cosine), cosine / pi};
+  };
+  spots_.light_up(
+      scratch.targets, {0.05 * requirement_, effort_.spot_rays}, {mix_key(stream, 0x5B075), key.batch},
+      scratch.spots, rays, receive,
+      [&](std::uint32_t k, std::uint32_t place, double value) { rows[with_base[k]].base.add(place, value); });
+}
+
 // What the cache has to leave the vertex over further bounces.
 void Residual::subtract_indirect(const PathVertex& vertex, ResidualRows& rows) const {
   const auto subtract = [&](LaneRow& row, double albedo) {
@@ -262,6 +288,13 @@ std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool b
   // A row of the cache is used one ray later, when it has come from memory.
   const auto use = [&](const Found& found) {
     found.vertex.look_up(units_, static_cast<float>(found.weight / tails), row);
+    if (!found.vertex.is_capped) return;
+    const Vec3 way = found.vertex.end.point.position - vertex.end.point.position;
+    const double squared = length_squared(way);
+    if (!(squared > 0)) return;
+    const double cosines = dot(way, vertex.end.point.normal) * -dot(way, found.vertex.end.point.normal);
+    spots_.add_near(found.vertex, cosines / (pi * squared * squared), found.weight / tails, random, row,
+                    rays);
   };
   for (std::uint32_t t = 0; t < tails; ++t) {
     const auto [u1, u2] = square.point(t);
@@ -273,7 +306,8 @@ std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool b
         follow_chain(world_, vertex.end.point, scattered->direction, scattered->is_specular, random, rays,
                      [&](std::size_t j, double value) { row.add(units_.place(j), weight * value / tails); });
     if (!end) continue;
-    const Found found{PathVertex(world_, cache_, *end), weight * end->throughput};
+    Found found{PathVertex(world_, cache_, *end), weight * end->throughput};
+    found.vertex.is_capped = by_base && end->is_straight && spots_.rule().for_vertices;
     found.vertex.row.prefetch();
     if (last) use(*last);
     last.emplace(found);
@@ -293,6 +327,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
   const std::uint32_t tails = generation == 0 ? effort_.tails : effort_.later_tails;
   const double stake = generation == 0 ? effort_.stake : effort_.later_stake;
 
+  add_spots(vertices, key, generation, scratch, rows, rays);
   for (std::size_t a = 0; a < vertices.size(); ++a) {
     const PathVertex& vertex = vertices[a];
     const auto place = static_cast<std::uint32_t>(a);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "shelfbeam/transport/bright_spots.hpp"
 #include "shelfbeam/transport/path_vertex.hpp"
 
 namespace shelfbeam {
@@ -32,7 +33,8 @@ struct ReuseEffort {
   std::uint32_t later_tails = 16;  ///< and at later vertices
   std::size_t group = 96;          ///< vertices that share their continuations
   std::uint32_t spot_rays = 8;     ///< from a unit beside a surface at most, for a cluster and batch
-  double survival = 0.7;           ///< least chance of a continuation; brighter surfaces have their albedo
+  SpotRule spots = {};
+  double survival = 0.7;  ///< least chance of a continuation; brighter surfaces have their albedo
 };
 
 /// The difference between the radiance that leaves vertices and what the cache says, L - h, for all units at
@@ -44,8 +46,8 @@ class Residual {
  public:
   /// `requirement`: the smallest signal that matters. Units that may give a twentieth of it to a vertex are
   /// all considered there.
-  Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, double requirement,
-           const ReuseEffort& effort);
+  Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, const BrightSpots& spots,
+           double requirement, const ReuseEffort& effort);
 
   /// Identifies the paths of a group.
   struct Key {
@@ -69,6 +71,7 @@ class Residual {
     std::vector<double> known_base, known_own, taken, density;
     std::vector<LightPoint> lights;
     std::vector<Passage> passages;
+    BrightSpots::Scratch spots;
   };
 
   /// Puts the differences into the rows, which are clear, one a vertex.
@@ -81,6 +84,8 @@ class Residual {
   void add_direct(const PathVertex& vertex, double stake, RandomStream& random, Scratch& scratch,
                   ResidualRows& rows, std::uint64_t& rays) const;
   void add_far(const PathVertex& vertex, RandomStream& random, ResidualRows& rows, std::uint64_t& rays) const;
+  void add_spots(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
+                 Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const;
   void subtract_indirect(const PathVertex& vertex, ResidualRows& rows) const;
   std::optional<Found> gather(const PathVertex& vertex, bool by_base, std::uint32_t tails,
                               std::uint64_t points, RandomStream& random, LaneRow& row,
@@ -92,6 +97,7 @@ class Residual {
   const World& world_;
   const UnitGroups& units_;
   const RadianceCache& cache_;
+  const BrightSpots& spots_;
   double requirement_;
   float reach_;
   ReuseEffort effort_;

@@ -49,7 +49,6 @@ struct ReuseEstimator::Impl {
     std::vector<std::uint32_t> sharers;
     std::vector<Vec3> targets;
     std::vector<Passage> passages;
-    std::vector<SpotLight> lights;
     std::vector<double> direct;
   };
 
@@ -58,10 +57,10 @@ struct ReuseEstimator::Impl {
         requirement(smallest_requirement(w.scene)),
         effort(e),
         units(w),
-        spots(w, units, mix_key(s, hash64("bright spots"))),
+        spots(w, units, mix_key(s, hash64("bright spots")), e.spots),
         cache(w, units, static_cast<float>(least_share * requirement), mix_key(s, hash64("radiance cache")),
               control),
-        residual(w, units, cache, requirement, e) {
+        residual(w, units, cache, spots, requirement, e) {
     std::vector<std::uint32_t> columns(w.emitters.size());
     std::iota(columns.begin(), columns.end(), 0U);
     for (LabelCluster& cluster : cluster_labels(w, largest_cluster)) {
@@ -111,9 +110,14 @@ void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::u
     struct Found {
       PathVertex vertex;
       float weight;
+      double density;  ///< of the ray, per area
     };
     std::optional<Found> last;
-    const auto use = [&](const Found& found) { found.vertex.look_up(units, found.weight, row); };
+    const auto use = [&](const Found& found) {
+      found.vertex.look_up(units, found.weight, row);
+      if (found.vertex.is_capped)
+        spots.add_near(found.vertex, found.density, static_cast<double>(found.weight), random, row, rays);
+    };
     for (std::uint32_t s = 0; s < effort.lookups; ++s) {
       const auto [u1, u2] = square.point(s);
       const auto drawn = shelfbeam::sample(responsivity, u1, u2);
@@ -127,8 +131,9 @@ void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::u
           follow_chain(world, from, world.receivers.frame(i).to_world(drawn->direction), false, random, rays,
                        [&](std::size_t j, double value) { row.add(units.place(j), weight * value); });
       if (!end) continue;
-      Found found{PathVertex(world, cache, *end), static_cast<float>(weight * end->throughput)};
+      Found found{PathVertex(world, cache, *end), static_cast<float>(weight * end->throughput), 0};
       found.vertex.is_capped = end->is_straight;
+      if (end->is_straight) found.density = pdf_of(i, from, end->point);
       found.vertex.row.prefetch();
       if (last) use(*last);
       last.emplace(found);
@@ -172,35 +177,16 @@ double ReuseEstimator::Impl::pdf_of(std::uint32_t label, const SurfacePoint& at,
 // What bright spots send straight to the labels.
 void ReuseEstimator::Impl::add_spots(const Block& block, std::uint64_t key, std::uint32_t batch,
                                      Workspace& work, std::uint64_t& rays) const {
-  if (spots.size() == 0) return;
   work.targets.clear();
   for (const SurfacePoint& point : work.at) work.targets.push_back(point.position);
-  spots.draw(work.targets, {0.05 * requirement, effort.spot_rays}, mix_key(key, 0x5B075), batch, work.lights,
-             rays);
-  for (const SpotLight& light : work.lights) {
-    work.sharers.clear();
-    work.targets.clear();
-    work.density.clear();
-    for (std::uint32_t c = 0; c < block.rows.size(); ++c) {
-      const Vec3 way = work.at[c].position - light.point.position;
-      const double squared = length_squared(way);
-      if (!(squared > 0)) continue;
-      const Vec3 direction = way / std::sqrt(squared);
-      const double response = world.receivers.response(block.rows[c], -direction);
-      if (!(response > 0)) continue;
-      const double intensity = light.intensity(world.scene, direction);
-      if (!(intensity > 0)) continue;
-      work.sharers.push_back(c);
-      work.targets.push_back(work.at[c].position);
-      work.density.push_back(intensity * response / squared);
-    }
-    work.passages.resize(work.targets.size());
-    world.rays.passages(light.point, work.targets, work.passages);
-    rays += work.targets.size();
-    for (std::size_t t = 0; t < work.sharers.size(); ++t)
-      if (work.passages[t].share > 0)
-        work.labels[work.sharers[t]].add(light.place, work.density[t] * work.passages[t].share);
-  }
+  const auto receive = [&](std::uint32_t c, const Vec3& from) {
+    const double response = world.receivers.response(block.rows[c], from);
+    return SpotReceiver{response, response / integral(world.receivers.responsivity(block.rows[c]))};
+  };
+  spots.light_up(work.targets, {0.05 * requirement, effort.spot_rays}, {mix_key(key, 0x5B075), batch},
+                 work.residual.spots, rays, receive, [&](std::uint32_t c, std::uint32_t place, double value) {
+                   work.labels[c].add(place, value);
+                 });
 }
 
 // What the cache misses, at some points for each label.
