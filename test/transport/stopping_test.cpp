@@ -25,27 +25,40 @@ TEST(Stopping, LooksFirstAfterSixteenBatchesAndThenEverySixteenthMore) {
   EXPECT_FALSE(is_stopping_point(33));
 }
 
+// The entries of a row of which none is flagged.
+Precision count(const std::vector<double>& means, const std::vector<double>& errors, double requirement,
+                const RelativeError& wanted) {
+  return count_precise(means, errors, std::vector<std::uint8_t>(means.size()), requirement, wanted);
+}
+
 TEST(Stopping, CountsEntriesThatMatterAndArePrecise) {
   const RelativeError wanted{0.1, 0.5};
   // Above 0.5 of the requirement 2: 1.01, 4, 8. Of these 0.101 and 0.8 are 10 % at most.
   const std::vector<double> means{0, 0.5, 1, 1.01, 4, 8}, errors{0, 0.5, 0.9, 0.101, 0.41, 0.8};
-  const Precision found = count_precise(means, errors, 2, wanted);
+  const Precision found = count(means, errors, 2, wanted);
   EXPECT_EQ(found.relevant, 3u);
   EXPECT_EQ(found.precise, 2u);
   EXPECT_FALSE(found.is_enough());
-  EXPECT_EQ(count_precise(means, errors, 2, {0.1025, 0.5}).precise, 3u);
-  EXPECT_EQ(count_precise(means, errors, 2, {0.1, 0.1}).relevant, 5u);
+  EXPECT_EQ(count(means, errors, 2, {0.1025, 0.5}).precise, 3u);
+  EXPECT_EQ(count(means, errors, 2, {0.1, 0.1}).relevant, 5u);
   // Without a requirement, above half of the largest.
-  EXPECT_EQ(count_precise(means, errors, 0, wanted).relevant, 1u);
-  EXPECT_EQ(count_precise(means, errors, 0, {0.1, 0.49}).relevant, 2u);
+  EXPECT_EQ(count(means, errors, 0, wanted).relevant, 1u);
+  EXPECT_EQ(count(means, errors, 0, {0.1, 0.49}).relevant, 2u);
 }
 
 TEST(Stopping, WhatIsKnownExactlyIsPreciseAndWhatIsNoNumberIsNot) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(count_precise(std::vector{1.0}, std::vector{0.0}, 1, {1e-9, 0.3}).precise, 1u);
-  EXPECT_EQ(count_precise(std::vector{1.0}, std::vector{none}, 1, {0.5, 0.3}).precise, 0u);
-  EXPECT_EQ(count_precise(std::vector{0.0, 0.0}, std::vector{0.0, 0.0}, 0, {0.1, 0.3}).relevant, 0u);
-  EXPECT_EQ(count_precise({}, {}, 0, {0.1, 0.3}).relevant, 0u);
+  EXPECT_EQ(count({1.0}, {0.0}, 1, {1e-9, 0.3}).precise, 1u);
+  EXPECT_EQ(count({1.0}, {none}, 1, {0.5, 0.3}).precise, 0u);
+  EXPECT_EQ(count({0.0, 0.0}, {0.0, 0.0}, 0, {0.1, 0.3}).relevant, 0u);
+  EXPECT_EQ(count({}, {}, 0, {0.1, 0.3}).relevant, 0u);
+}
+
+TEST(Stopping, DoesNotTrustFlaggedErrors) {
+  const std::vector<double> means{1, 2}, errors{0.01, 0.01};
+  const Precision found = count_precise(means, errors, std::vector<std::uint8_t>{0, 1}, 1, {0.1, 0.3});
+  EXPECT_EQ(found.relevant, 2u);
+  EXPECT_EQ(found.precise, 1u);
 }
 
 TEST(Stopping, AsksForNinetyNineOfAHundred) {

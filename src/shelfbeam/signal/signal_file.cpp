@@ -130,6 +130,9 @@ class OwnRows : public SignalRows {
                                         : matrix_.standard_error,
          row, values);
   }
+  void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override {
+    for (std::size_t j = 0; j < flags.size(); ++j) flags[j] = matrix_.is_flagged(matrix_.at(row, j)) ? 1 : 0;
+  }
   void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                   std::span<float> values) const override {
     const SignalLayer& asked =

@@ -43,9 +43,12 @@ struct SignalLayer {
 struct SignalMatrix {
   std::vector<LabelRow> labels;
   std::vector<TransceiverColumn> transceivers;
-  std::vector<float> mean;             ///< m n entries: the signal of label i from transceiver j alone
-  std::vector<float> standard_error;   ///< m n entries: of `mean`, from independent batches
-  std::vector<float> direct;           ///< m n entries: the part of `mean` without any reflection
+  std::vector<float> mean;            ///< m n entries: the signal of label i from transceiver j alone
+  std::vector<float> standard_error;  ///< m n entries: of `mean`, from independent batches
+  std::vector<float> direct;          ///< m n entries: the part of `mean` without any reflection
+  /// m n entries: 1 where the batches are so skewed that `standard_error` is not to be trusted (PowerSums);
+  /// empty where that is not known.
+  std::vector<std::uint8_t> flags;
   std::vector<SignalLayer> by_bounce;  ///< layer k: k bounces; none unless asked for
   /// Layer k: paths from k to k + 1 times `length_step` long, the last one all longer ones, too; none unless
   /// asked for.
@@ -57,6 +60,7 @@ struct SignalMatrix {
   std::size_t rows() const { return labels.size(); }
   std::size_t columns() const { return transceivers.size(); }
   std::size_t at(std::size_t label, std::size_t transceiver) const { return label * columns() + transceiver; }
+  bool is_flagged(std::size_t entry) const { return !flags.empty() && flags[entry] != 0; }
   std::span<const float> mean_row(std::size_t label) const {
     return std::span(mean).subspan(label * columns(), columns());
   }

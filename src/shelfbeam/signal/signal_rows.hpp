@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace shelfbeam {
@@ -14,6 +15,8 @@ class SignalRows {
   virtual ~SignalRows() = default;
   /// Fills `values`, one a column.
   virtual void fill(Quantity quantity, std::size_t row, std::span<float> values) const = 0;
+  /// SignalMatrix::flags, one a column.
+  virtual void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const = 0;
   /// The same of a layer: SignalMatrix::by_bounce, then by_length; has no direct part.
   virtual void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                           std::span<float> values) const = 0;

@@ -266,7 +266,7 @@ void Engine::foresee() {
   if (most >= next_look_) {
     next_look_ = most < least_batches ? 2 * most : most + most / 16;
     const double share = options_.relative_error ? options_.relative_error->above : 0.3;
-    const double error = survey_.relative_errors(share).quantile(0.99);
+    const double error = survey_.errors(share).relative.quantile(0.99);
     const std::scoped_lock lock(report_mutex_);
     error_text_ = fmt::format(", error {:.1f} %", 100 * error);
     if (options_.relative_error)

@@ -8,46 +8,57 @@
 
 namespace shelfbeam::detail {
 
-// Calls use(the label's requirement, means, standard errors) for the rows of an item.
+// Calls use(row, means, standard errors, flags) for the rows of an item.
 template <class Use>
 void ErrorSurvey::each_row(std::size_t item, Use use) const {
   const auto& [rows, columns] = estimator_.block(item);
-  const Scene& scene = world_.scene;
   std::vector<double> means(columns.size()), errors(columns.size());
+  std::vector<std::uint8_t> flags(columns.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const std::size_t entry = r * columns.size() + c;
-      means[c] = sums_[item].mean(entry) + known_.straight(rows[r], columns[c]) +
-                 known_.mirrored(rows[r], columns[c]);
-      errors[c] = sums_[item].standard_error(entry);
+      const PowerSums sums = sums_[item].entry(entry);
+      means[c] = sums.mean() + known_.straight(rows[r], columns[c]) + known_.mirrored(rows[r], columns[c]);
+      errors[c] = sums.standard_error();
+      flags[c] = sums.is_skewed() ? 1 : 0;
     }
-    use(scene.type_of(scene.labels[rows[r]]).requirement(), means, errors);
+    use(rows[r], means, errors, flags);
   }
 }
 
 Precision ErrorSurvey::precision(std::size_t item, const RelativeError& wanted) const {
   Precision found;
-  each_row(item, [&](double requirement, const auto& means, const auto& errors) {
-    found += count_precise(means, errors, requirement, wanted);
+  each_row(item, [&](std::size_t i, const auto& means, const auto& errors, const auto& flags) {
+    found += count_precise(means, errors, flags, requirement(i), wanted);
   });
   return found;
 }
 
-LogHistogram ErrorSurvey::relative_errors(double above) const {
-  tbb::enumerable_thread_specific<LogHistogram> parts;
+double ErrorSurvey::requirement(std::size_t i) const {
+  return world_.scene.type_of(world_.scene.labels[i]).requirement();
+}
+
+ErrorSurvey::Errors ErrorSurvey::errors(double above) const {
+  tbb::enumerable_thread_specific<Errors> parts;
   for_parts(sums_.size(), [&](std::size_t first, std::size_t last) {
-    LogHistogram& histogram = parts.local();
+    Errors& part = parts.local();
     for (std::size_t item = first; item < last; ++item) {
       if (sums_[item].batches < 2) continue;
-      each_row(item, [&](double requirement, const auto& means, const auto& errors) {
-        const double limit = relevance_limit(means, requirement, above);
-        for (std::size_t c = 0; c < means.size(); ++c)
-          if (means[c] > limit) histogram.add(errors[c] / means[c]);
+      each_row(item, [&](std::size_t i, const auto& means, const auto& errors, const auto& flags) {
+        const double limit = relevance_limit(means, requirement(i), above);
+        for (std::size_t c = 0; c < means.size(); ++c) {
+          if (!(means[c] > limit)) continue;
+          part.relative.add(errors[c] / means[c]);
+          part.flagged += flags[c];
+        }
       });
     }
   });
-  LogHistogram all;
-  for (const LogHistogram& part : parts) all.merge(part);
+  Errors all;
+  for (const Errors& part : parts) {
+    all.relative.merge(part.relative);
+    all.flagged += part.flagged;
+  }
   return all;
 }
 

@@ -54,6 +54,9 @@ SignalMatrix filled(SignalMatrix head, const SignalRows& rows) {
   fill_all(head.mean, of_all(Quantity::mean));
   fill_all(head.standard_error, of_all(Quantity::standard_error));
   fill_all(head.direct, of_all(Quantity::direct));
+  head.flags.resize(entries);
+  for (std::size_t i = 0; i < head.rows(); ++i)
+    rows.fill_flags(i, std::span(head.flags).subspan(i * head.columns(), head.columns()));
   const auto of_layer = [&](std::size_t layer, Quantity quantity) {
     return [&rows, layer, quantity](std::size_t i, std::span<float> row) {
       rows.fill_layer(layer, quantity, i, row);

@@ -47,11 +47,20 @@ void MatrixRows::fill(Quantity quantity, std::size_t row, std::span<float> value
     const ItemSums& sums = sums_[item];
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const std::size_t entry = r * columns.size() + c, j = columns[c];
-      const double sampled = quantity == Quantity::mean     ? sums.mean(entry)
+      const double sampled = quantity == Quantity::mean     ? sums.entry(entry).mean()
                              : quantity == Quantity::direct ? sums.direct(entry)
-                                                            : sums.standard_error(entry);
+                                                            : sums.entry(entry).standard_error();
       values[j] = static_cast<float>(sampled + known(j));
     }
+  });
+}
+
+void MatrixRows::fill_flags(std::size_t row, std::span<std::uint8_t> flags) const {
+  std::fill(flags.begin(), flags.end(), std::uint8_t{0});
+  each_item(row, [&](std::size_t item, std::size_t r) {
+    const auto& columns = estimator_.block(item).columns;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      flags[columns[c]] = sums_[item].entry(r * columns.size() + c).is_skewed() ? 1 : 0;
   });
 }
 
@@ -68,8 +77,8 @@ void MatrixRows::fill_layer(std::size_t layer, Quantity quantity, std::size_t ro
     const ItemSums& sums = sums_[item];
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const std::size_t entry = r * columns.size() + c, j = columns[c];
-      values[j] = static_cast<float>(is_mean ? sums.layer_mean(layer, entry) + known(j)
-                                             : sums.layer_standard_error(layer, entry));
+      const PowerSums found = sums.layer_entry(layer, entry);
+      values[j] = static_cast<float>(is_mean ? found.mean() + known(j) : found.standard_error());
     }
   });
 }

@@ -11,9 +11,10 @@ namespace shelfbeam::detail {
 
 namespace {
 
-// Three floats an entry, two more for each layer; 0 where the matrix goes straight into a file.
+// Three floats and a flag an entry, two more floats for each layer; 0 where the matrix goes straight into a
+// file.
 double result_bytes(double entries, const SimulationOptions& options, bool keeps_matrix) {
-  return keeps_matrix ? entries * sizeof(float) * (3 + 2 * static_cast<double>(options.layers())) : 0;
+  return keeps_matrix ? entries * (1 + sizeof(float) * (3 + 2 * static_cast<double>(options.layers()))) : 0;
 }
 
 void expect_at_most(double needed, std::size_t labels, std::size_t sources,
@@ -33,10 +34,10 @@ void expect_room(const Scene& scene, const SimulationOptions& options, bool keep
   double each = options.rules().samples_direct ? 0 : sizeof(float);
   // Every entry has its sums, and a column index.
   if (options.estimator == EstimatorKind::uniform)
-    each += sizeof(double) * (2 + (options.direct == DirectLight::sampled ? 1 : 0) +
+    each += sizeof(double) * (3 + (options.direct == DirectLight::sampled ? 1 : 0) +
                               2 * static_cast<double>(options.layers())) +
             sizeof(std::uint32_t);
-  if (options.estimator == EstimatorKind::reuse) each += 2 * sizeof(double);
+  if (options.estimator == EstimatorKind::reuse) each += 3 * sizeof(double);
   expect_at_most(entries * each + result_bytes(entries, options, keeps_matrix), scene.labels.size(), sources,
                  options);
 }

@@ -36,8 +36,9 @@ SimulationSummary summarise(const SignalMatrix& head, const detail::Engine& engi
   summary.shadow_rays = engine.shadow_rays();
   summary.seconds_to_halve = engine.seconds_to_halve();
   for (ErrorQuantiles& errors : summary.errors) {
-    const LogHistogram histogram = engine.survey().relative_errors(errors.above);
+    const auto [histogram, flagged] = engine.survey().errors(errors.above);
     errors.entries = histogram.count();
+    errors.flagged = flagged;
     errors.median = histogram.quantile(0.5);
     errors.p90 = histogram.quantile(0.9);
     errors.p99 = histogram.quantile(0.99);

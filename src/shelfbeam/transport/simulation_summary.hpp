@@ -11,7 +11,7 @@ namespace shelfbeam {
 /// Relative standard errors of the entries above a share of their label's requirement, good to 1 %.
 struct ErrorQuantiles {
   double above = 0;
-  std::uint64_t entries = 0;
+  std::uint64_t entries = 0, flagged = 0;  ///< flagged: the error is not to be trusted (SignalMatrix::flags)
   double median = 0, p90 = 0, p99 = 0;
 };
 

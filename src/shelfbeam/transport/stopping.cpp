@@ -17,13 +17,14 @@ double relevance_limit(std::span<const double> means, double requirement, double
 }
 
 Precision count_precise(std::span<const double> means, std::span<const double> standard_errors,
-                        double requirement, const RelativeError& wanted) {
+                        std::span<const std::uint8_t> flags, double requirement,
+                        const RelativeError& wanted) {
   const double limit = relevance_limit(means, requirement, wanted.above);
   Precision result;
   for (std::size_t k = 0; k < means.size(); ++k) {
     if (!(means[k] > limit)) continue;
     ++result.relevant;
-    if (standard_errors[k] <= wanted.error * means[k]) ++result.precise;
+    if (flags[k] == 0 && standard_errors[k] <= wanted.error * means[k]) ++result.precise;
   }
   return result;
 }

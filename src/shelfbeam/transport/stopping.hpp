@@ -5,7 +5,8 @@
 
 namespace shelfbeam {
 
-/// When a simulation is precise enough: 99 % of the entries that matter have this relative standard error.
+/// When a simulation is precise enough: 99 % of the entries that matter have this relative standard error,
+/// and one that can be trusted.
 struct RelativeError {
   double error = 0.05;
   double above = 0.3;  ///< entries matter whose mean exceeds this share of their label's requirement
@@ -35,8 +36,9 @@ struct Precision {
 /// the largest mean of its row.
 double relevance_limit(std::span<const double> means, double requirement, double share);
 
-/// Counts the entries of a row, from their means and standard errors.
+/// Counts the entries of a row, from their means and standard errors; flagged ones (SignalMatrix::flags) are
+/// not precise.
 Precision count_precise(std::span<const double> means, std::span<const double> standard_errors,
-                        double requirement, const RelativeError& wanted);
+                        std::span<const std::uint8_t> flags, double requirement, const RelativeError& wanted);
 
 }  // namespace shelfbeam

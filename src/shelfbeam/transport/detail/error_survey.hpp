@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "shelfbeam/stats/log_histogram.hpp"
@@ -21,11 +22,16 @@ class ErrorSurvey {
 
   Precision precision(std::size_t item, const RelativeError& wanted) const;
 
-  /// Relative errors of the entries above a share of their label's requirement, of all items with two
-  /// batches or more; on the threads of the present arena.
-  LogHistogram relative_errors(double above) const;
+  /// The entries above a share of their label's requirement.
+  struct Errors {
+    LogHistogram relative;      ///< their relative standard errors
+    std::uint64_t flagged = 0;  ///< so many of them are not to be trusted
+  };
+  /// Of all items with two batches or more; on the threads of the present arena.
+  Errors errors(double above) const;
 
  private:
+  double requirement(std::size_t i) const;
   template <class Use>
   void each_row(std::size_t item, Use use) const;
 

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
+#include "shelfbeam/stats/power_sums.hpp"
 #include "shelfbeam/transport/batch_values.hpp"
 
 namespace shelfbeam::detail {
@@ -19,48 +18,51 @@ class ItemSums {
   ItemSums(std::size_t entries, bool with_direct, std::size_t layers)
       : values(size(entries, with_direct, layers)),
         entries_(entries),
-        direct_(with_direct ? 2 * entries : none),
-        layers_((with_direct ? 3 : 2) * entries) {}
+        direct_(with_direct ? powers * entries : none),
+        layers_((with_direct ? powers + 1 : powers) * entries) {}
 
   static constexpr std::size_t size(std::size_t entries, bool with_direct, std::size_t layers) {
-    return entries * (2 + (with_direct ? 1 : 0) + 2 * layers);
+    return entries * (powers + (with_direct ? 1 : 0) + layer_powers * layers);
   }
 
   void add(const BatchValues& batch) {
     for (const BatchValues::Value& value : batch.values) {
-      add_to(2 * std::size_t{value.entry}, value.total);
+      double* const at = values.data() + powers * std::size_t{value.entry};
+      at[0] += value.total;
+      at[1] += value.total * value.total;
+      at[2] += value.total * value.total * value.total;
       if (direct_ != none) values[direct_ + value.entry] += value.direct;
     }
-    for (const BatchValues::LayerValue& value : batch.layers)
-      add_to(layer(value.layer, value.entry), value.value);
+    for (const BatchValues::LayerValue& value : batch.layers) {
+      double* const at = values.data() + layer(value.layer, value.entry);
+      at[0] += value.value;
+      at[1] += value.value * value.value;
+    }
     ++batches;
   }
 
-  double mean(std::size_t entry) const { return values[2 * entry] / batches; }
-  double standard_error(std::size_t entry) const { return error_of(2 * entry); }
+  PowerSums entry(std::size_t entry) const {
+    const double* const at = values.data() + powers * entry;
+    return {static_cast<double>(batches), at[0], at[1], at[2]};
+  }
   double direct(std::size_t entry) const { return direct_ == none ? 0 : values[direct_ + entry] / batches; }
-  double layer_mean(std::size_t k, std::size_t entry) const { return values[layer(k, entry)] / batches; }
-  double layer_standard_error(std::size_t k, std::size_t entry) const { return error_of(layer(k, entry)); }
+  /// Without cubes.
+  PowerSums layer_entry(std::size_t k, std::size_t entry) const {
+    const double* const at = values.data() + layer(k, entry);
+    return {static_cast<double>(batches), at[0], at[1]};
+  }
 
-  std::vector<double> values;  ///< sum and sum of squares of every entry, then direct parts, then layers
+  /// Sum, sum of squares and of cubes of every entry, then direct parts, then sum and sum of squares of
+  /// layers.
+  std::vector<double> values;
   std::uint32_t batches = 0;
 
  private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t powers = 3, layer_powers = 2;
 
-  std::size_t layer(std::size_t k, std::size_t entry) const { return layers_ + 2 * (k * entries_ + entry); }
-
-  void add_to(std::size_t at, double value) {
-    values[at] += value;
-    values[at + 1] += value * value;
-  }
-
-  // Of the mean, from the spread of the batches. What rounding of the sums alone can explain is 0.
-  double error_of(std::size_t at) const {
-    const double n = batches, sum = values[at], squares = values[at + 1];
-    const double spread = squares - sum * sum / n;
-    if (spread <= n * squares * std::numeric_limits<double>::epsilon()) return 0;
-    return std::sqrt(spread / (n * (n - 1)));
+  std::size_t layer(std::size_t k, std::size_t entry) const {
+    return layers_ + layer_powers * (k * entries_ + entry);
   }
 
   std::size_t entries_, direct_, layers_;
