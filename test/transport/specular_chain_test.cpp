@@ -30,7 +30,8 @@ TEST(SpecularChain, ChancesOfStraightWaysAreThoseOfPassages) {
     const double u1 = random.unit(), u2 = random.unit();
     const Vec3 direction = Frame::about({1, 0, 0}).to_world(sample_cosine_hemisphere(u1, u2));
     std::uint64_t rays = 0;
-    const auto end = follow_chain(world, from, direction, false, random, rays, [](std::size_t, double) {});
+    const auto end =
+        follow_chain(world, from, direction, Departure::scattered, random, rays, [](std::size_t, double) {});
     ASSERT_TRUE(end);
     if (!end->is_straight) {
       ++bent;

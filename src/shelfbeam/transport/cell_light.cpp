@@ -117,8 +117,8 @@ std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells
     const auto [u1, u2] = square.point(r);
     RandomStream random(stream, r, 1, 0xCAC4E);
     const auto end =
-        follow_chain(world, at, Frame::about(at.normal).to_world(sample_cosine_hemisphere(u1, u2)), false,
-                     random, rays, [](std::size_t, double) {});
+        follow_chain(world, at, Frame::about(at.normal).to_world(sample_cosine_hemisphere(u1, u2)),
+                     Departure::scattered, random, rays, [](std::size_t, double) {});
     if (!end) continue;
     const std::uint32_t there = cells.find(end->point);
     if (there == SurfaceCells::nowhere) continue;

@@ -29,7 +29,8 @@ DirectSignal& DirectSignal::operator+=(const DirectSignal& other) {
 DirectSignal direct_signal(const World& world, std::size_t i, std::size_t j, const SurfacePoint& label,
                            const LightPoint& light, const PathRules& rules) {
   return light_from(
-      world, j, light, label, rules.uses_images(world.receivers.is_point(i), world.emitters.is_point(j)),
+      world, j, light, label,
+      rules.uses_images(world.receivers.is_point(i), world.emitters.is_transceiver(j)),
       [&](const Vec3& direction) { return world.receivers.response(i, direction); },
       [&] { return world.rays.passage(label, light.position).share; });
 }

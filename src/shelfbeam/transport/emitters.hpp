@@ -33,6 +33,7 @@ class Emitters {
   explicit Emitters(const Scene& scene);
 
   std::size_t size() const { return units_.size() + surfaces_.size(); }
+  bool is_transceiver(std::size_t j) const { return j < units_.size(); }
   bool is_point(std::size_t j) const { return j < units_.size() && units_[j].area == 0; }
 
   /// A point of the source, uniform over its area, from two uniform numbers.

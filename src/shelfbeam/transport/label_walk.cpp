@@ -92,7 +92,9 @@ class LabelWalk {
       direction_ = frame.to_world(next->direction);
       passed_ = 0;
       pdf_ = next->pdf;
-      specular_ = next->specular;
+      departure_ = next->specular ? after_specular(departure_, next->direction.z * outgoing.z > 0 &&
+                                                                   world_.mirrors.contains(hit.triangle))
+                                  : Departure::scattered;
     }
     const double survival = survival_probability(throughput_ / weight_at_label_);
     if (to_unit(random[3]) >= survival) return false;
@@ -144,7 +146,8 @@ class LabelWalk {
                      travelled + std::sqrt(squared));
       }
     }
-    if (!rules_.uses_images(world_.receivers.is_point(label_), is_point) || bounces == rules_.max_bounces)
+    if (!rules_.uses_images(world_.receivers.is_point(label_), emitters.is_transceiver(j)) ||
+        bounces == rules_.max_bounces)
       return;
     for (std::size_t g = 0; g < world_.mirrors.size(); ++g) {
       const auto bend = world_.mirrors.bend(g, at.position, light.position);
@@ -160,16 +163,17 @@ class LabelWalk {
 
   // Sources that the walk meets on its way to the next surface, and that surface itself where it shines.
   void score_sources(const std::optional<Hit>& hit) {
-    if (rules_.strategy == Strategy::nee && !specular_) return;
+    if (rules_.strategy == Strategy::nee && departure_ == Departure::scattered) return;
     if (bounces_ == 0 && !rules_.samples_direct) return;
     const double farthest =
         hit ? hit->distance(vertex_, direction_) : std::numeric_limits<double>::infinity();
-    const bool shared = rules_.strategy == Strategy::mis && !specular_;
+    const bool shared = rules_.strategy == Strategy::mis && departure_ == Departure::scattered;
     const auto score = [&](std::size_t j, const LightPoint& light, double radiance) {
       const double weight = shared ? mis_weight(rules_.heuristic, pdf_, light_pdf(light, vertex_) / n_) : 1;
       tally_.add(bounces_, j, throughput_ * radiance * weight, travelled_ + length(light.position - vertex_));
     };
-    world_.emitters.each_disc(world_.rays, vertex_, direction_, passed_, farthest, score);
+    if (departure_ != Departure::mirrored || rules_.strategy == Strategy::walk)
+      world_.emitters.each_disc(world_.rays, vertex_, direction_, passed_, farthest, score);
     if (!hit) return;
     if (const auto j = world_.emitters.surface_of(hit->material))
       score(*j, {hit->point.position, hit->point.normal, world_.emitters.area(*j)},
@@ -188,11 +192,11 @@ class LabelWalk {
   double throughput_ = 1;  // beta (2.20), with the weight at the label
   double weight_at_label_ = 1;
   std::uint32_t bounces_ = 0;
-  Vec3 vertex_;            // the last vertex that is not a pane gone straight through,
-  double passed_ = 0;      // how far from it the ray starts,
-  double travelled_ = 0;   // the length of the path up to it,
-  double pdf_ = 0;         // the density of the direction drawn there times the chance to pass the panes,
-  bool specular_ = false;  // and whether a specular lobe gave it
+  Vec3 vertex_;           // the last vertex that is not a pane gone straight through,
+  double passed_ = 0;     // how far from it the ray starts,
+  double travelled_ = 0;  // the length of the path up to it,
+  double pdf_ = 0;        // the density of the direction drawn there times the chance to pass the panes,
+  Departure departure_ = Departure::scattered;  // and which lobe gave it
 };
 
 }  // namespace

@@ -99,7 +99,7 @@ class Particle {
     }
     if (bounces == rules_.max_bounces) return;
     for (std::size_t i = 0; i < receivers.size(); ++i) {
-      if (!rules_.uses_images(receivers.is_point(i), world_.emitters.is_point(source_))) continue;
+      if (!rules_.uses_images(receivers.is_point(i), world_.emitters.is_transceiver(source_))) continue;
       const Vec3 label = receivers.point(i, 0, 0).position;
       for (std::size_t g = 0; g < world_.mirrors.size(); ++g) {
         const auto bend = world_.mirrors.bend(g, at.position, label);

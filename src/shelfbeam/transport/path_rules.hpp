@@ -20,6 +20,18 @@ enum class Heuristic {
   power     ///< p^2 / sum p^2
 };
 
+/// How a ray has left its last vertex, which decides whether connections find the sources that it meets.
+enum class Departure {
+  scattered,  ///< connections find all sources
+  mirrored,  ///< over one plane mirror, to which a scattered ray led: connections find images of transceivers
+  specular   ///< otherwise by mirrors or refraction: connections find nothing
+};
+
+/// After a specular reflection or refraction.
+inline Departure after_specular(Departure before, bool is_imaged_reflection) {
+  return before == Departure::scattered && is_imaged_reflection ? Departure::mirrored : Departure::specular;
+}
+
 struct PathRules {
   static constexpr std::uint32_t no_limit = std::numeric_limits<std::uint32_t>::max();
 
@@ -31,11 +43,11 @@ struct PathRules {
   /// otherwise `direct` below computes it.
   bool samples_direct = true;
 
-  /// Whether connections look for plane mirrors: where one end is a point that walks from the other cannot
-  /// meet.
-  bool uses_images(bool point_label, bool point_source) const {
+  /// Whether connections look for plane mirrors: over these a transceiver, point or disc, is met by its image
+  /// alone, an emitting surface by walks alone. Of particles, a label is met by its image if it is a point.
+  bool uses_images(bool point_label, bool is_transceiver) const {
     if (strategy == Strategy::walk || max_bounces == 0) return false;
-    return strategy == Strategy::particle ? point_label : point_source;
+    return strategy == Strategy::particle ? point_label : is_transceiver;
   }
 };
 

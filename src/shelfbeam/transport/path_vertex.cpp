@@ -56,7 +56,7 @@ PathVertex::Parts PathVertex::split(const Reflection& straight, const DirectSign
 
 PathVertex::Scattered PathVertex::scatter_by_base(double u1, double u2) const {
   const Vec3 local = sample_cosine_hemisphere(u1, u2);
-  return {Frame::about(end.point.normal).to_world(local), pi * guide->base(local.z), false};
+  return {Frame::about(end.point.normal).to_world(local), pi * guide->base(local.z), Departure::scattered};
 }
 
 std::optional<PathVertex::Scattered> PathVertex::scatter_otherwise(double u_lobe, double u1,
@@ -67,7 +67,9 @@ std::optional<PathVertex::Scattered> PathVertex::scatter_otherwise(double u_lobe
   const auto drawn = plastic != nullptr ? plastic->sample_coat(outgoing, u1, u2)
                                         : sample(*material, outgoing, u_lobe, u1, u2);
   if (!drawn || drawn->weight == 0) return std::nullopt;
-  return Scattered{frame.to_world(drawn->direction), drawn->weight, drawn->specular};
+  const Departure departure =
+      drawn->specular ? after_specular(end.arrived, end.is_imaged) : Departure::scattered;
+  return Scattered{frame.to_world(drawn->direction), drawn->weight, departure};
 }
 
 void PathVertex::look_up(const UnitGroups& units, float weight, LaneRow& to) const {

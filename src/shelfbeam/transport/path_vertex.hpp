@@ -36,7 +36,7 @@ struct PathVertex {
   struct Scattered {
     Vec3 direction;
     double weight;  ///< of the radiance that comes from there, for the part asked for
-    bool is_specular;
+    Departure departure;
   };
   Scattered scatter_by_base(double u1, double u2) const;
   /// By what is not the base; nothing when the light is absorbed.

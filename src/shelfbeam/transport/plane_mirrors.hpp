@@ -36,6 +36,9 @@ class PlaneMirrors {
 
   std::size_t size() const { return mirrors_.size(); }
 
+  /// Whether a triangle belongs to one of them.
+  bool contains(std::uint32_t triangle) const { return mirror_of_[triangle] < mirrors_.size(); }
+
   /// Triangles that mirror a share but belong to no group that counts, by material.
   const std::vector<std::size_t>& left_out() const { return left_out_; }
 

@@ -174,9 +174,9 @@ void Residual::add_direct(const PathVertex& vertex, double stake, RandomStream& 
   for (std::size_t t = 0; t < scratch.targets.size(); ++t) {
     const std::size_t j = units_.column(scratch.places[t] / lanes, scratch.places[t] % lanes);
     StraightFirst reflected{vertex};
-    const DirectSignal light =
-        light_from(world_, j, scratch.lights[t], vertex.end.point, has_images && world_.emitters.is_point(j),
-                   reflected, [&] { return static_cast<double>(scratch.shares[t]); });
+    const DirectSignal light = light_from(world_, j, scratch.lights[t], vertex.end.point,
+                                          has_images && world_.emitters.is_transceiver(j), reflected,
+                                          [&] { return static_cast<double>(scratch.shares[t]); });
     rays += light.rays > 1 ? light.rays - 1 : 0;
     const auto [base, own] = vertex.split(reflected.straight, light);
     const double weight = scratch.inverse_probability[t];
@@ -218,9 +218,9 @@ void Residual::add_far(const PathVertex& vertex, RandomStream& random, ResidualR
     const double u1 = random.unit(), u2 = random.unit();
     const LightPoint light = world_.emitters.point(j, u1, u2);
     StraightFirst reflected{vertex};
-    const DirectSignal signal =
-        light_from(world_, j, light, vertex.end.point, world_.emitters.is_point(j), reflected,
-                   [&] { return world_.rays.passage(vertex.end.point, light.position).share; });
+    const DirectSignal signal = light_from(world_, j, light, vertex.end.point, true, reflected, [&] {
+      return world_.rays.passage(vertex.end.point, light.position).share;
+    });
     rays += signal.rays;
     double taken = 1;  // of its light: not that of bright spots
     if (vertex.is_capped) {
@@ -303,7 +303,7 @@ std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool b
     if (!scattered) continue;
     const double weight = scattered->weight;
     const auto end =
-        follow_chain(world_, vertex.end.point, scattered->direction, scattered->is_specular, random, rays,
+        follow_chain(world_, vertex.end.point, scattered->direction, scattered->departure, random, rays,
                      [&](std::size_t j, double value) { row.add(units_.place(j), weight * value / tails); });
     if (!end) continue;
     Found found{PathVertex(world_, cache_, *end), weight * end->throughput};

@@ -127,9 +127,9 @@ void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::u
         const double u3 = random.unit(), u4 = random.unit();
         from = world.receivers.point(i, u3, u4);
       }
-      const auto end =
-          follow_chain(world, from, world.receivers.frame(i).to_world(drawn->direction), false, random, rays,
-                       [&](std::size_t j, double value) { row.add(units.place(j), weight * value); });
+      const auto end = follow_chain(
+          world, from, world.receivers.frame(i).to_world(drawn->direction), Departure::scattered, random,
+          rays, [&](std::size_t j, double value) { row.add(units.place(j), weight * value); });
       if (!end) continue;
       Found found{PathVertex(world, cache, *end), static_cast<float>(weight * end->throughput), 0};
       found.vertex.is_capped = end->is_straight;
@@ -215,7 +215,7 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
       if (!drawn) continue;
       const double weight = integral(responsivity) / effort.points;
       const auto end = follow_chain(world, work.at[c], world.receivers.frame(i).to_world(drawn->direction),
-                                    false, random, rays, [](std::size_t, double) {});
+                                    Departure::scattered, random, rays, [](std::size_t, double) {});
       if (!end) continue;
       work.vertices.emplace_back(world, cache, *end);
       work.vertices.back().is_capped = end->is_straight;

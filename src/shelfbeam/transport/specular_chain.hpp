@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "shelfbeam/transport/path_rules.hpp"
 #include "shelfbeam/transport/random_stream.hpp"
 #include "shelfbeam/transport/world.hpp"
 
@@ -14,29 +15,33 @@ struct ChainEnd {
   Vec3 outside;        ///< the triangle's own normal, which materials go by
   Vec3 outgoing;       ///< unit, back along the ray
   MaterialId material;
+  bool is_imaged = false;                    ///< on a plane mirror that counts
+  Departure arrived = Departure::scattered;  ///< of the ray's last part
   double throughput = 1;
   bool is_straight = true;  ///< nothing was met on the way but panes, straight through; this had the
   double probability = 1;   ///< chance that Passage has
 };
 
 /// Follows a ray from `from`. Sources that it meets are scored, use(j, throughput x radiance), where no
-/// connection could have found them: after a specular lobe, be it that which sent the ray (`is_specular`) or
-/// one on the way. Straight on through panes does not count: connections pass them, too.
+/// connection could have found them (Departure). Straight on through panes does not count: connections pass
+/// them, too.
 template <class Use>
-std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3 direction, bool is_specular,
-                                     RandomStream& random, std::uint64_t& rays, const Use& use) {
+std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3 direction,
+                                     Departure departure, RandomStream& random, std::uint64_t& rays,
+                                     const Use& use) {
   Vec3 vertex = from.position;  // the last point that is not a pane gone straight through,
   double passed = 0;            // and how far from it the ray starts
   ChainEnd end;
   for (int step = 0;; ++step) {
     const auto hit = world.rays.intersect(from, direction);
     ++rays;
-    if (is_specular) {
+    if (departure != Departure::scattered) {
       const double farthest =
           hit ? hit->distance(vertex, direction) : std::numeric_limits<double>::infinity();
-      world.emitters.each_disc(
-          world.rays, vertex, direction, passed, farthest,
-          [&](std::size_t j, const LightPoint&, double radiance) { use(j, end.throughput * radiance); });
+      if (departure == Departure::specular)
+        world.emitters.each_disc(
+            world.rays, vertex, direction, passed, farthest,
+            [&](std::size_t j, const LightPoint&, double radiance) { use(j, end.throughput * radiance); });
       if (hit)
         if (const auto j = world.emitters.surface_of(hit->material))
           use(*j, end.throughput * world.emitters.radiance(*j));
@@ -49,6 +54,8 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
       if (dot(end.point.normal, direction) > 0) end.point.normal = -end.point.normal;
       end.outgoing = -direction;
       end.material = hit->material;
+      end.is_imaged = world.mirrors.contains(hit->triangle);
+      end.arrived = departure;
       return end;
     }
     const Frame frame = Frame::of_surface(hit->point.normal);
@@ -67,7 +74,8 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
       vertex = hit->point.position;
       passed = 0;
       direction = frame.to_world(next->direction);
-      is_specular = true;
+      departure = after_specular(departure,
+                                 next->direction.z * outgoing.z > 0 && world.mirrors.contains(hit->triangle));
     }
     // Between two mirrors a ray would never end.
     if (step >= 8 && !end.is_straight) {

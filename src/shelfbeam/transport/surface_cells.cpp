@@ -73,7 +73,8 @@ std::vector<Found> explore(const World& world, std::size_t i, std::uint32_t walk
     if (!first) continue;
     Vec3 direction = world.receivers.frame(i).to_world(first->direction);
     for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
-      const auto end = follow_chain(world, from, direction, false, random, rays, [](std::size_t, double) {});
+      const auto end = follow_chain(world, from, direction, Departure::scattered, random, rays,
+                                    [](std::size_t, double) {});
       if (!end) break;
       found.push_back({key_of(end->point), static_cast<std::uint32_t>(SurfaceCells::quadrant(end->point)),
                        random.bits(), end->point});
