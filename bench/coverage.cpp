@@ -1,0 +1,242 @@
+// Whether the standard errors of path reuse can be trusted: how often 95 % intervals hold the truth in a zoo
+// of small rooms, against long runs of the paper's estimator (walks or particles, whichever converges there).
+//
+//   build/release/bench_coverage [ROOM...] [--folder FOLDER] [--seeds N] [--batches N] [--walks N]
+//   [--old-spots]
+//
+// ROOM: names, or parts of names, of rooms of the zoo, or store files; all rooms of the zoo unless given.
+// --folder     where store files, references and the counts of every seed are kept (default: coverage); the
+// same command
+//              continues there. To be deleted when the program has changed.
+// --seeds      caches and random numbers (30)
+// --batches    of each seed (764: 100,084 first rays a label); they are runs of 16 batches (2,096 first
+// rays),
+//              of 77 (10,087) and of all
+// --walks      of the reference, a label (1,000,000)
+// --old-spots  the control: caps at 4 m from the unit, the same for all receivers, none for vertices of paths
+
+#include "support/coverage.hpp"
+
+#include <cctype>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/signal/signal_file.hpp"
+#include "shelfbeam/transport/simulate.hpp"
+
+#include "support/zoo.hpp"
+
+namespace {
+
+using namespace shelfbeam;
+using test::ClassCoverage;
+using test::CoverageCount;
+using test::CoverageTable;
+using test::ZooRoom;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+struct Settings {
+  std::vector<std::string> rooms;
+  fs::path folder = "coverage";
+  std::uint32_t seeds = 30, batches = 764;
+  std::uint64_t walks = 1000000;
+  bool old_spots = false;
+};
+
+std::string file_name(std::string room) {
+  for (char& c : room)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+  return room;
+}
+
+test::Reference reference(const Settings& settings, const ZooRoom& room, const Scene& scene) {
+  const fs::path file = settings.folder / fmt::format("{}-{}.h5", file_name(room.name), settings.walks);
+  if (!fs::exists(file)) {
+    SimulationOptions options;
+    options.estimator = EstimatorKind::uniform;
+    options.strategy = room.reference;
+    options.direct = DirectLight::exact;
+    options.samples = settings.walks;
+    options.seed = 99;
+    // A particle connects to all labels, a walk to one unit.
+    if (room.reference == Strategy::particle) options.samples = settings.walks / 2;
+    simulate_to_file(scene, "", options, file);
+  }
+  const SignalMatrix matrix = read_signal_file(file);
+  return {{matrix.mean.begin(), matrix.mean.end()},
+          {matrix.standard_error.begin(), matrix.standard_error.end()}};
+}
+
+Json as_json(const CoverageCount& count) {
+  return {count.pairs, count.held, count.beyond_3, count.beyond_6, count.worst};
+}
+
+CoverageCount from_json(const Json& json) {
+  return {json[0], json[1], json[2], json[3], json[4]};
+}
+
+// What one seed gives; kept in a file.
+CoverageTable run(const Settings& settings, const ZooRoom& room, const Scene& scene, const World& world,
+                  const test::Reference& known, std::uint32_t seed) {
+  const fs::path file =
+      settings.folder / fmt::format("{}-{}-{}-{}{}.json", file_name(room.name), settings.walks,
+                                    settings.batches, seed, settings.old_spots ? "-old" : "");
+  CoverageTable table;
+  if (fs::exists(file)) {
+    const Json kept = Json::parse(std::ifstream(file));
+    for (const auto& [length, classes] : kept.items())
+      for (const auto& [name, counts] : classes.items())
+        table[static_cast<std::uint32_t>(std::stoul(length))][name] = {from_json(counts[0]),
+                                                                       from_json(counts[1])};
+    return table;
+  }
+  ReuseEffort effort;
+  if (settings.old_spots) effort.spots = {.cap_at = 4, .near = 0, .for_vertices = false};
+  const ReuseEstimator estimator(world, seed, effort);
+  std::vector<std::uint32_t> lengths;
+  for (const std::uint32_t length : {16U, 77U, settings.batches})
+    if (length <= settings.batches && (lengths.empty() || lengths.back() != length))
+      lengths.push_back(length);
+  table = test::coverage_of(scene, world, estimator, known, lengths, settings.batches);
+  Json kept;
+  for (const auto& [length, classes] : table)
+    for (const auto& [name, counts] : classes)
+      kept[std::to_string(length)][name] = {as_json(counts.all), as_json(counts.unflagged)};
+  write_file(file, kept.dump());
+  return table;
+}
+
+void print_row(const std::string& name, const ClassCoverage& counts) {
+  const auto print = [](const CoverageCount& c) {
+    fmt::print(" {:>9} {:>6.1f} {:>6.2f} {:>5} {:>6.1f}", c.pairs, 100 * c.share(c.held),
+               100 * c.share(c.beyond_3), c.beyond_6, c.worst);
+  };
+  fmt::print("  {:<36}", name);
+  print(counts.unflagged);
+  fmt::print(" {:>7.2f} |", 100 * counts.flagged());
+  print(counts.all);
+  fmt::print("\n");
+}
+
+void print_head(const std::string& title) {
+  fmt::print("{:<38} {:>9} {:>6} {:>6} {:>5} {:>6} {:>7} | {:>9} {:>6} {:>6} {:>5} {:>6}\n", title,
+             "unflagged", "95 %", "> 3", "> 6", "worst", "flagged", "all", "95 %", "> 3", "> 6", "worst");
+}
+
+ClassCoverage sum(const std::map<std::string, ClassCoverage>& classes) {
+  ClassCoverage all;
+  for (const auto& [name, counts] : classes) all += counts;
+  return all;
+}
+
+std::vector<ZooRoom> chosen(const Settings& settings) {
+  const std::vector<ZooRoom> all = test::zoo();
+  if (settings.rooms.empty()) return all;
+  std::vector<ZooRoom> rooms;
+  for (const std::string& name : settings.rooms) {
+    if (fs::exists(name)) {
+      rooms.push_back({fs::path(name).stem(), read_file(name), Strategy::nee, 0});
+      continue;
+    }
+    const std::size_t before = rooms.size();
+    for (const ZooRoom& room : all)
+      if (room.name.find(name) != std::string::npos) rooms.push_back(room);
+    if (rooms.size() == before) throw std::invalid_argument("no room '" + name + "'");
+  }
+  return rooms;
+}
+
+void examine(const Settings& settings) {
+  fs::create_directories(settings.folder);
+  CoverageTable all;
+  std::map<std::uint32_t, std::vector<std::pair<std::string, ClassCoverage>>> by_room;
+  for (const ZooRoom& room : chosen(settings)) {
+    const Scene scene = room.scene();
+    const World world(scene);
+    const auto start = std::chrono::steady_clock::now();
+    write_file(settings.folder / (file_name(room.name) + ".json"), room.store);
+    const test::Reference known = reference(settings, room, scene);
+    CoverageTable of_room;
+    std::mutex mutex;
+    for_each_task(settings.seeds, [&](std::size_t seed) {
+      const CoverageTable table = run(settings, room, scene, world, known, static_cast<std::uint32_t>(seed));
+      const std::scoped_lock lock(mutex);
+      for (const auto& [length, classes] : table)
+        for (const auto& [name, counts] : classes) {
+          of_room[length][name] += counts;
+          if (room.reflectance <= 0.97) all[length][name] += counts;
+        }
+    });
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fmt::print(stderr, "{}: {} labels, {} units, {:.0f} s\n", room.name, scene.labels.size(),
+               scene.transceivers.size(), seconds);
+    for (const auto& [length, classes] : of_room) by_room[length].emplace_back(room.name, sum(classes));
+  }
+  for (const auto& [length, rooms] : by_room) {
+    print_head(fmt::format("runs of {} batches", length));
+    for (const auto& [name, counts] : rooms) print_row(name, counts);
+    print_row("all up to reflectance 0.97", sum(all[length]));
+    fmt::print("\n  {:<13}{:<10}{}\n", "label", "unit", "of the requirement");
+    ClassCoverage small;
+    for (const auto& [name, counts] : all[length])
+      if (counts.unflagged.pairs >= 2000)
+        print_row(name, counts);
+      else
+        small += counts;
+    if (small.all.pairs > 0) print_row("classes of fewer than 2,000", small);
+    fmt::print("\n");
+  }
+}
+
+Settings parse(int argc, char** argv) {
+  Settings settings;
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    const auto next = [&]() -> std::string {
+      if (k + 1 == argc) throw std::invalid_argument(word + " needs a value");
+      return argv[++k];
+    };
+    if (word == "--folder")
+      settings.folder = next();
+    else if (word == "--seeds")
+      settings.seeds = static_cast<std::uint32_t>(std::stoul(next()));
+    else if (word == "--batches")
+      settings.batches = static_cast<std::uint32_t>(std::stoul(next()));
+    else if (word == "--walks")
+      settings.walks = std::stoull(next());
+    else if (word == "--old-spots")
+      settings.old_spots = true;
+    else if (word.starts_with("--"))
+      throw std::invalid_argument("unknown option " + word);
+    else
+      settings.rooms.push_back(word);
+  }
+  return settings;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    examine(parse(argc, argv));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+}
