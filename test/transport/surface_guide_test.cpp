@@ -170,7 +170,7 @@ TEST(SurfaceGuide, TellsWhatLeavesInWhichWay) {
   for (const Row& row : {Row{&paper, true, false, false, false}, Row{&mirror, false, false, false, false},
                          Row{&smooth, true, true, false, false}, Row{&rough, true, true, true, false},
                          Row{&metal, false, true, true, false}, Row{&old, true, true, true, true},
-                         Row{&twisted, false, false, true, true}, Row{&glossy, true, true, true, true}}) {
+                         Row{&twisted, false, true, true, true}, Row{&glossy, true, true, true, true}}) {
     const SurfaceGuide guide(*row.material);
     EXPECT_EQ(guide.has_base(), row.has_base) << type_name(*row.material);
     EXPECT_EQ(guide.is_detailed(), row.is_detailed) << type_name(*row.material);

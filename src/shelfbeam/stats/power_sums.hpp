@@ -30,13 +30,12 @@ struct PowerSums {
     return std::abs(m3) <= rounding ? 0 : std::sqrt(n) * m3 / (m2 * std::sqrt(m2));
   }
 
-  /// Whether the values are too skewed for the standard error to be trusted: where g^2 > n / 10 + 1, g being
-  /// the skewness. Student's 95 % interval of values of skewness g holds the truth in some 95 - 25 g^2 / n %
-  /// of the cases (the first terms of Hall's expansion, 1988, with the kurtosis of a gamma distribution), so
-  /// what is not flagged loses at most 2.5 %; 1 is what the skewness of few normal values may be by chance.
+  /// Whether the standard error rests on too few of the values to be trusted: g^2 > n / 4 + 2, g being the
+  /// skewness. One value that makes up a share s of the spread alone has g^2 = s^3 n, so this is where one of
+  /// them makes up two thirds of it or more; 2 is what few values of a tame distribution may show by chance.
   bool is_skewed() const {
     const double g = skewness();
-    return g * g > n / 10 + 1;
+    return g * g > n / 4 + 2;
   }
 
  private:

@@ -10,11 +10,17 @@ namespace shelfbeam {
 
 namespace {
 
+constexpr double smoothest = 0.03;
+
 // Other facets are not written as vectors, and smoother ones are too much for floats.
 bool is_plain(const Microfacets& facets) {
-  constexpr double smoothest = 0.03;
   return facets.distribution == FacetDistribution::ggx && facets.masking == Masking::smith &&
          facets.isotropic() && facets.alpha_x >= smoothest;
+}
+
+// Other facets are taken for plain ones that are as rough in the mean.
+double plain_roughness(const Microfacets& facets) {
+  return std::max(smoothest, std::sqrt(facets.alpha_x * facets.alpha_y));
 }
 
 }  // namespace
@@ -35,8 +41,8 @@ SurfaceGuide::SurfaceGuide(const Material& material) : plastic_(std::get_if<Plas
   if (plastic_ != nullptr && plastic_->facets) facets = &*plastic_->facets;
   if (conductor != nullptr && conductor->facets) facets = &*conductor->facets;
   has_highlight_ = plastic_ == nullptr || facets != nullptr;
-  if (facets != nullptr && is_plain(*facets)) alpha_ = facets->alpha_x;
-  is_loose_ = has_highlight_ && alpha_ == 0;
+  if (facets != nullptr) alpha_ = plain_roughness(*facets);
+  is_loose_ = has_highlight_ && (facets == nullptr || !is_plain(*facets));
   if (plastic_ != nullptr) {
     has_base_ = is_detailed_ = true;
     base_albedo_ = plastic_->base_albedo;
