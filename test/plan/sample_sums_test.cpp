@@ -31,6 +31,24 @@ const SumRule each = [](std::size_t, std::span<const double> signals, std::span<
   std::copy(signals.begin(), signals.end(), sums.begin());
 };
 
+// 64 batches of which one gives nearly all of the spread decide nothing: the lower limit is the part in
+// closed form, the upper one that of rare sums. Without that batch they decide.
+TEST(FreshSums, DecideNothingWhereOneBatchMakesTheSpread) {
+  const auto sum_of = [](double largest) {
+    FreshSum sum;
+    sum.known = 0.5;
+    for (int b = 0; b < 64; ++b) sum.sampled.add(b == 20 ? largest : 1 + 0.01 * (b % 5));
+    sum.hits = 64;
+    return sum;
+  };
+  const FreshSum skewed = sum_of(3), tame = sum_of(1);
+  EXPECT_TRUE(skewed.is_rare());
+  EXPECT_EQ(skewed.lower(0.01), 0.5);
+  EXPECT_GT(skewed.rare_upper(0.01, 3, 1), 3);
+  EXPECT_FALSE(tame.is_rare());
+  EXPECT_GT(tame.lower(0.01), 1.5);
+}
+
 // The same batches as a simulation's: the same means and errors, but for single precision.
 TEST(FreshSums, AreThoseOfASimulation) {
   const Scene scene = test::PlanStore().scene();
@@ -107,6 +125,7 @@ TEST(FreshSum, LimitsHoldForSkewedBatches) {
   int wrong = 0, of_student = 0;
   for (int k = 0; k < 40000; ++k) {
     FreshSum sum, mirrored;
+    sum.hits = mirrored.hits = 64;
     for (int b = 0; b < 64; ++b) {
       const double value = draw(random);
       sum.sampled.add(value);
@@ -114,6 +133,7 @@ TEST(FreshSum, LimitsHoldForSkewedBatches) {
     }
     wrong += sum.upper(level) < 1;
     of_student += sum.mean() + t * sum.sampled.standard_error() < 1;
+    if (sum.is_rare()) continue;
     ASSERT_NEAR(mirrored.lower(level), -sum.upper(level), 1e-12);
     ASSERT_NEAR(sum.lower(level), sum.mean() - t * sum.sampled.standard_error(), 1e-12)
         << "skewness to the other side brings no limit nearer";

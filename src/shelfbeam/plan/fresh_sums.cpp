@@ -24,6 +24,7 @@ double half_width(const SkewedMoments& sampled, double tail, double level) {
 }  // namespace
 
 double FreshSum::lower(double level) const {
+  if (is_rare()) return known;
   return mean() - half_width(sampled, -sampled.skewness(), level);
 }
 

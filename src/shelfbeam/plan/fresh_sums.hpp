@@ -21,15 +21,18 @@ struct FreshSum {
 
   double mean() const { return known + sampled.mean(); }
   /// One-sided limits, each on the wrong side of the truth with a chance of `level`: Student's, and further
-  /// out where the batches are skewed to that side (Johnson 1978). Nothing is made of quantities that were
-  /// hit in fewer than `least_hits` batches: their spread is not to be trusted.
+  /// out where the batches are skewed to that side (Johnson 1978). Where the spread is not to be trusted
+  /// (is_rare), the lower one is the part in closed form, as signals are not negative, and the upper one is
+  /// for `rare_upper`.
   double lower(double level) const;
   double upper(double level) const;
   /// For quantities that were hit rarely: the chance of a hit is limited (success_limit), and its size by
   /// `largest`, the most that any batch gave any quantity of its kind, or `large_hit` requirements if that is
   /// more: nobody has seen the hit that was missed.
   double rare_upper(double level, double largest, double requirement) const;
-  bool is_rare() const { return hits < least_hits && hits < sampled.count(); }
+  /// Whether the spread of the batches is not to be trusted: hit in fewer than `least_hits` of them, or so
+  /// skewed that it rests on few.
+  bool is_rare() const { return (hits < least_hits && hits < sampled.count()) || sampled.is_skewed(); }
 
   static constexpr std::uint32_t least_hits = 30;
   static constexpr double large_hit = 4;

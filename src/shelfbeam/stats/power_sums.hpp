@@ -5,6 +5,14 @@
 
 namespace shelfbeam {
 
+/// Whether the standard error of a mean rests on too few of the n values to be trusted: g^2 > n / 4 + 2, g
+/// being their skewness. One value that makes up a share s of the spread alone has g^2 = s^3 n, so this is
+/// where one of them makes up two thirds of it or more; 2 is what few values of a tame distribution may show
+/// by chance.
+inline bool is_skewed(double skewness, double n) {
+  return skewness * skewness > n / 4 + 2;
+}
+
 /// Sums of the powers of n independent values, and what they say of the error of their mean.
 struct PowerSums {
   double n = 0, sum = 0, squares = 0, cubes = 0;
@@ -30,13 +38,7 @@ struct PowerSums {
     return std::abs(m3) <= rounding ? 0 : std::sqrt(n) * m3 / (m2 * std::sqrt(m2));
   }
 
-  /// Whether the standard error rests on too few of the values to be trusted: g^2 > n / 4 + 2, g being the
-  /// skewness. One value that makes up a share s of the spread alone has g^2 = s^3 n, so this is where one of
-  /// them makes up two thirds of it or more; 2 is what few values of a tame distribution may show by chance.
-  bool is_skewed() const {
-    const double g = skewness();
-    return g * g > n / 4 + 2;
-  }
+  bool is_skewed() const { return shelfbeam::is_skewed(skewness(), n); }
 
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();

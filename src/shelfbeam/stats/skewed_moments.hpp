@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "shelfbeam/stats/moments.hpp"
+#include "shelfbeam/stats/power_sums.hpp"
 
 namespace shelfbeam {
 
@@ -29,6 +30,7 @@ class SkewedMoments {
                ? std::sqrt(static_cast<double>(moments_.count())) * cubes_ / (squares_ * std::sqrt(squares_))
                : 0;
   }
+  bool is_skewed() const { return shelfbeam::is_skewed(skewness(), static_cast<double>(count())); }
 
  private:
   Moments moments_;
