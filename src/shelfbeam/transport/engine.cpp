@@ -48,8 +48,7 @@ Engine::Engine(const World& world, const Estimator& estimator, const SimulationO
       options_(options),
       control_(control),
       known_(world, options.rules(), control),
-      limit_(options.has_fixed_samples() ? batches_for(estimator, options)
-                                         : std::numeric_limits<std::uint32_t>::max()),
+      limit_(batches_for(estimator, options)),
       survey_(world, estimator, sums_, known_),
       paused_(estimator.items()),
       precision_(estimator.items()) {
@@ -176,7 +175,8 @@ bool Engine::sample(std::uint32_t item, std::uint32_t batch, BatchValues& values
   return true;
 }
 
-// Pauses the items that are precise enough after so many batches, if this is a point to look at it.
+// Pauses the items that are precise enough after so many batches, or never will be, if this is a point to
+// look at it.
 void Engine::judge(const std::vector<std::uint32_t>& items, std::uint32_t round) {
   if (!options_.relative_error || !is_stopping_point(round)) return;
   for_parts(items.size(), [&](std::size_t first, std::size_t last) {
@@ -184,9 +184,17 @@ void Engine::judge(const std::vector<std::uint32_t>& items, std::uint32_t round)
       const std::uint32_t item = items[k];
       if (sums_[item].batches != round || paused_[item] != 0) continue;
       precision_[item] = survey_.precision(item, *options_.relative_error);
-      paused_[item] = precision_[item].is_enough();
+      paused_[item] =
+          precision_[item].is_enough() || (round >= judged_batches && precision_[item].is_hopeless());
     }
   });
+}
+
+bool Engine::is_precise() const {
+  Precision all;
+  for (std::size_t item = 0; item < sums_.size(); ++item)
+    all += survey_.precision(item, *options_.relative_error);
+  return all.is_enough();
 }
 
 std::uint32_t Engine::fewest_batches() const {

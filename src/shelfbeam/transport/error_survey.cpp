@@ -1,5 +1,6 @@
 #include "shelfbeam/transport/detail/error_survey.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include <tbb/enumerable_thread_specific.h>
@@ -27,15 +28,35 @@ void ErrorSurvey::each_row(std::size_t item, Use use) const {
 }
 
 Precision ErrorSurvey::precision(std::size_t item, const RelativeError& wanted) const {
+  const double growth = static_cast<double>(wanted.most_samples) /
+                        (static_cast<double>(estimator_.samples_per_batch()) * sums_[item].batches);
   Precision found;
   each_row(item, [&](std::size_t i, const auto& means, const auto& errors, const auto& flags) {
-    found += count_precise(means, errors, flags, requirement(i), wanted);
+    found += count_precise(means, errors, flags, requirement(i), wanted, growth);
   });
   return found;
 }
 
 double ErrorSurvey::requirement(std::size_t i) const {
   return world_.scene.type_of(world_.scene.labels[i]).requirement();
+}
+
+std::vector<UnmetEntry> ErrorSurvey::unmet(const RelativeError& wanted) const {
+  std::vector<UnmetEntry> found;
+  for (std::size_t item = 0; item < sums_.size(); ++item) {
+    const auto& columns = estimator_.block(item).columns;
+    each_row(item, [&](std::size_t i, const auto& means, const auto& errors, const auto& flags) {
+      const double limit = relevance_limit(means, requirement(i), wanted.above);
+      for (std::size_t c = 0; c < means.size(); ++c) {
+        if (!(means[c] > limit) || (flags[c] == 0 && errors[c] <= wanted.error * means[c])) continue;
+        found.push_back({i, columns[c], errors[c] / means[c], flags[c] != 0});
+      }
+    });
+  }
+  std::stable_sort(found.begin(), found.end(), [](const UnmetEntry& a, const UnmetEntry& b) {
+    return a.relative_error > b.relative_error;
+  });
+  return found;
 }
 
 ErrorSurvey::Errors ErrorSurvey::errors(double above) const {

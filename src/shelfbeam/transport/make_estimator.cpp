@@ -1,6 +1,7 @@
 #include "shelfbeam/transport/make_estimator.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -51,9 +52,12 @@ std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOp
 }
 
 std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& options) {
-  if (options.estimator == EstimatorKind::uniform) return batch_count;
+  if (options.time_s) return std::numeric_limits<std::uint32_t>::max();
+  if (!options.relative_error && options.estimator == EstimatorKind::uniform) return batch_count;
+  const std::uint64_t samples =
+      options.relative_error ? options.relative_error->most_samples : options.samples;
   const std::uint64_t each = estimator.samples_per_batch();
-  return std::max(least_batches, static_cast<std::uint32_t>((options.samples + each - 1) / each));
+  return std::max(least_batches, static_cast<std::uint32_t>((samples + each - 1) / each));
 }
 
 }  // namespace shelfbeam

@@ -15,7 +15,8 @@ namespace shelfbeam {
 std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options,
                                           const RunControl& control = {});
 
-/// The batches that give the samples asked for, at least `least_batches` for their spread.
+/// The batches that give the samples asked for, or the most that a relative error may take; at least
+/// `least_batches` for their spread. Any number where time decides.
 std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& options);
 
 }  // namespace shelfbeam

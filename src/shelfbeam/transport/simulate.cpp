@@ -19,6 +19,16 @@ namespace shelfbeam {
 
 namespace {
 
+// How many entries a summary names that have not reached the error asked for.
+constexpr std::size_t named_entries = 10;
+
+void find_unmet(const RelativeError& wanted, const detail::Engine& engine, SimulationSummary& summary) {
+  if (engine.is_precise()) return;
+  summary.worst_unmet = engine.survey().unmet(wanted);
+  summary.unmet = summary.worst_unmet.size();
+  if (summary.unmet > named_entries) summary.worst_unmet.resize(named_entries);
+}
+
 SimulationSummary summarise(const SignalMatrix& head, const detail::Engine& engine) {
   SimulationSummary summary;
   summary.labels = head.rows();
@@ -76,6 +86,7 @@ SimulationSummary run(const Scene& scene, const std::string& store_hash, const S
       }
       summary = summarise(head, engine);
       summary.complete = complete;
+      if (complete && options.relative_error) find_unmet(*options.relative_error, engine, summary);
       use(std::move(head), rows);
     } catch (const OutputError& error) {
       engine.try_to_save();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "shelfbeam/transport/shadow_rays.hpp"
 
@@ -13,6 +14,13 @@ struct ErrorQuantiles {
   double above = 0;
   std::uint64_t entries = 0, flagged = 0;  ///< flagged: the error is not to be trusted (SignalMatrix::flags)
   double median = 0, p90 = 0, p99 = 0;
+};
+
+/// An entry that kept a simulation from the relative error that was asked for.
+struct UnmetEntry {
+  std::size_t label = 0, source = 0;
+  double relative_error = 0;
+  bool is_flagged = false;  ///< SignalMatrix::flags
 };
 
 /// What a simulation did and how good its matrix is.
@@ -28,6 +36,10 @@ struct SimulationSummary {
   ShadowRays shadow_rays;             ///< of these; all 0 where no walks from labels are connected
   double seconds = 0;                 ///< of this run
   double seconds_to_halve = 0;        ///< predicted from there on, until the errors are half as large
+  /// Where a relative error was asked for and cannot be met in sensible time: how many entries fall short of
+  /// it, and the worst of them. 0 where it was met, or the simulation was cancelled.
+  std::uint64_t unmet = 0;
+  std::vector<UnmetEntry> worst_unmet;
   std::array<ErrorQuantiles, 2> errors = {{{0.3}, {0.02}}};
 };
 

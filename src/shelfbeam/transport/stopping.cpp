@@ -1,6 +1,7 @@
 #include "shelfbeam/transport/stopping.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace shelfbeam {
@@ -17,14 +18,18 @@ double relevance_limit(std::span<const double> means, double requirement, double
 }
 
 Precision count_precise(std::span<const double> means, std::span<const double> standard_errors,
-                        std::span<const std::uint8_t> flags, double requirement,
-                        const RelativeError& wanted) {
+                        std::span<const std::uint8_t> flags, double requirement, const RelativeError& wanted,
+                        double growth) {
   const double limit = relevance_limit(means, requirement, wanted.above);
   Precision result;
   for (std::size_t k = 0; k < means.size(); ++k) {
     if (!(means[k] > limit)) continue;
     ++result.relevant;
-    if (flags[k] == 0 && standard_errors[k] <= wanted.error * means[k]) ++result.precise;
+    const double most = wanted.error * means[k];
+    if (flags[k] == 0 && standard_errors[k] <= most)
+      ++result.precise;
+    else if (standard_errors[k] > most * std::sqrt(growth))
+      ++result.hopeless;
   }
   return result;
 }

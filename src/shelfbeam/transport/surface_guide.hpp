@@ -51,7 +51,7 @@ class SurfaceGuide {
   float flat_ = 0;
   bool has_base_ = false, is_detailed_ = false, has_highlight_ = false, is_loose_ = false;
   double base_ = 0, base_albedo_ = 0;
-  double alpha_ = 0;  ///< of the facets that LaneScatter can have, else 0
+  double alpha_ = 0;  ///< of facets as LaneScatter has them; 0: none
   CosineCurve entry_, fresnel_;
 };
 

@@ -8,6 +8,7 @@
 #include "shelfbeam/transport/detail/item_sums.hpp"
 #include "shelfbeam/transport/detail/known_light.hpp"
 #include "shelfbeam/transport/estimator.hpp"
+#include "shelfbeam/transport/simulation_summary.hpp"
 #include "shelfbeam/transport/stopping.hpp"
 #include "shelfbeam/transport/world.hpp"
 
@@ -21,6 +22,9 @@ class ErrorSurvey {
       : world_(world), estimator_(estimator), sums_(sums), known_(known) {}
 
   Precision precision(std::size_t item, const RelativeError& wanted) const;
+
+  /// The entries that matter and are not precise enough, the worst first.
+  std::vector<UnmetEntry> unmet(const RelativeError& wanted) const;
 
   /// The entries above a share of their label's requirement.
   struct Errors {
