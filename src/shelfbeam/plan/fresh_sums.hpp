@@ -8,6 +8,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/stats/power_sums.hpp"
 #include "shelfbeam/stats/skewed_moments.hpp"
 #include "shelfbeam/transport/simulation_options.hpp"
 
@@ -29,6 +30,8 @@ struct FreshSum {
   /// `largest`, the most that any batch gave any quantity of its kind, or `large_hit` requirements if that is
   /// more: nobody has seen the hit that was missed.
   double rare_upper(double level, double largest, double requirement) const;
+  /// Whether the standard error is not to be trusted, as in PowerSums.
+  bool is_skewed() const { return is_too_skewed(sampled.skewness(), static_cast<double>(sampled.count())); }
   bool is_rare() const { return hits < least_hits && hits < sampled.count(); }
 
   static constexpr std::uint32_t least_hits = 30;

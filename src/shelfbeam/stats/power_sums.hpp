@@ -5,6 +5,14 @@
 
 namespace shelfbeam {
 
+/// Whether n values of skewness g are too skewed for the standard error of their mean to be trusted: where
+/// g^2 > n / 10 + 1. Student's 95 % interval of values of skewness g holds the truth in some 95 - 25 g^2 / n
+/// % of the cases (the first terms of Hall's expansion, 1988, with the kurtosis of a gamma distribution), so
+/// what is not flagged loses at most 2.5 %; 1 is what the skewness of few normal values may be by chance.
+inline bool is_too_skewed(double g, double n) {
+  return g * g > n / 10 + 1;
+}
+
 /// Sums of the powers of n independent values, and what they say of the error of their mean.
 struct PowerSums {
   double n = 0, sum = 0, squares = 0, cubes = 0;
@@ -30,14 +38,7 @@ struct PowerSums {
     return std::abs(m3) <= rounding ? 0 : std::sqrt(n) * m3 / (m2 * std::sqrt(m2));
   }
 
-  /// Whether the values are too skewed for the standard error to be trusted: where g^2 > n / 10 + 1, g being
-  /// the skewness. Student's 95 % interval of values of skewness g holds the truth in some 95 - 25 g^2 / n %
-  /// of the cases (the first terms of Hall's expansion, 1988, with the kurtosis of a gamma distribution), so
-  /// what is not flagged loses at most 2.5 %; 1 is what the skewness of few normal values may be by chance.
-  bool is_skewed() const {
-    const double g = skewness();
-    return g * g > n / 10 + 1;
-  }
+  bool is_skewed() const { return is_too_skewed(skewness(), n); }
 
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
