@@ -18,6 +18,7 @@ using test::expect_silent;
 using test::Json;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 class SimulationSummary : public testing::Test {
  protected:
@@ -80,6 +81,23 @@ TEST_F(SimulationSummary, SaysWhereMoreSamplesAreTakenThanAskedFor) {
   EXPECT_THAT(simulated({"--samples", "65", "--estimator", "uniform"}), Not(HasSubstr("instead of")));
   EXPECT_TRUE(Json::parse(simulated({"--time", "0.1", "--json"}))["asked"].is_null());
   EXPECT_THAT(simulated({"--time", "0.1"}), Not(HasSubstr("instead of")));
+}
+
+TEST_F(SimulationSummary, BeginsWithTheWarningsOfTheStore) {
+  Json store = test::small_store();
+  store["materials"]["m"]["reflectance"] = 0.98;
+  folder.write("store.json", store.dump());
+  const std::string warning = "warning: " + (folder / "store.json").string() +
+                              ": materials.m.reflectance: material 'm' reflects 0.98 of the light";
+  EXPECT_THAT(simulated({"--samples", "64"}), StartsWith(warning));
+  EXPECT_THAT(expect_silent({"plan", (folder / "store.json").string(), "-o", (folder / "plan").string(),
+                             "--samples", "64", "--no-certificate"}),
+              StartsWith(warning));
+  EXPECT_TRUE(Json::parse(simulated({"--samples", "64", "--json"})).contains("signal"));
+  EXPECT_EQ(simulated({"--samples", "64", "--quiet"}), "");
+  store["materials"]["m"]["reflectance"] = 0.96;
+  folder.write("store.json", store.dump());
+  EXPECT_THAT(simulated({"--samples", "64"}), Not(HasSubstr("warning")));
 }
 
 TEST_F(SimulationSummary, OfAPlanIsTheSame) {
