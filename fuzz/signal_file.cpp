@@ -28,6 +28,7 @@ std::vector<std::string> seeds() {
   std::vector<std::string> files;
   SignalMatrix one = small_matrix();
   one.by_bounce.clear();
+  one.flags.clear();
   for (const SignalMatrix& matrix : {small_matrix(), one}) {
     const std::filesystem::path path = scratch().path() / "seed.h5";
     write_signal_file(matrix, path);

@@ -17,6 +17,7 @@ SignalMatrix small_matrix() {
     matrix.mean.push_back(value);
     matrix.standard_error.push_back(0.01F * value);
     matrix.direct.push_back(0.5F * value);
+    matrix.flags.push_back(k == 7 ? 1 : 0);
   }
   matrix.by_bounce.push_back({matrix.direct, matrix.standard_error});
   matrix.provenance = {"0.1.0", "00112233445566778899aabbccddeeff", 1, "reuse"};

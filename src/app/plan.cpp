@@ -25,6 +25,7 @@
 #include "plan_folder.hpp"
 #include "requirements.hpp"
 #include "simulation_options.hpp"
+#include "store_summary.hpp"
 #include "store_table.hpp"
 #include "terminal.hpp"
 #include "verbs.hpp"
@@ -98,6 +99,7 @@ int run_plan(const Options& options) {
       options.simulation.options(options.common.seed, options.folder / signal_name);
   const bool is_new = !std::filesystem::exists(options.folder);
   prepare_plan_folder(options.folder);
+  if (!options.common.json && !options.common.quiet) print_warnings(store.scene);
   Plan plan;
   try {
     TerminalProgress progress(options.common.quiet);

@@ -74,13 +74,11 @@ void print_uncovered(const StoreSummary& summary) {
   for (const std::string& light : summary.uncovered) fmt::print("  {}\n", light);
 }
 
+}  // namespace
+
 void print_warnings(const Scene& scene) {
-  if (scene.warnings.empty()) return;
-  fmt::print("\n");
   for (const std::string& warning : scene.warnings) fmt::print("warning: {}\n", warning);
 }
-
-}  // namespace
 
 void print_summary(const LoadedStore& store, const StoreSummary& summary) {
   print_head(store, summary);
@@ -91,6 +89,7 @@ void print_summary(const LoadedStore& store, const StoreSummary& summary) {
   fmt::print("\n");
   print_transceiver_types(summary);
   print_uncovered(summary);
+  if (!store.scene.warnings.empty()) fmt::print("\n");
   print_warnings(store.scene);
 }
 

@@ -10,6 +10,7 @@
 #include "loaded_store.hpp"
 #include "print_json.hpp"
 #include "simulation_options.hpp"
+#include "store_summary.hpp"
 #include "terminal.hpp"
 #include "verbs.hpp"
 
@@ -31,6 +32,7 @@ int run_simulate(const Options& options) {
       load_store(options.store, options.allow_outside, options.simulation.most_memory());
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   expect_writable(options.output);
+  if (!options.common.json && !options.common.quiet) print_warnings(store.scene);
   SimulationSummary summary;
   {
     TerminalProgress progress(options.common.quiet);

@@ -1,5 +1,7 @@
 #include "simulation_options.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
@@ -14,6 +16,12 @@ namespace {
 
 constexpr double default_above = 0.3;
 constexpr std::uint32_t default_lengths = 64;
+
+// More than the next whole batch after those asked for, as errors need some batches.
+bool exceeds_what_was_asked(const SimulationSummary& summary) {
+  return summary.asked_samples && summary.most_batches == least_batches &&
+         summary.most_samples >= *summary.asked_samples + summary.most_samples / summary.most_batches;
+}
 
 }  // namespace
 
@@ -82,8 +90,8 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
                                   default_above))
           ->check(positive_number());
   auto* samples = verb.add_option("--samples", flags.samples,
-                                  "First rays a label (particles a transceiver); 10000 unless an error or "
-                                  "a time is given")
+                                  "First rays a label (particles a transceiver), rounded up to whole "
+                                  "batches, of reuse at least 16; 10000 unless an error or a time is given")
                       ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
                       ->excludes(error)
                       ->excludes(share);
@@ -138,6 +146,10 @@ std::string describe(const SimulationSummary& summary) {
       fmt::format("{} labels x {} candidates, {} samples a label in {:.1f} s ({:.2f} million rays a second)",
                   summary.labels, summary.candidates, samples, summary.seconds,
                   static_cast<double>(summary.rays) / summary.seconds / 1e6);
+  if (exceeds_what_was_asked(summary))
+    text +=
+        fmt::format("\n{} samples a label instead of {}: at least {} batches are needed to estimate errors",
+                    samples, *summary.asked_samples, least_batches);
   if (summary.resumed_batches > 0)
     text += fmt::format("\nwent on from the checkpoint, which had {} of the {} batches",
                         summary.resumed_batches, summary.batches);
@@ -149,19 +161,32 @@ std::string describe(const SimulationSummary& summary) {
           "\nrelative standard error of the {} entries above {} of the requirement: median {:.1f} %, "
           "90 % below {:.1f} %, 99 % below {:.1f} %",
           errors.entries, errors.above, 100 * errors.median, 100 * errors.p90, 100 * errors.p99);
+    if (errors.flagged > 0) text += fmt::format("; {} of them flagged", errors.flagged);
   }
+  if (std::any_of(summary.errors.begin(), summary.errors.end(),
+                  [](const ErrorQuantiles& errors) { return errors.flagged > 0; }))
+    text +=
+        "\nflagged: few batches found most of the light, so the error is not to be trusted; take more "
+        "samples, or see in '/flags' of the signal file which entries they are";
   return text + fmt::format("\nhalf these errors would take another {:.0f} s", summary.seconds_to_halve);
 }
 
 nlohmann::ordered_json to_json(const SimulationSummary& summary) {
   nlohmann::ordered_json errors = nlohmann::ordered_json::array();
   for (const ErrorQuantiles& e : summary.errors)
-    errors.push_back(
-        {{"above", e.above}, {"entries", e.entries}, {"median", e.median}, {"p90", e.p90}, {"p99", e.p99}});
+    errors.push_back({{"above", e.above},
+                      {"entries", e.entries},
+                      {"flagged", e.flagged},
+                      {"median", e.median},
+                      {"p90", e.p90},
+                      {"p99", e.p99}});
+  nlohmann::ordered_json asked;
+  if (summary.asked_samples) asked = *summary.asked_samples;
   return {{"labels", summary.labels},
           {"transceivers", summary.candidates},
           {"complete", summary.complete},
           {"samples", {summary.least_samples, summary.most_samples}},
+          {"asked", asked},
           {"batches", {summary.least_batches, summary.most_batches}},
           {"resumed_batches", summary.resumed_batches},
           {"rays", summary.rays},

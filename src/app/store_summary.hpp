@@ -56,5 +56,7 @@ StoreSummary summarize(const Scene& scene);
 
 nlohmann::ordered_json summary_json(const LoadedStore& store, const StoreSummary& summary);
 void print_summary(const LoadedStore& store, const StoreSummary& summary);
+/// A line each.
+void print_warnings(const Scene& scene);
 
 }  // namespace shelfbeam::app

@@ -1,5 +1,6 @@
 // Fresh batches and the limits that are made of them.
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -209,20 +210,55 @@ TEST(Refine, JoinsBatches) {
   }
 }
 
+TEST(Refine, FlagsEntriesThatEitherPartFlags) {
+  const Scene scene = test::PlanStore().scene();
+  SignalMatrix matrix = simulate(scene, "", options_of(EstimatorKind::uniform)).matrix;
+  std::fill(matrix.flags.begin(), matrix.flags.end(), std::uint8_t{0});
+  matrix.flags[matrix.at(2, 0)] = matrix.flags[matrix.at(3, 0)] = 1;
+  const std::size_t n = matrix.columns();
+  FreshRow fresh{
+      2, std::vector<double>(n, 1.0), std::vector<double>(n, 0.1), std::vector<std::uint8_t>(n), 64, 64};
+  fresh.flags[1] = 1;
+  join(fresh, matrix);
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      EXPECT_EQ(matrix.is_flagged(matrix.at(i, j)), (i == 2 && j < 2) || (i == 3 && j == 0)) << i << " " << j;
+  matrix.flags.clear();
+  join(fresh, matrix);
+  EXPECT_TRUE(matrix.flags.empty());
+}
+
+TEST(Refine, FlagsFreshBatchesAsASimulation) {
+  const Scene scene = test::PlanStore().scene();
+  const SimulationOptions options = options_of(EstimatorKind::uniform);
+  const SignalMatrix matrix = simulate(scene, "", options).matrix;
+  const FreshRow row = fresh_rows(scene, {2}, {options, options.seed, matrix.labels[2].batches}).front();
+  const auto first = matrix.flags.begin() + static_cast<std::ptrdiff_t>(matrix.at(2, 0));
+  EXPECT_EQ(row.flags,
+            std::vector<std::uint8_t>(first, first + static_cast<std::ptrdiff_t>(matrix.columns())));
+  const auto flagged = std::count(row.flags.begin(), row.flags.end(), 1);
+  EXPECT_GT(flagged, 0);
+  EXPECT_LT(flagged, static_cast<std::ptrdiff_t>(matrix.columns()));
+}
+
 TEST(Refine, CanBeTakenBack) {
   const Scene scene = test::PlanStore().scene();
   SimulationOptions options = options_of(EstimatorKind::uniform);
   options.max_bounces = 2;
   options.by_bounce = true;
   SignalMatrix matrix = simulate(scene, "", options).matrix;
+  matrix.flags.assign(matrix.mean.size(), 0);
+  matrix.flags[matrix.at(5, 1)] = 1;
   const SignalMatrix was = matrix;
   RowsBefore before(matrix, {2, 5});
   for (const FreshRow& row : fresh_rows(scene, {2, 5}, {options, 77, 64})) join(row, matrix);
   EXPECT_NE(matrix.mean, was.mean);
+  matrix.flags[matrix.at(2, 0)] ^= 1;
   EXPECT_TRUE(matrix.by_bounce.empty());
   before.restore(matrix);
   EXPECT_EQ(matrix.mean, was.mean);
   EXPECT_EQ(matrix.standard_error, was.standard_error);
+  EXPECT_EQ(matrix.flags, was.flags);
   EXPECT_EQ(matrix.labels[5].batches, was.labels[5].batches);
   EXPECT_EQ(matrix.labels[5].samples, was.labels[5].samples);
   EXPECT_EQ(matrix.by_bounce.size(), was.by_bounce.size());

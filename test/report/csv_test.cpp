@@ -35,7 +35,7 @@ TEST(LabelsCsv, ReadsBackAsWhatThePlacementDoes) {
   ASSERT_EQ(rows.size(), kiosk.matrix.rows() + 1);
   EXPECT_EQ(rows[0],
             (std::vector<std::string>{"id", "x", "y", "z", "nx", "ny", "nz", "type", "requirement", "signal",
-                                      "margin_db", "direct_share", "serving", "strongest"}));
+                                      "margin_db", "direct_share", "serving", "strongest", "error_trusted"}));
   const std::size_t n = kiosk.matrix.columns();
   for (std::size_t i = 0; i < kiosk.matrix.rows(); ++i) {
     const auto& row = rows[i + 1];
@@ -63,9 +63,29 @@ TEST(LabelsCsv, ReadsBackAsWhatThePlacementDoes) {
     expect_same(row[11], direct / signal);
     EXPECT_EQ(row[12], serving);
     EXPECT_EQ(row[13], strongest);
+    EXPECT_EQ(row[14], "");
     // Negative control: a signal off by one part in 10^7 is another one.
     EXPECT_FALSE(same(row[9], signal * (1 + 1e-7)));
   }
+}
+
+TEST(LabelsCsv, TellsWhichLabelsHangOnFlaggedSignals) {
+  Kiosk kiosk;
+  kiosk.matrix.flags.assign(kiosk.matrix.mean.size(), 0);
+  const auto untrusted = [&] {
+    std::vector<std::size_t> labels;
+    const auto rows = test::read_csv(labels_csv(kiosk.input));
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      EXPECT_TRUE(rows[i][14] == "yes" || rows[i][14] == "no") << rows[i][14];
+      if (rows[i][14] == "no") labels.push_back(i - 1);
+    }
+    return labels;
+  };
+  EXPECT_TRUE(untrusted().empty());
+  for (const std::uint32_t j : kiosk.placement.selected) kiosk.matrix.flags[kiosk.matrix.at(2, j)] = 1;
+  EXPECT_EQ(untrusted(), (std::vector<std::size_t>{2}));
+  kiosk.placement.selected.clear();
+  EXPECT_EQ(test::read_csv(labels_csv(kiosk.input))[3][14], "");
 }
 
 TEST(PlacementCsv, BeginsWithTheColumnsOfTheTransceiverCsv) {

@@ -160,6 +160,37 @@ TEST(Outcome, KnownValues) {
   EXPECT_EQ(alone.by_margin, (std::vector<std::uint32_t>{0, 1}));
 }
 
+TEST(Outcome, KnowsWhatHangsOnFlaggedEntries) {
+  SignalMatrix matrix = random_matrix(1, 4, 0);
+  matrix.labels[0].requirement = 2;
+  matrix.mean = {3, 1, 2, 5};
+  Placement placement;
+  placement.selected = {0, 1, 2};
+  const auto hangs = [&](std::vector<std::uint8_t> flags) {
+    matrix.flags = std::move(flags);
+    const Outcome outcome = outcome_of(matrix, placement);
+    EXPECT_EQ(outcome.on_flagged, outcome.labels[0].rests_on_flagged ? 1U : 0U);
+    return outcome.labels[0].rests_on_flagged;
+  };
+  EXPECT_FALSE(hangs({}));
+  EXPECT_FALSE(hangs({0, 0, 0, 0}));
+  EXPECT_FALSE(hangs({1, 0, 0, 0}));  // 1 + 2 remain
+  EXPECT_TRUE(hangs({1, 0, 1, 0}));
+  EXPECT_FALSE(hangs({0, 0, 0, 1}));  // was not chosen
+  placement.question.model = CommunicationModel::non_cooperative;
+  EXPECT_FALSE(hangs({1, 1, 0, 0}));
+  EXPECT_TRUE(hangs({1, 0, 1, 0}));
+  placement.question.redundant = true;  // two must do
+  EXPECT_FALSE(hangs({0, 1, 0, 0}));
+  EXPECT_TRUE(hangs({1, 0, 0, 0}));
+  placement.question = {};
+  matrix.labels[0].requirement = 7;  // what is not reached may be, where an error is too small
+  EXPECT_TRUE(hangs({0, 1, 0, 0}));
+  EXPECT_FALSE(hangs({0, 0, 0, 1}));
+  placement.selected.clear();
+  EXPECT_FALSE(hangs({1, 1, 1, 1}));
+}
+
 TEST(Outcome, TheBestIsOfOneOptionAMountingPoint) {
   SignalMatrix matrix = random_matrix(1, 4, 0);
   matrix.mean = {1, 0.5F, 0.25F, 2};

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -191,6 +192,42 @@ TEST(ReportHtml, EveryLabelIsMarkedOnceOnThePlans) {
     ASSERT_NE(first, std::string::npos) << title;
     EXPECT_EQ(text.find(title, first + 1), std::string::npos) << title;
   }
+}
+
+TEST(ReportHtml, MarksLabelsThatHangOnFlaggedSignals) {
+  Supermarket s;
+  const auto hollow = [&] {
+    const std::string html = test::static_report(s.input);
+    EXPECT_EQ(fault(html), "");
+    std::size_t count = 0;
+    for (const auto& element : read_markup(html).elements)
+      if (const auto href = element.attributes.find("href"); href != element.attributes.end())
+        count += href->second == "#hollow" && element.attributes.contains("x") ? 1 : 0;
+    return count;
+  };
+  const auto facts = [&] { return pieces(test::static_report(s.input)); };
+  // Nothing is said of what is not known, nor marked where nothing is flagged.
+  EXPECT_EQ(hollow(), 0U);
+  EXPECT_FALSE(facts().contains("Signals whose error is not to be trusted"));
+  s.matrix.flags.assign(s.matrix.mean.size(), 0);
+  EXPECT_EQ(hollow(), 0U);
+  EXPECT_TRUE(facts().contains("0 of them (0.0\u00A0%)"));
+  for (const char* text : {"hollow mark", "(not to be trusted)", "error not to be trusted: "})
+    EXPECT_EQ(test::static_report(s.input).find(text), std::string::npos) << text;
+
+  const std::uint32_t least = ReportData(s.input).outcome.by_margin.front();
+  for (std::size_t j = 0; j < s.matrix.columns(); ++j) s.matrix.flags[s.matrix.at(least, j)] = 1;
+  EXPECT_EQ(hollow(), 1U);
+  const ReportData data(s.input);
+  EXPECT_GT(data.sampling.flagged, 0U);
+  EXPECT_LT(data.sampling.flagged, s.matrix.columns());
+  EXPECT_TRUE(facts().contains(fmt::format(
+      "{} of them ({})", data.sampling.flagged,
+      percent(static_cast<double>(data.sampling.flagged) / static_cast<double>(data.sampling.relevant)))));
+  EXPECT_TRUE(facts().contains("error not to be trusted: 1"));
+  const std::string html = test::static_report(s.input);
+  EXPECT_NE(html.find("Whether the label with a hollow mark is reached hangs on"), std::string::npos);
+  EXPECT_NE(html.find(" (not to be trusted)</td>"), std::string::npos);
 }
 
 TEST(ReportHtml, ListsTheLabelsThatEachUnitServes) {

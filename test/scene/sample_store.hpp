@@ -22,7 +22,7 @@ inline Json sample_store() {
     "materials": { "white": { "type": "lambertian", "reflectance": 0.8 },
                    "tile": { "type": "lambertian", "reflectance": 0.5 },
                    "steel": { "type": "lambertian", "reflectance": 0 },
-                   "snow": { "type": "lambertian", "reflectance": 1 },
+                   "snow": { "type": "lambertian", "reflectance": 0.97 },
                    "foil": { "type": "conductor", "eta": 1.674, "k": 8.608 },
                    "chrome": { "type": "conductor", "eta": 3.357, "k": 3.546, "roughness": [0.2, 0.4],
                                "distribution": "beckmann", "masking": "smith_rational", "sampling": "all" },

@@ -48,6 +48,7 @@ TEST(SignalFile, KeepsEverythingBitForBit) {
   EXPECT_TRUE(same_bits(read.mean, written.mean));
   EXPECT_TRUE(same_bits(read.standard_error, written.standard_error));
   EXPECT_TRUE(same_bits(read.direct, written.direct));
+  EXPECT_EQ(read.flags, written.flags);
   for (std::size_t i = 0; i < read.rows(); ++i) {
     const LabelRow &a = read.labels[i], &b = written.labels[i];
     EXPECT_EQ(a.id, b.id);
@@ -74,6 +75,46 @@ TEST(SignalFile, KeepsEverythingBitForBit) {
   EXPECT_EQ(read.provenance.store_hash, written.provenance.store_hash);
   EXPECT_EQ(read.provenance.seed, written.provenance.seed);
   EXPECT_EQ(read.provenance.estimator, written.provenance.estimator);
+}
+
+TEST(SignalFile, HasNoFlagsWhereNoneAreKnown) {
+  const TempFolder folder;
+  SignalMatrix written = small_matrix();
+  const auto marked = written.flags;
+  written.flags.clear();
+  write_signal_file(written, folder / "signal.h5");
+  EXPECT_TRUE(read_signal_file(folder / "signal.h5").flags.empty());
+  written.flags.assign(marked.size(), 0);  // known, and none is set
+  write_signal_file(written, folder / "signal.h5");
+  EXPECT_EQ(read_signal_file(folder / "signal.h5").flags, written.flags);
+  EXPECT_NE(marked, written.flags);
+}
+
+// The rows come from elsewhere and fill several chunks: 2^18 of 300,000 columns each.
+TEST(SignalFile, WritesFlagsRowByRow) {
+  const TempFolder folder;
+  class Rows : public SignalRows {
+   public:
+    void fill(Quantity, std::size_t, std::span<float> values) const override {
+      std::fill(values.begin(), values.end(), 1.0F);
+    }
+    bool has_flags() const override { return true; }
+    void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override {
+      std::fill(flags.begin(), flags.end(), std::uint8_t{0});
+      flags[flags.size() - 1 - row] = 1;
+    }
+    void fill_layer(std::size_t, Quantity, std::size_t, std::span<float>) const override {}
+    std::size_t bounce_layers() const override { return 0; }
+    std::size_t length_layers() const override { return 0; }
+  };
+  SignalMatrix head;
+  head.labels.resize(7);
+  head.transceivers.resize(300'000);
+  write_signal_file(head, Rows(), folder / "signal.h5");
+  const SignalMatrix read = read_signal_file(folder / "signal.h5");
+  ASSERT_EQ(read.flags.size(), 7u * 300'000u);
+  EXPECT_EQ(std::count(read.flags.begin(), read.flags.end(), 1), 7);
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_TRUE(read.is_flagged(read.at(i, 300'000 - 1 - i))) << i;
 }
 
 TEST(SignalFile, KeepsTheMatricesOfBouncesAndLengths) {
@@ -167,6 +208,8 @@ TEST(SignalFile, BadNumbersAreNamed) {
   refused([](SignalMatrix& m) { m.mean[13] = -1e-9f, m.standard_error[13] = 0; }, place, "negative");
   refused([](SignalMatrix& m) { m.standard_error[3] = std::nanf(""); }, "/standard_error, label", "NaN");
   refused([](SignalMatrix& m) { m.direct[3] = -1; }, "/direct, label", "negative");
+  refused([](SignalMatrix& m) { m.flags[13] = 2; }, "/flags, label 'A1-front-2', transceiver 'G1-3-0'",
+          "is 2, which is neither 0 nor 1");
   refused([](SignalMatrix& m) { m.labels[1].requirement = -1; }, "/labels/requirement, row 2", "negative");
   refused([](SignalMatrix& m) { m.transceivers[4].cost = infinite; }, "/transceivers/cost, row 5",
           "infinite");
@@ -197,6 +240,7 @@ TEST(SignalFile, ReadsWhatH5pyWrites) {
   ASSERT_EQ(matrix.columns(), 3u);
   EXPECT_EQ(matrix.mean, (std::vector<float>{1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(matrix.standard_error, std::vector<float>(6, 0.5f));
+  EXPECT_TRUE(matrix.flags.empty());
   EXPECT_EQ(matrix.labels[0].id, "L1");
   EXPECT_EQ(matrix.labels[1].id, "L2 longer");
   EXPECT_EQ(matrix.labels[1].requirement, 0.25);
@@ -273,6 +317,9 @@ TEST(SignalFile, FailedWritesLeaveNothing) {
                      "cannot be written");
   SignalMatrix uneven = matrix;
   uneven.direct.pop_back();
+  EXPECT_THROW(write_signal_file(uneven, folder / "signal.h5"), std::invalid_argument);
+  uneven = matrix;
+  uneven.flags.pop_back();
   EXPECT_THROW(write_signal_file(uneven, folder / "signal.h5"), std::invalid_argument);
   EXPECT_THROW(write_signal_file({}, folder / "signal.h5"), std::invalid_argument);
   EXPECT_EQ(folder.count(), 0);

@@ -41,6 +41,7 @@ inline SignalMatrix small_matrix(std::size_t rows = 7, std::size_t columns = 5) 
     matrix.mean.push_back(value);
     matrix.standard_error.push_back(value * 0.01f * random());
     matrix.direct.push_back(k % 3 == 0 ? 0.0f : 0.7f * value);
+    matrix.flags.push_back(k % 11 == 5 ? 1 : 0);
   }
   matrix.mean[0] = 1e-45f;
   matrix.mean[1] = 3.40282347e+38f;

@@ -8,6 +8,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/stats/power_sums.hpp"
 #include "shelfbeam/stats/skewed_moments.hpp"
 #include "shelfbeam/transport/simulation_options.hpp"
 
@@ -30,6 +31,8 @@ struct FreshSum {
   /// `largest`, the most that any batch gave any quantity of its kind, or `large_hit` requirements if that is
   /// more: nobody has seen the hit that was missed.
   double rare_upper(double level, double largest, double requirement) const;
+  /// Whether the standard error is not to be trusted, as in PowerSums.
+  bool is_skewed() const { return sampled.is_skewed(); }
   /// Whether the spread of the batches is not to be trusted: hit in fewer than `least_hits` of them, or so
   /// skewed that it rests on few.
   bool is_rare() const { return (hits < least_hits && hits < sampled.count()) || sampled.is_skewed(); }

@@ -78,12 +78,17 @@ OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
     add_limits(result.table, fresh.of(k), orders[k], of_one, fresh.largest,
                result.table.labels[k].requirement);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    FreshRow row{rows[k], std::vector<double>(n), std::vector<double>(n), fresh.batches,
+    FreshRow row{rows[k],
+                 std::vector<double>(n),
+                 std::vector<double>(n),
+                 std::vector<std::uint8_t>(n),
+                 fresh.batches,
                  fresh.batches * fresh.samples_per_batch};
     for (std::size_t c = 0; c < n; ++c) {
       const FreshSum& sum = fresh.of(k)[c];
       row.mean[orders[k][c]] = sum.mean();
       row.standard_error[orders[k][c]] = sum.sampled.standard_error();
+      row.flags[orders[k][c]] = sum.is_skewed() ? 1 : 0;
     }
     result.fresh.push_back(std::move(row));
   }

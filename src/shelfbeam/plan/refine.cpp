@@ -22,6 +22,7 @@ void join(const FreshRow& fresh, SignalMatrix& matrix) {
     matrix.mean[at] = static_cast<float>((1 - share) * old_mean + share * fresh.mean[j]);
     matrix.standard_error[at] =
         static_cast<float>(std::hypot((1 - share) * old_error, share * fresh.standard_error[j]));
+    if (!matrix.flags.empty()) matrix.flags[at] |= fresh.flags[j];
   }
   row.batches += fresh.batches;
   row.samples += fresh.samples;
@@ -42,10 +43,11 @@ std::vector<FreshRow> fresh_rows(const Scene& scene, const std::vector<std::uint
       fresh_sums(sub_scene(scene, labels, all), options, effort.batches, all.size(), each, control);
   std::vector<FreshRow> rows;
   for (std::size_t k = 0; k < labels.size(); ++k) {
-    rows.push_back({labels[k], {}, {}, fresh.batches, fresh.batches * fresh.samples_per_batch});
+    rows.push_back({labels[k], {}, {}, {}, fresh.batches, fresh.batches * fresh.samples_per_batch});
     for (const FreshSum& sum : fresh.of(k)) {
       rows.back().mean.push_back(sum.mean());
       rows.back().standard_error.push_back(sum.sampled.standard_error());
+      rows.back().flags.push_back(sum.is_skewed() ? 1 : 0);
     }
   }
   return rows;
@@ -65,6 +67,8 @@ RowsBefore::RowsBefore(SignalMatrix& matrix, std::vector<std::uint32_t> labels)
     mean_.insert(mean_.end(), matrix.mean.begin() + first, matrix.mean.begin() + last);
     standard_error_.insert(standard_error_.end(), matrix.standard_error.begin() + first,
                            matrix.standard_error.begin() + last);
+    if (!matrix.flags.empty())
+      flags_.insert(flags_.end(), matrix.flags.begin() + first, matrix.flags.begin() + last);
   }
 }
 
@@ -76,6 +80,7 @@ void RowsBefore::restore(SignalMatrix& matrix) {
     const auto from = static_cast<std::ptrdiff_t>(k * n);
     std::copy_n(mean_.begin() + from, n, matrix.mean.begin() + to);
     std::copy_n(standard_error_.begin() + from, n, matrix.standard_error.begin() + to);
+    if (!flags_.empty()) std::copy_n(flags_.begin() + from, n, matrix.flags.begin() + to);
   }
   matrix.by_bounce = std::move(by_bounce_);
   matrix.by_length = std::move(by_length_);

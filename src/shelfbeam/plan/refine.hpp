@@ -11,10 +11,11 @@
 
 namespace shelfbeam {
 
-/// Fresh batches of one label: means and standard errors by column.
+/// Fresh batches of one label: means, standard errors and flags (SignalMatrix::flags) by column.
 struct FreshRow {
   std::uint32_t label = 0;
   std::vector<double> mean, standard_error;
+  std::vector<std::uint8_t> flags;
   std::uint32_t batches = 0;
   std::uint64_t samples = 0;  ///< first rays
 };
@@ -23,8 +24,9 @@ struct FreshRow {
 std::vector<FreshRow> fresh_rows(const Scene& scene, const std::vector<std::uint32_t>& labels,
                                  const VerificationEffort& effort, const RunControl& control = {});
 
-/// Joins one to its label's row: means and errors become those of all batches together, by samples. Parts by
-/// bounce and by path length are dropped, and direct parts stay.
+/// Joins one to its label's row: means and errors become those of all batches together, by samples. An entry
+/// is flagged where either part is: what made that one skewed skews both together. Parts by bounce and by
+/// path length are dropped, and direct parts stay.
 void join(const FreshRow& fresh, SignalMatrix& matrix);
 
 /// What `join` is going to change of a matrix.
@@ -38,6 +40,7 @@ class RowsBefore {
   std::vector<std::uint32_t> labels_;
   std::vector<LabelRow> rows_;
   std::vector<float> mean_, standard_error_;  ///< of the labels, row by row
+  std::vector<std::uint8_t> flags_;           ///< the same; empty where the matrix has none
   std::vector<SignalLayer> by_bounce_, by_length_;
 };
 

@@ -35,19 +35,24 @@ std::string labels_csv(const ReportInput& input) {
   const SignalMatrix& matrix = input.matrix;
   const Outcome outcome = outcome_of(matrix, input.placement);
   const bool has_direct = matrix.direct.size() == matrix.mean.size();
-  std::string csv = "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest\n";
+  std::string csv =
+      "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted\n";
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     const LabelRow& label = matrix.labels[i];
     const LabelOutcome& result = outcome.labels[i];
     std::string serving;
     for (const std::uint32_t column : result.reached_by)
       serving += (serving.empty() ? "" : ";") + matrix.transceivers[column].id;
+    const bool is_known = !matrix.flags.empty() && !input.placement.selected.empty();
     csv +=
         row({csv_field(label.id), field(label.position.x), field(label.position.y), field(label.position.z),
              field(label.normal.x), field(label.normal.y), field(label.normal.z), csv_field(label.type),
              field(label.requirement), field(result.signal), field(result.margin()),
              has_direct && result.signal > 0 ? field(result.direct / result.signal) : "", csv_field(serving),
-             result.strongest ? csv_field(matrix.transceivers[*result.strongest].id) : ""});
+             result.strongest ? csv_field(matrix.transceivers[*result.strongest].id) : "",
+             !is_known                 ? ""
+             : result.rests_on_flagged ? "no"
+                                       : "yes"});
   }
   return csv;
 }

@@ -132,6 +132,11 @@ std::string simulation_facts(const ReportData& data) {
     facts.add("9 in 10 of them below", percent(s.p90));
     facts.add("99 in 100 below", percent(s.p99));
     facts.add("Worst", percent(s.worst));
+    if (s.has_flags)
+      facts.add("Signals whose error is not to be trusted",
+                fmt::format("{} of them ({})", grouped(s.flagged), percent(share_of(s.flagged, s.relevant))));
+    if (s.has_flags && data.has_selection())
+      facts.add("Labels that hang on such", grouped(data.outcome.on_flagged));
   } else if (!s.has_errors) {
     facts.add("Standard errors", "not in the matrix");
   }

@@ -80,6 +80,7 @@ std::string Maps::definitions() const {
   SvgCanvas canvas;
   canvas.raw("<svg class=\"defs\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>\n");
   define_margin_marks(canvas, radius_);
+  define_hollow_mark(canvas, radius_);
   define_signal_marks(canvas, scale_, radius_);
   canvas.raw(fmt::format("<g id=\"unit\"><circle class=\"k unit\" r=\"{}\"/></g>\n", unit_radius));
   canvas.raw(fmt::format(
@@ -140,6 +141,7 @@ std::string Maps::margin_map(std::size_t level_index) const {
     const bool met = is_met(signal, requirement);
     canvas.use(fmt::format("m{}", margin_class(margin, met)), at[k],
                fmt::format("{}: {}, {}", data_.label(label).id, data_.unit.text(signal), decibels(margin)));
+    if (data_.outcome.labels[label].rests_on_flagged) canvas.use("hollow", at[k]);
     if (data_.has_selection() && label == data_.outcome.by_margin.front()) canvas.use("worst", at[k]);
   }
   const std::string title =
@@ -182,6 +184,10 @@ std::string Maps::margin_legend(const ShelfLevel& level) const {
   for (std::size_t k = 0; k < margin_classes.size(); ++k)
     if (k > 1 || counts[k] > 0)
       html += key(fmt::format("m{}", k), fmt::format("{}: {}", margin_classes[k].name, grouped(counts[k])));
+  const auto hollow = static_cast<std::size_t>(
+      std::count_if(level.labels.begin(), level.labels.end(),
+                    [&](std::uint32_t label) { return data_.outcome.labels[label].rests_on_flagged; }));
+  if (hollow > 0) html += key("hollow-key", "error not to be trusted: " + grouped(hollow));
   if (data_.has_selection() &&
       std::binary_search(level.labels.begin(), level.labels.end(), data_.outcome.by_margin.front()))
     html += key("worst", "least margin of all");

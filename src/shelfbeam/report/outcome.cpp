@@ -19,6 +19,16 @@ std::vector<SignalEntry> entries_of(const SignalMatrix& matrix, std::size_t labe
   return entries;
 }
 
+// Whether the label is not met by the entries that are not flagged, and some of the chosen units' is.
+bool rests_on_flagged(const SignalMatrix& matrix, const Placement& placement, const std::vector<bool>& chosen,
+                      std::size_t label) {
+  const auto is_flagged = [&](std::uint32_t column) { return matrix.is_flagged(matrix.at(label, column)); };
+  if (std::none_of(placement.selected.begin(), placement.selected.end(), is_flagged)) return false;
+  std::vector<SignalEntry> entries = entries_of(matrix, label);
+  std::erase_if(entries, [&](const SignalEntry& entry) { return is_flagged(entry.transceiver); });
+  return !is_met(received_signal(entries, chosen, placement.question), matrix.labels[label].requirement);
+}
+
 LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placement, const Mounts& mounts,
                            const std::vector<bool>& chosen, std::size_t label) {
   const Question& question = placement.question;
@@ -50,6 +60,7 @@ LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placemen
   result.signal = received_signal(entries, chosen, question);
   result.best = mounts.most_signal(entries, question);
   result.met = !placement.selected.empty() && is_met(result.signal, result.requirement);
+  result.rests_on_flagged = rests_on_flagged(matrix, placement, chosen, label);
   return result;
 }
 
@@ -93,6 +104,7 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
     LabelOutcome label = label_outcome(matrix, placement, mounts, chosen, i);
     const std::vector<SignalEntry> entries = entries_of(matrix, i);
     if (label.met) ++outcome.met;
+    if (label.rests_on_flagged) ++outcome.on_flagged;
     if (label.reached_by.size() > 1) ++outcome.redundant;
     if (label.met && is_met(label.direct, label.requirement)) ++outcome.met_by_direct;
     for (UnitOutcome& unit : outcome.units) {

@@ -21,6 +21,8 @@ struct LabelOutcome {
   double requirement = 0;  ///< gamma tau
   double best = 0;         ///< the most it could get: from the best option of every mounting point together
   bool met = false;        ///< signal >= requirement (1 - met_tolerance)
+  /// It has flagged entries (SignalMatrix::flags) and is not met without them.
+  bool rests_on_flagged = false;
   std::optional<std::uint32_t> strongest;  ///< column of the chosen unit with the largest entry above 0
   double strongest_signal = 0;
   std::vector<std::uint32_t> reached_by;  ///< columns of the chosen units that reach it alone (l_ij = 1)
@@ -43,6 +45,7 @@ struct Outcome {
   std::vector<std::uint32_t> by_margin;  ///< labels, least margin first
   std::size_t met = 0;                   ///< labels that are met
   std::size_t met_by_direct = 0;         ///< labels that would be, were nothing reflected
+  std::size_t on_flagged = 0;            ///< labels that rest on flagged entries
   std::size_t redundant = 0;             ///< labels that two or more chosen units reach alone (Table 3.1)
   std::vector<double> direct_shares() const;  ///< direct / signal of every label with signal, label order
 

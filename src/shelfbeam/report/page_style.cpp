@@ -99,6 +99,7 @@ text{fill:var(--ink);font-family:inherit}
 .m3,.m4,.m5,.m6,.g{stroke:var(--edge);stroke-width:.6}
 .m3{fill:var(--m3)}.m4{fill:var(--m4)}.m5{fill:var(--m5)}.m6{fill:var(--m6)}
 .gz{fill:none;stroke:var(--edge);stroke-width:1}
+.hollow{fill:var(--floor);stroke:var(--strong);stroke-width:.8;pointer-events:none}
 .bar{fill:var(--m5)}.short{fill:var(--m1)}
 .mark{stroke:var(--strong);stroke-width:1.6;stroke-dasharray:5 3}
 .equal{stroke:var(--strong);stroke-width:1.6}

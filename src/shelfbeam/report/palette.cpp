@@ -79,6 +79,12 @@ void define_margin_marks(SvgCanvas& canvas, double radius) {
   }
 }
 
+void define_hollow_mark(SvgCanvas& canvas, double radius) {
+  canvas.raw(symbol("hollow", fmt::format("<circle class=\"k hollow\" r=\"{}\"/>",
+                                          coordinate(std::max(0.5 * radius, 1.2)))));
+  canvas.raw(symbol("hollow-key", "<use href=\"#m4\"/><use href=\"#hollow\"/>"));
+}
+
 void define_signal_marks(SvgCanvas& canvas, const SignalScale& scale, double radius) {
   // Strong signals are larger as well, so that the maps can be read in grey.
   for (std::size_t k = 0; k < scale.classes(); ++k)

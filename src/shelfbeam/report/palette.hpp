@@ -44,6 +44,8 @@ std::string viridis(double t);
 
 /// <g id="m0"> ... for margin classes, <g id="g0"> ... and "gz" (no signal) for signal classes.
 void define_margin_marks(SvgCanvas& canvas, double radius);
+/// <g id="hollow">, drawn upon a label's mark, and "hollow-key", such a mark for legends.
+void define_hollow_mark(SvgCanvas& canvas, double radius);
 void define_signal_marks(SvgCanvas& canvas, const SignalScale& scale, double radius);
 
 /// CSS variables --g0.. : dark is strong on paper, bright is strong on a dark screen.

@@ -11,6 +11,7 @@ SamplingSummary sampling_summary(const SignalMatrix& matrix) {
   SamplingSummary summary;
   summary.entries = matrix.mean.size();
   summary.has_errors = !matrix.mean.empty() && matrix.standard_error.size() == matrix.mean.size();
+  summary.has_flags = !matrix.flags.empty();
   std::vector<double> relative;
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     const LabelRow& label = matrix.labels[i];
@@ -19,6 +20,7 @@ SamplingSummary sampling_summary(const SignalMatrix& matrix) {
       if (mean == 0) ++summary.zeros;
       if (mean <= 0 || mean < relevant_share * label.requirement) continue;
       ++summary.relevant;
+      if (matrix.is_flagged(matrix.at(i, j))) ++summary.flagged;
       if (summary.has_errors)
         relative.push_back(static_cast<double>(matrix.standard_error[matrix.at(i, j)]) / mean);
     }

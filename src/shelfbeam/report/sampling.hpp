@@ -18,7 +18,9 @@ struct SamplingSummary {
   std::size_t entries = 0;
   std::size_t zeros = 0;     ///< entries without any signal
   std::size_t relevant = 0;  ///< entries of at least relevant_share of the requirement
+  std::size_t flagged = 0;   ///< of the relevant ones: their error is not to be trusted
   bool has_errors = false;   ///< the matrix carries standard errors
+  bool has_flags = false;    ///< and tells which of them are not to be trusted
   double mean = 0, median = 0, p90 = 0, p99 = 0, worst = 0;  ///< relative standard error of relevant entries
   std::uint64_t least_samples = 0, most_samples = 0;         ///< first rays a label
   std::uint32_t least_batches = 0, most_batches = 0;

@@ -112,9 +112,10 @@ std::string weakest_section(const ReportData& data) {
     if (outcome.strongest) {
       strongest = fmt::format("{}: {}", data.unit_number(*outcome.strongest),
                               data.transceiver(*outcome.strongest).id);
+      const std::size_t entry = data.input.matrix.at(row, *outcome.strongest);
       if (data.sampling.has_errors)
-        error = data.unit.number(static_cast<double>(
-            data.input.matrix.standard_error[data.input.matrix.at(row, *outcome.strongest)]));
+        error = data.unit.number(static_cast<double>(data.input.matrix.standard_error[entry]));
+      if (data.input.matrix.is_flagged(entry)) error += " (not to be trusted)";
     }
     std::vector<std::string> cells{label.id,
                                    decibels(outcome.margin()),

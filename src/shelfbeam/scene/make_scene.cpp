@@ -36,6 +36,7 @@ class SceneMaker {
     add_labels();
     add_transceivers();
     mark_installed();
+    warn_of_bright_materials();
     warn_of_misplaced(scene_, places_, warnings_);
     scene_.warnings = warnings_.texts();
     return std::move(scene_);
@@ -124,6 +125,24 @@ class SceneMaker {
                       std::min(scene_.lower.z, p.z)};
       scene_.upper = {std::max(scene_.upper.x, p.x), std::max(scene_.upper.y, p.y),
                       std::max(scene_.upper.z, p.z)};
+    }
+  }
+
+  // Only of those that surfaces are made of. Mirrors and glass have no reflectance of their own.
+  void warn_of_bright_materials() {
+    constexpr double usual = 0.97;
+    std::vector<bool> is_used(scene_.materials.size(), false);
+    for (const MaterialId material : scene_.mesh.materials) is_used[material.value] = true;
+    for (std::size_t k = 0; k < is_used.size(); ++k) {
+      const NamedMaterial& named = scene_.materials[k];
+      const double reflectance = given_reflectance(named.material).value_or(0);
+      if (!is_used[k] || reflectance <= usual) continue;
+      warnings_.add(
+          "materials that reflect almost all light",
+          fmt::format("{0}: materials.{1}.reflectance: material '{1}' reflects {2} of the light, so "
+                      "that paths between such surfaces end late: simulation takes long, and its "
+                      "errors are less reliable; white paint has 0.8 to 0.9",
+                      store_.file, named.name, reflectance));
     }
   }
 

@@ -183,13 +183,13 @@ void Hdf5Writer::numbers(const std::string& path, std::span<const T> values, con
   file_->write(path, memory_type<T>(), file_type<T>(), shape, values.data());
 }
 
-void Hdf5Writer::rows(const std::string& path, const Shape& shape,
-                      const std::function<void(std::size_t, std::span<float>)>& fill) {
-  Handle set = file_->create(path, file_type<float>(), shape);
+template <Hdf5Number T>
+void Hdf5Writer::rows(const std::string& path, const Shape& shape, const FillRow<T>& fill) {
+  Handle set = file_->create(path, file_type<T>(), shape);
   file_->check(bool(set), path);
   const Handle space = File::space_of(shape);
-  const std::size_t columns = shape[1], at_once = File::chunk_of(shape, sizeof(float))[0];
-  std::vector<float> values;
+  const std::size_t columns = shape[1], at_once = File::chunk_of(shape, sizeof(T))[0];
+  std::vector<T> values;
   for (std::size_t first = 0; first < shape[0]; first += at_once) {
     const std::size_t count = std::min(at_once, shape[0] - first);
     values.resize(count * columns);
@@ -197,7 +197,7 @@ void Hdf5Writer::rows(const std::string& path, const Shape& shape,
     const hsize_t start[] = {first, 0}, extents[] = {count, columns};
     const Handle part(H5Screate_simple(2, extents, nullptr), H5Sclose);
     file_->check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, extents, nullptr) >= 0 &&
-                     H5Dwrite(set, memory_type<float>(), part, space, H5P_DEFAULT, values.data()) >= 0,
+                     H5Dwrite(set, memory_type<T>(), part, space, H5P_DEFAULT, values.data()) >= 0,
                  path);
   }
   file_->check(set.release(), path);
@@ -261,8 +261,7 @@ struct Hdf5Reader::File {
     double bytes = static_cast<double>(H5Tget_size(type));
     for (const std::size_t extent : expected) bytes *= static_cast<double>(extent);
     const auto stored = static_cast<double>(H5Dget_storage_size(set));
-    constexpr double best_deflate =
-        1032;  // no stream decompresses to more than this multiple (zlib's manual)
+    constexpr double best_deflate = 1032;  // no stream unpacks to a larger multiple (zlib's manual)
     const double ratio = H5Pget_nfilters(plan) > 0 ? best_deflate : 1;
     if (stored > static_cast<double>(size) || bytes > stored * ratio)
       fail(path, fmt::format("claims {} bytes and holds {}", bytes, stored));
@@ -316,6 +315,10 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : file_(std::make_uniq
 }
 
 Hdf5Reader::~Hdf5Reader() = default;
+
+bool Hdf5Reader::has(const std::string& path) const {
+  return H5Lexists(file_->id, path.c_str(), H5P_DEFAULT) != 0;
+}
 
 std::size_t Hdf5Reader::length(const std::string& path) const {
   const Shape shape = file_->shape(path, file_->open(path));
@@ -382,6 +385,7 @@ std::string Hdf5Reader::text_attribute(const std::string& name) const {
 
 #define SHELFBEAM_INSTANTIATE(T)                                                              \
   template void Hdf5Writer::numbers<T>(const std::string&, std::span<const T>, const Shape&); \
+  template void Hdf5Writer::rows<T>(const std::string&, const Shape&, const FillRow<T>&);     \
   template void Hdf5Writer::attribute<T>(const std::string&, T);                              \
   template std::vector<T> Hdf5Reader::numbers<T>(const std::string&, const Shape&) const;     \
   template T Hdf5Reader::attribute<T>(const std::string&) const;

@@ -59,6 +59,9 @@ class MatrixWriter {
 
     entries("/mean", Quantity::mean);
     entries("/standard_error", Quantity::standard_error);
+    if (rows_.has_flags())
+      file_.rows<std::uint8_t>("/flags", {matrix_.rows(), matrix_.columns()},
+                               [&](std::size_t row, auto flags) { rows_.fill_flags(row, flags); });
     entries("/direct", Quantity::direct);
     layers("bounce", "/bounces", 0, rows_.bounce_layers());
     if (rows_.length_layers() > 0) file_.attribute("length_step", matrix_.length_step);
@@ -95,12 +98,12 @@ class MatrixWriter {
     file_.numbers(path, std::span(values), {values.size() / 3, 3});
   }
   void entries(const std::string& path, Quantity quantity) {
-    file_.rows(path, {matrix_.rows(), matrix_.columns()},
-               [&](std::size_t row, std::span<float> values) { rows_.fill(quantity, row, values); });
+    file_.rows<float>(path, {matrix_.rows(), matrix_.columns()},
+                      [&](std::size_t row, auto values) { rows_.fill(quantity, row, values); });
   }
   void layer(const std::string& path, std::size_t k, Quantity quantity) {
-    file_.rows(path, {matrix_.rows(), matrix_.columns()},
-               [&](std::size_t row, std::span<float> values) { rows_.fill_layer(k, quantity, row, values); });
+    file_.rows<float>(path, {matrix_.rows(), matrix_.columns()},
+                      [&](std::size_t row, auto values) { rows_.fill_layer(k, quantity, row, values); });
   }
   void layers(const std::string& kind, const std::string& path, std::size_t first, std::size_t count) {
     if (count == 0) return;
@@ -130,8 +133,9 @@ class OwnRows : public SignalRows {
                                         : matrix_.standard_error,
          row, values);
   }
+  bool has_flags() const override { return !matrix_.flags.empty(); }
   void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override {
-    for (std::size_t j = 0; j < flags.size(); ++j) flags[j] = matrix_.is_flagged(matrix_.at(row, j)) ? 1 : 0;
+    copy(matrix_.flags, row, flags);
   }
   void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                   std::span<float> values) const override {
@@ -143,7 +147,8 @@ class OwnRows : public SignalRows {
   std::size_t length_layers() const override { return matrix_.by_length.size(); }
 
  private:
-  static void copy(const std::vector<float>& from, std::size_t row, std::span<float> values) {
+  template <class T>
+  static void copy(const std::vector<T>& from, std::size_t row, std::span<T> values) {
     const auto part = std::span(from).subspan(row * values.size(), values.size());
     std::copy(part.begin(), part.end(), values.begin());
   }
@@ -190,6 +195,7 @@ class MatrixReader {
     matrix.standard_error = entries("/standard_error", matrix);
     matrix.mean = means("/mean", matrix, matrix.standard_error);
     matrix.direct = entries("/direct", matrix);
+    if (file_.has("/flags")) matrix.flags = flags("/flags", matrix);
     matrix.by_bounce = layers("bounce", "/bounces", matrix);
     matrix.by_length = layers("length", "/lengths", matrix);
     if (!matrix.by_length.empty()) {
@@ -240,13 +246,24 @@ class MatrixReader {
     return values;
   }
 
+  static std::string place(const std::string& path, const SignalMatrix& matrix, std::size_t entry) {
+    return fmt::format("{}, label '{}', transceiver '{}'", path, matrix.labels[entry / matrix.columns()].id,
+                       matrix.transceivers[entry % matrix.columns()].id);
+  }
+
   std::vector<float> entries(const std::string& path, const SignalMatrix& matrix) const {
     auto values = file_.numbers<float>(path, {matrix.rows(), matrix.columns()});
     for (std::size_t k = 0; k < values.size(); ++k)
       if (const auto problem = amount_problem(values[k]); !problem.empty())
-        fail(fmt::format("{}, label '{}', transceiver '{}'", path, matrix.labels[k / matrix.columns()].id,
-                         matrix.transceivers[k % matrix.columns()].id),
-             problem);
+        fail(place(path, matrix, k), problem);
+    return values;
+  }
+
+  std::vector<std::uint8_t> flags(const std::string& path, const SignalMatrix& matrix) const {
+    auto values = file_.numbers<std::uint8_t>(path, {matrix.rows(), matrix.columns()});
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (values[k] > 1)
+        fail(place(path, matrix, k), fmt::format("is {}, which is neither 0 nor 1", values[k]));
     return values;
   }
 
@@ -259,9 +276,7 @@ class MatrixReader {
       if (const auto problem =
               amount_problem(-values[k] < most_errors * error[k] ? std::abs(values[k]) : values[k]);
           !problem.empty())
-        fail(fmt::format("{}, label '{}', transceiver '{}'", path, matrix.labels[k / matrix.columns()].id,
-                         matrix.transceivers[k % matrix.columns()].id),
-             problem);
+        fail(place(path, matrix, k), problem);
     return values;
   }
 
@@ -307,7 +322,7 @@ void pass(Pipe& pipe, SignalMatrix& matrix) {
   pipe(matrix.wavelength_nm), pipe(matrix.length_step);
   pass(pipe, matrix.labels);
   pass(pipe, matrix.transceivers);
-  pipe(matrix.mean), pipe(matrix.standard_error), pipe(matrix.direct);
+  pipe(matrix.mean), pipe(matrix.standard_error), pipe(matrix.direct), pipe(matrix.flags);
   pass(pipe, matrix.by_bounce);
   pass(pipe, matrix.by_length);
 }
@@ -329,7 +344,7 @@ void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& 
 void write_signal_file(const SignalMatrix& matrix, AtomicFile& target) {
   const std::size_t size = matrix.rows() * matrix.columns();
   if (size == 0 || matrix.mean.size() != size || matrix.standard_error.size() != size ||
-      matrix.direct.size() != size)
+      matrix.direct.size() != size || (!matrix.flags.empty() && matrix.flags.size() != size))
     throw std::invalid_argument(
         "write_signal_file: a matrix without entries or with arrays of different sizes");
   write(matrix, OwnRows(matrix), target);

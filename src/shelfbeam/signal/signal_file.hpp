@@ -11,7 +11,8 @@ class AtomicFile;
 
 /// Writes the signal file (HDF5, docs/formats/signal.md) through a temporary file and a rename. The content
 /// depends on the matrix alone: no time stamps. Throws InputError when it cannot be written, and
-/// std::invalid_argument for a matrix that is empty or whose arrays are not all of m n entries.
+/// std::invalid_argument for a matrix that is empty or whose arrays are not all of m n entries; flags may be
+/// missing.
 void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path);
 
 /// The same without the rename: the caller commits.
@@ -22,7 +23,8 @@ void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const s
 
 /// Throws InputError for a file that is not HDF5 (or in its old format without checksums), is truncated, is
 /// of an unknown format version, lacks a data set or has one of another shape, or holds NaN, infinite or
-/// negative signals, errors, requirements or costs. A mean may be negative by less than ten standard errors.
+/// negative signals, errors, requirements or costs, or flags other than 0 and 1. A mean may be negative by
+/// less than ten standard errors.
 SignalMatrix read_signal_file(const std::filesystem::path& path);
 
 /// True when the file begins with the HDF5 signature.

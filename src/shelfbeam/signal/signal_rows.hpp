@@ -15,7 +15,9 @@ class SignalRows {
   virtual ~SignalRows() = default;
   /// Fills `values`, one a column.
   virtual void fill(Quantity quantity, std::size_t row, std::span<float> values) const = 0;
-  /// SignalMatrix::flags, one a column.
+  /// Whether it is known what SignalMatrix::flags says.
+  virtual bool has_flags() const = 0;
+  /// That, one a column.
   virtual void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const = 0;
   /// The same of a layer: SignalMatrix::by_bounce, then by_length; has no direct part.
   virtual void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,

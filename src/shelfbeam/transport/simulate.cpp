@@ -87,6 +87,7 @@ SimulationSummary run(const Scene& scene, const std::string& store_hash, const S
       summary = summarise(head, engine);
       summary.complete = complete;
       if (complete && options.relative_error) find_unmet(*options.relative_error, engine, summary);
+      if (options.has_fixed_samples()) summary.asked_samples = options.samples;
       use(std::move(head), rows);
     } catch (const OutputError& error) {
       engine.try_to_save();

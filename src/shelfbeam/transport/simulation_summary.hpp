@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+#include <optional>
 
 #include "shelfbeam/transport/shadow_rays.hpp"
 
@@ -28,6 +29,7 @@ struct SimulationSummary {
   bool complete = true;  ///< false: cancelled; the rows say how many batches each label got
   std::size_t labels = 0, candidates = 0;
   std::uint64_t least_samples = 0, most_samples = 0;  ///< first rays a label
+  std::optional<std::uint64_t> asked_samples;         ///< where their number was to end the simulation
   std::uint32_t least_batches = 0, most_batches = 0;
   std::uint64_t batches = 0;          ///< of all items of the work
   std::uint64_t resumed_batches = 0;  ///< of these, what came from the checkpoint

@@ -21,6 +21,9 @@ template <class T>
 concept Hdf5Number = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, std::uint8_t> ||
     std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t>;
 
+template <Hdf5Number T>
+using FillRow = std::function<void(std::size_t row, std::span<T> values)>;
+
 /// Writes a new HDF5 file whose bytes depend on what is written alone. Throws InputError when that fails.
 class Hdf5Writer {
  public:
@@ -32,8 +35,8 @@ class Hdf5Writer {
   template <Hdf5Number T>
   void numbers(const std::string& path, std::span<const T> values, const Shape& shape);
   /// A matrix row by row, of which a few are in memory at a time.
-  void rows(const std::string& path, const Shape& shape,
-            const std::function<void(std::size_t row, std::span<float> values)>& fill);
+  template <Hdf5Number T>
+  void rows(const std::string& path, const Shape& shape, const FillRow<T>& fill);
   void texts(const std::string& path, std::span<const std::string> values);  ///< one-dimensional
 
   template <Hdf5Number T>
@@ -54,6 +57,8 @@ class Hdf5Reader {
   explicit Hdf5Reader(const std::filesystem::path& path);
   ~Hdf5Reader();
 
+  /// Whether there is a data set of that name, or something damaged that may be one.
+  bool has(const std::string& path) const;
   /// The number of entries of a one-dimensional data set.
   std::size_t length(const std::string& path) const;
   template <Hdf5Number T>

@@ -21,6 +21,7 @@ class MatrixRows : public SignalRows {
   void fill(Quantity quantity, std::size_t row, std::span<float> values) const override;
   void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                   std::span<float> values) const override;
+  bool has_flags() const override { return true; }
   void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override;
   std::size_t bounce_layers() const override { return bounce_layers_; }
   std::size_t length_layers() const override { return length_layers_; }
