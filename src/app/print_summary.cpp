@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/transport/coverage.hpp"
+
 #include "store_summary.hpp"
 #include "text_table.hpp"
 
@@ -74,7 +76,19 @@ void print_uncovered(const StoreSummary& summary) {
   for (const std::string& light : summary.uncovered) fmt::print("  {}\n", light);
 }
 
+void print_by_chance(const StoreSummary& summary) {
+  if (summary.by_chance.empty()) return;
+  fmt::print("\nfound by chance only, with large errors:\n");
+  for (const std::string& light : summary.by_chance) fmt::print("  {}\n", light);
+}
+
 }  // namespace
+
+void print_chance_light(const Scene& scene) {
+  for (const std::string& light : chance_light(scene))
+    fmt::print("warning: {} is found by chance only: take more samples, and see which errors are flagged\n",
+               light);
+}
 
 void print_warnings(const Scene& scene) {
   for (const std::string& warning : scene.warnings) fmt::print("warning: {}\n", warning);
@@ -89,6 +103,7 @@ void print_summary(const LoadedStore& store, const StoreSummary& summary) {
   fmt::print("\n");
   print_transceiver_types(summary);
   print_uncovered(summary);
+  print_by_chance(summary);
   if (!store.scene.warnings.empty()) fmt::print("\n");
   print_warnings(store.scene);
 }

@@ -32,7 +32,10 @@ int run_simulate(const Options& options) {
       load_store(options.store, options.allow_outside, options.simulation.most_memory());
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   expect_writable(options.output);
-  if (!options.common.json && !options.common.quiet) print_warnings(store.scene);
+  if (!options.common.json && !options.common.quiet) {
+    print_warnings(store.scene);
+    print_chance_light(store.scene);
+  }
   SimulationSummary summary;
   {
     TerminalProgress progress(options.common.quiet);
@@ -46,7 +49,7 @@ int run_simulate(const Options& options) {
   } else if (!options.common.quiet) {
     fmt::print("{}\n{}\n", describe(summary), options.output.string());
   }
-  if (summary.complete) return done;
+  if (summary.complete) return summary.unmet_error ? stopped_early : done;
   if (!options.common.json && !options.common.quiet)
     fmt::print(stderr,
                "stopped early: the file holds the samples so far; the same command with '--resume' "

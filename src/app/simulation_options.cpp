@@ -30,10 +30,14 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
   options.estimator = kind();
   options.seed = seed;
   options.time_s = time_s;
-  if (relative_error) options.relative_error = RelativeError{*relative_error, above.value_or(default_above)};
+  if (relative_error)
+    options.relative_error = RelativeError{*relative_error, above.value_or(default_above),
+                                           max_samples.value_or(RelativeError{}.most_samples)};
   if (samples) options.samples = *samples;
   if (above && !relative_error)
     throw InputError("--above", "says nothing without '--relative-error'", "add that");
+  if (max_samples && !relative_error)
+    throw InputError("--max-samples", "says nothing without '--relative-error'", "use '--samples'");
   if (options.estimator == EstimatorKind::reuse) {
     options.direct = DirectLight::exact;
   } else {
@@ -89,12 +93,19 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
                                   "--relative-error",
                                   default_above))
           ->check(positive_number());
+  auto* most =
+      verb.add_option("--max-samples", flags.max_samples,
+                      fmt::format("End of --relative-error for labels that do not reach it: first rays per "
+                                  "label ({})",
+                                  RelativeError{}.most_samples))
+          ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36));
   auto* samples = verb.add_option("--samples", flags.samples,
                                   "First rays a label (particles a transceiver), rounded up to whole "
                                   "batches, of reuse at least 16; 10000 unless an error or a time is given")
                       ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
                       ->excludes(error)
-                      ->excludes(share);
+                      ->excludes(share)
+                      ->excludes(most);
   verb.add_option("--time", flags.time_s, "Instead of either: seconds to simulate")
       ->check(positive_number())
       ->excludes(samples)
@@ -168,6 +179,14 @@ std::string describe(const SimulationSummary& summary) {
     text +=
         "\nflagged: few batches found most of the light, so the error is not to be trusted; take more "
         "samples, or see in '/flags' of the signal file which entries they are";
+  if (summary.unmet_error) {
+    text +=
+        fmt::format("\na relative error of {:g} % is out of reach: {} entries fall short of it, the worst:",
+                    100 * *summary.unmet_error, summary.unmet);
+    for (const UnmetEntry& entry : summary.worst_unmet)
+      text += fmt::format("\n  label '{}' from '{}': {:.1f} %{}", entry.label, entry.source,
+                          100 * entry.relative_error, entry.is_flagged ? ", flagged" : "");
+  }
   return text + fmt::format("\nhalf these errors would take another {:.0f} s", summary.seconds_to_halve);
 }
 
@@ -180,6 +199,17 @@ nlohmann::ordered_json to_json(const SimulationSummary& summary) {
                       {"median", e.median},
                       {"p90", e.p90},
                       {"p99", e.p99}});
+  nlohmann::ordered_json unmet;
+  if (summary.unmet_error) {
+    unmet = {{"error", *summary.unmet_error},
+             {"entries", summary.unmet},
+             {"worst", nlohmann::ordered_json::array()}};
+    for (const UnmetEntry& entry : summary.worst_unmet)
+      unmet["worst"].push_back({{"label", entry.label},
+                                {"transceiver", entry.source},
+                                {"relative_error", entry.relative_error},
+                                {"flagged", entry.is_flagged}});
+  }
   nlohmann::ordered_json asked;
   if (summary.asked_samples) asked = *summary.asked_samples;
   return {{"labels", summary.labels},
@@ -197,6 +227,7 @@ nlohmann::ordered_json to_json(const SimulationSummary& summary) {
           {"seconds", summary.seconds},
           {"rays_per_second", static_cast<double>(summary.rays) / summary.seconds},
           {"relative_errors", errors},
+          {"unmet", unmet},
           {"seconds_to_halve_the_errors", summary.seconds_to_halve}};
 }
 

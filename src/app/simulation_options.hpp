@@ -21,6 +21,7 @@ struct SimulationFlags {
   std::optional<std::uint64_t> samples;
   std::optional<double> relative_error, time_s;
   std::optional<double> above;
+  std::optional<std::uint64_t> max_samples;
   std::optional<std::string> strategy, heuristic;
   std::optional<std::uint32_t> max_bounces;
   bool by_bounce = false;

@@ -82,6 +82,7 @@ StoreSummary summarize(const Scene& scene) {
   summary.with_several_options = static_cast<std::size_t>(
       std::count_if(options.begin(), options.end(), [](std::size_t count) { return count > 1; }));
   summary.uncovered = uncovered_light(scene);
+  summary.by_chance = chance_light(scene);
   return summary;
 }
 
@@ -122,6 +123,7 @@ nlohmann::ordered_json summary_json(const LoadedStore& store, const StoreSummary
     if (!type.file.empty()) json["transceiver_types"][type.name]["file"] = type.file;
   }
   json["not_simulated"] = summary.uncovered;
+  json["found_by_chance"] = summary.by_chance;
   json["warnings"] = scene.warnings;
   return json;
 }

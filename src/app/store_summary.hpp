@@ -50,6 +50,7 @@ struct StoreSummary {
   std::size_t mounting_points = 0;       ///< different positions of candidates
   std::size_t with_several_options = 0;  ///< of these, the ones with more than one candidate
   std::vector<std::string> uncovered;    ///< light that the default strategy leaves out
+  std::vector<std::string> by_chance;    ///< light that it finds by chance only
 };
 
 StoreSummary summarize(const Scene& scene);
@@ -58,5 +59,7 @@ nlohmann::ordered_json summary_json(const LoadedStore& store, const StoreSummary
 void print_summary(const LoadedStore& store, const StoreSummary& summary);
 /// A line each.
 void print_warnings(const Scene& scene);
+/// The same of light that a simulation finds by chance only.
+void print_chance_light(const Scene& scene);
 
 }  // namespace shelfbeam::app

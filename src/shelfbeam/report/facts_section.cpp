@@ -159,24 +159,27 @@ std::string origin_facts(const ReportData& data) {
   return facts.html();
 }
 
+// Nothing where there is nothing to list.
+std::string list(const char* title, const char* remark, const std::vector<std::string>& items) {
+  if (items.empty()) return "";
+  std::string html = fmt::format("<h3>{}</h3>\n", title);
+  if (*remark != '\0') html += fmt::format("<p>{}</p>\n", remark);
+  html += "<ul>\n";
+  for (const std::string& item : items) html += fmt::format("<li>{}</li>\n", escape(item));
+  return html + "</ul>\n";
+}
+
 }  // namespace
 
 std::string facts_section(const ReportData& data) {
   std::string html = "<div class=\"facts\">\n" + placement_facts(data) + certificate_facts(data) +
                      simulation_facts(data) + origin_facts(data) + "</div>\n";
-  if (const auto uncovered = uncovered_light(data.input.scene); !uncovered.empty()) {
-    html +=
-        "<h3>Light that the signals do not have</h3>\n<p>It would come on top; a transceiver type with a "
-        "radius has it.</p>\n<ul>\n";
-    for (const std::string& light : uncovered) html += fmt::format("<li>{}</li>\n", escape(light));
-    html += "</ul>\n";
-  }
-  const auto& warnings = data.input.scene.warnings;
-  if (!warnings.empty()) {
-    html += "<h3>Warnings about the store</h3>\n<ul>\n";
-    for (const std::string& warning : warnings) html += fmt::format("<li>{}</li>\n", escape(warning));
-    html += "</ul>\n";
-  }
+  html += list("Light that the signals do not have",
+               "It would come on top; a transceiver type with a radius has it.",
+               uncovered_light(data.input.scene));
+  html += list("Light that is found by chance only", "Signals that rest on it have large errors.",
+               chance_light(data.input.scene));
+  html += list("Warnings about the store", "", data.input.scene.warnings);
   return html_section("facts", "Facts", html);
 }
 

@@ -17,42 +17,58 @@ bool refracts_smoothly(const Material& material) {
   return solid != nullptr && solid->has_only_specular();
 }
 
-bool has_points(const Scene& scene, Strategy strategy) {
-  if (strategy == Strategy::particle)
-    return std::any_of(scene.labels.begin(), scene.labels.end(),
-                       [&](const Label& label) { return scene.type_of(label).size[0] == 0; });
+bool has_units(const Scene& scene, bool points) {
   return std::any_of(scene.transceivers.begin(), scene.transceivers.end(),
-                     [&](const Transceiver& unit) { return scene.type_of(unit).radius == 0; });
+                     [&](const Transceiver& unit) { return (scene.type_of(unit).radius == 0) == points; });
 }
 
-}  // namespace
+bool has_point_labels(const Scene& scene) {
+  return std::any_of(scene.labels.begin(), scene.labels.end(),
+                     [&](const Label& label) { return scene.type_of(label).size[0] == 0; });
+}
 
-std::vector<std::string> uncovered_light(const Scene& scene, Strategy strategy) {
-  if (!has_points(scene, strategy)) return {};
-  const char* way = strategy == Strategy::particle ? "to point labels" : "from point transceivers";
-  if (strategy == Strategy::walk) return {fmt::format("all light {}", way)};
+using Wanted = std::function<bool(const Material&)>;
 
+// Names of the materials of this kind that something is made of.
+std::string used_materials(const Scene& scene, const Wanted& wanted) {
   std::vector<bool> used(scene.materials.size());
   for (const MaterialId material : scene.mesh.materials) used[material.value] = true;
-  const auto names = [&](const std::function<bool(const Material&)>& wanted) {
-    std::vector<std::string> found;
-    for (std::size_t m = 0; m < scene.materials.size(); ++m)
-      if (used[m] && wanted(scene.materials[m].material)) found.push_back(scene.materials[m].name);
-    return found;
-  };
+  std::vector<std::string> found;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    if (used[m] && wanted(scene.materials[m].material)) found.push_back(scene.materials[m].name);
+  return fmt::format("{}", fmt::join(found, ", "));
+}
 
+// Ways from end to end, or to one end, over mirrors and through glass that no connection takes.
+std::vector<std::string> unconnected_light(const Scene& scene, const char* way) {
   std::vector<std::string> result;
   const PlaneMirrors mirrors(scene);
   if (mirrors.size() > 1)
     result.push_back(fmt::format("light {} over two or more mirrors in succession ({})", way,
-                                 fmt::join(names(mirrors_a_share), ", ")));
-  if (const auto solids = names(refracts_smoothly); !solids.empty())
-    result.push_back(fmt::format("light {} refracted by solid glass ({})", way, fmt::join(solids, ", ")));
+                                 used_materials(scene, mirrors_a_share)));
+  if (const std::string solids = used_materials(scene, refracts_smoothly); !solids.empty())
+    result.push_back(fmt::format("light {} refracted by solid glass ({})", way, solids));
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
     if (mirrors.left_out()[m] > 0)
       result.push_back(fmt::format("light {} over {} small mirrors of '{}'", way, mirrors.left_out()[m],
                                    scene.materials[m].name));
   return result;
+}
+
+}  // namespace
+
+std::vector<std::string> uncovered_light(const Scene& scene, Strategy strategy) {
+  if (strategy == Strategy::particle)
+    return has_point_labels(scene) ? unconnected_light(scene, "to point labels") : std::vector<std::string>{};
+  constexpr auto from_points = "from point transceivers";
+  if (!has_units(scene, true)) return {};
+  if (strategy == Strategy::walk) return {fmt::format("all light {}", from_points)};
+  return unconnected_light(scene, from_points);
+}
+
+std::vector<std::string> chance_light(const Scene& scene) {
+  return has_units(scene, false) ? unconnected_light(scene, "from disc transceivers")
+                                 : std::vector<std::string>{};
 }
 
 }  // namespace shelfbeam

@@ -36,10 +36,10 @@ Emitters::Emitters(const Scene& scene) {
       disc_planes_[found->second].discs.push_back(static_cast<std::uint32_t>(units_.size()));
     }
     units_.push_back({unit.position, Frame::of_device(unit.axis, radians(unit.roll_deg)), type.radius,
-                      pi * type.radius * type.radius, &type.emission});
+                      pi * type.radius * type.radius, &type.emission, &unit.id});
   }
   for (const EmittingSurface& source : scene.emitting_surfaces) {
-    Surface surface{source.material, source.radiance, {}, {}};
+    Surface surface{&source.id, source.material, source.radiance, {}, {}};
     double area = 0;
     for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
       if (scene.mesh.materials[t] != source.material) continue;

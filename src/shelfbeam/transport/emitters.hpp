@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "shelfbeam/math/frame.hpp"
@@ -33,6 +34,9 @@ class Emitters {
   explicit Emitters(const Scene& scene);
 
   std::size_t size() const { return units_.size() + surfaces_.size(); }
+  const std::string& id(std::size_t j) const {
+    return j < units_.size() ? *units_[j].id : *surfaces_[j - units_.size()].id;
+  }
   bool is_transceiver(std::size_t j) const { return j < units_.size(); }
   bool is_point(std::size_t j) const { return j < units_.size() && units_[j].area == 0; }
 
@@ -79,6 +83,7 @@ class Emitters {
     Frame frame;
     double radius, area;
     const Emission* emission;
+    const std::string* id;
   };
   struct DiscPlane {  ///< discs of a grid lie in one: a ray meets it once for all of them
     Vec3 normal;
@@ -89,6 +94,7 @@ class Emitters {
     Vec3 corner, edge1, edge2;
   };
   struct Surface {
+    const std::string* id;
     MaterialId material;
     double radiance;
     std::vector<Triangle> triangles;

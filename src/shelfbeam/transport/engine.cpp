@@ -63,8 +63,8 @@ Engine::Engine(const World& world, const Estimator& estimator, const SimulationO
 CheckpointIdentity Engine::identity(const std::string& store_hash) const {
   std::string stop = fmt::format("--samples {}", options_.samples);
   if (options_.relative_error)
-    stop = fmt::format("--relative-error {} --above {}", options_.relative_error->error,
-                       options_.relative_error->above);
+    stop = fmt::format("--relative-error {} --above {} --max-samples {}", options_.relative_error->error,
+                       options_.relative_error->above, options_.relative_error->most_samples);
   else if (options_.time_s)
     stop = "--time";
   return {{"program version", std::string(program_version())},

@@ -49,7 +49,8 @@ std::vector<UnmetEntry> ErrorSurvey::unmet(const RelativeError& wanted) const {
       const double limit = relevance_limit(means, requirement(i), wanted.above);
       for (std::size_t c = 0; c < means.size(); ++c) {
         if (!(means[c] > limit) || (flags[c] == 0 && errors[c] <= wanted.error * means[c])) continue;
-        found.push_back({i, columns[c], errors[c] / means[c], flags[c] != 0});
+        found.push_back(
+            {world_.scene.labels[i].id, world_.emitters.id(columns[c]), errors[c] / means[c], flags[c] != 0});
       }
     });
   }

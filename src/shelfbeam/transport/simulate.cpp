@@ -24,6 +24,7 @@ constexpr std::size_t named_entries = 10;
 
 void find_unmet(const RelativeError& wanted, const detail::Engine& engine, SimulationSummary& summary) {
   if (engine.is_precise()) return;
+  summary.unmet_error = wanted.error;
   summary.worst_unmet = engine.survey().unmet(wanted);
   summary.unmet = summary.worst_unmet.size();
   if (summary.unmet > named_entries) summary.worst_unmet.resize(named_entries);

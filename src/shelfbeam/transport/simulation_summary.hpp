@@ -3,8 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "shelfbeam/transport/shadow_rays.hpp"
 
@@ -19,7 +20,7 @@ struct ErrorQuantiles {
 
 /// An entry that kept a simulation from the relative error that was asked for.
 struct UnmetEntry {
-  std::size_t label = 0, source = 0;
+  std::string label, source;  ///< ids
   double relative_error = 0;
   bool is_flagged = false;  ///< SignalMatrix::flags
 };
@@ -38,8 +39,9 @@ struct SimulationSummary {
   ShadowRays shadow_rays;             ///< of these; all 0 where no walks from labels are connected
   double seconds = 0;                 ///< of this run
   double seconds_to_halve = 0;        ///< predicted from there on, until the errors are half as large
-  /// Where a relative error was asked for and cannot be met in sensible time: how many entries fall short of
-  /// it, and the worst of them. 0 where it was met, or the simulation was cancelled.
+  /// A relative error that was asked for and is out of reach (RelativeError::most_samples), how many entries
+  /// fall short of it, and the worst of them.
+  std::optional<double> unmet_error;
   std::uint64_t unmet = 0;
   std::vector<UnmetEntry> worst_unmet;
   std::array<ErrorQuantiles, 2> errors = {{{0.3}, {0.02}}};
