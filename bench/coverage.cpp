@@ -15,8 +15,6 @@
 // --walks      of the reference, a label (1,000,000)
 // --old-spots  the control: caps at 4 m from the unit, the same for all receivers, none for vertices of paths
 
-#include "support/coverage.hpp"
-
 #include <cctype>
 #include <chrono>
 #include <cstdint>
@@ -39,7 +37,8 @@
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/transport/simulate.hpp"
 
-#include "support/zoo.hpp"
+#include "transport/interval_coverage.hpp"
+#include "transport/zoo.hpp"
 
 namespace {
 

@@ -161,7 +161,7 @@ TEST_F(Resume, RefusesAnotherSimulationAndSaysWhatDiffers) {
   refused(other, "hash", "stopping rule is '--samples 640', here it is '--samples 64'");
   other = options;
   other.relative_error = RelativeError{0.25, 0.3};
-  refused(other, "hash", "stopping rule is '--samples 640', here it is '--relative-error 0.25 --above 0.3'");
+  refused(other, "hash", "stopping rule is '--samples 640', here it is '--relative-error 0.25 --above 0.3");
   EXPECT_TRUE(std::filesystem::exists(options.checkpoint.path));
   options.checkpoint.resume = true;
   EXPECT_TRUE(simulate(scene, "hash", options).summary.complete);
