@@ -15,7 +15,7 @@
 #include "shelfbeam/signal/signal_table.hpp"
 #include "shelfbeam/transport/simulate.hpp"
 
-#include "support/zoo.hpp"
+#include "transport/zoo.hpp"
 
 namespace shelfbeam::bench {
 

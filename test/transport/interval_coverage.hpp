@@ -53,13 +53,17 @@ struct CoverageCount {
 /// All entries of a class, and those that are not flagged.
 struct ClassCoverage {
   CoverageCount all, unflagged;
+  double of_reference = 0;  ///< of the squared errors the reference's shares, summed up
 
   ClassCoverage& operator+=(const ClassCoverage& other) {
     all += other.all;
     unflagged += other.unflagged;
+    of_reference += other.of_reference;
     return *this;
   }
   double flagged() const { return 1 - all.share(unflagged.pairs); }
+  /// Where this is large, few entries decide: all runs are compared with the same reference.
+  double reference_share() const { return all.pairs > 0 ? of_reference / static_cast<double>(all.pairs) : 0; }
 };
 
 /// By batches of a run, then by class of entry.
@@ -123,6 +127,7 @@ inline CoverageTable coverage_of(const Scene& scene, const World& world, const E
           const double z = (mean - reference.mean[i * n + j]) / error;
           ClassCoverage& count = by_class[classes[e]];
           count.all.add(z, interval);
+          count.of_reference += std::pow(reference.error[i * n + j] / error, 2);
           if (!found.is_skewed()) count.unflagged.add(z, interval);
         }
         sums[k] = detail::ItemSums(entries, false, 0);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -18,6 +20,7 @@ struct ZooRoom {
   std::string store;                   ///< text of a store file
   Strategy reference = Strategy::nee;  ///< of the uniform estimator that converges best there
   double reflectance = 0;              ///< the largest
+  std::uint32_t effort = 4;            ///< walks or particles of the reference, relative to other rooms
 
   Scene scene() const { return make_scene(parse_store(store, name, ".")); }
 };
@@ -120,8 +123,8 @@ inline std::vector<ZooRoom> zoo() {
   using Json = nlohmann::json;
   std::vector<ZooRoom> rooms;
   const auto add = [&](const std::string& name, double reflectance, const ZooStore& store,
-                       Strategy reference = Strategy::nee) {
-    rooms.push_back({name, store.text(), reference, reflectance});
+                       Strategy reference = Strategy::nee, std::uint32_t effort = 4) {
+    rooms.push_back({name, store.text(), reference, reflectance, effort});
   };
   const Json steel{{"type", "conductor"}, {"eta", 1.674}, {"k", 8.608}};
   const auto rough = [](Json material, const Json& roughness) {
