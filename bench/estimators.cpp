@@ -3,9 +3,17 @@
 //
 //   build/release/bench_estimators [STORE...] [--quick] [--walks N] [--batches N] [--labels N]
 //   build/release/bench_estimators --growth [STORE...]
+//   build/release/bench_estimators --before PROGRAM [STORE...] [--seeds S] [--samples N]
+//   build/release/bench_estimators --against-paper [STORE...] [--seeds S] [--samples N] [--reference N]
 //
 // --quick takes a minute or less; uniform variances are then rough. Entries need 30 contributions in both
 // estimators to count; of reuse these are batches.
+//
+// --before and --against-paper run programs, one thread each, on S seeds in turn (8), N samples a label
+// (4192), and count the CPU time of the whole process. --before compares the default estimator of this build
+// with that of an earlier program: variances that the files claim, and those of the means over the seeds.
+// --against-paper compares it with the paper's estimator of this build, by mean square errors against a long
+// run of that with exact direct light (--reference: its samples a label, 4,000,000).
 //
 // STORE: a folder of examples/ or a store file (default: thesis grocery; for --growth the large ones, too).
 
@@ -23,6 +31,7 @@
 #include <tbb/global_control.h>
 
 #include "comparison.hpp"
+#include "over_seeds.hpp"
 #include "ray_kinds.hpp"
 #include "scaling.hpp"
 #include "support.hpp"
@@ -41,6 +50,9 @@ struct Settings {
   std::uint64_t labels = 1000;  ///< of larger stores clusters with about so many
   bool threads = true;
   bool growth = false;
+  OverSeeds over_seeds;
+  std::string earlier_program;  ///< empty: none
+  bool against_paper = false;
 };
 
 void print_efficiency(const Scene& scene, const Selection& selection, const Entrant& reuse,
@@ -145,10 +157,11 @@ Settings parse(int argc, char** argv) {
   Settings settings;
   for (int k = 1; k < argc; ++k) {
     const std::string word = argv[k];
-    const auto number = [&] {
-      if (k + 1 == argc) throw std::invalid_argument(word + " needs a number");
-      return std::strtoull(argv[++k], nullptr, 10);
+    const auto next = [&]() -> const char* {
+      if (k + 1 == argc) throw std::invalid_argument(word + " needs a value");
+      return argv[++k];
     };
+    const auto number = [&] { return std::strtoull(next(), nullptr, 10); };
     if (word == "--quick") {
       settings.walks = 16000;
       settings.batches = 32;
@@ -156,6 +169,16 @@ Settings parse(int argc, char** argv) {
       settings.threads = false;
     } else if (word == "--growth") {
       settings.growth = true;
+    } else if (word == "--before") {
+      settings.earlier_program = next();
+    } else if (word == "--against-paper") {
+      settings.against_paper = true;
+    } else if (word == "--seeds") {
+      settings.over_seeds.seeds = number();
+    } else if (word == "--samples") {
+      settings.over_seeds.samples = number();
+    } else if (word == "--reference") {
+      settings.over_seeds.reference_samples = number();
     } else if (word == "--walks") {
       settings.walks = number();
     } else if (word == "--batches") {
@@ -170,10 +193,13 @@ Settings parse(int argc, char** argv) {
   }
   if (settings.batches < least_contributions)
     throw std::invalid_argument(fmt::format("--batches must be at least {}", least_contributions));
+  // A seed less must leave a variance.
+  if (settings.over_seeds.seeds < 3) throw std::invalid_argument("--seeds must be at least 3");
   if (settings.stores.empty()) {
     settings.stores = {"thesis", "grocery"};
     if (settings.growth) settings.stores.insert(settings.stores.end(), {"supermarket", "hypermarket"});
   }
+  settings.over_seeds.stores = settings.stores;
   return settings;
 }
 
@@ -186,6 +212,10 @@ int main(int argc, char** argv) {
       print_growth(settings.stores);
       return 0;
     }
+    if (!settings.earlier_program.empty())
+      compare_with_program(settings.over_seeds, settings.earlier_program);
+    if (settings.against_paper) compare_with_paper(settings.over_seeds);
+    if (settings.against_paper || !settings.earlier_program.empty()) return 0;
     for (const std::string& store : settings.stores) {
       const Scene scene = open_scene(store);
       compare(settings, scene, World(scene));

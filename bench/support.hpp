@@ -11,10 +11,14 @@
 namespace shelfbeam::bench {
 
 /// A store file, or one of examples/ by its name.
-inline Scene open_scene(const std::string& name) {
+inline std::filesystem::path store_file(const std::string& name) {
   const std::filesystem::path example =
       std::filesystem::path(SHELFBEAM_SOURCE_DIR) / "examples" / name / "store.json";
-  return make_scene(read_store(std::filesystem::exists(example) ? example : std::filesystem::path(name)));
+  return std::filesystem::exists(example) ? example : std::filesystem::path(name);
+}
+
+inline Scene open_scene(const std::string& name) {
+  return make_scene(read_store(store_file(name)));
 }
 
 /// What some work takes of the processor, all threads together, in s.

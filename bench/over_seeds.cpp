@@ -1,0 +1,181 @@
+#include "over_seeds.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "programs.hpp"
+#include "seed_runs.hpp"
+#include "support.hpp"
+
+namespace shelfbeam::bench {
+
+namespace {
+
+using Words = std::vector<std::string>;
+constexpr double shares[] = {0.3, 0.02};
+constexpr std::size_t none = SeedRuns::none;
+
+Simulated simulated(const std::string& program, const std::string& store, Words options,
+                    std::uint64_t samples, std::uint64_t seed) {
+  options.insert(options.end(), {"--samples", std::to_string(samples)});
+  return simulate_with(program, store_file(store), options, seed);
+}
+
+double log_times(const SeedRuns& a, const SeedRuns& b, std::size_t left_out) {
+  return std::log(b.cpu_seconds(left_out) / a.cpu_seconds(left_out));
+}
+
+/// 1 / (variance x CPU time) of `a` over that of `b`: geometric mean over entries, by
+/// variance(runs, entry, left_out).
+template <class Variance>
+Estimate efficiency(const SeedRuns& a, const SeedRuns& b, const std::vector<std::size_t>& entries,
+                    const Variance& variance) {
+  return ratio_over_seeds(a.seeds(), [&](std::size_t left_out) {
+    double sum = 0;
+    for (const std::size_t e : entries)
+      sum += std::log(std::invoke(variance, b, e, left_out) / std::invoke(variance, a, e, left_out));
+    return log_times(a, b, left_out) + sum / static_cast<double>(entries.size());
+  });
+}
+
+// Entries that no seed gave any spread have no variance to compare: light that is known in closed form.
+std::size_t leave_out_certain(std::vector<std::size_t>& entries, const SeedRuns& a, const SeedRuns& b) {
+  const auto is_certain = [](const SeedRuns& runs, std::size_t e) {
+    return !(runs.claimed_variance(e, none) > 0) || !(runs.variance_of_means(e, none) > 0);
+  };
+  return std::erase_if(entries, [&](std::size_t e) { return is_certain(a, e) || is_certain(b, e); });
+}
+
+std::string text(const Estimate& found) {
+  const int digits = found.value < 9.995 ? 3 : 1;
+  return fmt::format("{:.{}f} +- {:.{}f}", found.value, digits, found.error, digits);
+}
+
+void print_head(const std::string& store, const OverSeeds& settings, const SignalMatrix& matrix) {
+  fmt::print("{}: {} labels, {} candidates; seeds 1 to {}, {} samples a label\n", store, matrix.rows(),
+             matrix.columns(), settings.seeds, settings.samples);
+}
+
+void print_before(const std::vector<LabelRow>& labels, const SeedRuns& now, const SeedRuns& before) {
+  const Estimate times =
+      ratio_over_seeds(now.seeds(), [&](std::size_t left_out) { return log_times(before, now, left_out); });
+  fmt::print("  CPU time of a run: {:.2f} s, before {:.2f} s: {} times\n", now.cpu_seconds(none),
+             before.cpu_seconds(none), text(times));
+  fmt::print("  {:<26} {:>20} {:>20} {:>9} {:>9}\n", "efficiency over before", "as errors claim",
+             "as means show", "entries", "left out");
+  std::vector<double> means(now.entries());
+  for (std::size_t e = 0; e < means.size(); ++e) means[e] = (now.mean(e) + before.mean(e)) / 2;
+  for (const double share : shares) {
+    std::vector<std::size_t> entries = entries_above(labels, means, share);
+    const std::size_t left_out = leave_out_certain(entries, now, before);
+    const Estimate claimed = efficiency(now, before, entries, &SeedRuns::claimed_variance);
+    // The sample variance of S seeds is the variance times chi-square over its S - 1 degrees of freedom, a
+    // wide distribution whose logarithm has a mean below 0. Both programs have the same S, so that this mean
+    // cancels in the logarithm of the ratio, and only spread is left, which the jackknife sees.
+    const Estimate shown = efficiency(now, before, entries, &SeedRuns::variance_of_means);
+    fmt::print("    above {:<18g} {:>20} {:>20} {:>9} {:>9}\n", share, text(claimed), text(shown),
+               entries.size(), left_out);
+  }
+  fmt::print("\n");
+}
+
+/// The sums over entries of (what is added to a mean square error by the reference's own) / mean^2.
+double reference_squares(const SignalMatrix& reference, const std::vector<std::size_t>& entries) {
+  double sum = 0;
+  for (const std::size_t e : entries)
+    sum += std::pow(static_cast<double>(reference.standard_error[e] / reference.mean[e]), 2);
+  return sum;
+}
+
+/// The sum over entries of mean square error / mean^2, without the reference's.
+double sum_of_squares(const SeedRuns& runs, const SignalMatrix& reference,
+                      const std::vector<std::size_t>& entries, std::size_t left_out) {
+  double sum = 0;
+  for (const std::size_t e : entries) {
+    const double truth = static_cast<double>(reference.mean[e]);
+    sum += runs.square_error(e, truth, left_out) / (truth * truth);
+  }
+  return sum - reference_squares(reference, entries);
+}
+
+void print_paper(const std::string& title, const SignalMatrix& reference, const SeedRuns& ours,
+                 const SeedRuns& paper) {
+  const std::vector<double> means(reference.mean.begin(), reference.mean.end());
+  for (const double share : shares) {
+    std::vector<std::size_t> entries = entries_above(reference.labels, means, share);
+    const std::size_t left_out_entries = leave_out_certain(entries, ours, paper);
+    const auto squares = [&](const SeedRuns& runs, std::size_t left_out) {
+      return sum_of_squares(runs, reference, entries, left_out);
+    };
+    const Estimate sums = ratio_over_seeds(ours.seeds(), [&](std::size_t left_out) {
+      return log_times(ours, paper, left_out) + std::log(squares(paper, left_out) / squares(ours, left_out));
+    });
+    // Entry by entry the reference's squares stay in, since what is left of some would be negative: the
+    // better estimator looks a little worse than it is.
+    const Estimate geometric =
+        efficiency(ours, paper, entries, [&](const SeedRuns& runs, std::size_t e, std::size_t left_out) {
+          return runs.square_error(e, means[e], left_out);
+        });
+    const auto percent = [&](double of_squares) {
+      return 100 * std::sqrt(of_squares / static_cast<double>(entries.size()));
+    };
+    fmt::print("    {:<23} above {:<5g} {:>15} {:>15} {:>7.2f} {:>7.2f} {:>9.3f} {:>8} {:>8}\n", title, share,
+               text(sums), text(geometric), percent(squares(ours, none)), percent(squares(paper, none)),
+               percent(reference_squares(reference, entries)), entries.size(), left_out_entries);
+  }
+}
+
+}  // namespace
+
+void compare_with_program(const OverSeeds& settings, const std::string& program) {
+  for (const std::string& store : settings.stores) {
+    SeedRuns now, before;
+    Simulated last;
+    for (std::uint64_t seed = 1; seed <= settings.seeds; ++seed) {
+      const auto run = [&](const std::string& by, SeedRuns& runs) {
+        last = simulated(by, store, {}, settings.samples, seed);
+        runs.add(last);
+      };
+      // In turn each is the first: whatever else the machine does meanwhile strikes both alike.
+      if (seed % 2 == 0) run(this_program(), now);
+      run(program, before);
+      if (seed % 2 == 1) run(this_program(), now);
+    }
+    print_head(store, settings, last.matrix);
+    print_before(last.matrix.labels, now, before);
+  }
+}
+
+void compare_with_paper(const OverSeeds& settings) {
+  const Words exact{"--estimator", "uniform", "--direct", "exact"};
+  const Words sampled{"--estimator", "uniform", "--direct", "sampled"};
+  for (const std::string& store : settings.stores) {
+    const auto run = [&](const Words& options, std::uint64_t samples, std::uint64_t seed) {
+      return simulated(this_program(), store, options, samples, seed);
+    };
+    // Seed 0 is no other run's: with one of theirs the reference would begin with the walks that it judges.
+    const Simulated reference = run(exact, settings.reference_samples, 0);
+    SeedRuns ours, paper_exact, paper_sampled;
+    for (std::uint64_t seed = 1; seed <= settings.seeds; ++seed) {
+      ours.add(run({}, settings.samples, seed));
+      paper_exact.add(run(exact, settings.samples, seed));
+      paper_sampled.add(run(sampled, settings.samples, seed));
+    }
+    print_head(store, settings, reference.matrix);
+    fmt::print("  CPU time of a run: {:.3f} s, uniform with exact direct light {:.3f} s, sampled {:.3f} s; ",
+               ours.cpu_seconds(none), paper_exact.cpu_seconds(none), paper_sampled.cpu_seconds(none));
+    fmt::print("the reference, {} samples: {:.0f} s\n", settings.reference_samples, reference.cpu_seconds);
+    fmt::print("  {:<65} {:>31}\n", "", "root mean square errors, %");
+    fmt::print("  {:<37} {:>15} {:>15} {:>7} {:>7} {:>9} {:>8} {:>8}\n", "efficiency of the default over",
+               "sum of squares", "geometric mean", "default", "paper's", "reference", "entries", "left out");
+    print_paper("uniform, direct exact", reference.matrix, ours, paper_exact);
+    print_paper("uniform, direct sampled", reference.matrix, ours, paper_sampled);
+    fmt::print("\n");
+  }
+}
+
+}  // namespace shelfbeam::bench
