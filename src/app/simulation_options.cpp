@@ -180,9 +180,10 @@ std::string describe(const SimulationSummary& summary) {
         "\nflagged: few batches found most of the light, so the error is not to be trusted; take more "
         "samples, or see in '/flags' of the signal file which entries they are";
   if (summary.unmet_error) {
-    text +=
-        fmt::format("\na relative error of {:g} % is out of reach: {} entries fall short of it, the worst:",
-                    100 * *summary.unmet_error, summary.unmet);
+    text += fmt::format(
+        "\na relative error of {:g} % is out of reach of --max-samples: {} entries fall short of it, the "
+        "worst:",
+        100 * *summary.unmet_error, summary.unmet);
     for (const UnmetEntry& entry : summary.worst_unmet)
       text += fmt::format("\n  label '{}' from '{}': {:.1f} %{}", entry.label, entry.source,
                           100 * entry.relative_error, entry.is_flagged ? ", flagged" : "");

@@ -74,7 +74,7 @@ std::vector<std::size_t> check_caches(std::uint32_t factor, const std::vector<do
     const Scene scene = store(requirement);
     const World world(scene);
     kept.push_back(ReuseEstimator(world, 1).cache().entries());
-    expect_same(test::reuse(scene, requirement > 30 ? 6 * factor : factor, ++seed), reference,
+    expect_same(test::reuse(scene, requirement >= 30 ? 6 * factor : factor, ++seed), reference,
                 "requirement x " + std::to_string(requirement));
   }
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));

@@ -210,7 +210,8 @@ TEST(Refine, JoinsBatches) {
   }
 }
 
-TEST(Refine, FlagsEntriesThatEitherPartFlags) {
+// The larger part decides: few batches that are skewed do not outlast many that are not.
+TEST(Refine, FlagsEntriesThatTheLargerPartFlags) {
   const Scene scene = test::PlanStore().scene();
   SignalMatrix matrix = simulate(scene, "", options_of(EstimatorKind::uniform)).matrix;
   std::fill(matrix.flags.begin(), matrix.flags.end(), std::uint8_t{0});
@@ -219,10 +220,15 @@ TEST(Refine, FlagsEntriesThatEitherPartFlags) {
   FreshRow fresh{
       2, std::vector<double>(n, 1.0), std::vector<double>(n, 0.1), std::vector<std::uint8_t>(n), 64, 64};
   fresh.flags[1] = 1;
-  join(fresh, matrix);
-  for (std::size_t i = 0; i < matrix.rows(); ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      EXPECT_EQ(matrix.is_flagged(matrix.at(i, j)), (i == 2 && j < 2) || (i == 3 && j == 0)) << i << " " << j;
+  for (const std::uint64_t samples : {64, 64000}) {
+    fresh.samples = samples;
+    join(fresh, matrix);
+    const std::size_t flagged = samples == 64 ? 0 : 1;
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        EXPECT_EQ(matrix.is_flagged(matrix.at(i, j)), (i == 2 && j == flagged) || (i == 3 && j == 0))
+            << samples << " " << i << " " << j;
+  }
   matrix.flags.clear();
   join(fresh, matrix);
   EXPECT_TRUE(matrix.flags.empty());

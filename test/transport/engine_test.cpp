@@ -162,6 +162,24 @@ TEST(Engine, WhatStopsItChangesNoBatch) {
   EXPECT_NE(by_time.mean, simulate(scene, "hash", to_relative_error(0.03)).matrix.mean);
 }
 
+// An error that would take more than the samples allowed ends the run early, which names what falls short of
+// it; with enough of them it is reached.
+TEST(Engine, GivesUpAnErrorThatIsOutOfReach) {
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions options = to_relative_error(1e-4);
+  options.relative_error->most_samples = 20000;
+  const SimulationSummary found = simulate(scene, "hash", options).summary;
+  EXPECT_TRUE(found.complete);
+  EXPECT_EQ(found.unmet_error, 1e-4);
+  EXPECT_GE(found.least_batches, judged_batches);
+  EXPECT_LT(found.most_samples, 20000U) << "it was plain before";
+  ASSERT_GT(found.unmet, 0U);
+  ASSERT_FALSE(found.worst_unmet.empty());
+  EXPECT_GT(found.worst_unmet.front().relative_error, 1e-4);
+  EXPECT_FALSE(found.worst_unmet.front().label.empty());
+  EXPECT_FALSE(simulate(scene, "hash", to_relative_error(0.05)).summary.unmet_error);
+}
+
 TEST(Engine, WritesTheFileThatTheMatrixWouldGive) {
   const test::TempFolder folder;
   const Scene scene = test::SmallStore{}.scene();

@@ -86,6 +86,12 @@ TEST_F(Resume, GivesTheSameBytesWithARelativeError) {
   expect_same_after_every_stop({5, 170});
 }
 
+TEST_F(Resume, GivesTheSameBytesWithAnErrorOutOfReach) {
+  options.direct = DirectLight::exact;
+  options.relative_error = RelativeError{0.004, 0.3, 60000};
+  expect_same_after_every_stop({300, 700});
+}
+
 // Few items take several batches at once; the end comes by all entries together.
 TEST_F(Resume, GivesTheSameBytesWithSeveralBatchesAtOnce) {
   options.strategy = Strategy::particle;

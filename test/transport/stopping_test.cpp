@@ -61,6 +61,18 @@ TEST(Stopping, DoesNotTrustFlaggedErrors) {
   EXPECT_EQ(found.precise, 1u);
 }
 
+TEST(Stopping, KnowsWhatMoreSamplesCannotReach) {
+  // 10 % are wanted: with four times the samples 20 % are enough, 21 % are not.
+  const std::vector<double> means{1, 1, 1}, errors{0.1, 0.2, 0.21};
+  const Precision found = count_precise(means, errors, std::vector<std::uint8_t>(3), 1, {0.1, 0.3}, 4);
+  EXPECT_EQ(found.precise, 1u);
+  EXPECT_EQ(found.hopeless, 1u);
+  EXPECT_FALSE(found.is_decided());
+  EXPECT_TRUE((Precision{3, 2, 1}).is_decided());
+  EXPECT_FALSE((Precision{100, 0, 1}).is_hopeless());
+  EXPECT_TRUE((Precision{100, 0, 2}).is_hopeless());
+}
+
 TEST(Stopping, AsksForNinetyNineOfAHundred) {
   EXPECT_TRUE((Precision{100, 99}).is_enough());
   EXPECT_FALSE((Precision{100, 98}).is_enough());

@@ -22,7 +22,10 @@ void join(const FreshRow& fresh, SignalMatrix& matrix) {
     matrix.mean[at] = static_cast<float>((1 - share) * old_mean + share * fresh.mean[j]);
     matrix.standard_error[at] =
         static_cast<float>(std::hypot((1 - share) * old_error, share * fresh.standard_error[j]));
-    if (!matrix.flags.empty()) matrix.flags[at] |= fresh.flags[j];
+    if (!matrix.flags.empty()) {
+      const bool keeps = share <= 0.5 && matrix.flags[at] != 0, gets = share >= 0.5 && fresh.flags[j] != 0;
+      matrix.flags[at] = keeps || gets ? 1 : 0;
+    }
   }
   row.batches += fresh.batches;
   row.samples += fresh.samples;

@@ -115,7 +115,7 @@ bool Engine::is_done(std::uint32_t round) {
   if (!options_.relative_error || !is_stopping_point(round)) return false;
   Precision all;
   for (const Precision& of_item : precision_) all += of_item;
-  return all.is_enough();
+  return all.is_enough() || (round >= judged_batches && all.is_hopeless());
 }
 
 // Few items take several batches between two barriers, so that threads need not wait for the largest.
@@ -185,7 +185,7 @@ void Engine::judge(const std::vector<std::uint32_t>& items, std::uint32_t round)
       if (sums_[item].batches != round || paused_[item] != 0) continue;
       precision_[item] = survey_.precision(item, *options_.relative_error);
       paused_[item] =
-          precision_[item].is_enough() || (round >= judged_batches && precision_[item].is_hopeless());
+          precision_[item].is_enough() || (round >= judged_batches && precision_[item].is_decided());
     }
   });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -31,7 +32,10 @@ Precision ErrorSurvey::precision(std::size_t item, const RelativeError& wanted) 
   const double growth = static_cast<double>(wanted.most_samples) /
                         (static_cast<double>(estimator_.samples_per_batch()) * sums_[item].batches);
   Precision found;
-  each_row(item, [&](std::size_t i, const auto& means, const auto& errors, const auto& flags) {
+  const bool flags_are_final = sums_[item].batches >= last_flagged_batches;
+  each_row(item, [&](std::size_t i, const auto& means, auto& errors, const auto& flags) {
+    for (std::size_t c = 0; flags_are_final && c < errors.size(); ++c)
+      if (flags[c] != 0) errors[c] = std::numeric_limits<double>::infinity();
     found += count_precise(means, errors, flags, requirement(i), wanted, growth);
   });
   return found;

@@ -55,14 +55,6 @@ struct Residual::Found {
   double weight;
 };
 
-struct Residual::Continuation {
-  std::size_t parent;
-  double weight;  ///< of what the new vertex sends to its parent, over the chance of going on
-  bool by_base;
-  bool is_shared;
-  Passage passage;  ///< straight from the parent
-};
-
 // Where a point sees many hundreds of units, shadow rays would take most of the time.
 Residual::Residual(const World& world, const UnitGroups& units, const RadianceCache& cache,
                    const BrightSpots& spots, double requirement, const ReuseEffort& effort)
@@ -317,13 +309,41 @@ std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool b
   return first;
 }
 
-void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
-                        Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const {
-  while (scratch.generations.size() <= generation) scratch.generations.emplace_back();
-  Scratch::Generation& next = scratch.generations[generation];
+// Generation by generation until no path goes on, then back: a path between white walls is too long for a
+// call of each.
+void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, Scratch& scratch,
+                        std::span<ResidualRows> rows, std::uint64_t& rays) const {
+  struct Level {
+    std::span<const PathVertex> vertices;
+    std::span<ResidualRows> rows;
+  };
+  std::vector<Level> levels{{vertices, rows}};
+  for (;;) {
+    const auto generation = static_cast<std::uint32_t>(levels.size() - 1);
+    if (scratch.generations.size() <= generation) scratch.generations.emplace_back();
+    Scratch::Generation& next = scratch.generations[generation];
+    extend(levels.back().vertices, key, generation, scratch, levels.back().rows, next, rays);
+    const std::size_t count = next.vertices.size();
+    if (count == 0) break;
+    while (next.rows.size() < count) next.rows.emplace_back(units_.size());
+    levels.push_back({next.vertices, std::span(next.rows).first(count)});
+    for (ResidualRows& row : levels.back().rows) row.clear();
+  }
+  for (std::size_t g = levels.size() - 1; g-- > 0;) {
+    const Scratch::Generation& next = scratch.generations[g];
+    for (std::size_t b = 0; b < next.vertices.size(); ++b)
+      share(levels[g].vertices, next.chances, next.continuations[b], next.vertices[b], next.rows[b], scratch,
+            levels[g].rows, rays);
+  }
+}
+
+// What vertices get but by the paths that go on, and where these go.
+void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
+                      Scratch& scratch, std::span<ResidualRows> rows, Scratch::Generation& next,
+                      std::uint64_t& rays) const {
   next.vertices.clear();
-  std::vector<Continuation> continuations;
-  std::vector<double> chances(vertices.size());  // of going on by the base
+  next.continuations.clear();
+  next.chances.assign(vertices.size(), 0);
   const std::uint32_t tails = generation == 0 ? effort_.tails : effort_.later_tails;
   const double stake = generation == 0 ? effort_.stake : effort_.later_stake;
 
@@ -347,29 +367,21 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, st
     // As bright as the surface, the chance keeps the variance finite: a generation multiplies it by albedo^2
     // over the chance.
     const double survival = std::clamp(vertex.albedo, effort_.survival, most_survival);
-    chances[a] = survival * (1 - otherwise);
+    next.chances[a] = survival * (1 - otherwise);
     const double u = random.unit();
     if (u >= survival) continue;
-    const bool goes_by_base = u < chances[a];
+    const bool goes_by_base = u < next.chances[a];
     const std::optional<Found>& found = goes_by_base ? by_base : by_other;
     if (!found) continue;
     const ChainEnd& end = found->vertex.end;
     next.vertices.push_back(found->vertex);
-    continuations.push_back({a,
-                             found->weight / (goes_by_base ? chances[a] : survival - chances[a]),
-                             goes_by_base,
-                             goes_by_base && end.is_straight && found->vertex.has_base(),
-                             {end.throughput * end.probability, end.probability}});
+    next.continuations.push_back(
+        {a,
+         found->weight / (goes_by_base ? next.chances[a] : survival - next.chances[a]),
+         goes_by_base,
+         goes_by_base && end.is_straight && found->vertex.has_base(),
+         {end.throughput * end.probability, end.probability}});
   }
-  if (next.vertices.empty()) return;
-
-  while (next.rows.size() < vertices.size()) next.rows.emplace_back(units_.size());
-  for (ResidualRows& row : next.rows) row.clear();
-  estimate(next.vertices, key, generation + 1, scratch, std::span(next.rows).first(next.vertices.size()),
-           rays);
-
-  for (std::size_t b = 0; b < continuations.size(); ++b)
-    share(vertices, chances, continuations[b], next.vertices[b], next.rows[b], scratch, rows, rays);
 }
 
 // What a new vertex sends to its parent and, by its base, to all of the group that see it.

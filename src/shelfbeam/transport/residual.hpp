@@ -55,11 +55,22 @@ class Residual {
     std::uint32_t batch = 0, group = 0;
   };
 
+  /// A path that goes on.
+  struct Continuation {
+    std::size_t parent;
+    double weight;  ///< of what the new vertex sends to its parent, over the chance of going on
+    bool by_base;
+    bool is_shared;
+    Passage passage;  ///< straight from the parent
+  };
+
   /// Memory that one thread works in.
   struct Scratch {
     struct Generation {
       std::vector<PathVertex> vertices;
       std::vector<ResidualRows> rows;
+      std::vector<Continuation> continuations;  ///< that have led to the vertices
+      std::vector<double> chances;              ///< of their parents to go on by the base
     };
     std::deque<Generation> generations;
     std::vector<float> irradiance, importance, shares;
@@ -75,12 +86,14 @@ class Residual {
   };
 
   /// Puts the differences into the rows, which are clear, one a vertex.
-  void estimate(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
-                Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const;
+  void estimate(std::span<const PathVertex> vertices, const Key& key, Scratch& scratch,
+                std::span<ResidualRows> rows, std::uint64_t& rays) const;
 
  private:
-  struct Continuation;
   struct Found;
+  void extend(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
+              Scratch& scratch, std::span<ResidualRows> rows, Scratch::Generation& next,
+              std::uint64_t& rays) const;
   void add_direct(const PathVertex& vertex, double stake, RandomStream& random, Scratch& scratch,
                   ResidualRows& rows, std::uint64_t& rays) const;
   void add_far(const PathVertex& vertex, RandomStream& random, ResidualRows& rows, std::uint64_t& rays) const;

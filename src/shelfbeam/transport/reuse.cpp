@@ -197,7 +197,7 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
     if (work.vertices.empty()) return;
     while (work.points.size() < work.vertices.size()) work.points.emplace_back(units.size());
     for (ResidualRows& row : work.points) row.clear();
-    residual.estimate(work.vertices, {mix_key(key, 0x9E51D), batch, group++}, 0, work.residual,
+    residual.estimate(work.vertices, {mix_key(key, 0x9E51D), batch, group++}, work.residual,
                       std::span(work.points).first(work.vertices.size()), rays);
     share_points(block, work, rays);
     work.vertices.clear();

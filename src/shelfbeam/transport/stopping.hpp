@@ -11,14 +11,17 @@ namespace shelfbeam {
 struct RelativeError {
   double error = 0.05;
   double above = 0.3;  ///< entries matter whose mean exceeds this share of their label's requirement
-  /// First rays a label. Labels with entries that would need more are given up after `judged_batches`.
-  std::uint64_t most_samples = 4'000'000;
+  /// First rays per label. A label all of whose entries are precise or would need more stops after
+  /// `judged_batches`, and the simulation where more than 1 % of all entries would need more.
+  std::uint64_t most_samples = 1'000'000;
 };
 
 /// Fewer batches say too little about their spread to stop by it.
 inline constexpr std::uint32_t least_batches = 16;
-/// Nor to tell that the error wanted is out of reach.
+/// Before so many batches no entry is said to be out of reach of a relative error,
 inline constexpr std::uint32_t judged_batches = 4 * least_batches;
+/// and from so many on, one is that is still flagged.
+inline constexpr std::uint32_t last_flagged_batches = 64 * least_batches;
 
 /// Whether a simulation may stop by its errors after so many batches: first after `least_batches`, then
 /// whenever they have grown by a sixteenth. Looking less often than after every batch costs little, and gives
@@ -31,6 +34,7 @@ struct Precision {
 
   bool is_enough() const { return 100 * precise >= 99 * relevant; }
   bool is_hopeless() const { return 100 * hopeless > relevant; }
+  bool is_decided() const { return precise + hopeless == relevant; }
   Precision& operator+=(const Precision& other) {
     relevant += other.relevant;
     precise += other.precise;
