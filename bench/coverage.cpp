@@ -1,22 +1,19 @@
 // Whether the standard errors of path reuse can be trusted: how often 95 % intervals hold the truth in a zoo
 // of small rooms, against long runs of the paper's estimator (walks or particles, whichever converges there).
 //
-//   build/release/bench_coverage [ROOM...] [--folder FOLDER] [--seeds N] [--batches N] [--walks N]
-//   [--old-spots]
+//   build/release/bench_coverage [ROOM...] [OPTION...]
 //
 // ROOM: names, or parts of names, of rooms of the zoo, or store files; all rooms of the zoo unless given.
-// --folder     where store files, references and the counts of every seed are kept (default: coverage); the
-// same command
-//              continues there. To be deleted when the program has changed.
-// --seeds      caches and random numbers (30)
-// --batches    of each seed (764: 100,084 first rays a label); they are runs of 16 batches (2,096 first
-// rays),
-//              of 77 (10,087) and of all
-// --walks      of the reference, per label, in rooms where its errors are small; more where they are not
-// (1,000,000)
+//
+//   --folder FOLDER  where store files, references and the counts of every seed are kept (coverage); the same
+//                    command continues there; to be deleted when the program has changed
+//   --seeds N        caches and random numbers (30)
+//   --batches N      per seed (764: 100,084 first rays per label), taken as runs of 16 batches (2,096 first
+//                    rays), of 77 (10,087) and of all
+//   --walks N        of the reference, per label (1,000,000), times the effort of the room
+//   --old-spots      the control: caps at 4 m from the unit, the same for all receivers, none for vertices
 //
 // The last column is the share of the squared errors that is the reference's, %.
-// --old-spots  the control: caps at 4 m from the unit, the same for all receivers, none for vertices of paths
 
 #include <cctype>
 #include <chrono>
