@@ -45,7 +45,7 @@ SignalMatrix true_matrix(const Scene& scene, double error) {
   SimulationOptions options;
   options.estimator = EstimatorKind::reuse;
   options.direct = DirectLight::exact;
-  options.relative_error = RelativeError{error, 0.02};
+  options.relative_error = RelativeError{error, 0.02, std::uint64_t{1} << 36};
   options.seed = 1234567;
   return simulate(scene, "", options).matrix;
 }
