@@ -37,6 +37,7 @@
 #include "shelfbeam/signal/signal_file.hpp"
 #include "shelfbeam/transport/simulate.hpp"
 
+#include "support.hpp"
 #include "transport/interval_coverage.hpp"
 #include "transport/zoo.hpp"
 
@@ -205,20 +206,17 @@ void examine(const Settings& settings) {
 
 Settings parse(int argc, char** argv) {
   Settings settings;
-  for (int k = 1; k < argc; ++k) {
-    const std::string word = argv[k];
-    const auto next = [&]() -> std::string {
-      if (k + 1 == argc) throw std::invalid_argument(word + " needs a value");
-      return argv[++k];
-    };
+  bench::Words words(argc, argv);
+  while (words.any_left()) {
+    const std::string word = words.next();
     if (word == "--folder")
-      settings.folder = next();
+      settings.folder = words.value();
     else if (word == "--seeds")
-      settings.seeds = static_cast<std::uint32_t>(std::stoul(next()));
+      settings.seeds = static_cast<std::uint32_t>(std::stoul(words.value()));
     else if (word == "--batches")
-      settings.batches = static_cast<std::uint32_t>(std::stoul(next()));
+      settings.batches = static_cast<std::uint32_t>(std::stoul(words.value()));
     else if (word == "--walks")
-      settings.walks = std::stoull(next());
+      settings.walks = std::stoull(words.value());
     else if (word == "--old-spots")
       settings.old_spots = true;
     else if (word.starts_with("--"))

@@ -38,6 +38,7 @@
 
 #include "low_shop.hpp"
 #include "programs.hpp"
+#include "support.hpp"
 
 namespace {
 
@@ -262,24 +263,21 @@ void run(const Settings& settings) {
 
 Settings parse(int argc, char** argv) {
   Settings settings;
-  for (int k = 1; k < argc; ++k) {
-    const std::string word = argv[k];
-    const auto next = [&]() -> std::string {
-      if (k + 1 == argc) throw std::invalid_argument(word + " needs a value");
-      return argv[++k];
-    };
+  bench::Words words(argc, argv);
+  while (words.any_left()) {
+    const std::string word = words.next();
     if (word == "--before")
-      settings.earlier_program = next();
+      settings.earlier_program = words.value();
     else if (word == "--plans")
-      settings.plans = std::stoul(next());
+      settings.plans = std::stoul(words.value());
     else if (word == "--jobs")
-      settings.jobs = std::stoi(next());
+      settings.jobs = std::stoi(words.value());
     else if (word == "--budget")
-      settings.budget_s = std::stoi(next());
+      settings.budget_s = std::stoi(words.value());
     else if (word == "--folder")
-      settings.folder = next();
+      settings.folder = words.value();
     else if (word == "--reference")
-      settings.reference_samples = std::stoull(next());
+      settings.reference_samples = std::stoull(words.value());
     else
       throw std::invalid_argument("unknown option " + word);
   }

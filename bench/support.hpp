@@ -1,9 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <ctime>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store.hpp"
@@ -20,6 +23,24 @@ inline std::filesystem::path store_file(const std::string& name) {
 inline Scene open_scene(const std::string& name) {
   return make_scene(read_store(store_file(name)));
 }
+
+/// The words of a command line, one after the other.
+class Words {
+ public:
+  Words(int argc, char** argv) : words_(argv + 1, argv + argc) {}
+
+  bool any_left() const { return at_ < words_.size(); }
+  const std::string& next() { return words_[at_++]; }
+  /// The one after an option. Throws std::invalid_argument where there is none.
+  const std::string& value() {
+    if (!any_left()) throw std::invalid_argument(words_[at_ - 1] + " needs a value");
+    return next();
+  }
+
+ private:
+  std::vector<std::string> words_;
+  std::size_t at_ = 0;
+};
 
 /// What some work takes of the processor, all threads together, in s.
 template <class Work>

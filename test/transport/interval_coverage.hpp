@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 #include "shelfbeam/stats/power_sums.hpp"
 #include "shelfbeam/transport/detail/item_sums.hpp"

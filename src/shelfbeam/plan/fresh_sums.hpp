@@ -8,7 +8,6 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/scene/scene.hpp"
-#include "shelfbeam/stats/power_sums.hpp"
 #include "shelfbeam/stats/skewed_moments.hpp"
 #include "shelfbeam/transport/simulation_options.hpp"
 

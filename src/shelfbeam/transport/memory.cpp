@@ -32,12 +32,9 @@ void expect_room(const Scene& scene, const SimulationOptions& options, bool keep
   const std::size_t sources = scene.transceivers.size() + scene.emitting_surfaces.size();
   const double entries = static_cast<double>(scene.labels.size()) * static_cast<double>(sources);
   double each = options.rules().samples_direct ? 0 : sizeof(float);
-  // Every entry has its sums, and a column index.
-  if (options.estimator == EstimatorKind::uniform)
-    each += sizeof(double) * (3 + (options.direct == DirectLight::sampled ? 1 : 0) +
-                              2 * static_cast<double>(options.layers())) +
-            sizeof(std::uint32_t);
-  if (options.estimator == EstimatorKind::reuse) each += 3 * sizeof(double);
+  each += sizeof(double) *
+          static_cast<double>(ItemSums::size(1, options.rules().samples_direct, options.layers()));
+  if (options.estimator == EstimatorKind::uniform) each += sizeof(std::uint32_t);  // a column index
   expect_at_most(entries * each + result_bytes(entries, options, keeps_matrix), scene.labels.size(), sources,
                  options);
 }
