@@ -190,13 +190,6 @@ void Engine::judge(const std::vector<std::uint32_t>& items, std::uint32_t round)
   });
 }
 
-bool Engine::is_precise() const {
-  Precision all;
-  for (std::size_t item = 0; item < sums_.size(); ++item)
-    all += survey_.precision(item, *options_.relative_error);
-  return all.is_enough();
-}
-
 std::uint32_t Engine::fewest_batches() const {
   std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
   for (const ItemSums& sums : sums_) fewest = std::min(fewest, sums.batches);

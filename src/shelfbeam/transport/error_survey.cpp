@@ -45,22 +45,28 @@ double ErrorSurvey::requirement(std::size_t i) const {
   return world_.scene.type_of(world_.scene.labels[i]).requirement();
 }
 
-std::vector<UnmetEntry> ErrorSurvey::unmet(const RelativeError& wanted) const {
-  std::vector<UnmetEntry> found;
+ErrorSurvey::Shortfall ErrorSurvey::shortfall(const RelativeError& wanted, std::size_t named) const {
+  Shortfall found;
+  std::vector<UnmetEntry>& worst = found.worst;
   for (std::size_t item = 0; item < sums_.size(); ++item) {
     const auto& columns = estimator_.block(item).columns;
     each_row(item, [&](std::size_t i, const auto& means, const auto& errors, const auto& flags) {
       const double limit = relevance_limit(means, requirement(i), wanted.above);
       for (std::size_t c = 0; c < means.size(); ++c) {
-        if (!(means[c] > limit) || (flags[c] == 0 && errors[c] <= wanted.error * means[c])) continue;
-        found.push_back(
-            {world_.scene.labels[i].id, world_.emitters.id(columns[c]), errors[c] / means[c], flags[c] != 0});
+        if (!(means[c] > limit)) continue;
+        ++found.relevant;
+        if (flags[c] == 0 && errors[c] <= wanted.error * means[c]) continue;
+        ++found.entries;
+        const double error = errors[c] / means[c];
+        const auto at =
+            std::upper_bound(worst.begin(), worst.end(), error,
+                             [](double e, const UnmetEntry& entry) { return e > entry.relative_error; });
+        if (worst.size() == named && at == worst.end()) continue;
+        worst.insert(at, {world_.scene.labels[i].id, world_.emitters.id(columns[c]), error, flags[c] != 0});
+        if (worst.size() > named) worst.pop_back();
       }
     });
   }
-  std::stable_sort(found.begin(), found.end(), [](const UnmetEntry& a, const UnmetEntry& b) {
-    return a.relative_error > b.relative_error;
-  });
   return found;
 }
 

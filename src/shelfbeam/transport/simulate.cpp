@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <utility>
 
 #include <tbb/task_arena.h>
 
@@ -23,11 +24,11 @@ namespace {
 constexpr std::size_t named_entries = 10;
 
 void find_unmet(const RelativeError& wanted, const detail::Engine& engine, SimulationSummary& summary) {
-  if (engine.is_precise()) return;
+  auto found = engine.survey().shortfall(wanted, named_entries);
+  if (found.is_small_enough()) return;
   summary.unmet_error = wanted.error;
-  summary.worst_unmet = engine.survey().unmet(wanted);
-  summary.unmet = summary.worst_unmet.size();
-  if (summary.unmet > named_entries) summary.worst_unmet.resize(named_entries);
+  summary.unmet = found.entries;
+  summary.worst_unmet = std::move(found.worst);
 }
 
 SimulationSummary summarise(const SignalMatrix& head, const detail::Engine& engine) {

@@ -54,8 +54,6 @@ class Engine {
   /// Predicted until the errors are half as large.
   double seconds_to_halve() const;
 
-  /// Whether the relative error that was asked for has been reached.
-  bool is_precise() const;
   const ErrorSurvey& survey() const { return survey_; }
 
  private:

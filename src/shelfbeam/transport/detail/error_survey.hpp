@@ -23,8 +23,15 @@ class ErrorSurvey {
 
   Precision precision(std::size_t item, const RelativeError& wanted) const;
 
-  /// The entries that matter and are not precise enough, the worst first.
-  std::vector<UnmetEntry> unmet(const RelativeError& wanted) const;
+  /// The entries that matter and are not precise enough.
+  struct Shortfall {
+    std::uint64_t relevant = 0, entries = 0;  ///< that matter; of these, that fall short
+    std::vector<UnmetEntry> worst;            ///< the worst first
+
+    bool is_small_enough() const { return Precision{relevant, relevant - entries}.is_enough(); }
+  };
+  /// Names so many of them at most.
+  Shortfall shortfall(const RelativeError& wanted, std::size_t named) const;
 
   /// The entries above a share of their label's requirement.
   struct Errors {
