@@ -15,11 +15,11 @@ namespace shelfbeam::bench {
 
 namespace {
 
-using Words = std::vector<std::string>;
+using Options = std::vector<std::string>;
 constexpr double shares[] = {0.3, 0.02};
 constexpr std::size_t none = SeedRuns::none;
 
-Simulated simulated(const std::string& program, const std::string& store, Words options,
+Simulated simulated(const std::string& program, const std::string& store, Options options,
                     std::uint64_t samples, std::uint64_t seed) {
   options.insert(options.end(), {"--samples", std::to_string(samples)});
   return simulate_with(program, store_file(store), options, seed);
@@ -151,10 +151,10 @@ void compare_with_program(const OverSeeds& settings, const std::string& program)
 }
 
 void compare_with_paper(const OverSeeds& settings) {
-  const Words exact{"--estimator", "uniform", "--direct", "exact"};
-  const Words sampled{"--estimator", "uniform", "--direct", "sampled"};
+  const Options exact{"--estimator", "uniform", "--direct", "exact"};
+  const Options sampled{"--estimator", "uniform", "--direct", "sampled"};
   for (const std::string& store : settings.stores) {
-    const auto run = [&](const Words& options, std::uint64_t samples, std::uint64_t seed) {
+    const auto run = [&](const Options& options, std::uint64_t samples, std::uint64_t seed) {
       return simulated(this_program(), store, options, samples, seed);
     };
     // Seed 0 is no other run's: with one of theirs the reference would begin with the walks that it judges.
