@@ -3,6 +3,7 @@
 //
 //   build/release/bench_estimators [STORE...] [--quick] [--walks N] [--batches N] [--labels N]
 //   build/release/bench_estimators --growth [STORE...]
+//   build/release/bench_estimators --caps [STORE...] [--batches N] [--labels N]
 //   build/release/bench_estimators --before PROGRAM [STORE...] [--seeds S] [--samples N]
 //   build/release/bench_estimators --against-paper [STORE...] [--seeds S] [--samples N] [--reference N]
 //
@@ -14,6 +15,9 @@
 // with that of an earlier program: variances that the files claim, and those of the means over the seeds.
 // --against-paper compares it with the paper's estimator of this build, by mean square errors against a long
 // run of that with exact direct light (--reference: its samples a label, 4,000,000).
+//
+// --caps compares distances from a unit at which its bright spots are capped (SpotRule): efficiency relative
+// to the default's, which chooses them by the number of units around.
 //
 // STORE: a folder of examples/ or a store file (default: thesis grocery; for --growth the large ones, too).
 
@@ -50,6 +54,7 @@ struct Settings {
   std::uint64_t labels = 1000;  ///< of larger stores clusters with about so many
   bool threads = true;
   bool growth = false;
+  bool caps = false;
   OverSeeds over_seeds;
   std::string earlier_program;  ///< empty: none
   bool against_paper = false;
@@ -134,6 +139,39 @@ void compare(const Settings& settings, const Scene& scene, const World& world) {
   print_agreement(reuse, exact);
 }
 
+void compare_caps(const Settings& settings, const Scene& scene, const World& world) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  std::vector<SpotRule> rules{{}};
+  for (const double cap : {0.25, 0.35, 0.5, 0.7, 1.0, 2.0, 4.0})
+    rules.push_back({.cap_at = cap, .cap_at_most = cap});
+  std::vector<std::unique_ptr<const ReuseEstimator>> estimators;
+  std::vector<std::unique_ptr<ReuseEntrant>> entrants;
+  std::unique_ptr<const Selection> selection;
+  for (const SpotRule& rule : rules) {
+    ReuseEffort effort;
+    effort.spots = rule;
+    const double cache_seconds =
+        cpu_seconds([&] { estimators.push_back(std::make_unique<const ReuseEstimator>(world, 1, effort)); });
+    if (!selection) selection = std::make_unique<const Selection>(*estimators.back(), settings.labels);
+    entrants.push_back(std::make_unique<ReuseEntrant>(world, *selection, *estimators.back(), cache_seconds));
+  }
+  for (std::uint64_t round = 0; round < settings.batches; ++round)
+    for (const auto& entrant : entrants) entrant->run();
+  fmt::print("{}: {} of {} labels, {} candidates; {} batches of {}\n", scene.name, selection->labels.size(),
+             scene.labels.size(), scene.transceivers.size(), settings.batches, estimators[0]->name());
+  fmt::print("  {:>8} {:>12} {:>18} {:>18}\n", "cap, m", "CPU time", "efficiency > 0.3", "> 0.02");
+  for (std::size_t k = 0; k < entrants.size(); ++k) {
+    const auto efficiency = [&](double above) {
+      return efficiency_ratio(scene, *selection, *entrants[k], *entrants[0], above, least_contributions)
+          .ratio;
+    };
+    fmt::print("  {:>8} {:>12.3f} {:>18.3f} {:>18.3f}\n",
+               k == 0 ? "default" : fmt::format("{:g}", rules[k].cap_at),
+               entrants[k]->seconds / entrants[0]->seconds, efficiency(0.3), efficiency(0.02));
+  }
+  fmt::print("\n");
+}
+
 void print_threads(const Scene& scene, std::uint64_t batches) {
   const ThreadScaling found = thread_scaling(scene, batches);
   fmt::print("\n  reuse, {} batches: {:.2f} s with one thread, {:.2f} s with {}: {:.2f} times as fast\n\n",
@@ -169,6 +207,8 @@ Settings parse(int argc, char** argv) {
       settings.threads = false;
     } else if (word == "--growth") {
       settings.growth = true;
+    } else if (word == "--caps") {
+      settings.caps = true;
     } else if (word == "--before") {
       settings.earlier_program = next();
     } else if (word == "--against-paper") {
@@ -218,6 +258,10 @@ int main(int argc, char** argv) {
     if (settings.against_paper || !settings.earlier_program.empty()) return 0;
     for (const std::string& store : settings.stores) {
       const Scene scene = open_scene(store);
+      if (settings.caps) {
+        compare_caps(settings, scene, World(scene));
+        continue;
+      }
       compare(settings, scene, World(scene));
       if (scene.labels.size() <= settings.labels)
         print_threads(scene, std::max<std::uint64_t>(16, settings.batches / 4));

@@ -83,7 +83,9 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
 // Something that was asked of the selection came to no end.
 bool is_open(const Options& options, const Plan& plan) {
   const Placement& placement = plan.placement;
-  return (placement.certificate && !placement.certificate->open.empty()) || !plan.curve.is_complete ||
+  const bool is_imprecise = !placement.certificate && plan.simulation.summary.unmet_error;
+  return is_imprecise || (placement.certificate && !placement.certificate->open.empty()) ||
+         !plan.curve.is_complete ||
          (options.sensitivity && placement.has_selection() && !placement.sensitivity);
 }
 
@@ -101,7 +103,7 @@ int run_plan(const Options& options) {
   prepare_plan_folder(options.folder);
   if (!options.common.json && !options.common.quiet) {
     print_warnings(store.scene);
-    print_chance_light(store.scene);
+    print_chance_light(store.scene, simulation.rules().strategy);
   }
   Plan plan;
   try {

@@ -84,8 +84,8 @@ void print_by_chance(const StoreSummary& summary) {
 
 }  // namespace
 
-void print_chance_light(const Scene& scene) {
-  for (const std::string& light : chance_light(scene))
+void print_chance_light(const Scene& scene, Strategy strategy) {
+  for (const std::string& light : chance_light(scene, strategy))
     fmt::print("warning: {} is found by chance only: take more samples, and see which errors are flagged\n",
                light);
 }

@@ -34,7 +34,7 @@ int run_simulate(const Options& options) {
   expect_writable(options.output);
   if (!options.common.json && !options.common.quiet) {
     print_warnings(store.scene);
-    print_chance_light(store.scene);
+    print_chance_light(store.scene, simulation.rules().strategy);
   }
   SimulationSummary summary;
   {

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/transport/path_rules.hpp"
+
 #include "loaded_store.hpp"
 #include "material_shares.hpp"
 
@@ -60,6 +62,6 @@ void print_summary(const LoadedStore& store, const StoreSummary& summary);
 /// A line each.
 void print_warnings(const Scene& scene);
 /// The same of light that a simulation finds by chance only.
-void print_chance_light(const Scene& scene);
+void print_chance_light(const Scene& scene, Strategy strategy);
 
 }  // namespace shelfbeam::app

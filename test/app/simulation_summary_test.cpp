@@ -100,6 +100,28 @@ TEST_F(SimulationSummary, BeginsWithTheWarningsOfTheStore) {
   EXPECT_THAT(simulated({"--samples", "64"}), Not(HasSubstr("warning")));
 }
 
+// An error out of reach is no success: of `plan` only where no certificate says what it is worth.
+TEST_F(SimulationSummary, NamesTheEntriesThatFallShort) {
+  const std::string store = (folder / "store.json").string(), plan = (folder / "plan").string();
+  const std::vector<std::string> wanted{"--relative-error", "1e-5", "--max-samples", "9000"};
+  const auto with = [&](std::vector<std::string> first, const std::vector<std::string>& last = {}) {
+    first.insert(first.end(), wanted.begin(), wanted.end());
+    first.insert(first.end(), last.begin(), last.end());
+    return first;
+  };
+  const auto simulate = with({"simulate", store, "-o", (folder / "m.h5").string()});
+  EXPECT_THAT(expect_silent(simulate, 3), HasSubstr("0.001 %"));
+  auto json = simulate;
+  json.push_back("--json");
+  const Json summary = Json::parse(expect_silent(json, 3));
+  EXPECT_EQ(summary["unmet"]["error"], 1e-5);
+  EXPECT_GT(summary["unmet"]["entries"], 0);
+  EXPECT_FALSE(summary["unmet"]["worst"].empty());
+  EXPECT_LE(summary["samples"][1], 9000);
+  EXPECT_THAT(expect_silent(with({"plan", store, "-o", plan}, {"--no-certificate"}), 3),
+              HasSubstr("0.001 %"));
+}
+
 TEST_F(SimulationSummary, OfAPlanIsTheSame) {
   const std::string text = expect_silent({"plan", (folder / "store.json").string(), "-o",
                                           (folder / "plan").string(), "--samples", "64", "--no-certificate"});

@@ -56,6 +56,9 @@ void check_efforts(std::uint32_t factor) {
       {"many points", {.points = 7}},
       {"few shadow rays", {.stake = 0.3, .later_stake = 2}},
       {"few lookups", {.lookups = 2}},
+      {"large spots", {.spots = {.cap_at = 3}}},
+      {"spots of old", {.spots = {.cap_at = 4, .near = 0, .for_vertices = false}}},
+      {"spots close by", {.spots = {.near = 3}}},
       {"little of all", least}};
   // Many batches hold none of the long paths that such short ones stand for.
   if (factor > 1) efforts.push_back({"shorter paths", {.survival = 0.3}});

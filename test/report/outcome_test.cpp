@@ -176,7 +176,13 @@ TEST(Outcome, KnowsWhatHangsOnFlaggedEntries) {
   EXPECT_FALSE(hangs({0, 0, 0, 0}));
   EXPECT_FALSE(hangs({1, 0, 0, 0}));  // 1 + 2 remain
   EXPECT_TRUE(hangs({1, 0, 1, 0}));
-  EXPECT_FALSE(hangs({0, 0, 0, 1}));  // was not chosen
+  EXPECT_FALSE(hangs({0, 0, 0, 1}));      // was not chosen
+  placement.certificate = Certificate{};  // fresh samples say more than the matrix
+  for (const Verdict verdict : {Verdict::reached, Verdict::missed, Verdict::undecided}) {
+    placement.certificate->labels = {LabelVerdict{verdict}};
+    EXPECT_EQ(hangs({1, 0, 1, 0}), verdict == Verdict::undecided);
+  }
+  placement.certificate.reset();
   placement.question.model = CommunicationModel::non_cooperative;
   EXPECT_FALSE(hangs({1, 1, 0, 0}));
   EXPECT_TRUE(hangs({1, 0, 1, 0}));

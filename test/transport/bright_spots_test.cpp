@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -40,6 +41,25 @@ TEST(BrightSpots, AreFoundBesideUnits) {
   EXPECT_FLOAT_EQ(cap(0), 1.6F / 4);
   EXPECT_GT(cap(1), 1e30F);
   EXPECT_LT(cap(2), 1);
+}
+
+// A unit by itself, and one in a crowd 20 m away, at 0.6 m above the floor: the caps are those of the rule's
+// two distances, and of 1 m times sqrt(16 / 25) where 25 units are together.
+TEST(BrightSpots, AreSmallerWhereUnitsAreMany) {
+  for (const auto& [crowd, distance] : {std::pair{1, 1.0}, {16, 1.0}, {25, 0.8}, {64, 0.5}, {100, 0.5}}) {
+    test::BareScene scene;
+    scene.box(scene.material(Lambertian{0.6}), {0, 0, 0}, {30, 10, 4});
+    scene.label({12, 0.01, 1}, {0, 1, 0});
+    scene.unit({1, 5, 0.3}, {0, 0, -1}, SinTwoTheta{2});
+    for (int k = 0; k < crowd; ++k) scene.unit({22 + 0.01 * k, 5, 0.3}, {0, 0, -1}, SinTwoTheta{2});
+    const World world(scene.scene);
+    UnitGroups units(world);
+    const BrightSpots spots(world, units, 3);
+    EXPECT_EQ(spots.size(), world.scene.transceivers.size());
+    const auto cap = [&](std::size_t j) { return units.cap(units.place(j) / lanes, units.place(j) % lanes); };
+    EXPECT_FLOAT_EQ(cap(0), 2);
+    EXPECT_FLOAT_EQ(cap(1), static_cast<float>(2 / (distance * distance))) << crowd;
+  }
 }
 
 // Flux in the excess of a unit, from rays drawn by its emission alone.

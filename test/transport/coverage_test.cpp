@@ -36,6 +36,21 @@ TEST(Coverage, NamesTheLightThatPointsLackAndDiscsFindByChance) {
   EXPECT_THAT(chance_light(discs.scene), both);
 }
 
+TEST(Coverage, KnowsWhatStrategiesFindByChance) {
+  const test::BareScene discs = hall_of_mirrors(0.1);
+  EXPECT_THAT(chance_light(discs.scene, Strategy::walk), ElementsAre("all light from disc transceivers"));
+  EXPECT_THAT(chance_light(discs.scene, Strategy::particle), IsEmpty());
+  test::BareScene sized = hall_of_mirrors(0);
+  sized.label({3, 2, 1}, {1, 0, 0}, CosineResponse{}, {0.1, 0.1});
+  EXPECT_THAT(chance_light(sized.scene), IsEmpty());
+  EXPECT_THAT(chance_light(sized.scene, Strategy::particle),
+              ElementsAre("light to labels with a size over mirrors and through solid glass (m0, m2)"));
+  test::BareScene lit = hall_of_mirrors(0);
+  lit.scene.emitting_surfaces.push_back({"panel", lit.material(Lambertian{0.5}), 1});
+  EXPECT_THAT(chance_light(lit.scene),
+              ElementsAre("light from emitting surfaces over mirrors and through solid glass (m0, m2)"));
+}
+
 TEST(Coverage, NamesNothingWhereNothingMirrors) {
   test::BareScene room;
   room.box(room.material(Lambertian{0.5}), {0, 0, 0}, {5, 4, 3});

@@ -48,5 +48,34 @@ TEST(SpecularChain, ChancesOfStraightWaysAreThoseOfPassages) {
   EXPECT_GT(differ, 200);
 }
 
+// Connections find what a scattered ray meets, and over one plane mirror the images of discs; a ray over two
+// mirrors is the only one that finds a disc.
+TEST(SpecularChain, ScoresDiscsWhereNoConnectionFindsThem) {
+  test::BareScene room;
+  const MaterialId mirror = room.material(Conductor{0, 1, {}});
+  room.box(room.material(Lambertian{0.5}), {0, 0, 0}, {6, 4, 3});
+  room.quad(mirror, {0.1, 0, 0}, {0, 4, 0}, {0, 0, 3});
+  room.quad(mirror, {5.9, 0, 0}, {0, 4, 0}, {0, 0, 3});
+  room.label({3, 2, 1}, {1, 0, 0});
+  room.unit({3, 2, 2}, {1, 0, 0}, GeneralizedLambertian{1, 1}, 0.5);
+  const World world(room.scene);
+  const auto scored = [&](const Vec3& from, const Vec3& direction, Departure departure) {
+    RandomStream random(1, 0, 0, 0);
+    std::uint64_t rays = 0;
+    int times = 0;
+    follow_chain(world, {from, {1, 0, 0}}, normalized(direction), departure, random, rays,
+                 [&](std::size_t, double) { ++times; });
+    return times;
+  };
+  // Down, so that they end at the floor: to the face, and over one and two mirrors to it. The disc is in
+  // nobody's way.
+  EXPECT_EQ(scored({5, 2, 2.9}, {-2, 0, -0.9}, Departure::scattered), 0);
+  EXPECT_EQ(scored({5, 2, 2.9}, {-2, 0, -0.9}, Departure::mirrored), 0);
+  EXPECT_EQ(scored({5, 2, 2.9}, {-2, 0, -0.9}, Departure::specular), 1);
+  EXPECT_EQ(scored({4, 2, 2.9}, {1.9 + 2.9, 0, -0.9}, Departure::scattered), 0);
+  EXPECT_EQ(scored({2, 2, 2.9}, {-(1.9 + 5.8 + 2.9), 0, -0.9}, Departure::scattered), 1);
+  EXPECT_EQ(after_specular(Departure::scattered, false), Departure::specular);
+}
+
 }  // namespace
 }  // namespace shelfbeam

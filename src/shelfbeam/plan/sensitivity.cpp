@@ -192,13 +192,6 @@ std::optional<MaterialSensitivity> range_of(const NamedMaterial& named, double a
   return one;
 }
 
-// Those of some surface.
-std::vector<bool> used_materials(const Scene& scene) {
-  std::vector<bool> used(scene.materials.size(), false);
-  for (const MaterialId id : scene.mesh.materials) used[id.value] = true;
-  return used;
-}
-
 }  // namespace
 
 Sensitivity reflectance_sensitivity(const Scene& scene, const Question& question,
@@ -210,7 +203,7 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const Question& question
   result.assumed_error = options.assumed_error;
   std::vector<std::size_t> varied;
   Scene low = scene, high = scene;
-  const std::vector<bool> used = used_materials(scene);
+  const std::vector<bool> used = scene.used_materials();
   for (std::size_t k = 0; k < scene.materials.size(); ++k) {
     if (!used[k]) continue;
     const auto range = range_of(scene.materials[k], options.assumed_error);

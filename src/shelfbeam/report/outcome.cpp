@@ -19,9 +19,12 @@ std::vector<SignalEntry> entries_of(const SignalMatrix& matrix, std::size_t labe
   return entries;
 }
 
-// Whether the label is not met by the entries that are not flagged, and some of the chosen units' is.
+// Whether the label is not met by the entries that are not flagged, some of the chosen units' are, and no
+// fresh samples have decided what becomes of it.
 bool rests_on_flagged(const SignalMatrix& matrix, const Placement& placement, const std::vector<bool>& chosen,
                       std::size_t label) {
+  if (placement.certificate && placement.certificate->labels[label].verdict != Verdict::undecided)
+    return false;
   const auto is_flagged = [&](std::uint32_t column) { return matrix.is_flagged(matrix.at(label, column)); };
   if (std::none_of(placement.selected.begin(), placement.selected.end(), is_flagged)) return false;
   std::vector<SignalEntry> entries = entries_of(matrix, label);

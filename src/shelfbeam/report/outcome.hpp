@@ -21,7 +21,7 @@ struct LabelOutcome {
   double requirement = 0;  ///< gamma tau
   double best = 0;         ///< the most it could get: from the best option of every mounting point together
   bool met = false;        ///< signal >= requirement (1 - met_tolerance)
-  /// It has flagged entries (SignalMatrix::flags) and is not met without them.
+  /// It has flagged entries (SignalMatrix::flags), is not met without them, and no certificate decides it.
   bool rests_on_flagged = false;
   std::optional<std::uint32_t> strongest;  ///< column of the chosen unit with the largest entry above 0
   double strongest_signal = 0;

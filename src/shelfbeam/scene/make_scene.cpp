@@ -128,21 +128,24 @@ class SceneMaker {
     }
   }
 
-  // Only of those that surfaces are made of. Mirrors and glass have no reflectance of their own.
+  // Only surfaces that scatter: paths end at smooth mirrors and glass as the surfaces behind them let them.
   void warn_of_bright_materials() {
     constexpr double usual = 0.97;
-    std::vector<bool> is_used(scene_.materials.size(), false);
-    for (const MaterialId material : scene_.mesh.materials) is_used[material.value] = true;
-    for (std::size_t k = 0; k < is_used.size(); ++k) {
-      const NamedMaterial& named = scene_.materials[k];
-      const double reflectance = given_reflectance(named.material).value_or(0);
-      if (!is_used[k] || reflectance <= usual) continue;
+    const std::vector<bool> used = scene_.used_materials();
+    for (std::size_t k = 0; k < used.size(); ++k) {
+      const auto& [name, material] = std::tie(scene_.materials[k].name, scene_.materials[k].material);
+      const auto given = given_reflectance(material);
+      const bool is_rough_metal = std::holds_alternative<Conductor>(material) && !has_only_specular(material);
+      const double reflectance = given            ? *given
+                                 : is_rough_metal ? albedo(material, normalized(Vec3{1, 0, 1}))
+                                                  : 0;
+      if (!used[k] || reflectance <= usual) continue;
       warnings_.add(
           "materials that reflect almost all light",
-          fmt::format("{0}: materials.{1}.reflectance: material '{1}' reflects {2} of the light, so "
-                      "that paths between such surfaces end late: simulation takes long, and its "
-                      "errors are less reliable; white paint has 0.8 to 0.9",
-                      store_.file, named.name, reflectance));
+          fmt::format("{0}: materials.{1}{2}: material '{1}' reflects {3:.3g} of the light, so that paths "
+                      "between such surfaces end late: simulation takes long, and its errors are less "
+                      "reliable; white paint has 0.8 to 0.9, rough metal 0.6 to 0.9",
+                      store_.file, name, given ? ".reflectance" : "", reflectance));
     }
   }
 

@@ -91,6 +91,13 @@ struct Scene {
 
   const LabelType& type_of(const Label& label) const { return label_types[label.type.value]; }
   const TransceiverType& type_of(const Transceiver& t) const { return transceiver_types[t.type.value]; }
+
+  /// By material: whether a surface is made of it.
+  std::vector<bool> used_materials() const {
+    std::vector<bool> used(materials.size(), false);
+    for (const MaterialId material : mesh.materials) used[material.value] = true;
+    return used;
+  }
 };
 
 }  // namespace shelfbeam

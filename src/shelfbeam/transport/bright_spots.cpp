@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/sobol.hpp"
 #include "shelfbeam/transport/random_stream.hpp"
@@ -17,6 +18,22 @@ constexpr std::uint32_t side = 16;  // strata of a unit's rays, each way
 // The share of a unit's rays that are sent where the first look has found nothing, too.
 constexpr double everywhere = 0.1;
 constexpr double least_chance = 0.02;
+
+// The distance from every unit at which its light is capped, by how many others are around (SpotRule).
+std::vector<double> cap_distances(const std::vector<Transceiver>& units, const SpotRule& rule) {
+  constexpr double around = 5, few = 16;
+  std::vector<double> distances(units.size());
+  for_parts(units.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t j = first; j < last; ++j) {
+      const auto near = std::count_if(units.begin(), units.end(), [&](const Transceiver& unit) {
+        return length_squared(unit.position - units[j].position) <= around * around;
+      });
+      distances[j] =
+          std::max(rule.cap_at, rule.cap_at_most * std::sqrt(std::min(1.0, few / static_cast<double>(near))));
+    }
+  });
+  return distances;
+}
 
 // Where light that leaves a unit arrives in a straight line, if above the cap; `power` is that of the ray.
 std::optional<SpotLight> shine(const World& world, const UnitGroups& units, std::uint32_t j, double u1,
@@ -90,12 +107,12 @@ double SpotLight::intensity(const Scene& scene, const Vec3& direction) const {
 
 BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t seed, const SpotRule& rule)
     : world_(world), units_(units), rule_(rule) {
-  const auto cap_by_peak = static_cast<float>(1 / (rule.cap_at * rule.cap_at));
+  const std::vector<double> distances = cap_distances(world.scene.transceivers, rule);
   std::vector<double> found(std::size_t{side} * side);
   for (std::uint32_t j = 0; j < world.scene.transceivers.size(); ++j) {
     const std::uint64_t key = mix_key(seed, hash64(world.scene.transceivers[j].id));
     const ScrambledSobol square(key);
-    units.set_cap(j, cap_by_peak * units.peak(units.place(j) / lanes));
+    units.set_cap(j, units.peak(units.place(j) / lanes) / static_cast<float>(distances[j] * distances[j]));
     double flux = 0;
     std::uint64_t rays = 0;
     std::fill(found.begin(), found.end(), 0.0);

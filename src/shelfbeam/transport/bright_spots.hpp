@@ -22,9 +22,10 @@ namespace shelfbeam {
 /// the unit adds no more to a receiver than its power times f (W / pi) e / (cap near^2), however close the
 /// receiver is to the surface.
 struct SpotRule {
-  /// The cap is the irradiance that the unit's largest intensity gives at this distance, m. Lower caps make
-  /// whole floors spots.
-  double cap_at = 0.5;
+  /// The cap is the irradiance that the unit's largest intensity gives at a distance, m: at the larger one
+  /// where up to 16 units are within 5 m, at the smaller one where 64 are, in between with the square root of
+  /// their number. Rays of all of them would cost more than they bring; and from 2 m on floors are spots.
+  double cap_at = 0.5, cap_at_most = 1;
   double near = 1;           ///< m; 0: the cap is the same for all receivers, and r not limited from below
   bool for_vertices = true;  ///< whether vertices of paths are receivers, too
 };

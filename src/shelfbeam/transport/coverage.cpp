@@ -22,17 +22,16 @@ bool has_units(const Scene& scene, bool points) {
                      [&](const Transceiver& unit) { return (scene.type_of(unit).radius == 0) == points; });
 }
 
-bool has_point_labels(const Scene& scene) {
+bool has_labels(const Scene& scene, bool points) {
   return std::any_of(scene.labels.begin(), scene.labels.end(),
-                     [&](const Label& label) { return scene.type_of(label).size[0] == 0; });
+                     [&](const Label& label) { return (scene.type_of(label).size[0] == 0) == points; });
 }
 
 using Wanted = std::function<bool(const Material&)>;
 
 // Names of the materials of this kind that something is made of.
 std::string used_materials(const Scene& scene, const Wanted& wanted) {
-  std::vector<bool> used(scene.materials.size());
-  for (const MaterialId material : scene.mesh.materials) used[material.value] = true;
+  const std::vector<bool> used = scene.used_materials();
   std::vector<std::string> found;
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
     if (used[m] && wanted(scene.materials[m].material)) found.push_back(scene.materials[m].name);
@@ -59,16 +58,35 @@ std::vector<std::string> unconnected_light(const Scene& scene, const char* way) 
 
 std::vector<std::string> uncovered_light(const Scene& scene, Strategy strategy) {
   if (strategy == Strategy::particle)
-    return has_point_labels(scene) ? unconnected_light(scene, "to point labels") : std::vector<std::string>{};
+    return has_labels(scene, true) ? unconnected_light(scene, "to point labels") : std::vector<std::string>{};
   constexpr auto from_points = "from point transceivers";
   if (!has_units(scene, true)) return {};
   if (strategy == Strategy::walk) return {fmt::format("all light {}", from_points)};
   return unconnected_light(scene, from_points);
 }
 
-std::vector<std::string> chance_light(const Scene& scene) {
-  return has_units(scene, false) ? unconnected_light(scene, "from disc transceivers")
-                                 : std::vector<std::string>{};
+std::vector<std::string> chance_light(const Scene& scene, Strategy strategy) {
+  std::vector<std::string> found;
+  const auto add_without_images = [&](bool exists, const char* way) {
+    const std::string bending = used_materials(scene, [](const Material& material) {
+      return mirrors_a_share(material) || refracts_smoothly(material);
+    });
+    if (exists && !bending.empty())
+      found.push_back(fmt::format("light {} over mirrors and through solid glass ({})", way, bending));
+  };
+  if (strategy == Strategy::particle) {
+    add_without_images(has_labels(scene, false), "to labels with a size");
+    return found;
+  }
+  constexpr auto from_discs = "from disc transceivers";
+  if (has_units(scene, false)) {
+    if (strategy == Strategy::walk)
+      found.push_back(fmt::format("all light {}", from_discs));
+    else
+      found = unconnected_light(scene, from_discs);
+  }
+  add_without_images(!scene.emitting_surfaces.empty(), "from emitting surfaces");
+  return found;
 }
 
 }  // namespace shelfbeam

@@ -14,8 +14,8 @@ namespace shelfbeam {
 /// solid glass end at a point that no random direction meets.
 std::vector<std::string> uncovered_light(const Scene& scene, Strategy strategy = Strategy::mis);
 
-/// The kinds of light of discs that walks find only by chance, a sentence each: standard errors are large,
-/// and entries that rest on little of it are flagged (SignalMatrix::flags).
-std::vector<std::string> chance_light(const Scene& scene);
+/// The kinds of light that a strategy finds only by chance, a sentence each: standard errors are large, and
+/// entries that rest on little of it are flagged (SignalMatrix::flags).
+std::vector<std::string> chance_light(const Scene& scene, Strategy strategy = Strategy::mis);
 
 }  // namespace shelfbeam
