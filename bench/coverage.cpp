@@ -10,7 +10,7 @@
 //   --seeds N        caches and random numbers (30)
 //   --batches N      per seed (764: 100,084 first rays per label), taken as runs of 16 batches (2,096 first
 //                    rays), of 77 (10,087) and of all
-//   --walks N        of the reference, per label (1,000,000), times the effort of the room
+//   --walks N        of the reference, per label (1,000,000), times the effort of the room: 4 to 32
 //   --old-spots      the control: caps at 4 m from the unit, the same for all receivers, none for vertices
 //
 // The last column is the share of the squared errors that is the reference's, %.
@@ -66,7 +66,8 @@ std::string file_name(std::string room) {
 }
 
 test::Reference reference(const Settings& settings, const ZooRoom& room, const Scene& scene) {
-  const fs::path file = settings.folder / fmt::format("{}-{}.h5", file_name(room.name), settings.walks);
+  const fs::path file =
+      settings.folder / fmt::format("{}-{}.h5", file_name(room.name), settings.walks * room.effort);
   if (!fs::exists(file)) {
     SimulationOptions options;
     options.estimator = EstimatorKind::uniform;
@@ -93,7 +94,7 @@ CoverageCount from_json(const Json& json) {
 CoverageTable run(const Settings& settings, const ZooRoom& room, const Scene& scene, const World& world,
                   const test::Reference& known, std::uint32_t seed) {
   const fs::path file =
-      settings.folder / fmt::format("{}-{}-{}-{}{}.json", file_name(room.name), settings.walks,
+      settings.folder / fmt::format("{}-{}-{}-{}{}.json", file_name(room.name), settings.walks * room.effort,
                                     settings.batches, seed, settings.old_spots ? "-old" : "");
   CoverageTable table;
   if (fs::exists(file)) {
@@ -151,7 +152,9 @@ std::vector<ZooRoom> chosen(const Settings& settings) {
   std::vector<ZooRoom> rooms;
   for (const std::string& name : settings.rooms) {
     if (fs::exists(name)) {
-      rooms.push_back({fs::path(name).stem(), read_file(name), Strategy::nee, 0});
+      ZooRoom room{fs::path(name).stem(), read_file(name)};
+      if (fs::path(name).has_parent_path()) room.folder = fs::path(name).parent_path();
+      rooms.push_back(room);
       continue;
     }
     const std::size_t before = rooms.size();

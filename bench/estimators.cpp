@@ -10,11 +10,11 @@
 // --quick takes a minute or less; uniform variances are then rough. Entries need 30 contributions in both
 // estimators to count; of reuse these are batches.
 //
-// --before and --against-paper run programs, one thread each, on S seeds in turn (8), N samples a label
+// --before and --against-paper run programs, one thread each, on S seeds in turn (8), N samples per label
 // (4192), and count the CPU time of the whole process. --before compares the default estimator of this build
 // with that of an earlier program: variances that the files claim, and those of the means over the seeds.
 // --against-paper compares it with the paper's estimator of this build, by mean square errors against a long
-// run of that with exact direct light (--reference: its samples a label, 4,000,000).
+// run of that with exact direct light (--reference: its samples per label, 4,000,000).
 //
 // --caps compares distances from a unit at which its bright spots are capped (SpotRule): efficiency relative
 // to the default's, which chooses them by the number of units around.

@@ -11,7 +11,7 @@
 // --budget     seconds for what certifies a plan (30)
 // --folder     where the store, its reference and the plans are kept (default: low_plans); the same command
 //              continues there. To be deleted when a program has changed.
-// --reference  samples a label of the long run that says what is true (20,000,000: some minutes)
+// --reference  samples per label of the long run that says what is true (20,000,000: some minutes)
 //
 // At 99 % two wrong plans of 200 are expected at most; more than 6 have a chance below 0.5 %.
 

@@ -56,7 +56,7 @@ std::string text(const Estimate& found) {
 }
 
 void print_head(const std::string& store, const OverSeeds& settings, const SignalMatrix& matrix) {
-  fmt::print("{}: {} labels, {} candidates; seeds 1 to {}, {} samples a label\n", store, matrix.rows(),
+  fmt::print("{}: {} labels, {} candidates; seeds 1 to {}, {} samples per label\n", store, matrix.rows(),
              matrix.columns(), settings.seeds, settings.samples);
 }
 

@@ -100,7 +100,7 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
                                   RelativeError{}.most_samples))
           ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36));
   auto* samples = verb.add_option("--samples", flags.samples,
-                                  "First rays a label (particles a transceiver), rounded up to whole "
+                                  "First rays per label (particles per transceiver), rounded up to whole "
                                   "batches, of reuse at least 16; 10000 unless an error or a time is given")
                       ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
                       ->excludes(error)
@@ -159,7 +159,7 @@ std::string describe(const SimulationSummary& summary) {
                   static_cast<double>(summary.rays) / summary.seconds / 1e6);
   if (exceeds_what_was_asked(summary))
     text +=
-        fmt::format("\n{} samples a label instead of {}: at least {} batches are needed to estimate errors",
+        fmt::format("\n{} samples per label instead of {}: at least {} batches are needed to estimate errors",
                     samples, *summary.asked_samples, least_batches);
   if (summary.resumed_batches > 0)
     text += fmt::format("\nwent on from the checkpoint, which had {} of the {} batches",

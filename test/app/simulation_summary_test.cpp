@@ -70,7 +70,7 @@ TEST_F(SimulationSummary, CountsFlaggedEntries) {
 
 TEST_F(SimulationSummary, SaysWhereMoreSamplesAreTakenThanAskedFor) {
   const std::string why = ": at least 16 batches are needed to estimate errors\n";
-  EXPECT_THAT(simulated({"--samples", "64"}), HasSubstr("\n2096 samples a label instead of 64" + why));
+  EXPECT_THAT(simulated({"--samples", "64"}), HasSubstr("\n2096 samples per label instead of 64" + why));
   const Json json = Json::parse(simulated({"--samples", "64", "--json"}));
   EXPECT_EQ(json["asked"], 64);
   EXPECT_EQ(json["samples"], Json({2096, 2096}));
@@ -125,7 +125,7 @@ TEST_F(SimulationSummary, NamesTheEntriesThatFallShort) {
 TEST_F(SimulationSummary, OfAPlanIsTheSame) {
   const std::string text = expect_silent({"plan", (folder / "store.json").string(), "-o",
                                           (folder / "plan").string(), "--samples", "64", "--no-certificate"});
-  EXPECT_THAT(text, HasSubstr("\n2096 samples a label instead of 64: "));
+  EXPECT_THAT(text, HasSubstr("\n2096 samples per label instead of 64: "));
 }
 
 }  // namespace

@@ -226,7 +226,7 @@ TEST(ReportHtml, MarksLabelsThatHangOnFlaggedSignals) {
       percent(static_cast<double>(data.sampling.flagged) / static_cast<double>(data.sampling.relevant)))));
   EXPECT_TRUE(facts().contains("error not to be trusted: 1"));
   const std::string html = test::static_report(s.input);
-  EXPECT_NE(html.find("Whether the label with a hollow mark is reached hangs on"), std::string::npos);
+  EXPECT_NE(html.find("Whether the label with a hollow mark is reached depends on"), std::string::npos);
   EXPECT_NE(html.find(" (not to be trusted)</td>"), std::string::npos);
 }
 

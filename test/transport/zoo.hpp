@@ -21,8 +21,9 @@ struct ZooRoom {
   Strategy reference = Strategy::nee;  ///< of the uniform estimator that converges best there
   double reflectance = 0;              ///< the largest
   std::uint32_t effort = 4;            ///< walks or particles of the reference, relative to other rooms
+  std::string folder = ".";            ///< of the files that the store names
 
-  Scene scene() const { return make_scene(parse_store(store, name, ".")); }
+  Scene scene() const { return make_scene(parse_store(store, name, folder)); }
 };
 
 /// Puts a store file together.
@@ -167,7 +168,8 @@ inline std::vector<ZooRoom> zoo() {
   };
   const auto in_3_m = [&](double reflectance) { return ZooStore(6, 6, 3, reflectance); };
   add("labels above the floor", 0.5,
-      floor_labels(in_3_m(0.5), 2).grid(2, 2, 2.95).unit({3, 3, 2.5}).unit({3.1, 2.2, 1.2}));
+      floor_labels(in_3_m(0.5), 2).grid(2, 2, 2.95).unit({3, 3, 2.5}).unit({3.1, 2.2, 1.2}), Strategy::nee,
+      32);
   {
     ZooStore dark = in_3_m(0.1).requirement(0.01);
     for (const double off : {0.01, 0.04, 0.1, 0.3, 1.0})
@@ -175,7 +177,7 @@ inline std::vector<ZooRoom> zoo() {
           .label({off, 2, 0.6}, {1, 0, 0})
           .label({off, off, 1}, {0, 1, 0})
           .label({3, 6 - off, 0.2}, {0, 0, 1});
-    add("dark room", 0.1, dark.grid(2, 2, 2.95).unit({3.2, 2, 2.96}, {1, 0, -0.2}));
+    add("dark room", 0.1, dark.grid(2, 2, 2.95).unit({3.2, 2, 2.96}, {1, 0, -0.2}), Strategy::nee, 32);
   }
   const auto wall_units = [](ZooStore store) {
     for (const double off : {0.02, 0.05, 0.1, 0.3, 1.0})
@@ -192,7 +194,7 @@ inline std::vector<ZooRoom> zoo() {
       both.label({off, 2, 2}, {1, 0, 0}).label({off, 2.5, 1}, {0, 1, 0}).label({off, 4, 0.1}, {1, 0, -1});
       both.unit({off, 3, 2.4}, {1, 0, -1}).unit({off, 3.5, 2.9}).unit({off + 1, 2.2, 2.9}, {-1, 0, 0.2});
     }
-    add("labels and units at one wall", 0.6, both, Strategy::mis);
+    add("labels and units at one wall", 0.6, both, Strategy::mis, 32);
   }
   add("discs", 0.7,
       shop(3, 0.7)

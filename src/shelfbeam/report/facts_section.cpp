@@ -136,7 +136,7 @@ std::string simulation_facts(const ReportData& data) {
       facts.add("Signals whose error is not to be trusted",
                 fmt::format("{} of them ({})", grouped(s.flagged), percent(share_of(s.flagged, s.relevant))));
     if (s.has_flags && data.has_selection())
-      facts.add("Labels that hang on such", grouped(data.outcome.on_flagged));
+      facts.add("Labels that depend on them", grouped(data.outcome.on_flagged));
   } else if (!s.has_errors) {
     facts.add("Standard errors", "not in the matrix");
   }

@@ -31,7 +31,7 @@ std::string margin_section(const ReportData& data, const Maps& maps) {
                         data.everything_on()));
   if (const std::size_t count = data.outcome.on_flagged; count > 0)
     html += paragraph(fmt::format(
-        "Whether the {} reached hangs on signals whose standard error is not to be trusted: few batches of "
+        "Whether the {} reached depends on signals whose standard error is not to be trusted: few batches of "
         "samples found most of their light. More samples would tell.",
         count == 1 ? "label with a hollow mark is" : grouped(count) + " labels with a hollow mark are"));
   for (std::size_t k = 0; k < data.levels.size(); ++k) html += maps.margin_map(k);
