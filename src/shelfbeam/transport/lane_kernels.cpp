@@ -74,7 +74,20 @@ SHELFBEAM_INLINE inline void for_lanes(const Group& group, int profile, const fl
 struct Facets {
   Facets() = default;
   explicit Facets(const LaneScatter& s)
-      : ox(s.ox), oy(s.oy), oz(s.oz), on(s.on), base(s.base), scale(s.highlight), alpha2(s.alpha2) {
+      : ox(s.ox),
+        oy(s.oy),
+        oz(s.oz),
+        on(s.on),
+        base(s.base),
+        scale(s.highlight),
+        alpha2(s.alpha2),
+        tx(s.tx),
+        ty(s.ty),
+        tz(s.tz),
+        narrow(s.narrow),
+        skew(s.skew),
+        across2(s.across2),
+        more(s.more) {
     for (std::size_t k = 0; k < CosineCurve::nodes; ++k) {
       entry[k] = s.entry->factor[k];
       fresnel[k] = s.fresnel->factor[k];
@@ -82,6 +95,7 @@ struct Facets {
   }
 
   float ox = 0, oy = 0, oz = 0, on = 0, base = 0, scale = 0, alpha2 = 1;
+  float tx = 0, ty = 0, tz = 0, narrow = 1, skew = 0, across2 = 1, more = 0;
   float entry[CosineCurve::nodes] = {}, fresnel[CosineCurve::nodes] = {};
 };
 
@@ -92,19 +106,10 @@ SHELFBEAM_INLINE inline float on_curve(const float* factor, float cosine) {
   return value;
 }
 
-// F D G / (4 cos cos) of GGX (2.23), (2.29), (2.31); `squared`: |o + l|^2.
-SHELFBEAM_INLINE inline float highlight(const Facets& f, float ln, float squared) {
-  const float facing = (f.on + ln) * (f.on + ln) / squared;  // cos^2 of the facets
-  const float across = facing < 1 ? 1 - facing : 0;
-  const float d = across + f.alpha2 * (1 - across);
-  const float g = ln + std::sqrt(f.alpha2 + (1 - f.alpha2) * ln * ln);
-  const float fresnel = on_curve(f.fresnel, std::sqrt(squared) / 2);
-  return f.scale * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) * (fresnel > 0 ? fresnel : 0);
-}
-
-// The direction l of a unit: its cosine at the point, and |o + l|^2, which at grazing angles is small.
+// The direction l of a unit: its cosine at the point and its component along x of the surface; and o + l, its
+// square, which at grazing angles is small, and its component.
 struct Way {
-  float ln, squared;
+  float ln, lx, squared, hx;
 };
 
 template <class Group>
@@ -116,7 +121,19 @@ SHELFBEAM_INLINE inline Way way_to(const Group& group, const LanePoint& p, const
   const float facing = (p.nx * dx + p.ny * dy + p.nz * dz) * inverse;
   const float hx = f.ox + dx * inverse, hy = f.oy + dy * inverse, hz = f.oz + dz * inverse;
   const float sum = hx * hx + hy * hy + hz * hz;
-  return {facing > 0 ? facing < 1 ? facing : 1 : 0, sum > 1e-12F ? sum < 4 ? sum : 4 : 1e-12F};
+  return {facing > 0 ? facing < 1 ? facing : 1 : 0, (f.tx * dx + f.ty * dy + f.tz * dz) * inverse,
+          sum > 1e-12F ? sum < 4 ? sum : 4 : 1e-12F, f.tx * hx + f.ty * hy + f.tz * hz};
+}
+
+// F D G / (4 cos cos) of GGX (2.23), (2.29), (2.31), with D and G of facets that are rougher one way.
+SHELFBEAM_INLINE inline float highlight(const Facets& f, const Way& way) {
+  const float ln = way.ln;
+  const float facing = (f.on + ln) * (f.on + ln) / way.squared;  // cos^2 of the facets
+  const float across = facing < 1 ? 1 - facing : 0;
+  const float d = f.narrow * across + f.skew * (way.hx * way.hx / way.squared) + f.alpha2 * (1 - across);
+  const float g = ln + std::sqrt(f.across2 + (1 - f.across2) * ln * ln + f.more * way.lx * way.lx);
+  const float fresnel = on_curve(f.fresnel, std::sqrt(way.squared) / 2);
+  return f.scale * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) * (fresnel > 0 ? fresnel : 0);
 }
 
 // A loop of its own: loops that mix widths of numbers are turned into vectors of the smallest one's length.
@@ -179,7 +196,7 @@ void LaneKernels::add_radiance(const UnitGroups& groups, const std::uint16_t* li
       SHELFBEAM_VECTORIZE
       for (std::size_t k = 0; k < lanes; ++k) {
         const Way way = way_to(group, p, facets, k);
-        f[k] = facets.base * on_curve(facets.entry, way.ln) + highlight(facets, way.ln, way.squared);
+        f[k] = facets.base * on_curve(facets.entry, way.ln) + highlight(facets, way);
       }
     } else {
       SHELFBEAM_VECTORIZE
@@ -197,7 +214,7 @@ LaneKernels::Parts LaneKernels::parts(const UnitGroups& groups, std::size_t g, s
                                       const LanePoint& point, const LaneScatter& scatter) {
   const Facets facets(scatter);
   const Way way = way_to(groups.groups_[g], point, facets, lane);
-  return {on_curve(facets.entry, way.ln), scatter.highlight > 0 ? highlight(facets, way.ln, way.squared) : 0};
+  return {on_curve(facets.entry, way.ln), scatter.highlight > 0 ? highlight(facets, way) : 0};
 }
 
 SHELFBEAM_FOR_EACH_CPU
@@ -222,7 +239,7 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
       SHELFBEAM_VECTORIZE
       for (std::size_t k = 0; k < lanes; ++k) {
         const Way way = way_to(group, p, facets, k);
-        more[k] += static_cast<float>(pi) * highlight(facets, way.ln, way.squared);
+        more[k] += static_cast<float>(pi) * highlight(facets, way);
       }
     }
     for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,

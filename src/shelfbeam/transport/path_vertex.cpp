@@ -17,7 +17,7 @@ PathVertex::PathVertex(const World& world, const RadianceCache& cache, const Cha
   if (guide->is_detailed()) {
     const double cosine = dot(end.point.normal, end.outgoing);
     exit = guide->exit(cosine);
-    scatter = guide->towards(end.outgoing, cosine, exit);
+    scatter = guide->towards(end.outgoing, end.point.normal, exit);
     if (has_base() && guide->has_highlight()) own_albedo = 1 - exit;
   }
   albedo = has_base() ? exit * guide->base_albedo() + (1 - exit) : flat;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
@@ -15,12 +16,7 @@ constexpr double smoothest = 0.03;
 // Other facets are not written as vectors, and smoother ones are too much for floats.
 bool is_plain(const Microfacets& facets) {
   return facets.distribution == FacetDistribution::ggx && facets.masking == Masking::smith &&
-         facets.isotropic() && facets.alpha_x >= smoothest;
-}
-
-// Other facets are taken for plain ones that are as rough in the mean.
-double plain_roughness(const Microfacets& facets) {
-  return std::max(smoothest, std::sqrt(facets.alpha_x * facets.alpha_y));
+         std::min(facets.alpha_x, facets.alpha_y) >= smoothest;
 }
 
 }  // namespace
@@ -41,7 +37,10 @@ SurfaceGuide::SurfaceGuide(const Material& material) : plastic_(std::get_if<Plas
   if (plastic_ != nullptr && plastic_->facets) facets = &*plastic_->facets;
   if (conductor != nullptr && conductor->facets) facets = &*conductor->facets;
   has_highlight_ = plastic_ == nullptr || facets != nullptr;
-  if (facets != nullptr) alpha_ = plain_roughness(*facets);
+  if (facets != nullptr) {  // others are taken for plain ones
+    alpha_x_ = std::max(smoothest, facets->alpha_x);
+    alpha_y_ = std::max(smoothest, facets->alpha_y);
+  }
   is_loose_ = has_highlight_ && (facets == nullptr || !is_plain(*facets));
   if (plastic_ != nullptr) {
     has_base_ = is_detailed_ = true;
@@ -49,17 +48,17 @@ SurfaceGuide::SurfaceGuide(const Material& material) : plastic_(std::get_if<Plas
     base_ = plastic_->base_scale / pi;
     entry_ = CosineCurve::through([&](double cosine) { return plastic_->transmission(cosine); });
     fresnel_ = CosineCurve::through([&](double cosine) { return fresnel_dielectric(cosine, plastic_->ior); });
-  } else if (alpha_ > 0) {
+  } else if (alpha_x_ > 0) {
     is_detailed_ = true;
     fresnel_ = CosineCurve::through(
         [&](double cosine) { return fresnel_conductor(cosine, conductor->eta, conductor->k); });
   }
 }
 
-LaneScatter SurfaceGuide::towards(const Vec3& outgoing, double cosine, double exit) const {
+LaneScatter SurfaceGuide::towards(const Vec3& outgoing, const Vec3& normal, double exit) const {
   constexpr double least_cosine = 1e-4;
   LaneScatter scatter;
-  const double c = std::clamp(cosine, least_cosine, 1.0);
+  const double c = std::clamp(dot(normal, outgoing), least_cosine, 1.0);
   scatter.ox = static_cast<float>(outgoing.x);
   scatter.oy = static_cast<float>(outgoing.y);
   scatter.oz = static_cast<float>(outgoing.z);
@@ -67,10 +66,23 @@ LaneScatter SurfaceGuide::towards(const Vec3& outgoing, double cosine, double ex
   if (has_base_) scatter.base = static_cast<float>(base_ * exit);
   scatter.entry = &entry_;
   scatter.fresnel = &fresnel_;
-  if (alpha_ > 0) {
-    const double a2 = alpha_ * alpha_;
-    scatter.alpha2 = static_cast<float>(a2);
-    scatter.highlight = static_cast<float>(2 / (1 + std::sqrt(1 + a2 * (1 / (c * c) - 1))) / (4 * c));
+  if (alpha_x_ > 0) {
+    const double x2 = alpha_x_ * alpha_x_, y2 = alpha_y_ * alpha_y_;
+    double along2 = 0;  // squared component of the direction along x
+    if (alpha_x_ != alpha_y_) {
+      const Vec3 x = Frame::of_surface(normal).x;
+      along2 = dot(x, outgoing) * dot(x, outgoing);
+      scatter.tx = static_cast<float>(x.x);
+      scatter.ty = static_cast<float>(x.y);
+      scatter.tz = static_cast<float>(x.z);
+    }
+    scatter.alpha2 = static_cast<float>(alpha_x_ * alpha_y_);
+    scatter.narrow = static_cast<float>(alpha_x_ / alpha_y_);
+    scatter.skew = static_cast<float>(alpha_y_ / alpha_x_ - alpha_x_ / alpha_y_);
+    scatter.across2 = static_cast<float>(y2);
+    scatter.more = static_cast<float>(x2 - y2);
+    const double slopes2 = y2 * (1 / (c * c) - 1) + (x2 - y2) * along2 / (c * c);
+    scatter.highlight = static_cast<float>(2 / (1 + std::sqrt(1 + slopes2)) / (4 * c));
   }
   return scatter;
 }

@@ -11,7 +11,10 @@ struct LaneScatter {
   float ox = 0, oy = 0, oz = 0, on = 0;  ///< o, and its cosine
   float base = 0;
   float highlight = 0;  ///< G1(o) / (4 cos o), 0 without one
-  float alpha2 = 1;     ///< squared roughness
+  float alpha2 = 1;     ///< product of the roughness along the surface's x, alpha_x, and across, alpha_y
+  float tx = 0, ty = 0, tz = 0;  ///< x of the surface (Frame::of_surface) where they differ, and then
+  float narrow = 1, skew = 0;    ///< alpha_x / alpha_y, and alpha_y / alpha_x less that,
+  float across2 = 1, more = 0;   ///< alpha_y^2, and alpha_x^2 less that
   const CosineCurve* entry = nullptr;
   const CosineCurve* fresnel = nullptr;
 };
@@ -43,15 +46,15 @@ class SurfaceGuide {
   double bare_base() const { return base_; }
   /// Share of the irradiance that leaves by the base, without the exit.
   double base_albedo() const { return base_albedo_; }
-  /// `cosine` is that of the direction, `exit` is exit(cosine).
-  LaneScatter towards(const Vec3& outgoing, double cosine, double exit) const;
+  /// `exit` is that of the direction.
+  LaneScatter towards(const Vec3& outgoing, const Vec3& normal, double exit) const;
 
  private:
   const Plastic* plastic_;
   float flat_ = 0;
   bool has_base_ = false, is_detailed_ = false, has_highlight_ = false, is_loose_ = false;
   double base_ = 0, base_albedo_ = 0;
-  double alpha_ = 0;  ///< of facets as LaneScatter has them; 0: none
+  double alpha_x_ = 0, alpha_y_ = 0;  ///< of facets as LaneScatter has them; 0: none
   CosineCurve entry_, fresnel_;
 };
 
