@@ -6,7 +6,8 @@
 // ROOM: names, or parts of names, of rooms of the zoo, or store files; all rooms of the zoo unless given.
 //
 //   --folder FOLDER  where store files, references and the counts of every seed are kept (coverage); the same
-//                    command continues there; to be deleted when the program has changed
+//                    command continues there; to be deleted when the program has changed (references may
+//                    stay)
 //   --seeds N        caches and random numbers (30)
 //   --batches N      per seed (764: 100,084 first rays per label), taken as runs of 16 batches (2,096 first
 //                    rays), of 77 (10,087) and of all
@@ -15,6 +16,7 @@
 //
 // The last column is the share of the squared errors that is the reference's, %.
 
+#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <cstdint>
@@ -65,6 +67,15 @@ std::string file_name(std::string room) {
   return room;
 }
 
+// What is kept in the folder is known by the room's name: it must be of this store.
+void keep_store(const Settings& settings, const ZooRoom& room) {
+  const fs::path file = settings.folder / (file_name(room.name) + ".json");
+  if (!fs::exists(file))
+    write_file(file, room.store);
+  else if (read_file(file) != room.store)
+    throw std::runtime_error(fmt::format("{} is another store: choose another folder", file.string()));
+}
+
 test::Reference reference(const Settings& settings, const ZooRoom& room, const Scene& scene) {
   const fs::path file =
       settings.folder / fmt::format("{}-{}.h5", file_name(room.name), settings.walks * room.effort);
@@ -79,7 +90,8 @@ test::Reference reference(const Settings& settings, const ZooRoom& room, const S
   }
   const SignalMatrix matrix = read_signal_file(file);
   return {{matrix.mean.begin(), matrix.mean.end()},
-          {matrix.standard_error.begin(), matrix.standard_error.end()}};
+          {matrix.standard_error.begin(), matrix.standard_error.end()},
+          matrix.flags};
 }
 
 Json as_json(const CoverageCount& count) {
@@ -146,6 +158,14 @@ ClassCoverage sum(const std::map<std::string, ClassCoverage>& classes) {
   return all;
 }
 
+double largest_reflectance(const Scene& scene) {
+  double largest = 0;
+  const std::vector<bool> used = scene.used_materials();
+  for (std::size_t k = 0; k < used.size(); ++k)
+    if (used[k]) largest = std::max(largest, given_reflectance(scene.materials[k].material).value_or(0));
+  return largest;
+}
+
 std::vector<ZooRoom> chosen(const Settings& settings) {
   const std::vector<ZooRoom> all = test::zoo();
   if (settings.rooms.empty()) return all;
@@ -154,6 +174,7 @@ std::vector<ZooRoom> chosen(const Settings& settings) {
     if (fs::exists(name)) {
       ZooRoom room{fs::path(name).stem(), read_file(name)};
       if (fs::path(name).has_parent_path()) room.folder = fs::path(name).parent_path();
+      room.reflectance = largest_reflectance(room.scene());
       rooms.push_back(room);
       continue;
     }
@@ -173,7 +194,7 @@ void examine(const Settings& settings) {
     const Scene scene = room.scene();
     const World world(scene);
     const auto start = std::chrono::steady_clock::now();
-    write_file(settings.folder / (file_name(room.name) + ".json"), room.store);
+    keep_store(settings, room);
     const test::Reference known = reference(settings, room, scene);
     CoverageTable of_room;
     std::mutex mutex;
@@ -187,8 +208,9 @@ void examine(const Settings& settings) {
         }
     });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fmt::print(stderr, "{}: {} labels, {} units, {:.0f} s\n", room.name, scene.labels.size(),
-               scene.transceivers.size(), seconds);
+    fmt::print(stderr, "{}: {} labels, {} units, {} entries without a reference to be trusted, {:.0f} s\n",
+               room.name, scene.labels.size(), scene.transceivers.size(),
+               std::count(known.flags.begin(), known.flags.end(), 1), seconds);
     for (const auto& [length, classes] : of_room) by_room[length].emplace_back(room.name, sum(classes));
   }
   for (const auto& [length, rooms] : by_room) {

@@ -10,7 +10,7 @@ namespace shelfbeam::bench {
 struct OverSeeds {
   std::vector<std::string> stores;
   std::uint64_t seeds = 8;
-  std::uint64_t samples = 4192;  ///< a label and run; of path reuse 32 batches
+  std::uint64_t samples = 4192;  ///< per label and run; of path reuse 32 batches
   std::uint64_t reference_samples = 4000000;
 };
 

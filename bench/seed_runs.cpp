@@ -55,6 +55,13 @@ double SeedRuns::square_error(std::size_t entry, double truth, std::size_t left_
                    [&](std::size_t s) { return square(static_cast<double>(means_[s][entry]) - truth); });
 }
 
+double SeedRuns::product_of_errors(std::size_t entry, double a, double b, std::size_t left_out) const {
+  return mean_over(seeds(), left_out, [&](std::size_t s) {
+    const auto mean = static_cast<double>(means_[s][entry]);
+    return (mean - a) * (mean - b);
+  });
+}
+
 Estimate ratio_over_seeds(std::size_t seeds, const std::function<double(std::size_t)>& log_ratio) {
   std::vector<double> without;
   double sum = 0, squares = 0;

@@ -31,6 +31,8 @@ class SeedRuns {
   double variance_of_means(std::size_t entry, std::size_t left_out) const;
   /// The mean over seeds of (mean - truth)^2.
   double square_error(std::size_t entry, double truth, std::size_t left_out) const;
+  /// The mean over seeds of (mean - a) (mean - b).
+  double product_of_errors(std::size_t entry, double a, double b, std::size_t left_out) const;
 
  private:
   std::vector<double> cpu_seconds_, sums_;

@@ -80,11 +80,15 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
   return text;
 }
 
+// An error that was asked for was not reached, and no certificate says what that means.
+bool is_imprecise(const Plan& plan) {
+  return !plan.placement.certificate && plan.simulation.summary.unmet_error;
+}
+
 // Something that was asked of the selection came to no end.
 bool is_open(const Options& options, const Plan& plan) {
   const Placement& placement = plan.placement;
-  const bool is_imprecise = !placement.certificate && plan.simulation.summary.unmet_error;
-  return is_imprecise || (placement.certificate && !placement.certificate->open.empty()) ||
+  return is_imprecise(plan) || (placement.certificate && !placement.certificate->open.empty()) ||
          !plan.curve.is_complete ||
          (options.sensitivity && placement.has_selection() && !placement.sensitivity);
 }
@@ -149,6 +153,10 @@ int run_plan(const Options& options) {
   else if (!options.common.quiet)
     fmt::print("{}\n{}{}report: {}\n", describe(summary), describe(plan.placement, table),
                additions(options, plan, table), (options.folder / report_name).string());
+  if (options.common.json && !options.common.quiet && is_imprecise(plan))
+    fmt::print(
+        stderr,
+        "the relative error is out of reach; without '--json' the entries that prevent it are named\n");
   if (plan.complete) return is_open(options, plan) ? stopped_early : exit_code(plan.placement.status);
   if (!options.common.quiet)
     fmt::print(stderr, "stopped early: {}; the same command with '--resume' goes on\n",

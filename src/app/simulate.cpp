@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/transport/coverage.hpp"
+
 #include "arguments.hpp"
 #include "loaded_store.hpp"
 #include "print_json.hpp"
@@ -45,6 +47,8 @@ int run_simulate(const Options& options) {
   if (options.common.json) {
     nlohmann::ordered_json json{{"signal", options.output.string()}};
     json.update(to_json(summary));
+    json["warnings"] = store.scene.warnings;
+    json["found_by_chance"] = chance_light(store.scene, simulation.rules().strategy);
     print_json(json);
   } else if (!options.common.quiet) {
     fmt::print("{}\n{}\n", describe(summary), options.output.string());

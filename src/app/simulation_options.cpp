@@ -93,19 +93,18 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
                                   "--relative-error",
                                   default_above))
           ->check(positive_number());
-  auto* most =
-      verb.add_option("--max-samples", flags.max_samples,
-                      fmt::format("End of --relative-error for labels that do not reach it: first rays per "
-                                  "label ({})",
-                                  RelativeError{}.most_samples))
-          ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36));
-  auto* samples = verb.add_option("--samples", flags.samples,
-                                  "First rays per label (particles per transceiver), rounded up to whole "
-                                  "batches, of reuse at least 16; 10000 unless an error or a time is given")
-                      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
-                      ->excludes(error)
-                      ->excludes(share)
-                      ->excludes(most);
+  auto* most = verb.add_option("--max-samples", flags.max_samples,
+                               fmt::format("Most first rays per label under --relative-error ({})",
+                                           RelativeError{}.most_samples))
+                   ->check(CLI::Range(std::uint64_t{2096}, std::uint64_t{1} << 36));
+  auto* samples =
+      verb.add_option("--samples", flags.samples,
+                      "First rays per label (particles per transceiver), rounded up to whole "
+                      "batches (at least 16 with reuse); 10000 unless an error or a time is given")
+          ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
+          ->excludes(error)
+          ->excludes(share)
+          ->excludes(most);
   verb.add_option("--time", flags.time_s, "Instead of either: seconds to simulate")
       ->check(positive_number())
       ->excludes(samples)
@@ -181,12 +180,14 @@ std::string describe(const SimulationSummary& summary) {
         "samples, or see in '/flags' of the signal file which entries they are";
   if (summary.unmet_error) {
     text += fmt::format(
-        "\na relative error of {:g} % is out of reach of --max-samples: {} entries fall short of it, the "
-        "worst:",
-        100 * *summary.unmet_error, summary.unmet);
+        "\na relative error of {:g} % is out of reach of --max-samples for {} entries; {} fall short of it "
+        "so "
+        "far, the worst:",
+        100 * *summary.unmet_error, summary.out_of_reach, summary.unmet);
     for (const UnmetEntry& entry : summary.worst_unmet)
-      text += fmt::format("\n  label '{}' from '{}': {:.1f} %{}", entry.label, entry.source,
-                          100 * entry.relative_error, entry.is_flagged ? ", flagged" : "");
+      text += fmt::format("\n  label '{}' from '{}': {:.1f} %{}{}", entry.label, entry.source,
+                          100 * entry.relative_error, entry.is_flagged ? ", flagged" : "",
+                          entry.is_out_of_reach ? ", out of reach" : "");
   }
   return text + fmt::format("\nhalf these errors would take another {:.0f} s", summary.seconds_to_halve);
 }
@@ -204,12 +205,14 @@ nlohmann::ordered_json to_json(const SimulationSummary& summary) {
   if (summary.unmet_error) {
     unmet = {{"error", *summary.unmet_error},
              {"entries", summary.unmet},
+             {"out_of_reach", summary.out_of_reach},
              {"worst", nlohmann::ordered_json::array()}};
     for (const UnmetEntry& entry : summary.worst_unmet)
       unmet["worst"].push_back({{"label", entry.label},
                                 {"transceiver", entry.source},
                                 {"relative_error", entry.relative_error},
-                                {"flagged", entry.is_flagged}});
+                                {"flagged", entry.is_flagged},
+                                {"out_of_reach", entry.is_out_of_reach}});
   }
   nlohmann::ordered_json asked;
   if (summary.asked_samples) asked = *summary.asked_samples;

@@ -20,6 +20,7 @@
 #include "certificate_options.hpp"
 #include "loaded_store.hpp"
 #include "simulation_options.hpp"
+#include "store_summary.hpp"
 #include "store_table.hpp"
 #include "terminal.hpp"
 #include "verbs.hpp"
@@ -72,6 +73,10 @@ int run_verify(const Options& options) {
                                                     : CommunicationModel::non_cooperative;
   question.redundant = question.redundant || options.survive_failure;
   if (!options.output.empty()) expect_writable(options.output);
+  if (!options.common.json && !options.common.quiet) {
+    print_warnings(installation.scene);
+    print_chance_light(installation.scene, Strategy::nee);
+  }
   Placement placement;
   {
     TerminalProgress progress(options.common.quiet);

@@ -93,7 +93,9 @@ TEST_F(SimulationSummary, BeginsWithTheWarningsOfTheStore) {
   EXPECT_THAT(expect_silent({"plan", (folder / "store.json").string(), "-o", (folder / "plan").string(),
                              "--samples", "64", "--no-certificate"}),
               StartsWith(warning));
-  EXPECT_TRUE(Json::parse(simulated({"--samples", "64", "--json"})).contains("signal"));
+  const Json json = Json::parse(simulated({"--samples", "64", "--json"}));
+  EXPECT_THAT(json["warnings"][0], StartsWith(warning.substr(std::string("warning: ").size())));
+  EXPECT_TRUE(json["found_by_chance"].empty());
   EXPECT_EQ(simulated({"--samples", "64", "--quiet"}), "");
   store["materials"]["m"]["reflectance"] = 0.96;
   folder.write("store.json", store.dump());
@@ -118,8 +120,14 @@ TEST_F(SimulationSummary, NamesTheEntriesThatFallShort) {
   EXPECT_GT(summary["unmet"]["entries"], 0);
   EXPECT_FALSE(summary["unmet"]["worst"].empty());
   EXPECT_LE(summary["samples"][1], 9000);
+  const Json& worst = summary["unmet"]["worst"][0];
+  EXPECT_EQ(worst["out_of_reach"], true);
+  EXPECT_THAT(expect_silent(simulate, 3),
+              HasSubstr("label '" + worst["label"].get<std::string>() + "' from '" +
+                        worst["transceiver"].get<std::string>() + "': "));
   EXPECT_THAT(expect_silent(with({"plan", store, "-o", plan}, {"--no-certificate"}), 3),
               HasSubstr("0.001 %"));
+  EXPECT_THAT(expect_silent(with({"plan", store, "-o", plan}), 0), HasSubstr("0.001 %"));
 }
 
 TEST_F(SimulationSummary, OfAPlanIsTheSame) {

@@ -37,6 +37,9 @@ void expect_same(const SignalMatrix& found, const SignalMatrix& reference, const
 void check_efforts(std::uint32_t factor) {
   // Few batches do not meet the rare light over mirrors.
   const Scene scene = store(1, factor > 1);
+  const World world(scene);
+  UnitGroups units(world);
+  ASSERT_GT(BrightSpots(world, units, 1, {.cap_at = 3}).size(), 0U);
   const SignalMatrix reference = test::reuse(scene, 8 * factor, 1000);
   const ReuseEffort least{.lookups = 8,
                           .points = 1,
@@ -58,7 +61,7 @@ void check_efforts(std::uint32_t factor) {
       {"few lookups", {.lookups = 2}},
       {"large spots", {.spots = {.cap_at = 3}}},
       {"spots of old", {.spots = {.cap_at = 4, .near = 0, .for_vertices = false}}},
-      {"spots close by", {.spots = {.near = 3}}},
+      {"spots close by", {.spots = {.cap_at = 3, .near = 3}}},
       {"little of all", least}};
   // Many batches hold none of the long paths that such short ones stand for.
   if (factor > 1) efforts.push_back({"shorter paths", {.survival = 0.3}});

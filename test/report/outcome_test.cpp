@@ -193,6 +193,8 @@ TEST(Outcome, KnowsWhatHangsOnFlaggedEntries) {
   matrix.labels[0].requirement = 7;  // what is not reached may be, where an error is too small
   EXPECT_TRUE(hangs({0, 1, 0, 0}));
   EXPECT_FALSE(hangs({0, 0, 0, 1}));
+  matrix.mean[1] = 0.1F;  // too little to matter
+  EXPECT_FALSE(hangs({0, 1, 0, 0}));
   placement.selected.clear();
   EXPECT_FALSE(hangs({1, 1, 1, 1}));
 }

@@ -43,7 +43,7 @@ TEST(BrightSpots, AreFoundBesideUnits) {
   EXPECT_LT(cap(2), 1);
 }
 
-// A unit by itself, and one in a crowd 20 m away, at 0.6 m above the floor: the caps are those of the rule's
+// A unit by itself, and one in a crowd 20 m away, 0.3 m above the floor: the caps are those of the rule's
 // two distances, and of 1 m times sqrt(16 / 25) where 25 units are together.
 TEST(BrightSpots, AreSmallerWhereUnitsAreMany) {
   for (const auto& [crowd, distance] : {std::pair{1, 1.0}, {16, 1.0}, {25, 0.8}, {64, 0.5}, {100, 0.5}}) {

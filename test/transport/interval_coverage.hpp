@@ -17,9 +17,10 @@
 
 namespace shelfbeam::test {
 
-/// Means of entries by another estimator, and their errors.
+/// Means of entries by another estimator, and their errors. Flagged entries are compared with nothing.
 struct Reference {
   std::vector<double> mean, error;  ///< m x n, row by row
+  std::vector<std::uint8_t> flags;  ///< the same; empty: none
 };
 
 /// How often intervals held the reference.
@@ -102,7 +103,8 @@ inline CoverageTable coverage_of(const Scene& scene, const World& world, const E
     std::vector<std::string> classes(entries);
     for (std::size_t e = 0; e < entries; ++e) {
       const std::size_t i = block.rows[e / block.columns.size()], j = block.columns[e % block.columns.size()];
-      classes[e] = class_of(scene, i, j, reference.mean[i * n + j]);
+      if (reference.flags.empty() || reference.flags[i * n + j] == 0)
+        classes[e] = class_of(scene, i, j, reference.mean[i * n + j]);
     }
     BatchValues values;
     for (std::uint32_t b = 0; b < batches; ++b) {

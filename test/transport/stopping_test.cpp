@@ -62,15 +62,21 @@ TEST(Stopping, DoesNotTrustFlaggedErrors) {
 }
 
 TEST(Stopping, KnowsWhatMoreSamplesCannotReach) {
-  // 10 % are wanted: with four times the samples 20 % are enough, 21 % are not.
+  // 10 % are wanted, and twice as much can be brought down.
   const std::vector<double> means{1, 1, 1}, errors{0.1, 0.2, 0.21};
-  const Precision found = count_precise(means, errors, std::vector<std::uint8_t>(3), 1, {0.1, 0.3}, 4);
+  const Precision found = count_precise(means, errors, std::vector<std::uint8_t>(3), 1, {0.1, 0.3}, 2);
   EXPECT_EQ(found.precise, 1u);
   EXPECT_EQ(found.hopeless, 1u);
   EXPECT_FALSE(found.is_decided());
   EXPECT_TRUE((Precision{3, 2, 1}).is_decided());
   EXPECT_FALSE((Precision{100, 0, 1}).is_hopeless());
   EXPECT_TRUE((Precision{100, 0, 2}).is_hopeless());
+}
+
+// Four times the samples halve an error, which 201 batches know to 5 %.
+TEST(Stopping, AllowsForTheErrorOfErrors) {
+  EXPECT_DOUBLE_EQ(reachable_error(201, 4), 2 * 1.15);
+  EXPECT_DOUBLE_EQ(reachable_error(201, 1), 1.15);
 }
 
 TEST(Stopping, AsksForNinetyNineOfAHundred) {

@@ -238,6 +238,29 @@ inline std::vector<ZooRoom> zoo() {
                      .material("door", pane)
                      .box({0.1, 4.9, 0.5}, {5.9, 4.95, 2.2}, "mirror")
                      .box({1, 3.5, 0.5}, {3, 3.55, 2}, "door")));
+  add("blocks of glass", 0.7,
+      shop(3, 0.7)
+          .unit_type("panel", {{"type", "lambertian"}, {"flux", 3}}, 0.2)
+          .material("clear", {{"type", "dielectric"}, {"ior", 1.5}})
+          .material("frosted", rough({{"type", "dielectric"}, {"ior", 1.5}}, 0.3))
+          .box({0.6, 3.4, 0}, {1.6, 3.9, 1.5}, "clear")
+          .box({3, 3.4, 0}, {4.5, 3.9, 1.5}, "frosted")
+          .grid(2, 2, 2.9)
+          .grid(2, 1, 2.7, "panel"),
+      Strategy::mis);
+  {
+    const auto beckmann = [&](Json material, double roughness) {
+      material["distribution"] = "beckmann";
+      return rough(material, roughness);
+    };
+    add("Beckmann facets", 0.7,
+        shop(3, 0.7)
+            .material("lino", beckmann(coat, 0.2))
+            .material("sheet", beckmann(steel, 0.1))
+            .cover("floor", "lino")
+            .box({0.5, 3.6, 0}, {5.5, 4.2, 1.9}, "sheet")
+            .grid(3, 2, 2.8));
+  }
   const auto white = [&](double reflectance) {
     ZooStore store = ZooStore(4, 5, 3, reflectance).requirement(0.2);
     for (int k = 0; k < 8; ++k)

@@ -23,7 +23,11 @@ void join(const FreshRow& fresh, SignalMatrix& matrix) {
     matrix.standard_error[at] =
         static_cast<float>(std::hypot((1 - share) * old_error, share * fresh.standard_error[j]));
     if (!matrix.flags.empty()) {
-      const bool keeps = share <= 0.5 && matrix.flags[at] != 0, gets = share >= 0.5 && fresh.flags[j] != 0;
+      // A part with an error that cannot be trusted decides the joint one if it has half of the samples or
+      // most of the spread.
+      const double old_part = (1 - share) * old_error, new_part = share * fresh.standard_error[j];
+      const bool keeps = matrix.flags[at] != 0 && (share <= 0.5 || old_part >= new_part);
+      const bool gets = fresh.flags[j] != 0 && (share >= 0.5 || new_part >= old_part);
       matrix.flags[at] = keeps || gets ? 1 : 0;
     }
   }

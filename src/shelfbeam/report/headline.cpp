@@ -206,9 +206,12 @@ std::string sampling_remark(const ReportData& data) {
   else if (s.relevant > 0)
     text += fmt::format(
         " Entries of at least {} of a label's requirement have a relative standard error of {} on average "
-        "and "
-        "{} at worst (errors of one label's entries are correlated, so this is per entry, not of sums).",
-        percent(relevant_share, 0), percent(s.mean), percent(s.worst));
+        "and {} at worst (errors of one label's entries are correlated, so this is per entry, not of "
+        "sums).{}",
+        percent(relevant_share, 0), percent(s.mean), percent(s.worst),
+        s.flagged > 0
+            ? fmt::format(" {} of {} such errors cannot be trusted.", grouped(s.flagged), grouped(s.relevant))
+            : "");
   return text;
 }
 

@@ -19,17 +19,22 @@ std::vector<SignalEntry> entries_of(const SignalMatrix& matrix, std::size_t labe
   return entries;
 }
 
-// Whether the label is not met by the entries that are not flagged, some of the chosen units' are, and no
-// fresh samples have decided what becomes of it.
+// Whether the label is not met by the entries that are not flagged, some of the chosen units' are and weigh
+// something beside its requirement, and no fresh samples have decided what becomes of it.
 bool rests_on_flagged(const SignalMatrix& matrix, const Placement& placement, const std::vector<bool>& chosen,
                       std::size_t label) {
   if (placement.certificate && placement.certificate->labels[label].verdict != Verdict::undecided)
     return false;
+  constexpr double least = 0.02;
+  const double requirement = matrix.labels[label].requirement;
   const auto is_flagged = [&](std::uint32_t column) { return matrix.is_flagged(matrix.at(label, column)); };
-  if (std::none_of(placement.selected.begin(), placement.selected.end(), is_flagged)) return false;
+  double flagged = 0;
+  for (const std::uint32_t column : placement.selected)
+    if (is_flagged(column)) flagged += static_cast<double>(matrix.mean[matrix.at(label, column)]);
+  if (!(flagged > least * requirement)) return false;
   std::vector<SignalEntry> entries = entries_of(matrix, label);
   std::erase_if(entries, [&](const SignalEntry& entry) { return is_flagged(entry.transceiver); });
-  return !is_met(received_signal(entries, chosen, placement.question), matrix.labels[label].requirement);
+  return !is_met(received_signal(entries, chosen, placement.question), requirement);
 }
 
 LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placement, const Mounts& mounts,

@@ -128,24 +128,26 @@ class SceneMaker {
     }
   }
 
-  // Only surfaces that scatter: paths end at smooth mirrors and glass as the surfaces behind them let them.
+  // Smooth mirrors and glass do not scatter: a chain over them ends by chance (follow_chain).
   void warn_of_bright_materials() {
     constexpr double usual = 0.97;
     const std::vector<bool> used = scene_.used_materials();
     for (std::size_t k = 0; k < used.size(); ++k) {
-      const auto& [name, material] = std::tie(scene_.materials[k].name, scene_.materials[k].material);
-      const auto given = given_reflectance(material);
-      const bool is_rough_metal = std::holds_alternative<Conductor>(material) && !has_only_specular(material);
+      if (!used[k]) continue;
+      const NamedMaterial& named = scene_.materials[k];
+      const auto given = given_reflectance(named.material);
+      const bool is_rough_metal =
+          std::holds_alternative<Conductor>(named.material) && !has_only_specular(named.material);
       const double reflectance = given            ? *given
-                                 : is_rough_metal ? albedo(material, normalized(Vec3{1, 0, 1}))
+                                 : is_rough_metal ? albedo(named.material, normalized(Vec3{1, 0, 1}))
                                                   : 0;
-      if (!used[k] || reflectance <= usual) continue;
+      if (reflectance <= usual) continue;
       warnings_.add(
           "materials that reflect almost all light",
           fmt::format("{0}: materials.{1}{2}: material '{1}' reflects {3:.3g} of the light, so that paths "
                       "between such surfaces end late: simulation takes long, and its errors are less "
                       "reliable; white paint has 0.8 to 0.9, rough metal 0.6 to 0.9",
-                      store_.file, name, given ? ".reflectance" : "", reflectance));
+                      store_.file, named.name, given ? ".reflectance" : "", reflectance));
     }
   }
 

@@ -170,7 +170,9 @@ void BrightSpots::add_near(const PathVertex& vertex, double p, double weight, Ra
   const double rise = rule_.near * rule_.near * pi * p;
   if (!(rise > 1)) return;
   const LanePoint point(vertex.end.point);
+  const auto farthest = static_cast<float>(std::max(rule_.cap_at, rule_.cap_at_most));
   for (const std::uint16_t g : groups_) {
+    if (units_.distance(g, point) > farthest) continue;
     LaneValues e;
     units_.irradiance(g, point, e);
     for (std::size_t k = 0; k < units_.count(g); ++k) {

@@ -24,7 +24,8 @@ namespace shelfbeam {
 struct SpotRule {
   /// The cap is the irradiance that the unit's largest intensity gives at a distance, m: at the larger one
   /// where up to 16 units are within 5 m, at the smaller one where 64 are, in between with the square root of
-  /// their number. Rays of all of them would cost more than they bring; and from 2 m on floors are spots.
+  /// their number. Rays of all of them would cost more than they bring; and with 2 m or more the floors of
+  /// ordinary rooms would be spots.
   double cap_at = 0.5, cap_at_most = 1;
   double near = 1;           ///< m; 0: the cap is the same for all receivers, and r not limited from below
   bool for_vertices = true;  ///< whether vertices of paths are receivers, too

@@ -85,7 +85,10 @@ std::vector<std::string> chance_light(const Scene& scene, Strategy strategy) {
     else
       found = unconnected_light(scene, from_discs);
   }
-  add_without_images(!scene.emitting_surfaces.empty(), "from emitting surfaces");
+  if (strategy == Strategy::walk && !scene.emitting_surfaces.empty())
+    found.emplace_back("all light from emitting surfaces");
+  else
+    add_without_images(!scene.emitting_surfaces.empty(), "from emitting surfaces");
   return found;
 }
 

@@ -29,16 +29,21 @@ void ErrorSurvey::each_row(std::size_t item, Use use) const {
 }
 
 Precision ErrorSurvey::precision(std::size_t item, const RelativeError& wanted) const {
-  const double growth = static_cast<double>(wanted.most_samples) /
-                        (static_cast<double>(estimator_.samples_per_batch()) * sums_[item].batches);
+  const double reachable = this->reachable(item, wanted);
   Precision found;
   const bool flags_are_final = sums_[item].batches >= last_flagged_batches;
   each_row(item, [&](std::size_t i, const auto& means, auto& errors, const auto& flags) {
     for (std::size_t c = 0; flags_are_final && c < errors.size(); ++c)
       if (flags[c] != 0) errors[c] = std::numeric_limits<double>::infinity();
-    found += count_precise(means, errors, flags, requirement(i), wanted, growth);
+    found += count_precise(means, errors, flags, requirement(i), wanted, reachable);
   });
   return found;
+}
+
+double ErrorSurvey::reachable(std::size_t item, const RelativeError& wanted) const {
+  const std::uint32_t batches = sums_[item].batches;
+  const double samples = static_cast<double>(estimator_.samples_per_batch()) * batches;
+  return reachable_error(batches, static_cast<double>(wanted.most_samples) / samples);
 }
 
 double ErrorSurvey::requirement(std::size_t i) const {
@@ -50,6 +55,11 @@ ErrorSurvey::Shortfall ErrorSurvey::shortfall(const RelativeError& wanted, std::
   std::vector<UnmetEntry>& worst = found.worst;
   for (std::size_t item = 0; item < sums_.size(); ++item) {
     const auto& columns = estimator_.block(item).columns;
+    const double reachable = this->reachable(item, wanted);
+    const bool flags_are_final = sums_[item].batches >= last_flagged_batches;
+    const auto comes_first = [](const UnmetEntry& a, const UnmetEntry& b) {
+      return a.is_out_of_reach != b.is_out_of_reach ? a.is_out_of_reach : a.relative_error > b.relative_error;
+    };
     each_row(item, [&](std::size_t i, const auto& means, const auto& errors, const auto& flags) {
       const double limit = relevance_limit(means, requirement(i), wanted.above);
       for (std::size_t c = 0; c < means.size(); ++c) {
@@ -57,12 +67,13 @@ ErrorSurvey::Shortfall ErrorSurvey::shortfall(const RelativeError& wanted, std::
         ++found.relevant;
         if (flags[c] == 0 && errors[c] <= wanted.error * means[c]) continue;
         ++found.entries;
-        const double error = errors[c] / means[c];
-        const auto at =
-            std::upper_bound(worst.begin(), worst.end(), error,
-                             [](double e, const UnmetEntry& entry) { return e > entry.relative_error; });
+        const UnmetEntry entry{
+            world_.scene.labels[i].id, world_.emitters.id(columns[c]), errors[c] / means[c], flags[c] != 0,
+            (flags[c] != 0 && flags_are_final) || errors[c] > wanted.error * means[c] * reachable};
+        found.out_of_reach += entry.is_out_of_reach ? 1 : 0;
+        const auto at = std::upper_bound(worst.begin(), worst.end(), entry, comes_first);
         if (worst.size() == named && at == worst.end()) continue;
-        worst.insert(at, {world_.scene.labels[i].id, world_.emitters.id(columns[c]), error, flags[c] != 0});
+        worst.insert(at, entry);
         if (worst.size() > named) worst.pop_back();
       }
     });

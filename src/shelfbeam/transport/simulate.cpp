@@ -28,6 +28,7 @@ void find_unmet(const RelativeError& wanted, const detail::Engine& engine, Simul
   if (found.is_small_enough()) return;
   summary.unmet_error = wanted.error;
   summary.unmet = found.entries;
+  summary.out_of_reach = found.out_of_reach;
   summary.worst_unmet = std::move(found.worst);
 }
 

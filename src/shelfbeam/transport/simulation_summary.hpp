@@ -22,7 +22,8 @@ struct ErrorQuantiles {
 struct UnmetEntry {
   std::string label, source;  ///< ids
   double relative_error = 0;
-  bool is_flagged = false;  ///< SignalMatrix::flags
+  bool is_flagged = false;       ///< SignalMatrix::flags
+  bool is_out_of_reach = false;  ///< whether more samples, up to RelativeError::most_samples, would not help
 };
 
 /// What a simulation did and how good its matrix is.
@@ -40,9 +41,9 @@ struct SimulationSummary {
   double seconds = 0;                 ///< of this run
   double seconds_to_halve = 0;        ///< predicted from there on, until the errors are half as large
   /// A relative error that was asked for and is out of reach (RelativeError::most_samples), how many entries
-  /// fall short of it, and the worst of them.
+  /// fall short of it, how many of these would at the end, too, and the worst of them.
   std::optional<double> unmet_error;
-  std::uint64_t unmet = 0;
+  std::uint64_t unmet = 0, out_of_reach = 0;
   std::vector<UnmetEntry> worst_unmet;
   std::array<ErrorQuantiles, 2> errors = {{{0.3}, {0.02}}};
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -77,9 +78,9 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
       departure = after_specular(departure,
                                  next->direction.z * outgoing.z > 0 && world.mirrors.contains(hit->triangle));
     }
-    // Between two mirrors a ray would never end.
+    // Between two mirrors a ray would never end. No roulette makes it heavier than it was at first.
     if (step >= 8 && !end.is_straight) {
-      constexpr double survival = 0.75;
+      const double survival = std::clamp(end.throughput, 0.05, 0.95);
       if (random.unit() >= survival) return std::nullopt;
       end.throughput /= survival;
     }

@@ -19,7 +19,7 @@ double relevance_limit(std::span<const double> means, double requirement, double
 
 Precision count_precise(std::span<const double> means, std::span<const double> standard_errors,
                         std::span<const std::uint8_t> flags, double requirement, const RelativeError& wanted,
-                        double growth) {
+                        double reachable) {
   const double limit = relevance_limit(means, requirement, wanted.above);
   Precision result;
   for (std::size_t k = 0; k < means.size(); ++k) {
@@ -28,10 +28,15 @@ Precision count_precise(std::span<const double> means, std::span<const double> s
     const double most = wanted.error * means[k];
     if (flags[k] == 0 && standard_errors[k] <= most)
       ++result.precise;
-    else if (standard_errors[k] > most * std::sqrt(growth))
+    else if (standard_errors[k] > most * reachable)
       ++result.hopeless;
   }
   return result;
+}
+
+double reachable_error(std::uint32_t batches, double growth) {
+  constexpr double deviations = 3;
+  return std::sqrt(growth) * (1 + deviations / std::sqrt(2.0 * (batches - 1)));
 }
 
 }  // namespace shelfbeam

@@ -48,9 +48,14 @@ struct Precision {
 double relevance_limit(std::span<const double> means, double requirement, double share);
 
 /// Counts the entries of a row, from their means and standard errors; flagged ones (SignalMatrix::flags) are
-/// not precise. Hopeless are those that would not be precise with `growth` times the samples.
+/// not precise. Hopeless are those whose error is more than `reachable` times what is wanted.
 Precision count_precise(std::span<const double> means, std::span<const double> standard_errors,
                         std::span<const std::uint8_t> flags, double requirement, const RelativeError& wanted,
-                        double growth = std::numeric_limits<double>::infinity());
+                        double reachable = std::numeric_limits<double>::infinity());
+
+/// How many times too large an error may be after so many batches and still fall to what is wanted with
+/// `growth` times as many: sqrt(growth), and what an error that batches estimate is off by at most, three
+/// times 1 / sqrt(2 (batches - 1)).
+double reachable_error(std::uint32_t batches, double growth);
 
 }  // namespace shelfbeam

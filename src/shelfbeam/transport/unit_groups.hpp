@@ -52,8 +52,8 @@ class UnitGroups {
   /// Irradiance in W/m^2 that each unit of a group would give with nothing in between.
   void irradiance(std::size_t g, const LanePoint& point, LaneValues& result) const;
 
-  /// What estimators that look at surfaces from afar take of a unit's irradiance at most; the rest, in the
-  /// bright spots on surfaces right beside it, they must leave to rays from the unit. No limit unless set.
+  /// What estimators that look at surfaces from afar take of a unit's irradiance at most: SpotRule. No limit
+  /// unless set.
   float cap(std::size_t g, std::size_t lane) const { return groups_[g].cap[lane]; }
   void set_cap(std::size_t column, float cap);
   /// Largest radiant intensity, W/sr.
@@ -62,10 +62,15 @@ class UnitGroups {
   /// Largest irradiance that a unit of the group could give anywhere at this distance, and more than nothing.
   float bound(std::size_t g, const LanePoint& point) const {
     const Group& group = groups_[g];
+    const float away = std::max(group.nearest, distance(g, point));
+    return group.peak / (away * away);
+  }
+  /// No unit of the group is nearer, m; may be negative.
+  float distance(std::size_t g, const LanePoint& point) const {
+    const Group& group = groups_[g];
     const float dx = point.x - group.centre[0], dy = point.y - group.centre[1],
                 dz = point.z - group.centre[2];
-    const float away = std::max(group.nearest, std::sqrt(dx * dx + dy * dy + dz * dz) - group.radius);
-    return group.peak / (away * away);
+    return std::sqrt(dx * dx + dy * dy + dz * dz) - group.radius;
   }
 
  private:

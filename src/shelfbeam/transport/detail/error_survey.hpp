@@ -26,7 +26,8 @@ class ErrorSurvey {
   /// The entries that matter and are not precise enough.
   struct Shortfall {
     std::uint64_t relevant = 0, entries = 0;  ///< that matter; of these, that fall short
-    std::vector<UnmetEntry> worst;            ///< the worst first
+    std::uint64_t out_of_reach = 0;           ///< of these, that more samples would not help
+    std::vector<UnmetEntry> worst;            ///< these first, the largest error first
 
     bool is_small_enough() const { return Precision{relevant, relevant - entries}.is_enough(); }
   };
@@ -43,6 +44,8 @@ class ErrorSurvey {
 
  private:
   double requirement(std::size_t i) const;
+  /// How many times too large an item's errors may be and still be brought down (reachable_error).
+  double reachable(std::size_t item, const RelativeError& wanted) const;
   template <class Use>
   void each_row(std::size_t item, Use use) const;
 
