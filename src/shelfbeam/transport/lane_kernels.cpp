@@ -87,7 +87,8 @@ struct Facets {
         narrow(s.narrow),
         skew(s.skew),
         across2(s.across2),
-        more(s.more) {
+        more(s.more),
+        is_beckmann(s.is_beckmann) {
     for (std::size_t k = 0; k < CosineCurve::nodes; ++k) {
       entry[k] = s.entry->factor[k];
       fresnel[k] = s.fresnel->factor[k];
@@ -96,6 +97,7 @@ struct Facets {
 
   float ox = 0, oy = 0, oz = 0, on = 0, base = 0, scale = 0, alpha2 = 1;
   float tx = 0, ty = 0, tz = 0, narrow = 1, skew = 0, across2 = 1, more = 0;
+  bool is_beckmann = false;
   float entry[CosineCurve::nodes] = {}, fresnel[CosineCurve::nodes] = {};
 };
 
@@ -125,15 +127,51 @@ SHELFBEAM_INLINE inline Way way_to(const Group& group, const LanePoint& p, const
           sum > 1e-12F ? sum < 4 ? sum : 4 : 1e-12F, f.tx * hx + f.ty * hy + f.tz * hz};
 }
 
-// F D G / (4 cos cos) of GGX (2.23), (2.29), (2.31), with D and G of facets that are rougher one way.
+// F D G / (4 cos cos) (2.23) of facets that may be rougher one way: GGX (2.29), (2.31), or Beckmann's, whose
+// exponential (2.24) is (1 + x / 64)^-64 here, high by 1 % where x is 1 and by 13 % where it is 4, and whose
+// masking is the rational approximation of (2.28).
+template <bool beckmann>
 SHELFBEAM_INLINE inline float highlight(const Facets& f, const Way& way) {
   const float ln = way.ln;
   const float facing = (f.on + ln) * (f.on + ln) / way.squared;  // cos^2 of the facets
   const float across = facing < 1 ? 1 - facing : 0;
-  const float d = f.narrow * across + f.skew * (way.hx * way.hx / way.squared) + f.alpha2 * (1 - across);
-  const float g = ln + std::sqrt(f.across2 + (1 - f.across2) * ln * ln + f.more * way.lx * way.lx);
-  const float fresnel = on_curve(f.fresnel, std::sqrt(way.squared) / 2);
-  return f.scale * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) * (fresnel > 0 ? fresnel : 0);
+  const float slope = f.narrow * across + f.skew * (way.hx * way.hx / way.squared);
+  const float side = f.more * way.lx * way.lx;
+  const float curve = on_curve(f.fresnel, std::sqrt(way.squared) / 2);
+  const float fresnel = curve > 0 ? curve : 0;
+  if constexpr (beckmann) {
+    const float level = 1 - across > 1e-3F ? 1 - across : 1e-3F;
+    float power = 1 + slope / (64 * f.alpha2 * level);
+    for (int square = 0; square < 6; ++square) power *= power;
+    const float root = std::sqrt(f.across2 * (1 - ln * ln) + side + 1e-12F);
+    const float a = ln / root;
+    const float seen = (3.535F + 2.181F * a) / ((1 + (2.276F + 2.577F * a) * a) * root);  // G1 / cos
+    const float g = a < 1.6F ? seen : 1 / ln;
+    return f.scale * g / (static_cast<float>(pi) * f.alpha2 * level * level * power) * fresnel;
+  } else {
+    const float d = slope + f.alpha2 * (1 - across);
+    const float g = ln + std::sqrt(f.across2 + (1 - f.across2) * ln * ln + side);
+    return f.scale * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) * fresnel;
+  }
+}
+
+// use(k, cosine at the point, highlight) in all lanes.
+template <class Group, class Use>
+SHELFBEAM_INLINE inline void for_highlights(const Group& group, const LanePoint& p, const Facets& f,
+                                            const Use& use) {
+  if (f.is_beckmann) {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const Way way = way_to(group, p, f, k);
+      use(k, way.ln, highlight<true>(f, way));
+    }
+  } else {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const Way way = way_to(group, p, f, k);
+      use(k, way.ln, highlight<false>(f, way));
+    }
+  }
 }
 
 // A loop of its own: loops that mix widths of numbers are turned into vectors of the smallest one's length.
@@ -193,11 +231,9 @@ void LaneKernels::add_radiance(const UnitGroups& groups, const std::uint16_t* li
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < lanes; ++k) rest[k] = indirect_factor * PackedLane::value(d[k]);
     if (facets.scale > 0) {
-      SHELFBEAM_VECTORIZE
-      for (std::size_t k = 0; k < lanes; ++k) {
-        const Way way = way_to(group, p, facets, k);
-        f[k] = facets.base * on_curve(facets.entry, way.ln) + highlight(facets, way);
-      }
+      for_highlights(group, p, facets, [&](std::size_t k, float ln, float highlight) SHELFBEAM_INLINE {
+        f[k] = facets.base * on_curve(facets.entry, ln) + highlight;
+      });
     } else {
       SHELFBEAM_VECTORIZE
       for (std::size_t k = 0; k < lanes; ++k)
@@ -214,7 +250,9 @@ LaneKernels::Parts LaneKernels::parts(const UnitGroups& groups, std::size_t g, s
                                       const LanePoint& point, const LaneScatter& scatter) {
   const Facets facets(scatter);
   const Way way = way_to(groups.groups_[g], point, facets, lane);
-  return {on_curve(facets.entry, way.ln), scatter.highlight > 0 ? highlight(facets, way) : 0};
+  return {on_curve(facets.entry, way.ln), scatter.highlight == 0 ? 0
+                                          : scatter.is_beckmann  ? highlight<true>(facets, way)
+                                                                 : highlight<false>(facets, way)};
 }
 
 SHELFBEAM_FOR_EACH_CPU
@@ -235,13 +273,10 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
     unpack(s, part);
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < lanes; ++k) more[k] = 1;
-    if (facets.scale > 0) {
-      SHELFBEAM_VECTORIZE
-      for (std::size_t k = 0; k < lanes; ++k) {
-        const Way way = way_to(group, p, facets, k);
-        more[k] += static_cast<float>(pi) * highlight(facets, way);
-      }
-    }
+    if (facets.scale > 0)
+      for_highlights(group, p, facets, [&](std::size_t k, float, float highlight) SHELFBEAM_INLINE {
+        more[k] += static_cast<float>(pi) * highlight;
+      });
     for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
               UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
                 whole[k] = e;

@@ -13,10 +13,9 @@ namespace {
 
 constexpr double smoothest = 0.03;
 
-// Other facets are not written as vectors, and smoother ones are too much for floats.
+// Other masking is not written as vectors, and smoother facets are too much for floats.
 bool is_plain(const Microfacets& facets) {
-  return facets.distribution == FacetDistribution::ggx && facets.masking == Masking::smith &&
-         std::min(facets.alpha_x, facets.alpha_y) >= smoothest;
+  return facets.masking != Masking::cook_torrance && std::min(facets.alpha_x, facets.alpha_y) >= smoothest;
 }
 
 }  // namespace
@@ -38,6 +37,7 @@ SurfaceGuide::SurfaceGuide(const Material& material) : plastic_(std::get_if<Plas
   if (conductor != nullptr && conductor->facets) facets = &*conductor->facets;
   has_highlight_ = plastic_ == nullptr || facets != nullptr;
   if (facets != nullptr) {  // others are taken for plain ones
+    is_beckmann_ = facets->distribution == FacetDistribution::beckmann;
     alpha_x_ = std::max(smoothest, facets->alpha_x);
     alpha_y_ = std::max(smoothest, facets->alpha_y);
   }
@@ -67,22 +67,24 @@ LaneScatter SurfaceGuide::towards(const Vec3& outgoing, const Vec3& normal, doub
   scatter.entry = &entry_;
   scatter.fresnel = &fresnel_;
   if (alpha_x_ > 0) {
-    const double x2 = alpha_x_ * alpha_x_, y2 = alpha_y_ * alpha_y_;
-    double along2 = 0;  // squared component of the direction along x
+    Vec3 local{std::sqrt(1 - c * c), 0, c};  // azimuths are all the same but where facets are brushed
     if (alpha_x_ != alpha_y_) {
-      const Vec3 x = Frame::of_surface(normal).x;
-      along2 = dot(x, outgoing) * dot(x, outgoing);
-      scatter.tx = static_cast<float>(x.x);
-      scatter.ty = static_cast<float>(x.y);
-      scatter.tz = static_cast<float>(x.z);
+      const Frame frame = Frame::of_surface(normal);
+      local = frame.to_local(outgoing);
+      local.z = c;
+      scatter.tx = static_cast<float>(frame.x.x);
+      scatter.ty = static_cast<float>(frame.x.y);
+      scatter.tz = static_cast<float>(frame.x.z);
     }
+    const Microfacets facets{is_beckmann_ ? FacetDistribution::beckmann : FacetDistribution::ggx, alpha_x_,
+                             alpha_y_};
+    scatter.is_beckmann = is_beckmann_;
     scatter.alpha2 = static_cast<float>(alpha_x_ * alpha_y_);
     scatter.narrow = static_cast<float>(alpha_x_ / alpha_y_);
     scatter.skew = static_cast<float>(alpha_y_ / alpha_x_ - alpha_x_ / alpha_y_);
-    scatter.across2 = static_cast<float>(y2);
-    scatter.more = static_cast<float>(x2 - y2);
-    const double slopes2 = y2 * (1 / (c * c) - 1) + (x2 - y2) * along2 / (c * c);
-    scatter.highlight = static_cast<float>(2 / (1 + std::sqrt(1 + slopes2)) / (4 * c));
+    scatter.across2 = static_cast<float>(alpha_y_ * alpha_y_);
+    scatter.more = static_cast<float>(alpha_x_ * alpha_x_ - alpha_y_ * alpha_y_);
+    scatter.highlight = static_cast<float>(facets.masking_of(local, {0, 0, 1}) / (4 * c));
   }
   return scatter;
 }

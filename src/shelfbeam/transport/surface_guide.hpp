@@ -6,7 +6,7 @@
 namespace shelfbeam {
 
 /// How a point of a surface scatters light towards one direction o: radiance per irradiance from a unit in
-/// direction l is base x entry(cos l), and the highlight of GGX facets (2.23).
+/// direction l is base x entry(cos l), and the highlight of facets (2.23).
 struct LaneScatter {
   float ox = 0, oy = 0, oz = 0, on = 0;  ///< o, and its cosine
   float base = 0;
@@ -15,6 +15,7 @@ struct LaneScatter {
   float tx = 0, ty = 0, tz = 0;  ///< x of the surface (Frame::of_surface) where they differ, and then
   float narrow = 1, skew = 0;    ///< alpha_x / alpha_y, and alpha_y / alpha_x less that,
   float across2 = 1, more = 0;   ///< alpha_y^2, and alpha_x^2 less that
+  bool is_beckmann = false;      ///< D is Beckmann's, else that of GGX
   const CosineCurve* entry = nullptr;
   const CosineCurve* fresnel = nullptr;
 };
@@ -55,6 +56,7 @@ class SurfaceGuide {
   bool has_base_ = false, is_detailed_ = false, has_highlight_ = false, is_loose_ = false;
   double base_ = 0, base_albedo_ = 0;
   double alpha_x_ = 0, alpha_y_ = 0;  ///< of facets as LaneScatter has them; 0: none
+  bool is_beckmann_ = false;
   CosineCurve entry_, fresnel_;
 };
 
