@@ -22,8 +22,8 @@ struct Bend {
 };
 
 /// The flat mirrors of a scene: groups of coplanar triangles that reflect a share as a mirror does (smooth
-/// metal, glass, panes, smooth coats). No walk can join a point to a point over a mirror; the mirror image of
-/// the one can be seen from the other, and its light is computed exactly.
+/// metal, glass, panes, smooth coats). No walk can join a point to a point, or to one drawn on a disc, over a
+/// mirror; the mirror image of the one can be seen from the other, and its light is computed exactly.
 ///
 /// Only the largest groups count, at most `most_mirrors` of at least `least_area`: every connection tries
 /// each of them.

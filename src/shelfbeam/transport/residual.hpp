@@ -32,7 +32,8 @@ struct ReuseEffort {
   std::uint32_t tails = 24;   ///< rays that look the cache up at such a point,
   std::uint32_t later_tails = 16;  ///< and at later vertices
   std::size_t group = 96;          ///< vertices that share their continuations
-  std::uint32_t spot_rays = 8;     ///< from a unit beside a surface at most, for a cluster and batch
+  std::uint32_t spot_rays =
+      8;  ///< from a unit beside a surface at most, for a cluster, or vertices of a group
   SpotRule spots = {};
   double survival = 0.7;  ///< least chance of a continuation; brighter surfaces have their albedo
 };
