@@ -210,7 +210,8 @@ TEST(Refine, JoinsBatches) {
   }
 }
 
-// The larger part decides: few batches that are skewed do not outlast many that are not.
+// The part with more samples decides, and that with more spread: few batches that are skewed do not outlast
+// many that are not, unless the whole error is theirs.
 TEST(Refine, FlagsEntriesThatTheLargerPartFlags) {
   const Scene scene = test::PlanStore().scene();
   SignalMatrix matrix = simulate(scene, "", options_of(EstimatorKind::uniform)).matrix;
@@ -220,14 +221,22 @@ TEST(Refine, FlagsEntriesThatTheLargerPartFlags) {
   FreshRow fresh{
       2, std::vector<double>(n, 1.0), std::vector<double>(n, 0.1), std::vector<std::uint8_t>(n), 64, 64};
   fresh.flags[1] = 1;
-  for (const std::uint64_t samples : {64, 64000}) {
-    fresh.samples = samples;
-    join(fresh, matrix);
-    const std::size_t flagged = samples == 64 ? 0 : 1;
-    for (std::size_t i = 0; i < matrix.rows(); ++i)
+  struct Part {
+    std::uint64_t samples;
+    double error;
+    bool keeps, gets;
+  };
+  for (const Part& part :
+       {Part{1, 0, true, false}, Part{1, 1e9, true, true}, Part{640000, 1e9, false, true}}) {
+    SignalMatrix joint = matrix;
+    fresh.samples = part.samples;
+    fresh.standard_error.assign(n, part.error);
+    join(fresh, joint);
+    for (std::size_t i = 0; i < joint.rows(); ++i)
       for (std::size_t j = 0; j < n; ++j)
-        EXPECT_EQ(matrix.is_flagged(matrix.at(i, j)), (i == 2 && j == flagged) || (i == 3 && j == 0))
-            << samples << " " << i << " " << j;
+        EXPECT_EQ(joint.is_flagged(joint.at(i, j)),
+                  (i == 2 && ((j == 0 && part.keeps) || (j == 1 && part.gets))) || (i == 3 && j == 0))
+            << part.samples << " " << i << " " << j;
   }
   matrix.flags.clear();
   join(fresh, matrix);

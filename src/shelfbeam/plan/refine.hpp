@@ -25,7 +25,7 @@ std::vector<FreshRow> fresh_rows(const Scene& scene, const std::vector<std::uint
                                  const VerificationEffort& effort, const RunControl& control = {});
 
 /// Joins one to its label's row: means and errors become those of all batches together, by samples. An entry
-/// is flagged where the larger part is, or either of equal ones. Parts by bounce and by
+/// is flagged where a part is that has half of the samples or more, or of the error. Parts by bounce and by
 /// path length are dropped, and direct parts stay.
 void join(const FreshRow& fresh, SignalMatrix& matrix);
 
