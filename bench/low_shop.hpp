@@ -17,9 +17,9 @@ class LowShop {
  public:
   static constexpr std::size_t units = 3;
 
-  /// Takes the reference from `folder`, or simulates it with so many samples per label and leaves it there, and
-  /// writes the store file beside it. Throws std::runtime_error where the reference is too short to tell that
-  /// so many units suffice and fewer do not.
+  /// Takes the reference from `folder`, or simulates it with so many samples per label and leaves it there,
+  /// and writes the store file beside it. Throws std::runtime_error where the reference is too short to tell
+  /// that so many units suffice and fewer do not.
   LowShop(const std::filesystem::path& folder, std::uint64_t samples);
 
   const std::filesystem::path& file() const { return file_; }
