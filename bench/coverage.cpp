@@ -167,7 +167,7 @@ double largest_reflectance(const Scene& scene) {
 }
 
 std::vector<ZooRoom> chosen(const Settings& settings) {
-  const std::vector<ZooRoom> all = test::zoo();
+  std::vector<ZooRoom> all = test::zoo();
   if (settings.rooms.empty()) return all;
   std::vector<ZooRoom> rooms;
   for (const std::string& name : settings.rooms) {
