@@ -193,13 +193,10 @@ void print_growth(const std::vector<std::string>& stores) {
 
 Settings parse(int argc, char** argv) {
   Settings settings;
-  for (int k = 1; k < argc; ++k) {
-    const std::string word = argv[k];
-    const auto next = [&]() -> const char* {
-      if (k + 1 == argc) throw std::invalid_argument(word + " needs a value");
-      return argv[++k];
-    };
-    const auto number = [&] { return std::strtoull(next(), nullptr, 10); };
+  Words words(argc, argv);
+  while (words.any_left()) {
+    const std::string word = words.next();
+    const auto number = [&] { return std::strtoull(words.value().c_str(), nullptr, 10); };
     if (word == "--quick") {
       settings.walks = 16000;
       settings.batches = 32;
@@ -210,7 +207,7 @@ Settings parse(int argc, char** argv) {
     } else if (word == "--caps") {
       settings.caps = true;
     } else if (word == "--before") {
-      settings.earlier_program = next();
+      settings.earlier_program = words.value();
     } else if (word == "--against-paper") {
       settings.against_paper = true;
     } else if (word == "--seeds") {

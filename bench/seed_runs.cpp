@@ -51,8 +51,7 @@ double SeedRuns::variance_of_means(std::size_t entry, std::size_t left_out) cons
 }
 
 double SeedRuns::square_error(std::size_t entry, double truth, std::size_t left_out) const {
-  return mean_over(seeds(), left_out,
-                   [&](std::size_t s) { return square(static_cast<double>(means_[s][entry]) - truth); });
+  return product_of_errors(entry, truth, truth, left_out);
 }
 
 double SeedRuns::product_of_errors(std::size_t entry, double a, double b, std::size_t left_out) const {

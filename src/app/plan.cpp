@@ -105,10 +105,7 @@ int run_plan(const Options& options) {
       options.simulation.options(options.common.seed, options.folder / signal_name);
   const bool is_new = !std::filesystem::exists(options.folder);
   prepare_plan_folder(options.folder);
-  if (!options.common.json && !options.common.quiet) {
-    print_warnings(store.scene);
-    print_chance_light(store.scene, simulation.rules().strategy);
-  }
+  print_warnings(options.common, store.scene, simulation.rules().strategy);
   Plan plan;
   try {
     TerminalProgress progress(options.common.quiet);

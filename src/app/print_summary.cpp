@@ -82,16 +82,18 @@ void print_by_chance(const StoreSummary& summary) {
   for (const std::string& light : summary.by_chance) fmt::print("  {}\n", light);
 }
 
+void print_warnings(const Scene& scene) {
+  for (const std::string& warning : scene.warnings) fmt::print("warning: {}\n", warning);
+}
+
 }  // namespace
 
-void print_chance_light(const Scene& scene, Strategy strategy) {
+void print_warnings(const CommonOptions& common, const Scene& scene, Strategy strategy) {
+  if (common.json || common.quiet) return;
+  print_warnings(scene);
   for (const std::string& light : chance_light(scene, strategy))
     fmt::print("warning: {} is found by chance only: take more samples, and see which errors are flagged\n",
                light);
-}
-
-void print_warnings(const Scene& scene) {
-  for (const std::string& warning : scene.warnings) fmt::print("warning: {}\n", warning);
 }
 
 void print_summary(const LoadedStore& store, const StoreSummary& summary) {

@@ -34,10 +34,7 @@ int run_simulate(const Options& options) {
       load_store(options.store, options.allow_outside, options.simulation.most_memory());
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   expect_writable(options.output);
-  if (!options.common.json && !options.common.quiet) {
-    print_warnings(store.scene);
-    print_chance_light(store.scene, simulation.rules().strategy);
-  }
+  print_warnings(options.common, store.scene, simulation.rules().strategy);
   SimulationSummary summary;
   {
     TerminalProgress progress(options.common.quiet);

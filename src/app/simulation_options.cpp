@@ -180,9 +180,8 @@ std::string describe(const SimulationSummary& summary) {
         "samples, or see in '/flags' of the signal file which entries they are";
   if (summary.unmet_error) {
     text += fmt::format(
-        "\na relative error of {:g} % is out of reach of --max-samples for {} entries; {} fall short of it "
-        "so "
-        "far, the worst:",
+        "\na relative error of {:g} % is out of reach of --max-samples for {} entries; "
+        "{} fall short of it so far, the worst:",
         100 * *summary.unmet_error, summary.out_of_reach, summary.unmet);
     for (const UnmetEntry& entry : summary.worst_unmet)
       text += fmt::format("\n  label '{}' from '{}': {:.1f} %{}{}", entry.label, entry.source,

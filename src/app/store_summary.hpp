@@ -12,6 +12,7 @@
 
 #include "loaded_store.hpp"
 #include "material_shares.hpp"
+#include "verbs.hpp"
 
 namespace shelfbeam::app {
 
@@ -59,9 +60,8 @@ StoreSummary summarize(const Scene& scene);
 
 nlohmann::ordered_json summary_json(const LoadedStore& store, const StoreSummary& summary);
 void print_summary(const LoadedStore& store, const StoreSummary& summary);
-/// A line each.
-void print_warnings(const Scene& scene);
-/// The same of light that a simulation finds by chance only.
-void print_chance_light(const Scene& scene, Strategy strategy);
+/// A line each for the warnings of a scene and the light that its simulation finds by chance only, unless
+/// JSON or nothing is to be printed.
+void print_warnings(const CommonOptions& common, const Scene& scene, Strategy strategy);
 
 }  // namespace shelfbeam::app

@@ -73,10 +73,8 @@ int run_verify(const Options& options) {
                                                     : CommunicationModel::non_cooperative;
   question.redundant = question.redundant || options.survive_failure;
   if (!options.output.empty()) expect_writable(options.output);
-  if (!options.common.json && !options.common.quiet) {
-    print_warnings(installation.scene);
-    print_chance_light(installation.scene, Strategy::nee);
-  }
+  const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
+  print_warnings(options.common, installation.scene, simulation.rules().strategy);
   Placement placement;
   {
     TerminalProgress progress(options.common.quiet);
@@ -84,7 +82,7 @@ int run_verify(const Options& options) {
     CertifyOptions asked;
     asked.confidence = options.certificate.confidence;
     asked.budget_s = options.certificate.budget_s;
-    asked.simulation = options.simulation.options(options.common.seed, options.output);
+    asked.simulation = simulation;
     asked.simulation.checkpoint = {};
     placement = verify_installation(installation.scene, question, asked, control);
   }

@@ -64,9 +64,9 @@ TEST(ErrorSurvey, GivesFlaggedEntriesTimeAndNotForEver) {
     EXPECT_EQ(precision.relevant, 2U);
     EXPECT_EQ(precision.precise, 1U);
     EXPECT_EQ(precision.hopeless, is_final ? 1U : 0U);
-    EXPECT_EQ(shortfall.relevant, 2U);
-    EXPECT_EQ(shortfall.entries, 1U);
-    EXPECT_EQ(shortfall.out_of_reach, is_final ? 1U : 0U);
+    EXPECT_EQ(shortfall.precision.relevant, 2U);
+    EXPECT_EQ(shortfall.precision.precise, 1U);
+    EXPECT_EQ(shortfall.precision.hopeless, is_final ? 1U : 0U);
     ASSERT_EQ(shortfall.worst.size(), 1U);
     EXPECT_EQ(shortfall.worst[0].source, "T1");
     EXPECT_TRUE(shortfall.worst[0].is_flagged);
@@ -79,7 +79,7 @@ TEST(ErrorSurvey, TellsWhatMoreSamplesWouldBring) {
   const auto [precision, shortfall] = survey(64, {0.01, 0.3, 12'800});  // 1.2 % so far; twice the samples
   EXPECT_EQ(precision.precise, 0U);
   EXPECT_EQ(precision.hopeless, 1U);
-  EXPECT_EQ(shortfall.out_of_reach, 1U);
+  EXPECT_EQ(shortfall.precision.hopeless, 1U);
   ASSERT_EQ(shortfall.worst.size(), 2U);
   EXPECT_EQ(shortfall.worst[0].source, "T1");
   EXPECT_FALSE(shortfall.worst[1].is_out_of_reach);

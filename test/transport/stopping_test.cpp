@@ -64,7 +64,7 @@ TEST(Stopping, DoesNotTrustFlaggedErrors) {
 TEST(Stopping, KnowsWhatMoreSamplesCannotReach) {
   // 10 % are wanted, and twice as much can be brought down.
   const std::vector<double> means{1, 1, 1}, errors{0.1, 0.2, 0.21};
-  const Precision found = count_precise(means, errors, std::vector<std::uint8_t>(3), 1, {0.1, 0.3}, 2);
+  const Precision found = count_precise(means, errors, std::vector<std::uint8_t>(3), 1, {0.1, 0.3}, {2});
   EXPECT_EQ(found.precise, 1u);
   EXPECT_EQ(found.hopeless, 1u);
   EXPECT_FALSE(found.is_decided());

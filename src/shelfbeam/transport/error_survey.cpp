@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -29,21 +28,19 @@ void ErrorSurvey::each_row(std::size_t item, Use use) const {
 }
 
 Precision ErrorSurvey::precision(std::size_t item, const RelativeError& wanted) const {
-  const double reachable = this->reachable(item, wanted);
+  const Reachable reachable = this->reachable(item, wanted);
   Precision found;
-  const bool flags_are_final = sums_[item].batches >= last_flagged_batches;
-  each_row(item, [&](std::size_t i, const auto& means, auto& errors, const auto& flags) {
-    for (std::size_t c = 0; flags_are_final && c < errors.size(); ++c)
-      if (flags[c] != 0) errors[c] = std::numeric_limits<double>::infinity();
+  each_row(item, [&](std::size_t i, const auto& means, const auto& errors, const auto& flags) {
     found += count_precise(means, errors, flags, requirement(i), wanted, reachable);
   });
   return found;
 }
 
-double ErrorSurvey::reachable(std::size_t item, const RelativeError& wanted) const {
+Reachable ErrorSurvey::reachable(std::size_t item, const RelativeError& wanted) const {
   const std::uint32_t batches = sums_[item].batches;
   const double samples = static_cast<double>(estimator_.samples_per_batch()) * batches;
-  return reachable_error(batches, static_cast<double>(wanted.most_samples) / samples);
+  return {reachable_error(batches, static_cast<double>(wanted.most_samples) / samples),
+          batches >= last_flagged_batches};
 }
 
 double ErrorSurvey::requirement(std::size_t i) const {
@@ -52,29 +49,30 @@ double ErrorSurvey::requirement(std::size_t i) const {
 
 ErrorSurvey::Shortfall ErrorSurvey::shortfall(const RelativeError& wanted, std::size_t named) const {
   Shortfall found;
-  std::vector<UnmetEntry>& worst = found.worst;
+  // Of all entries few are named: only these get their ids.
+  struct Rank {
+    bool is_out_of_reach;
+    double error;
+  };
+  const auto comes_first = [](const Rank& a, const UnmetEntry& b) {
+    return a.is_out_of_reach != b.is_out_of_reach ? a.is_out_of_reach : a.error > b.relative_error;
+  };
   for (std::size_t item = 0; item < sums_.size(); ++item) {
     const auto& columns = estimator_.block(item).columns;
-    const double reachable = this->reachable(item, wanted);
-    const bool flags_are_final = sums_[item].batches >= last_flagged_batches;
-    const auto comes_first = [](const UnmetEntry& a, const UnmetEntry& b) {
-      return a.is_out_of_reach != b.is_out_of_reach ? a.is_out_of_reach : a.relative_error > b.relative_error;
-    };
+    const Reachable reachable = this->reachable(item, wanted);
+    found.precision += precision(item, wanted);
     each_row(item, [&](std::size_t i, const auto& means, const auto& errors, const auto& flags) {
       const double limit = relevance_limit(means, requirement(i), wanted.above);
       for (std::size_t c = 0; c < means.size(); ++c) {
         if (!(means[c] > limit)) continue;
-        ++found.relevant;
-        if (flags[c] == 0 && errors[c] <= wanted.error * means[c]) continue;
-        ++found.entries;
-        const UnmetEntry entry{
-            world_.scene.labels[i].id, world_.emitters.id(columns[c]), errors[c] / means[c], flags[c] != 0,
-            (flags[c] != 0 && flags_are_final) || errors[c] > wanted.error * means[c] * reachable};
-        found.out_of_reach += entry.is_out_of_reach ? 1 : 0;
-        const auto at = std::upper_bound(worst.begin(), worst.end(), entry, comes_first);
-        if (worst.size() == named && at == worst.end()) continue;
-        worst.insert(at, entry);
-        if (worst.size() > named) worst.pop_back();
+        const Standing stands = standing(means[c], errors[c], flags[c] != 0, wanted, reachable);
+        if (stands == Standing::precise) continue;
+        const Rank rank{stands == Standing::hopeless, errors[c] / means[c]};
+        const auto at = std::upper_bound(found.worst.begin(), found.worst.end(), rank, comes_first);
+        if (found.worst.size() == named && at == found.worst.end()) continue;
+        found.worst.insert(at, {world_.scene.labels[i].id, world_.emitters.id(columns[c]), rank.error,
+                                flags[c] != 0, rank.is_out_of_reach});
+        if (found.worst.size() > named) found.worst.pop_back();
       }
     });
   }

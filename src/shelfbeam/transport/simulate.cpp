@@ -25,10 +25,10 @@ constexpr std::size_t named_entries = 10;
 
 void find_unmet(const RelativeError& wanted, const detail::Engine& engine, SimulationSummary& summary) {
   auto found = engine.survey().shortfall(wanted, named_entries);
-  if (found.is_small_enough()) return;
+  if (found.precision.is_enough()) return;
   summary.unmet_error = wanted.error;
-  summary.unmet = found.entries;
-  summary.out_of_reach = found.out_of_reach;
+  summary.unmet = found.precision.relevant - found.precision.precise;
+  summary.out_of_reach = found.precision.hopeless;
   summary.worst_unmet = std::move(found.worst);
 }
 

@@ -17,19 +17,26 @@ double relevance_limit(std::span<const double> means, double requirement, double
   return means.empty() ? 0 : share * *std::max_element(means.begin(), means.end());
 }
 
+Standing standing(double mean, double standard_error, bool is_flagged, const RelativeError& wanted,
+                  const Reachable& reachable) {
+  const double most = wanted.error * mean;
+  if (!is_flagged && standard_error <= most) return Standing::precise;
+  const bool is_hopeless =
+      (is_flagged && reachable.flags_are_final) || standard_error > most * reachable.error;
+  return is_hopeless ? Standing::hopeless : Standing::open;
+}
+
 Precision count_precise(std::span<const double> means, std::span<const double> standard_errors,
                         std::span<const std::uint8_t> flags, double requirement, const RelativeError& wanted,
-                        double reachable) {
+                        const Reachable& reachable) {
   const double limit = relevance_limit(means, requirement, wanted.above);
   Precision result;
   for (std::size_t k = 0; k < means.size(); ++k) {
     if (!(means[k] > limit)) continue;
     ++result.relevant;
-    const double most = wanted.error * means[k];
-    if (flags[k] == 0 && standard_errors[k] <= most)
-      ++result.precise;
-    else if (standard_errors[k] > most * reachable)
-      ++result.hopeless;
+    const Standing found = standing(means[k], standard_errors[k], flags[k] != 0, wanted, reachable);
+    result.precise += found == Standing::precise ? 1 : 0;
+    result.hopeless += found == Standing::hopeless ? 1 : 0;
   }
   return result;
 }

@@ -47,11 +47,22 @@ struct Precision {
 /// the largest mean of its row.
 double relevance_limit(std::span<const double> means, double requirement, double share);
 
-/// Counts the entries of a row, from their means and standard errors; flagged ones (SignalMatrix::flags) are
-/// not precise. Hopeless are those whose error is more than `reachable` times what is wanted.
+/// What more samples can still bring.
+struct Reachable {
+  double error = std::numeric_limits<double>::infinity();  ///< so many times what is wanted: reachable_error
+  bool flags_are_final = false;                            ///< from `last_flagged_batches` on
+};
+
+/// How an entry that matters stands to the error that is wanted; flagged ones (SignalMatrix::flags) are not
+/// precise.
+enum class Standing { precise, open, hopeless };
+Standing standing(double mean, double standard_error, bool is_flagged, const RelativeError& wanted,
+                  const Reachable& reachable);
+
+/// Counts the entries of a row, from their means and standard errors.
 Precision count_precise(std::span<const double> means, std::span<const double> standard_errors,
                         std::span<const std::uint8_t> flags, double requirement, const RelativeError& wanted,
-                        double reachable = std::numeric_limits<double>::infinity());
+                        const Reachable& reachable = {});
 
 /// How many times too large an error may be after so many batches and still fall to what is wanted with
 /// `growth` times as many: sqrt(growth), and what an error that batches estimate is off by at most, three

@@ -23,13 +23,11 @@ class ErrorSurvey {
 
   Precision precision(std::size_t item, const RelativeError& wanted) const;
 
-  /// The entries that matter and are not precise enough.
+  /// The entries that matter, and those of them that are not precise enough: hopeless ones first, the largest
+  /// error first.
   struct Shortfall {
-    std::uint64_t relevant = 0, entries = 0;  ///< that matter; of these, that fall short
-    std::uint64_t out_of_reach = 0;           ///< of these, that more samples would not help
-    std::vector<UnmetEntry> worst;            ///< these first, the largest error first
-
-    bool is_small_enough() const { return Precision{relevant, relevant - entries}.is_enough(); }
+    Precision precision;
+    std::vector<UnmetEntry> worst;
   };
   /// Names so many of them at most.
   Shortfall shortfall(const RelativeError& wanted, std::size_t named) const;
@@ -44,8 +42,7 @@ class ErrorSurvey {
 
  private:
   double requirement(std::size_t i) const;
-  /// How many times too large an item's errors may be and still be brought down (reachable_error).
-  double reachable(std::size_t item, const RelativeError& wanted) const;
+  Reachable reachable(std::size_t item, const RelativeError& wanted) const;
   template <class Use>
   void each_row(std::size_t item, Use use) const;
 
