@@ -7,7 +7,6 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/transport/reuse.hpp"
-#include "shelfbeam/transport/simulate.hpp"
 #include "shelfbeam/transport/uniform.hpp"
 
 namespace shelfbeam {
@@ -32,10 +31,6 @@ void expect_possible(const Scene& scene, const SimulationOptions& options) {
 
 }  // namespace
 
-std::uint64_t samples_per_batch(std::uint64_t samples) {
-  return std::max<std::uint64_t>(1, (samples + batch_count - 1) / batch_count);
-}
-
 std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options,
                                           const RunControl& control) {
   switch (options.estimator) {
@@ -45,10 +40,9 @@ std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOp
       return std::make_unique<ReuseEstimator>(world, options.seed, ReuseEffort{}, control);
   }
   expect_possible(world.scene, options);
-  return std::make_unique<UniformEstimator>(
-      world, options.rules(), options.seed,
-      options.has_fixed_samples() ? samples_per_batch(options.samples) : open_samples_per_batch,
-      options.by_bounce, options.by_length);
+  return std::make_unique<UniformEstimator>(world, options.rules(), options.seed,
+                                            options.uniform_samples_per_batch(), options.by_bounce,
+                                            options.by_length);
 }
 
 std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& options) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -11,15 +10,6 @@
 #include "shelfbeam/transport/simulation_summary.hpp"
 
 namespace shelfbeam {
-
-/// With a given number of samples the uniform estimator deals them out evenly over so many batches.
-inline constexpr std::uint32_t batch_count = 32;
-
-/// First rays a label and batch of the uniform estimator: `samples` rounded up to a whole number a batch.
-std::uint64_t samples_per_batch(std::uint64_t samples);
-
-/// Its batches where the number of them is open.
-inline constexpr std::uint64_t open_samples_per_batch = 64;
 
 /// What to say where an output could not be written after a simulation that has a checkpoint.
 inline constexpr auto checkpoint_remains =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -30,6 +31,12 @@ struct CheckpointOptions {
   double interval_s = 10;
 };
 
+/// With a given number of samples the uniform estimator deals them out evenly over so many batches.
+inline constexpr std::uint32_t batch_count = 32;
+
+/// Its batches where the number of them is open.
+inline constexpr std::uint64_t open_samples_per_batch = 64;
+
 struct SimulationOptions {
   /// First rays a label; particles a transceiver. The simulation ends with these, unless one of the next two
   /// says otherwise.
@@ -57,6 +64,11 @@ struct SimulationOptions {
   std::size_t length_layers() const { return by_length.count; }
   std::size_t layers() const { return bounce_layers() + length_layers(); }
   bool has_fixed_samples() const { return !relative_error && !time_s; }
+  /// First rays a label and batch of the uniform estimator: `samples` rounded up to a whole number a batch.
+  std::uint64_t uniform_samples_per_batch() const {
+    if (!has_fixed_samples()) return open_samples_per_batch;
+    return std::max<std::uint64_t>(1, (samples + batch_count - 1) / batch_count);
+  }
 };
 
 }  // namespace shelfbeam
