@@ -86,7 +86,7 @@ test::Reference reference(const Settings& settings, const ZooRoom& room, const S
     options.direct = DirectLight::exact;
     options.samples = settings.walks * room.effort;
     options.seed = 99;
-    simulate_to_file(scene, "", options, file);
+    simulate_to_file(scene, options, file);
   }
   const SignalMatrix matrix = read_signal_file(file);
   return {{matrix.mean.begin(), matrix.mean.end()},

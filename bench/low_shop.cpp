@@ -46,7 +46,7 @@ SignalMatrix simulated(const fs::path& file, std::uint64_t samples) {
     options.direct = DirectLight::exact;
     options.samples = samples;
     options.seed = 0;  // that of no plan
-    simulate_to_file(make_scene(parse_store(store_text(1), "low shop", ".")), "", options, file);
+    simulate_to_file(make_scene(parse_store(store_text(1), "low shop", ".")), options, file);
   }
   return read_signal_file(file);
 }

@@ -36,7 +36,7 @@ void for_instances(const std::vector<std::string>& files, const std::vector<doub
 
   const Scene scene = open_scene("thesis");
   const auto simulated = [&](const std::string& name, const SimulationOptions& options) {
-    for_scales(name, make_signal_table(simulate(scene, {}, options).matrix), scales, visit);
+    for_scales(name, make_signal_table(simulate(scene, options).matrix), scales, visit);
   };
   for (const std::uint64_t samples : {5000, 10000, 25000, 50000, 100000})
     simulated(fmt::format("uniform {}", samples), {.samples = samples});

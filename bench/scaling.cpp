@@ -24,9 +24,9 @@ ThreadScaling thread_scaling(const Scene& scene, std::uint64_t batches) {
   for (int run = 0; run < 3; ++run) {
     RunControl control;
     control.threads = 1;
-    found.one = std::min(found.one, wall_seconds([&] { simulate(scene, "", options, control); }));
+    found.one = std::min(found.one, wall_seconds([&] { simulate(scene, options, control); }));
     control.threads = found.threads;
-    found.all = std::min(found.all, wall_seconds([&] { simulate(scene, "", options, control); }));
+    found.all = std::min(found.all, wall_seconds([&] { simulate(scene, options, control); }));
   }
   return found;
 }

@@ -53,7 +53,7 @@ SignalMatrix simulate_with(Scene scene, double radius, std::uint64_t samples) {
   SimulationOptions options;
   options.samples = samples;
   options.direct = DirectLight::exact;
-  return simulate(scene, "", options).matrix;
+  return simulate(scene, options).matrix;
 }
 
 void compare(const Scene& scene, std::initializer_list<double> radii, std::uint64_t samples) {

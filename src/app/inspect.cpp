@@ -24,12 +24,12 @@ struct Options {
 
 int run_inspect(const Options& options) {
   keep_input(options.plan, options.store);
-  const LoadedStore store = load_store(options.store, options.allow_outside);
-  if (!options.plan.empty()) write_file(options.plan, floor_plan_svg(store.scene));
+  const Scene scene = make_scene(load_store(options.store, options.allow_outside));
+  if (!options.plan.empty()) write_file(options.plan, floor_plan_svg(scene));
   if (options.common.json) {
-    print_json(summary_json(store, summarize(store.scene)));
+    print_json(summary_json(scene, summarize(scene)));
   } else if (!options.common.quiet) {
-    print_summary(store, summarize(store.scene));
+    print_summary(scene, summarize(scene));
     if (!options.plan.empty()) fmt::print("\nfloor plan: {}\n", options.plan.string());
   }
   return done;

@@ -1,17 +1,11 @@
 #include "loaded_store.hpp"
 
 #include "shelfbeam/base/memory.hpp"
-#include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/scene/store.hpp"
 
 namespace shelfbeam::app {
 
-LoadedStore load_store(const std::filesystem::path& path, bool allow_outside, std::size_t memory) {
-  const Store store = read_store(path, {allow_outside, memory == 0 ? most_of_the_memory() : memory});
-  LoadedStore loaded{make_scene(store), {}, {}};
-  loaded.resolved = resolved_store_json(store, loaded.scene);
-  loaded.hash = content_hash(loaded.resolved);
-  return loaded;
+Store load_store(const std::filesystem::path& path, bool allow_outside, std::size_t memory) {
+  return read_store(path, {allow_outside, memory == 0 ? most_of_the_memory() : memory});
 }
 
 void add_store_options(CLI::App& verb, bool& allow_outside) {

@@ -55,10 +55,10 @@ SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
 
 // A store that is no plan's own stays, and so do the lists that may lie beside it.
 void keep_store(const std::filesystem::path& folder, const std::filesystem::path& file,
-                const LoadedStore& store) {
+                const std::string& resolved) {
   std::error_code missing;
   const auto home = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  if (std::filesystem::equivalent(folder, home, missing) && read_file(file) != store.resolved)
+  if (std::filesystem::equivalent(folder, home, missing) && read_file(file) != resolved)
     throw InputError(folder.string(), "is the folder of the store file, which would be overwritten",
                      "choose another folder for the plan");
 }
@@ -95,17 +95,18 @@ bool is_open(const Options& options, const Plan& plan) {
 
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
-  const LoadedStore store =
-      load_store(options.store, options.allow_outside, options.simulation.most_memory());
-  keep_store(options.folder, options.store, store);
+  const Store store = load_store(options.store, options.allow_outside, options.simulation.most_memory());
+  const Scene scene = make_scene(store);
+  const std::string resolved = resolved_store_json(store, scene);
+  keep_store(options.folder, options.store, resolved);
   // What is asked of the placement is checked before the light is simulated.
-  SignalTable nothing = table_without_signals(store.scene);
+  SignalTable nothing = table_without_signals(scene);
   options.requirements.apply(nothing, options.store.string());
   const SimulationOptions simulation =
       options.simulation.options(options.common.seed, options.folder / signal_name);
   const bool is_new = !std::filesystem::exists(options.folder);
   prepare_plan_folder(options.folder);
-  print_warnings(options.common, store.scene, simulation.rules().strategy);
+  print_warnings(options.common, scene, simulation.rules().strategy);
   Plan plan;
   try {
     TerminalProgress progress(options.common.quiet);
@@ -120,7 +121,7 @@ int run_plan(const Options& options) {
     asked.budget_s = options.certificate.budget_s;
     asked.curve = options.curve;
     if (options.sensitivity) asked.sensitivity = {options.reflectance_error, confidence};
-    plan = make_plan(store.scene, store.hash, asked, control);
+    plan = make_plan(scene, asked, control);
   } catch (...) {  // stopped too early, or refused
     std::error_code not_empty;
     if (is_new) std::filesystem::remove(options.folder, not_empty);
@@ -132,12 +133,12 @@ int run_plan(const Options& options) {
   const std::string answer = placement_json(plan.placement, table, plan.curve);
   try {
     AtomicFolder files(options.folder);
-    files.add(store_name).write(store.resolved);
+    files.add(store_name).write(resolved);
     write_signal_file(matrix, files.add(signal_name));
     files.add(placement_name).write(answer);
     if (plan.placement.certificate)
-      files.add(verification_name).write(verification_csv(*plan.placement.certificate, store.scene));
-    write_report(files, {store.scene, matrix, plan.placement, plan.curve});
+      files.add(verification_name).write(verification_csv(*plan.placement.certificate, scene));
+    write_report(files, {scene, matrix, plan.placement, plan.curve});
     files.commit({report_name, placement_name, labels_name, placement_table_name, verification_name});
   } catch (const OutputError& error) {
     if (!summary.has_checkpoint) throw;

@@ -16,11 +16,10 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-void print_head(const LoadedStore& store, const StoreSummary& summary) {
-  const Scene& scene = store.scene;
+void print_head(const Scene& scene, const StoreSummary& summary) {
   const Vec3 size = scene.upper - scene.lower;
   fmt::print("{}\n  {:.2f} x {:.2f} x {:.2f} m, {:g} nm, {} triangles, store hash {}\n", scene.name, size.x,
-             size.y, size.z, scene.wavelength_nm, scene.mesh.triangles.size(), store.hash);
+             size.y, size.z, scene.wavelength_nm, scene.mesh.triangles.size(), scene.store_hash);
   fmt::print("  {} fixtures, {} labels, {} candidate transceivers", scene.fixtures.size(),
              scene.labels.size(), scene.transceivers.size());
   if (summary.with_several_options > 0)
@@ -96,8 +95,8 @@ void print_warnings(const CommonOptions& common, const Scene& scene, Strategy st
                light);
 }
 
-void print_summary(const LoadedStore& store, const StoreSummary& summary) {
-  print_head(store, summary);
+void print_summary(const Scene& scene, const StoreSummary& summary) {
+  print_head(scene, summary);
   fmt::print("\n");
   print_materials(summary);
   fmt::print("\n");
@@ -106,8 +105,8 @@ void print_summary(const LoadedStore& store, const StoreSummary& summary) {
   print_transceiver_types(summary);
   print_uncovered(summary);
   print_by_chance(summary);
-  if (!store.scene.warnings.empty()) fmt::print("\n");
-  print_warnings(store.scene);
+  if (!scene.warnings.empty()) fmt::print("\n");
+  print_warnings(scene);
 }
 
 }  // namespace shelfbeam::app

@@ -28,7 +28,7 @@ struct Options {
 };
 
 int run_report(const Options& options) {
-  const LoadedStore store = load_store(options.folder / store_name);
+  const Scene scene = make_scene(load_store(options.folder / store_name));
   const SignalMatrix matrix = read_signal_file(options.folder / signal_name);
   // The bytes that `plan` hashed, not what this version would write for the same store.
   if (matrix.provenance.store_hash != content_hash(read_file(options.folder / store_name)))
@@ -38,7 +38,7 @@ int run_report(const Options& options) {
   const Placement placement = read_placement(options.folder / placement_name, table);
   const ReachCurve curve = read_curve(options.folder / placement_name, table);
   AtomicFolder files(options.folder);
-  write_report(files, {store.scene, matrix, placement, curve});
+  write_report(files, {scene, matrix, placement, curve});
   files.commit({report_name});
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)

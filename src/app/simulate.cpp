@@ -30,22 +30,22 @@ struct Options {
 int run_simulate(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   keep_input(options.output, options.store);
-  const LoadedStore store =
-      load_store(options.store, options.allow_outside, options.simulation.most_memory());
+  const Scene scene =
+      make_scene(load_store(options.store, options.allow_outside, options.simulation.most_memory()));
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   expect_writable(options.output);
-  print_warnings(options.common, store.scene, simulation.rules().strategy);
+  print_warnings(options.common, scene, simulation.rules().strategy);
   SimulationSummary summary;
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel, progress.sink()};
-    summary = simulate_to_file(store.scene, store.hash, simulation, options.output, control);
+    summary = simulate_to_file(scene, simulation, options.output, control);
   }
   if (options.common.json) {
     nlohmann::ordered_json json{{"signal", options.output.string()}};
     json.update(to_json(summary));
-    json["warnings"] = store.scene.warnings;
-    json["found_by_chance"] = chance_light(store.scene, simulation.rules().strategy);
+    json["warnings"] = scene.warnings;
+    json["found_by_chance"] = chance_light(scene, simulation.rules().strategy);
     print_json(json);
   } else if (!options.common.quiet) {
     fmt::print("{}\n{}\n", describe(summary), options.output.string());

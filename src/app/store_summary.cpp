@@ -86,11 +86,10 @@ StoreSummary summarize(const Scene& scene) {
   return summary;
 }
 
-nlohmann::ordered_json summary_json(const LoadedStore& store, const StoreSummary& summary) {
-  const Scene& scene = store.scene;
+nlohmann::ordered_json summary_json(const Scene& scene, const StoreSummary& summary) {
   nlohmann::ordered_json json;
   json["name"] = scene.name;
-  json["store_hash"] = store.hash;
+  json["store_hash"] = scene.store_hash;
   json["wavelength_nm"] = scene.wavelength_nm;
   json["lower"] = {scene.lower.x, scene.lower.y, scene.lower.z};
   json["upper"] = {scene.upper.x, scene.upper.y, scene.upper.z};

@@ -8,9 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/transport/path_rules.hpp"
 
-#include "loaded_store.hpp"
 #include "material_shares.hpp"
 #include "verbs.hpp"
 
@@ -58,8 +58,8 @@ struct StoreSummary {
 
 StoreSummary summarize(const Scene& scene);
 
-nlohmann::ordered_json summary_json(const LoadedStore& store, const StoreSummary& summary);
-void print_summary(const LoadedStore& store, const StoreSummary& summary);
+nlohmann::ordered_json summary_json(const Scene& scene, const StoreSummary& summary);
+void print_summary(const Scene& scene, const StoreSummary& summary);
 /// A line each for the warnings of a scene and the light that its simulation finds by chance only, unless
 /// JSON or nothing is to be printed.
 void print_warnings(const CommonOptions& common, const Scene& scene, Strategy strategy);

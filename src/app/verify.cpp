@@ -52,7 +52,7 @@ bool is_json(const std::filesystem::path& path) {
 
 Installation load_installation(const Options& options) {
   const std::filesystem::path& units = options.placement;
-  const Store store = read_store(options.store, {options.allow_outside, options.simulation.most_memory()});
+  const Store store = load_store(options.store, options.allow_outside, options.simulation.most_memory());
   if (!is_json(units)) return {scene_with_units(store, units), {}};
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));

@@ -71,7 +71,7 @@ struct Way {
     options.seed = seed;
     options.strategy = strategy;
     options.heuristic = heuristic;
-    return shelfbeam::simulate(scene, "", options).matrix;
+    return shelfbeam::simulate(scene, options).matrix;
   }
 };
 inline constexpr Way walk{"walk", Strategy::walk}, nee{"nee", Strategy::nee}, mis{"mis", Strategy::mis},

@@ -40,7 +40,7 @@ SignalMatrix simulated(const Scene& scene, EstimatorKind estimator, std::uint64_
   options.direct = DirectLight::exact;
   options.samples = 8000;
   options.seed = seed;
-  return simulate(scene, "", options).matrix;
+  return simulate(scene, options).matrix;
 }
 
 bool is_times(const SignalMatrix& matrix, double factor, const SignalMatrix& ordinary) {

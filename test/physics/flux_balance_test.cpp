@@ -50,7 +50,7 @@ Incident incident_flux(double rho) {
         }
     }
   const SignalMatrix matrix =
-      simulate(make_scene(parse_store(text + "]}", "room", ".")), "", {640, DirectLight::exact, 3}).matrix;
+      simulate(make_scene(parse_store(text + "]}", "room", ".")), {640, DirectLight::exact, 3}).matrix;
   Incident incident;
   for (std::size_t i = 0; i < areas.size(); ++i) {
     incident.flux += areas[i] * matrix.mean[i];

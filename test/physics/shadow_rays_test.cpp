@@ -24,7 +24,7 @@ struct Room {
     if (is_boxed) bare.box(paper, {x - 0.1, 1.9, 2.7}, {x + 0.1, 2.1, 2.9});
   }
   ShadowRays shadow_rays(const SimulationOptions& options, unsigned threads = 0) const {
-    return simulate(bare.scene, "hash", options, {threads}).summary.shadow_rays;
+    return simulate(bare.scene, options, {threads}).summary.shadow_rays;
   }
 };
 

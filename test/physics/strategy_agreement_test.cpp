@@ -23,7 +23,7 @@ SignalMatrix run(const test::StrategyStore& store, Strategy strategy, std::uint6
   options.heuristic = heuristic;
   options.direct = direct;
   options.seed = 10 * static_cast<std::uint64_t>(strategy) + (heuristic == Heuristic::power ? 1 : 2);
-  return simulate(store.scene(), "", options).matrix;
+  return simulate(store.scene(), options).matrix;
 }
 
 // All 80 entries at once at a level of 0.1 %.

@@ -47,7 +47,7 @@ SignalMatrix true_matrix(const Scene& scene, double error) {
   options.direct = DirectLight::exact;
   options.relative_error = RelativeError{error, 0.02, std::uint64_t{1} << 36};
   options.seed = 1234567;
-  return simulate(scene, "", options).matrix;
+  return simulate(scene, options).matrix;
 }
 
 double received(const SignalMatrix& truth, std::size_t label, const std::vector<std::uint32_t>& selected,
@@ -86,13 +86,13 @@ TEST(Certify, ProvesASmallStore) {
     options.simulation = few_samples(3);
     options.question.model = model;
     options.budget_s = 60;
-    const Plan plan = make_plan(scene, "", options);
+    const Plan plan = make_plan(scene, options);
     ASSERT_TRUE(plan.placement.certificate);
     EXPECT_TRUE(plan.placement.certificate->all_reached());
     EXPECT_EQ(plan.placement.certificate->count_lower_bound, plan.placement.count());
     EXPECT_EQ(plan.placement.certificate->open, "");
     EXPECT_GT(plan.placement.certificate->bound_labels, 0U);
-    const Plan again = make_plan(scene, "", options, {.threads = 3});
+    const Plan again = make_plan(scene, options, {.threads = 3});
     EXPECT_EQ(again.placement.selected, plan.placement.selected);
     for (std::size_t i = 0; i < scene.labels.size(); ++i) {
       EXPECT_EQ(again.placement.certificate->labels[i].signal, plan.placement.certificate->labels[i].signal);
@@ -110,7 +110,7 @@ TEST(Certify, SaysUndecidedWhereALabelIsTrulyBorderline) {
   PlanOptions options;
   options.simulation = few_samples(4);
   options.budget_s = 2;
-  const Plan plan = make_plan(store.scene(), "", options);
+  const Plan plan = make_plan(store.scene(), options);
   ASSERT_TRUE(plan.placement.certificate);
   EXPECT_FALSE(plan.placement.certificate->all_reached());
   EXPECT_GE(plan.placement.certificate->count(Verdict::undecided), 1U);
@@ -125,7 +125,7 @@ TEST(Certify, SaysUndecidedWhereALabelIsTrulyBorderline) {
   // Five per cent less, and all is decided.
   store.threshold = least * 0.95;
   options.budget_s = 60;
-  const Plan clear = make_plan(store.scene(), "", options);
+  const Plan clear = make_plan(store.scene(), options);
   ASSERT_TRUE(clear.placement.certificate);
   EXPECT_TRUE(clear.placement.certificate->all_reached());
 }
@@ -146,9 +146,9 @@ TEST(Certify, DoesNotTakeTheMatrixAtItsWordWhereItSaysNo) {
       options.simulation.samples = std::uint64_t{batch_count} * 2;
       options.budget_s = 10 * test::slowness;
       options.confidence.reset();
-      const bool matrix_says_no = !make_plan(store.scene(), "", options).placement.has_selection();
+      const bool matrix_says_no = !make_plan(store.scene(), options).placement.has_selection();
       options.confidence = 0.99;
-      const Plan plan = make_plan(store.scene(), "", options);
+      const Plan plan = make_plan(store.scene(), options);
       ASSERT_TRUE(plan.placement.certificate);
       const Certificate& certificate = *plan.placement.certificate;
       if (share < 1) {
@@ -200,7 +200,7 @@ TEST(Certify, GoesOnAfterAnInterruption) {
   // The nearer the requirement, the more there is to refine.
   for (const double share : {0.98, 0.9825, 0.985, 0.9875, 0.99, 0.9925}) {
     store.threshold = share * least;
-    whole = make_plan(store.scene(), "", options);
+    whole = make_plan(store.scene(), options);
     if (whole.placement.certificate->rounds > 1) break;
   }
   const Scene scene = store.scene();
@@ -211,13 +211,13 @@ TEST(Certify, GoesOnAfterAnInterruption) {
   for (const char* task : {"verifying", "proving", "refining", "placing"})
     for (int times = 1; times <= 2; ++times) {
       CancelAt cancel(task, times);
-      const Plan part = make_plan(scene, "", options, {.cancel = &cancel.token, .progress = &cancel});
+      const Plan part = make_plan(scene, options, {.cancel = &cancel.token, .progress = &cancel});
       if (part.complete) continue;
       ++interrupted;
       EXPECT_NE(part.placement.certificate->open, "");
       const Placement fit = place(make_signal_table(part.simulation.matrix), {}, {});
       EXPECT_EQ(fit.selected, part.placement.selected) << task << times;
-      const Plan rest = make_plan(scene, "", options);
+      const Plan rest = make_plan(scene, options);
       EXPECT_TRUE(rest.complete);
       EXPECT_EQ(rest.simulation.matrix.mean, whole.simulation.matrix.mean);
       EXPECT_EQ(rest.simulation.matrix.standard_error, whole.simulation.matrix.standard_error);
@@ -286,9 +286,9 @@ TEST(CertifySlow, StatementsAreWrongAsRarelyAsTheyPromise) {
       options.question.model = model;
       options.budget_s = 3;
       options.confidence = std::nullopt;
-      const Plan naive = make_plan(store.scene(), "", options, {});
+      const Plan naive = make_plan(store.scene(), options, {});
       options.confidence = 0.99;
-      const Plan plan = make_plan(store.scene(), "", options, {});
+      const Plan plan = make_plan(store.scene(), options, {});
       bool is_wrong = plan.placement.certificate && plan.placement.certificate->count_lower_bound > optimum;
       bool naive_is_wrong = naive.placement.count_lower_bound > static_cast<double>(optimum);
       for (std::size_t i = 0; i < truth.rows(); ++i) {

@@ -56,7 +56,7 @@ TEST(FreshSums, AreThoseOfASimulation) {
   const std::size_t n = scene.transceivers.size();
   for (const EstimatorKind estimator : {EstimatorKind::uniform, EstimatorKind::reuse}) {
     const SimulationOptions options = options_of(estimator);
-    const SignalMatrix matrix = simulate(scene, "", options).matrix;
+    const SignalMatrix matrix = simulate(scene, options).matrix;
     const FreshSums fresh = fresh_sums(scene, options, matrix.labels[0].batches, n, each, {.threads = 1});
     const FreshSums parallel = fresh_sums(scene, options, matrix.labels[0].batches, n, each, {.threads = 3});
     std::size_t other_seed = 0;
@@ -165,9 +165,9 @@ TEST(SubScene, KeepsTheSignalsOfWhatItHas) {
   EXPECT_EQ(part.transceivers[2].id, scene.transceivers[9].id);
   SimulationOptions options = options_of(EstimatorKind::reuse);
   options.samples = 8192;
-  const SignalMatrix whole = simulate(scene, "", options).matrix;
+  const SignalMatrix whole = simulate(scene, options).matrix;
   options.seed = 9;
-  const SignalMatrix some = simulate(part, "", options).matrix;
+  const SignalMatrix some = simulate(part, options).matrix;
   const std::uint32_t rows[] = {4, 1}, columns[] = {7, 2, 9};
   int swapped = 0;
   // Seven times the errors of both: a chance of 1e-11 for each of six.
@@ -185,7 +185,7 @@ TEST(SubScene, KeepsTheSignalsOfWhatItHas) {
 TEST(Refine, JoinsBatches) {
   const Scene scene = test::PlanStore().scene();
   const SimulationOptions options = options_of(EstimatorKind::uniform);
-  SignalMatrix matrix = simulate(scene, "", options).matrix;
+  SignalMatrix matrix = simulate(scene, options).matrix;
   const SignalMatrix before = matrix;
   const VerificationEffort effort{options, 77, 64};
   for (const FreshRow& row : fresh_rows(scene, {2, 5}, effort)) join(row, matrix);
@@ -214,7 +214,7 @@ TEST(Refine, JoinsBatches) {
 // many that are not, unless the whole error is theirs.
 TEST(Refine, FlagsEntriesThatTheLargerPartFlags) {
   const Scene scene = test::PlanStore().scene();
-  SignalMatrix matrix = simulate(scene, "", options_of(EstimatorKind::uniform)).matrix;
+  SignalMatrix matrix = simulate(scene, options_of(EstimatorKind::uniform)).matrix;
   std::fill(matrix.flags.begin(), matrix.flags.end(), std::uint8_t{0});
   matrix.flags[matrix.at(2, 0)] = matrix.flags[matrix.at(3, 0)] = 1;
   const std::size_t n = matrix.columns();
@@ -246,7 +246,7 @@ TEST(Refine, FlagsEntriesThatTheLargerPartFlags) {
 TEST(Refine, FlagsFreshBatchesAsASimulation) {
   const Scene scene = test::PlanStore().scene();
   const SimulationOptions options = options_of(EstimatorKind::uniform);
-  const SignalMatrix matrix = simulate(scene, "", options).matrix;
+  const SignalMatrix matrix = simulate(scene, options).matrix;
   const FreshRow row = fresh_rows(scene, {2}, {options, options.seed, matrix.labels[2].batches}).front();
   const auto first = matrix.flags.begin() + static_cast<std::ptrdiff_t>(matrix.at(2, 0));
   EXPECT_EQ(row.flags,
@@ -261,7 +261,7 @@ TEST(Refine, CanBeTakenBack) {
   SimulationOptions options = options_of(EstimatorKind::uniform);
   options.max_bounces = 2;
   options.by_bounce = true;
-  SignalMatrix matrix = simulate(scene, "", options).matrix;
+  SignalMatrix matrix = simulate(scene, options).matrix;
   matrix.flags.assign(matrix.mean.size(), 0);
   matrix.flags[matrix.at(5, 1)] = 1;
   const SignalMatrix was = matrix;

@@ -28,7 +28,7 @@ SimulationOptions connections(std::uint32_t max_bounces, std::uint64_t samples_a
 }
 
 std::vector<float> signals_of(const Scene& scene, const SimulationOptions& options) {
-  return simulate(scene, "", options).matrix.mean;
+  return simulate(scene, options).matrix.mean;
 }
 
 Sensitivity of(const Scene& scene, const SimulationOptions& simulation, const Question& question = {},
@@ -291,12 +291,12 @@ PlanOptions without_certificate() {
 TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {
   const Scene scene = test::PlanStore().scene();
   PlanOptions options = without_certificate();
-  Plan plan = make_plan(scene, "", options);
+  Plan plan = make_plan(scene, options);
   EXPECT_FALSE(plan.placement.sensitivity);
   EXPECT_TRUE(plan.curve.points.empty());
   options.curve = true;
   options.sensitivity = SensitivityOptions{};
-  plan = make_plan(scene, "", options);
+  plan = make_plan(scene, options);
   ASSERT_TRUE(plan.placement.sensitivity);
   EXPECT_EQ(plan.placement.sensitivity->materials[0].material, "paper");
   ASSERT_EQ(plan.curve.points.size(), plan.placement.count());
@@ -316,9 +316,9 @@ TEST(Plan, KeepsWhatItHasWhereSensitivityIsInterrupted) {
   PlanOptions options = without_certificate();
   options.curve = true;
   options.sensitivity = SensitivityOptions{};
-  const Plan whole = make_plan(scene, "", options);
+  const Plan whole = make_plan(scene, options);
   CancelAtMaterial cancel;
-  const Plan part = make_plan(scene, "", options, {.cancel = &cancel.token, .progress = &cancel});
+  const Plan part = make_plan(scene, options, {.cancel = &cancel.token, .progress = &cancel});
   EXPECT_TRUE(whole.complete);
   EXPECT_FALSE(part.complete);
   EXPECT_TRUE(part.simulation.summary.complete);

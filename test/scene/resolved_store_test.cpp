@@ -171,9 +171,16 @@ TEST(ResolvedStore, HasEverythingListed) {
   }
 }
 
-// The least change of any part of a scene shows in what the tests above compare.
-TEST(ResolvedStore, ComparisonSeesEveryChange) {
-  const std::string before = fingerprint(test::scene_of(sample_store()));
+std::string hash_without_store(Scene scene) {
+  scene.store_hash.clear();
+  return scene_hash(scene);
+}
+
+// The least change of any part of a scene shows in what the tests above compare, and in the hash of its
+// contents.
+TEST(ResolvedStore, ComparisonAndHashSeeEveryChange) {
+  const Scene scene = test::scene_of(sample_store());
+  const std::string before = fingerprint(scene), hash_before = hash_without_store(scene);
   for (const auto& [pointer, value] : std::vector<std::pair<std::string, std::string>>{
            {"/wavelength_nm", "950.0000000000001"},
            {"/room/size/0", "8.000000000000002"},
@@ -215,8 +222,23 @@ TEST(ResolvedStore, ComparisonSeesEveryChange) {
            {"/labels/0/normal", "[0, 1e-12, 2]"},
            {"/transceivers/list/0/roll_deg", "30.000000000000004"},
            {"/transceivers/installed", "[]"},
-       })
-    EXPECT_NE(fingerprint(test::scene_of(test::changed_store(pointer, value))), before) << pointer;
+       }) {
+    const Scene changed = test::scene_of(test::changed_store(pointer, value));
+    EXPECT_NE(fingerprint(changed), before) << pointer;
+    EXPECT_NE(hash_without_store(changed), hash_before) << pointer;
+  }
+}
+
+TEST(ResolvedStore, ItsHashIsTheScenes) {
+  const Store store = test::read_text(sample_store().dump());
+  Scene scene = make_scene(store);
+  EXPECT_EQ(scene.store_hash, content_hash(resolved_store_json(store, scene)));
+  EXPECT_EQ(scene_hash(scene), scene.store_hash);
+  const std::string own = hash_without_store(scene);
+  EXPECT_NE(own, scene.store_hash);
+  EXPECT_EQ(own, hash_without_store(make_scene(store)));
+  scene.emitting_surfaces.push_back({"lamp", MaterialId{0}, 1});
+  EXPECT_NE(hash_without_store(scene), own);
 }
 
 }  // namespace

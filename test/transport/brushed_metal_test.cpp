@@ -30,7 +30,7 @@ Heard over_floor(double alpha_x, double alpha_y, bool along_x) {
   scene.labels[0].normal = {0, 0, -1};
   SimulationOptions options;
   options.samples = 100000;
-  const SignalMatrix matrix = simulate(scene, "", options).matrix;
+  const SignalMatrix matrix = simulate(scene, options).matrix;
   return {matrix.mean[0], matrix.standard_error[0]};
 }
 
@@ -45,7 +45,7 @@ Heard over_wall(double alpha_across, double alpha_up, bool level) {
   scene.labels[0].normal = {-1, 0, 0};
   SimulationOptions options;
   options.samples = 100000;
-  const SignalMatrix matrix = simulate(scene, "", options).matrix;
+  const SignalMatrix matrix = simulate(scene, options).matrix;
   return {matrix.mean[0], matrix.standard_error[0]};
 }
 

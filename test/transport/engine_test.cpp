@@ -45,7 +45,7 @@ Precision precision(const SignalMatrix& matrix, double error) {
 // The control: a tenth less was not reached.
 TEST(Engine, StopsWhenTheRelativeErrorIsReached) {
   const Scene scene = test::SmallStore{}.scene();
-  const SimulationResult result = simulate(scene, "hash", to_relative_error(0.02));
+  const SimulationResult result = simulate(scene, to_relative_error(0.02));
   EXPECT_TRUE(result.summary.complete);
   EXPECT_GT(precision(result.matrix, 0.02).relevant, 10u);
   EXPECT_TRUE(precision(result.matrix, 0.02 * (1 + 1e-6)).is_enough());
@@ -70,9 +70,9 @@ TEST(Engine, StopsAtTheSamePlaceWithAnyNumberOfThreads) {
   for (const Strategy strategy : {Strategy::mis, Strategy::particle}) {
     SimulationOptions options = to_relative_error(strategy == Strategy::mis ? 0.04 : 0.02);
     options.strategy = strategy;
-    const SignalMatrix one = simulate(scene, "hash", options, {1}).matrix;
+    const SignalMatrix one = simulate(scene, options, {1}).matrix;
     for (const unsigned threads : {2U, 5U}) {
-      const SignalMatrix many = simulate(scene, "hash", options, {threads}).matrix;
+      const SignalMatrix many = simulate(scene, options, {threads}).matrix;
       EXPECT_EQ(one.mean, many.mean);
       EXPECT_EQ(one.standard_error, many.standard_error);
       EXPECT_EQ(one.direct, many.direct);
@@ -136,12 +136,12 @@ TEST(Engine, StopsWithinItsTimeButNotBeforeSixteenBatches) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options;
   options.time_s = 1e-6;
-  const SimulationSummary least = simulate(scene, "hash", options).summary;
+  const SimulationSummary least = simulate(scene, options).summary;
   EXPECT_TRUE(least.complete);
   EXPECT_EQ(least.least_batches, least_batches);
   EXPECT_EQ(least.most_batches, least_batches);
   options.time_s = 0.3;
-  const SimulationSummary more = simulate(scene, "hash", options).summary;
+  const SimulationSummary more = simulate(scene, options).summary;
   EXPECT_GT(more.least_batches, least_batches);
   EXPECT_LT(more.seconds, 3);
 }
@@ -152,14 +152,14 @@ TEST(Engine, WhatStopsItChangesNoBatch) {
   SimulationOptions timed;
   timed.direct = DirectLight::exact;
   timed.time_s = 1e-6;
-  const SignalMatrix by_time = simulate(scene, "hash", timed).matrix;
+  const SignalMatrix by_time = simulate(scene, timed).matrix;
   SimulationOptions contented = to_relative_error(1);
   contented.relative_error->above = 1e6;  // nothing matters
-  const SignalMatrix by_error = simulate(scene, "hash", contented).matrix;
+  const SignalMatrix by_error = simulate(scene, contented).matrix;
   for (const LabelRow& row : by_error.labels) EXPECT_EQ(row.batches, least_batches);
   EXPECT_EQ(by_time.mean, by_error.mean);
   EXPECT_EQ(by_time.standard_error, by_error.standard_error);
-  EXPECT_NE(by_time.mean, simulate(scene, "hash", to_relative_error(0.03)).matrix.mean);
+  EXPECT_NE(by_time.mean, simulate(scene, to_relative_error(0.03)).matrix.mean);
 }
 
 // An error that would take more than the samples allowed ends the run early, which names what falls short of
@@ -168,7 +168,7 @@ TEST(Engine, GivesUpAnErrorThatIsOutOfReach) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options = to_relative_error(1e-4);
   options.relative_error->most_samples = 20000;
-  const SimulationSummary found = simulate(scene, "hash", options).summary;
+  const SimulationSummary found = simulate(scene, options).summary;
   EXPECT_TRUE(found.complete);
   EXPECT_EQ(found.unmet_error, 1e-4);
   EXPECT_GE(found.least_batches, judged_batches);
@@ -177,7 +177,7 @@ TEST(Engine, GivesUpAnErrorThatIsOutOfReach) {
   ASSERT_FALSE(found.worst_unmet.empty());
   EXPECT_GT(found.worst_unmet.front().relative_error, 1e-4);
   EXPECT_FALSE(found.worst_unmet.front().label.empty());
-  EXPECT_FALSE(simulate(scene, "hash", to_relative_error(0.05)).summary.unmet_error);
+  EXPECT_FALSE(simulate(scene, to_relative_error(0.05)).summary.unmet_error);
 }
 
 TEST(Engine, WritesTheFileThatTheMatrixWouldGive) {
@@ -187,8 +187,8 @@ TEST(Engine, WritesTheFileThatTheMatrixWouldGive) {
   options.samples = 320;
   options.max_bounces = 2;
   options.by_bounce = true;
-  simulate_to_file(scene, "hash", options, folder / "a.h5");
-  write_signal_file(simulate(scene, "hash", options).matrix, folder / "b.h5");
+  simulate_to_file(scene, options, folder / "a.h5");
+  write_signal_file(simulate(scene, options).matrix, folder / "b.h5");
   EXPECT_TRUE(read_file(folder / "a.h5") == read_file(folder / "b.h5"));
   EXPECT_EQ(folder.count(), 2);
 }
@@ -198,12 +198,12 @@ TEST(Engine, RefusesWhatDoesNotFitAndSaysHowMuchItNeeds) {
   SimulationOptions options;
   options.samples = 64;
   options.memory = 100;
-  const std::string message = test::input_error([&] { simulate(scene, "hash", options); });
+  const std::string message = test::input_error([&] { simulate(scene, options); });
   EXPECT_NE(message.find("--memory: "), std::string::npos) << message;
   EXPECT_NE(message.find("1e-07 GB may be used"), std::string::npos) << message;
   // What is enough is enough: some 3 kB for ten labels and four units.
   options.memory = 10000;
-  simulate(scene, "hash", options);
+  simulate(scene, options);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr LengthSteps steps{0.5, 40};
 SignalMatrix run(const Scene& scene, SimulationOptions options, std::uint64_t samples) {
   options.samples = samples;
   options.by_length = steps;
-  return simulate(scene, "hash", options).matrix;
+  return simulate(scene, options).matrix;
 }
 
 // A black room but for one wall, which label and unit see.
@@ -129,7 +129,7 @@ TEST(PathLengths, OfTheLastStepAreAllThatAreLonger) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{.samples = 640};
   options.by_length = {3, 2};
-  const SignalMatrix matrix = simulate(scene, "hash", options).matrix;
+  const SignalMatrix matrix = simulate(scene, options).matrix;
   ASSERT_EQ(matrix.by_length.size(), 2u);
   for (std::size_t e = 0; e < matrix.mean.size(); ++e)
     EXPECT_NEAR((matrix.by_length[0].mean[e] + matrix.by_length[1].mean[e]) / matrix.mean[e], 1, 1e-6);
@@ -140,10 +140,10 @@ TEST(PathLengths, AreRefusedWhereTheyAreNotKnown) {
   SimulationOptions options;
   options.by_length = steps;
   options.direct = DirectLight::exact;
-  test::expect_input_error([&] { simulate(scene, "", options); }, "--by-length", "--direct sampled");
+  test::expect_input_error([&] { simulate(scene, options); }, "--by-length", "--direct sampled");
   options.direct = DirectLight::sampled;
   options.strategy = Strategy::particle;
-  test::expect_input_error([&] { simulate(scene, "", options); }, "--by-length", "particle");
+  test::expect_input_error([&] { simulate(scene, options); }, "--by-length", "particle");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class Resume : public testing::Test {
   std::string whole() {
     SimulationOptions alone = options;
     alone.checkpoint = {};
-    EXPECT_TRUE(simulate_to_file(scene, "hash", alone, folder / "whole.h5", {2}).complete);
+    EXPECT_TRUE(simulate_to_file(scene, alone, folder / "whole.h5", {2}).complete);
     return read_file(folder / "whole.h5");
   }
 
@@ -46,8 +46,7 @@ class Resume : public testing::Test {
     CancelToken token;
     StopAt sink(token, reports);
     try {
-      return !simulate_to_file(scene, "hash", options, folder / "signal.h5", {threads, &token, &sink})
-                  .complete;
+      return !simulate_to_file(scene, options, folder / "signal.h5", {threads, &token, &sink}).complete;
     } catch (const Interrupted&) {
       return true;
     }
@@ -143,34 +142,39 @@ TEST_F(Resume, FromATornCheckpointButNotFromADamagedOne) {
 TEST_F(Resume, RefusesAnotherSimulationAndSaysWhatDiffers) {
   options.samples = 640;
   ASSERT_TRUE(stopped_after(100, 1));
-  const auto refused = [&](const SimulationOptions& other, const char* hash, const char* what) {
+  const auto refused_of = [&](const Scene& shop, const SimulationOptions& other, const std::string& what) {
     SimulationOptions resumed = other;
     resumed.checkpoint.resume = true;
-    test::expect_input_error([&] { simulate(scene, hash, resumed); }, "signal.h5.checkpoint",
-                             std::string("another simulation: its ") + what);
+    test::expect_input_error([&] { simulate(shop, resumed); }, "signal.h5.checkpoint",
+                             "another simulation: its " + what);
   };
-  refused(options, "other", "store hash is 'hash', here it is 'other'");
+  const auto refused = [&](const SimulationOptions& other, const char* what) {
+    refused_of(scene, other, what);
+  };
+  const Scene darker = test::SmallStore{.albedo = 0.59}.scene();
+  refused_of(darker, options,
+             fmt::format("store hash is '{}', here it is '{}'", scene.store_hash, darker.store_hash));
   SimulationOptions other = options;
   other.seed = 2;
-  refused(other, "hash", "seed is '1', here it is '2'");
+  refused(other, "seed is '1', here it is '2'");
   other = options;
   other.strategy = Strategy::nee;
-  refused(other, "hash", "estimator is 'uniform mis (balance), direct sampled', here it is 'uniform nee");
+  refused(other, "estimator is 'uniform mis (balance), direct sampled', here it is 'uniform nee");
   other = options;
   other.direct = DirectLight::exact;
-  refused(other, "hash", "estimator is");
+  refused(other, "estimator is");
   other = options;
   other.max_bounces = 3;
-  refused(other, "hash", "estimator is");
+  refused(other, "estimator is");
   other = options;
   other.samples = 64;
-  refused(other, "hash", "stopping rule is '--samples 640', here it is '--samples 64'");
+  refused(other, "stopping rule is '--samples 640', here it is '--samples 64'");
   other = options;
   other.relative_error = RelativeError{0.25, 0.3};
-  refused(other, "hash", "stopping rule is '--samples 640', here it is '--relative-error 0.25 --above 0.3");
+  refused(other, "stopping rule is '--samples 640', here it is '--relative-error 0.25 --above 0.3");
   EXPECT_TRUE(std::filesystem::exists(options.checkpoint.path));
   options.checkpoint.resume = true;
-  EXPECT_TRUE(simulate(scene, "hash", options).summary.complete);
+  EXPECT_TRUE(simulate(scene, options).summary.complete);
 }
 
 TEST_F(Resume, AStoppedRunSaysWhatItHas) {

@@ -21,7 +21,7 @@ SimulationResult run(const Scene& scene, std::uint64_t samples, DirectLight dire
                      std::uint64_t seed = 1, unsigned threads = 0) {
   RunControl control;
   control.threads = threads;
-  return simulate(scene, "hash", {samples, direct, seed}, control);
+  return simulate(scene, {samples, direct, seed}, control);
 }
 
 // z-test of two independent estimates entry by entry; entries that neither run ever hit are left out.
@@ -64,7 +64,7 @@ TEST(Simulate, EveryStrategyIsBitwiseTheSameForAnyNumberOfThreads) {
       const auto with = [&](unsigned threads) {
         RunControl control;
         control.threads = threads;
-        return simulate(scene, "hash", options, control).matrix;
+        return simulate(scene, options, control).matrix;
       };
       const SignalMatrix one = with(1), many = with(3);
       EXPECT_EQ(one.mean, many.mean);
@@ -81,15 +81,14 @@ TEST(Simulate, RefusesWhatCannotBe) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options;
   options.strategy = Strategy::walk;
-  test::expect_input_error([&] { simulate(scene, "", options); }, "--strategy walk", "'T0'", "'unit0'",
-                           "radius");
+  test::expect_input_error([&] { simulate(scene, options); }, "--strategy walk", "'T0'", "'unit0'", "radius");
   options = {};
   options.by_bounce = true;
-  test::expect_input_error([&] { simulate(scene, "", options); }, "--by-bounce", "--max-bounces");
+  test::expect_input_error([&] { simulate(scene, options); }, "--by-bounce", "--max-bounces");
   Scene shining = scene;
   shining.materials.push_back({"unused", make_lambertian(0)});
   shining.emitting_surfaces = {{"S", MaterialId{static_cast<std::uint32_t>(scene.materials.size())}, 1}};
-  EXPECT_THROW(simulate(shining, "", {}), std::invalid_argument);
+  EXPECT_THROW(simulate(shining, {}), std::invalid_argument);
 }
 
 TEST(Simulate, PermutedLabelsPermuteTheRowsToTheBit) {
@@ -210,8 +209,7 @@ TEST(Simulate, KeepsWhatItHasWhenCancelled) {
   const Scene scene = test::SmallStore{}.scene();
   CancelToken token;
   CancelAfter half(token, 0.5);
-  const SimulationResult result =
-      simulate(scene, "hash", {6400, DirectLight::sampled, 1}, {1, &token, &half});
+  const SimulationResult result = simulate(scene, {6400, DirectLight::sampled, 1}, {1, &token, &half});
   EXPECT_FALSE(result.summary.complete);
   for (const LabelRow& row : result.matrix.labels) {
     EXPECT_GE(row.batches, 2U);
@@ -226,9 +224,8 @@ TEST(Simulate, KeepsWhatItHasWhenCancelled) {
 TEST(Simulate, SaysSoWhenCancelledTooEarly) {
   CancelToken token;
   token.request();
-  EXPECT_THROW(
-      simulate(test::SmallStore{}.scene(), "hash", {640, DirectLight::sampled, 1}, {1, &token, nullptr}),
-      Interrupted);
+  EXPECT_THROW(simulate(test::SmallStore{}.scene(), {640, DirectLight::sampled, 1}, {1, &token, nullptr}),
+               Interrupted);
 }
 
 }  // namespace

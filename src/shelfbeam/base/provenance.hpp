@@ -18,7 +18,7 @@ std::uint64_t hash64(std::string_view text);
 /// Where a result comes from; written into every file that carries results.
 struct Provenance {
   std::string program_version;
-  std::string store_hash;  ///< content_hash of the resolved store; empty for a matrix from elsewhere
+  std::string store_hash;  ///< scene_hash of what was simulated; empty for a matrix from elsewhere
   std::uint64_t seed = 0;
   std::string estimator;  ///< e.g. "uniform mis (balance), direct exact"; empty for a matrix from elsewhere
 };

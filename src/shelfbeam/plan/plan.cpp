@@ -35,10 +35,9 @@ std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
 
 }  // namespace
 
-Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOptions& options,
-               const RunControl& control) {
+Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl& control) {
   Plan plan;
-  plan.simulation = simulate(scene, store_hash, options.simulation, control);
+  plan.simulation = simulate(scene, options.simulation, control);
   const TableRule table =
       options.table ? options.table : [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
   plan.placement = place(table(plan.simulation.matrix), options.question, options.place, control);

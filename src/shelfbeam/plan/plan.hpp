@@ -35,7 +35,6 @@ struct Plan {
 /// On what comes out rest the curve and, from fresh samples, the sensitivity. A simulation that is
 /// interrupted is placed with what it has, and not certified. With its checkpoint an interrupted plan goes
 /// on, and ends as one that was not (but for what time decides).
-Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOptions& options,
-               const RunControl& control = {});
+Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl& control = {});
 
 }  // namespace shelfbeam

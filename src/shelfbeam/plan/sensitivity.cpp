@@ -81,6 +81,7 @@ class Steps {
 
   ReflectanceStep with(std::size_t material, double reflectance) const {
     Scene changed = scene_;
+    changed.store_hash.clear();
     Material& surface = changed.materials[material].material;
     const bool is_other = given_reflectance(surface) != reflectance;
     if (is_other) surface = with_reflectance(surface, reflectance);
@@ -203,6 +204,8 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const Question& question
   result.assumed_error = options.assumed_error;
   std::vector<std::size_t> varied;
   Scene low = scene, high = scene;
+  low.store_hash.clear();
+  high.store_hash.clear();
   const std::vector<bool> used = scene.used_materials();
   for (std::size_t k = 0; k < scene.materials.size(); ++k) {
     if (!used[k]) continue;

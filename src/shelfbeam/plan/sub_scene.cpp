@@ -19,6 +19,7 @@ std::vector<Device> those(const std::vector<Device>& all, std::span<const std::u
 Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels,
                 std::span<const std::uint32_t> transceivers) {
   Scene part = scene;
+  part.store_hash.clear();
   part.labels = those(scene.labels, labels);
   part.transceivers = those(scene.transceivers, transceivers);
   return part;

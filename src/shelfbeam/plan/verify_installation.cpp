@@ -22,7 +22,7 @@ std::vector<std::uint32_t> undecided(const std::vector<LabelVerdict>& labels) {
 std::vector<float> planned_signals(const Scene& scene, const Question& question,
                                    const SimulationOptions& options, const RunControl& control) {
   if (question.model == CommunicationModel::cooperative) return {};
-  return simulate(scene, {}, options, control).matrix.mean;
+  return simulate(scene, options, control).matrix.mean;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/scene/fixture_geometry.hpp"
 #include "shelfbeam/scene/misplaced.hpp"
@@ -39,6 +40,7 @@ class SceneMaker {
     warn_of_bright_materials();
     warn_of_misplaced(scene_, places_, warnings_);
     scene_.warnings = warnings_.texts();
+    scene_.store_hash = content_hash(resolved_store_json(store_, scene_));
     return std::move(scene_);
   }
 

@@ -74,6 +74,9 @@ struct FixtureOutline {
 
 /// Everything a simulation needs, checked and frozen: made by `make_scene`, passed on as const.
 struct Scene {
+  /// content_hash of the resolved store that it was made of. Empty where it was made by hand; whoever changes
+  /// a scene empties it.
+  std::string store_hash;
   std::string name;
   double wavelength_nm = 940;
   std::optional<Vec3> room;  ///< size of the axis-aligned shell from the origin
@@ -99,5 +102,9 @@ struct Scene {
     return used;
   }
 };
+
+/// Identifies a scene in checkpoints and in what is computed from it: its store_hash, or where it has none a
+/// hash of all that a simulation depends on.
+std::string scene_hash(const Scene& scene);
 
 }  // namespace shelfbeam

@@ -42,7 +42,7 @@ std::size_t Engine::bytes(const World& world, const Estimator& estimator, const 
 }
 
 Engine::Engine(const World& world, const Estimator& estimator, const SimulationOptions& options,
-               const std::string& store_hash, const RunControl& control)
+               const std::string& hash, const RunControl& control)
     : world_(world),
       estimator_(estimator),
       options_(options),
@@ -56,11 +56,11 @@ Engine::Engine(const World& world, const Estimator& estimator, const SimulationO
   for (std::size_t item = 0; item < estimator.items(); ++item)
     sums_.emplace_back(entries(estimator.block(item)), has_direct(world, estimator, item), options.layers());
   if (!options.checkpoint.path.empty())
-    checkpoint_.emplace(options.checkpoint.path, identity(store_hash),
+    checkpoint_.emplace(options.checkpoint.path, identity(hash),
                         static_cast<std::uint32_t>(estimator.items()));
 }
 
-CheckpointIdentity Engine::identity(const std::string& store_hash) const {
+CheckpointIdentity Engine::identity(const std::string& hash) const {
   std::string stop = fmt::format("--samples {}", options_.samples);
   if (options_.relative_error)
     stop = fmt::format("--relative-error {} --above {} --max-samples {}", options_.relative_error->error,
@@ -68,7 +68,7 @@ CheckpointIdentity Engine::identity(const std::string& store_hash) const {
   else if (options_.time_s)
     stop = "--time";
   return {{"program version", std::string(program_version())},
-          {"store hash", store_hash},
+          {"store hash", hash},
           {"seed", fmt::format("{}", options_.seed)},
           {"estimator", estimator_.name()},
           {"stopping rule", stop},

@@ -26,7 +26,7 @@ TransceiverColumn describe(const Scene& scene, const Transceiver& unit) {
 
 }  // namespace
 
-SignalMatrix matrix_head(const Scene& scene, const std::string& store_hash, std::uint64_t seed,
+SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint64_t seed,
                          const std::string& estimator) {
   SignalMatrix matrix;
   for (const Label& label : scene.labels) matrix.labels.push_back(describe(scene, label));
@@ -36,7 +36,7 @@ SignalMatrix matrix_head(const Scene& scene, const std::string& store_hash, std:
     matrix.transceivers.back().id = surface.id;
   }
   matrix.wavelength_nm = scene.wavelength_nm;
-  matrix.provenance = {std::string(program_version()), store_hash, seed, estimator};
+  matrix.provenance = {std::string(program_version()), hash, seed, estimator};
   return matrix;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include <tbb/task_arena.h>
@@ -61,8 +62,8 @@ SimulationSummary summarise(const SignalMatrix& head, const detail::Engine& engi
 
 // Runs a simulation and calls use(head, rows): the matrix but for its entries, and these.
 template <class Use>
-SimulationSummary run(const Scene& scene, const std::string& store_hash, const SimulationOptions& options,
-                      bool keeps_matrix, const RunControl& control, Use use) {
+SimulationSummary run(const Scene& scene, const SimulationOptions& options, bool keeps_matrix,
+                      const RunControl& control, Use use) {
   const auto start = std::chrono::steady_clock::now();
   const int threads = control.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(control.threads);
   tbb::task_arena arena(threads);
@@ -73,13 +74,14 @@ SimulationSummary run(const Scene& scene, const std::string& store_hash, const S
     const World world(scene);
     const auto estimator = make_estimator(world, options, control);
     detail::expect_room(world, *estimator, options, keeps_matrix);
-    detail::Engine engine(world, *estimator, options, store_hash, control);
+    const std::string hash = scene_hash(scene);
+    detail::Engine engine(world, *estimator, options, hash, control);
     try {
       const bool complete = engine.run();
       if (engine.fewest_batches() < 2 || !engine.known().is_complete())
         throw Interrupted(std::string("the simulation was stopped before it had two batches of samples") +
                           (engine.has_checkpoint() ? "; the same command with '--resume' goes on" : ""));
-      SignalMatrix head = detail::matrix_head(scene, store_hash, options.seed, estimator->name());
+      SignalMatrix head = detail::matrix_head(scene, hash, options.seed, estimator->name());
       head.length_step = options.by_length.step;
       const detail::MatrixRows rows(*estimator, engine.sums(), engine.known(), head.rows(),
                                     options.bounce_layers(), options.length_layers());
@@ -104,21 +106,18 @@ SimulationSummary run(const Scene& scene, const std::string& store_hash, const S
 
 }  // namespace
 
-SimulationResult simulate(const Scene& scene, const std::string& store_hash, const SimulationOptions& options,
-                          const RunControl& control) {
+SimulationResult simulate(const Scene& scene, const SimulationOptions& options, const RunControl& control) {
   SimulationResult result;
-  result.summary =
-      run(scene, store_hash, options, true, control, [&](SignalMatrix head, const detail::MatrixRows& rows) {
-        result.matrix = detail::filled(std::move(head), rows);
-      });
+  result.summary = run(scene, options, true, control, [&](SignalMatrix head, const detail::MatrixRows& rows) {
+    result.matrix = detail::filled(std::move(head), rows);
+  });
   return result;
 }
 
-SimulationSummary simulate_to_file(const Scene& scene, const std::string& store_hash,
-                                   const SimulationOptions& options, const std::filesystem::path& output,
-                                   const RunControl& control) {
+SimulationSummary simulate_to_file(const Scene& scene, const SimulationOptions& options,
+                                   const std::filesystem::path& output, const RunControl& control) {
   const SimulationSummary summary =
-      run(scene, store_hash, options, false, control,
+      run(scene, options, false, control,
           [&](const SignalMatrix& head, const auto& rows) { write_signal_file(head, rows, output); });
   if (summary.complete && !options.checkpoint.path.empty()) remove_checkpoint(options.checkpoint.path);
   return summary;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/scene/scene.hpp"
@@ -30,13 +29,12 @@ struct SimulationResult {
 /// Throws InputError where the options do not fit the scene (random walks never meet a point), the matrix
 /// does not fit into the memory, or the checkpoint is of another simulation, and Interrupted when cancelled
 /// before everything has two batches: nothing can be said yet.
-SimulationResult simulate(const Scene& scene, const std::string& store_hash, const SimulationOptions& options,
+SimulationResult simulate(const Scene& scene, const SimulationOptions& options,
                           const RunControl& control = {});
 
 /// The same straight into a signal file, without the matrix in memory; removes the checkpoint when the
 /// simulation is complete.
-SimulationSummary simulate_to_file(const Scene& scene, const std::string& store_hash,
-                                   const SimulationOptions& options, const std::filesystem::path& output,
-                                   const RunControl& control = {});
+SimulationSummary simulate_to_file(const Scene& scene, const SimulationOptions& options,
+                                   const std::filesystem::path& output, const RunControl& control = {});
 
 }  // namespace shelfbeam

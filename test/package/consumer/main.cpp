@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     const Scene scene = make_scene(read_store(argv[1]));
     SimulationOptions options;
     options.samples = 256;
-    const SignalTable table = make_signal_table(simulate(scene, "", options).matrix);
+    const SignalTable table = make_signal_table(simulate(scene, options).matrix);
     const Placement placement = place(table, {}, {});
     std::printf("%zu labels, %zu candidates: %zu transceivers, at least %.0f\n", table.rows(),
                 table.columns(), placement.count(), placement.count_lower_bound);

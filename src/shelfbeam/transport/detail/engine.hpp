@@ -35,7 +35,7 @@ class Engine {
   static std::size_t bytes(const World& world, const Estimator& estimator, const SimulationOptions& options);
 
   Engine(const World& world, const Estimator& estimator, const SimulationOptions& options,
-         const std::string& store_hash, const RunControl& control);
+         const std::string& hash, const RunControl& control);
 
   /// True when it came to its end, false when it was cancelled on the way. Either way the checkpoint has what
   /// there is.
@@ -59,7 +59,7 @@ class Engine {
  private:
   using Clock = std::chrono::steady_clock;
 
-  CheckpointIdentity identity(const std::string& store_hash) const;
+  CheckpointIdentity identity(const std::string& hash) const;
   void resume();
   void save_checkpoint();
   void save_checkpoint_if_due();

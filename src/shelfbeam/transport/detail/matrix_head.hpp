@@ -10,7 +10,7 @@
 namespace shelfbeam::detail {
 
 /// A matrix without entries: what is known of labels and sources.
-SignalMatrix matrix_head(const Scene& scene, const std::string& store_hash, std::uint64_t seed,
+SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint64_t seed,
                          const std::string& estimator);
 
 /// The same with its entries.
