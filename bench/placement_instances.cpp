@@ -39,8 +39,8 @@ void for_instances(const std::vector<std::string>& files, const std::vector<doub
     for_scales(name, make_signal_table(simulate(scene, options).matrix), scales, visit);
   };
   for (const std::uint64_t samples : {5000, 10000, 25000, 50000, 100000})
-    simulated(fmt::format("uniform {}", samples), {.samples = samples});
-  simulated("reuse 10000", {.samples = 10000, .estimator = EstimatorKind::reuse});
+    simulated(fmt::format("uniform {}", samples), {EstimatorKind::uniform, samples});
+  simulated("reuse 10000", {EstimatorKind::reuse, 10000});
 }
 
 }  // namespace shelfbeam::bench

@@ -50,7 +50,7 @@ constexpr const char* store_text = R"({
 
 SignalMatrix simulate_with(Scene scene, double radius, std::uint64_t samples) {
   scene.transceiver_types[0].radius = radius;
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.samples = samples;
   options.direct = DirectLight::exact;
   return simulate(scene, options).matrix;

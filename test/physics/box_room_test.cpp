@@ -62,7 +62,8 @@ bool agrees(const SignalMatrix& matrix, double albedo, const test::Mistakes& mis
 
 TEST(BoxRoom, AgreesWithAnEstimatorWrittenAnewAndRejectsItsMistakes) {
   constexpr double albedo = 0.7;
-  const SignalMatrix matrix = simulate(room(albedo), {200000, DirectLight::sampled, 5}).matrix;
+  const SignalMatrix matrix =
+      simulate(room(albedo), {EstimatorKind::uniform, 200000, DirectLight::sampled, 5}).matrix;
   EXPECT_TRUE(agrees(matrix, albedo, {}));
   EXPECT_FALSE(agrees(matrix, 1.02 * albedo, {}));
   EXPECT_FALSE(agrees(matrix, albedo, {.no_cosine_at_surfaces = true}));

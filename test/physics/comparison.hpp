@@ -67,6 +67,7 @@ struct Way {
 
   SignalMatrix simulate(const Scene& scene, std::uint64_t samples, std::uint64_t seed = 1,
                         SimulationOptions options = {}) const {
+    options.estimator = EstimatorKind::uniform;
     options.samples = samples;
     options.seed = seed;
     options.strategy = strategy;

@@ -49,8 +49,9 @@ Incident incident_flux(double rho) {
           comma = ",";
         }
     }
-  const SignalMatrix matrix =
-      simulate(make_scene(parse_store(text + "]}", "room", ".")), {640, DirectLight::exact, 3}).matrix;
+  const SignalMatrix matrix = simulate(make_scene(parse_store(text + "]}", "room", ".")),
+                                       {EstimatorKind::uniform, 640, DirectLight::exact, 3})
+                                  .matrix;
   Incident incident;
   for (std::size_t i = 0; i < areas.size(); ++i) {
     incident.flux += areas[i] * matrix.mean[i];

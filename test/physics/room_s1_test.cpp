@@ -29,7 +29,7 @@ SignalMatrix simulate_room(double albedo_factor, DirectLight direct, std::uint64
                            Strategy strategy = Strategy::mis) {
   Store store = read_store(folder / "store.json");
   std::get<Lambertian>(store.materials[0].material).reflectance *= albedo_factor;
-  return simulate(make_scene(store), {samples, direct, 7, strategy}).matrix;
+  return simulate(make_scene(store), {EstimatorKind::uniform, samples, direct, 7, strategy}).matrix;
 }
 
 // All twelve totals at once at a level of 1 %.

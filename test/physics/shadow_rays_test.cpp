@@ -29,7 +29,7 @@ struct Room {
 };
 
 SimulationOptions walks(std::uint64_t samples = 6400) {
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.samples = samples;
   return options;
 }

@@ -17,7 +17,7 @@ namespace {
 
 SignalMatrix run(const test::StrategyStore& store, Strategy strategy, std::uint64_t samples,
                  Heuristic heuristic = Heuristic::balance, DirectLight direct = DirectLight::sampled) {
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.samples = samples;
   options.strategy = strategy;
   options.heuristic = heuristic;

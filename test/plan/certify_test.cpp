@@ -33,7 +33,7 @@ constexpr auto coop = CommunicationModel::cooperative;
 constexpr auto alone = CommunicationModel::non_cooperative;
 
 SimulationOptions few_samples(std::uint64_t seed) {
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.direct = DirectLight::exact;
   options.samples = std::uint64_t{batch_count} * 16;
   options.seed = seed;
@@ -42,8 +42,7 @@ SimulationOptions few_samples(std::uint64_t seed) {
 
 // The truth, with errors far below those of any verification here.
 SignalMatrix true_matrix(const Scene& scene, double error) {
-  SimulationOptions options;
-  options.estimator = EstimatorKind::reuse;
+  SimulationOptions options{EstimatorKind::reuse};
   options.direct = DirectLight::exact;
   options.relative_error = RelativeError{error, 0.02, std::uint64_t{1} << 36};
   options.seed = 1234567;
@@ -233,8 +232,7 @@ TEST(Verify, CallsLabelsWhatTheyAre) {
   test::PlanStore store;
   const SignalMatrix truth = true_matrix(store.scene(), 0.01);
   const std::vector<std::uint32_t> chosen{1, 7};
-  SimulationOptions reuse;
-  reuse.estimator = EstimatorKind::reuse;
+  SimulationOptions reuse{EstimatorKind::reuse};
   reuse.direct = DirectLight::exact;
   for (const auto model : {coop, alone})
     for (const bool redundant : {false, true}) {

@@ -20,8 +20,7 @@ namespace shelfbeam {
 namespace {
 
 SimulationOptions options_of(EstimatorKind estimator) {
-  SimulationOptions options;
-  options.estimator = estimator;
+  SimulationOptions options{estimator};
   options.direct = DirectLight::exact;
   options.samples = std::uint64_t{batch_count} * 20;
   options.seed = 5;

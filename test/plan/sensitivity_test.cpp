@@ -19,7 +19,7 @@ namespace shelfbeam {
 namespace {
 
 SimulationOptions connections(std::uint32_t max_bounces, std::uint64_t samples_a_batch = 200) {
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.strategy = Strategy::nee;
   options.direct = DirectLight::exact;
   options.max_bounces = max_bounces;
@@ -132,8 +132,7 @@ Scene three_materials() {
 }
 
 SimulationOptions reuse() {
-  SimulationOptions options;
-  options.estimator = EstimatorKind::reuse;
+  SimulationOptions options{EstimatorKind::reuse};
   options.direct = DirectLight::exact;
   options.samples = std::uint64_t{batch_count} * 64;
   return options;

@@ -28,7 +28,7 @@ Heard over_floor(double alpha_x, double alpha_y, bool along_x) {
   scene.transceivers[0].position = along_x ? Vec3{a, 4, 2} : Vec3{4, a, 2};
   scene.labels[0].position = along_x ? Vec3{b, 4, 2} : Vec3{4, b, 2};
   scene.labels[0].normal = {0, 0, -1};
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.samples = 100000;
   const SignalMatrix matrix = simulate(scene, options).matrix;
   return {matrix.mean[0], matrix.standard_error[0]};
@@ -43,7 +43,7 @@ Heard over_wall(double alpha_across, double alpha_up, bool level) {
   scene.transceivers[0].axis = {-1, 0, 0};
   scene.labels[0].position = level ? Vec3{2, 6, 4} : Vec3{2, 4, 2};
   scene.labels[0].normal = {-1, 0, 0};
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.samples = 100000;
   const SignalMatrix matrix = simulate(scene, options).matrix;
   return {matrix.mean[0], matrix.standard_error[0]};

@@ -21,7 +21,7 @@ namespace shelfbeam {
 namespace {
 
 SimulationOptions to_relative_error(double error) {
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.direct = DirectLight::exact;
   options.relative_error = RelativeError{error, 0.3};
   return options;
@@ -86,7 +86,7 @@ TEST(Engine, StopsAtTheSamePlaceWithAnyNumberOfThreads) {
 TEST(Engine, AddsBatchesInTheirOrder) {
   const Scene scene = test::SmallStore{}.scene();
   const World world(scene);
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.strategy = Strategy::particle;
   const auto estimator = make_estimator(world, options);
   const std::uint32_t batches = batches_for(*estimator, options);
@@ -134,7 +134,7 @@ TEST(Engine, TakesNothingThatIsNoNumber) {
 
 TEST(Engine, StopsWithinItsTimeButNotBeforeSixteenBatches) {
   const Scene scene = test::SmallStore{}.scene();
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.time_s = 1e-6;
   const SimulationSummary least = simulate(scene, options).summary;
   EXPECT_TRUE(least.complete);
@@ -149,7 +149,7 @@ TEST(Engine, StopsWithinItsTimeButNotBeforeSixteenBatches) {
 // Whatever ends a simulation after 16 batches, they are the same.
 TEST(Engine, WhatStopsItChangesNoBatch) {
   const Scene scene = test::SmallStore{}.scene();
-  SimulationOptions timed;
+  SimulationOptions timed{EstimatorKind::uniform};
   timed.direct = DirectLight::exact;
   timed.time_s = 1e-6;
   const SignalMatrix by_time = simulate(scene, timed).matrix;
@@ -183,7 +183,7 @@ TEST(Engine, GivesUpAnErrorThatIsOutOfReach) {
 TEST(Engine, WritesTheFileThatTheMatrixWouldGive) {
   const test::TempFolder folder;
   const Scene scene = test::SmallStore{}.scene();
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.samples = 320;
   options.max_bounces = 2;
   options.by_bounce = true;
@@ -195,7 +195,7 @@ TEST(Engine, WritesTheFileThatTheMatrixWouldGive) {
 
 TEST(Engine, RefusesWhatDoesNotFitAndSaysHowMuchItNeeds) {
   const Scene scene = test::SmallStore{}.scene();
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.samples = 64;
   options.memory = 100;
   const std::string message = test::input_error([&] { simulate(scene, options); });

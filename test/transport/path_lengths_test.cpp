@@ -17,6 +17,7 @@ namespace {
 constexpr LengthSteps steps{0.5, 40};
 
 SignalMatrix run(const Scene& scene, SimulationOptions options, std::uint64_t samples) {
+  options.estimator = EstimatorKind::uniform;
   options.samples = samples;
   options.by_length = steps;
   return simulate(scene, options).matrix;
@@ -127,7 +128,7 @@ TEST(PathLengths, AgreeBetweenStrategiesAndAddUp) {
 
 TEST(PathLengths, OfTheLastStepAreAllThatAreLonger) {
   const Scene scene = test::SmallStore{}.scene();
-  SimulationOptions options{.samples = 640};
+  SimulationOptions options{EstimatorKind::uniform, 640};
   options.by_length = {3, 2};
   const SignalMatrix matrix = simulate(scene, options).matrix;
   ASSERT_EQ(matrix.by_length.size(), 2u);
@@ -137,7 +138,7 @@ TEST(PathLengths, OfTheLastStepAreAllThatAreLonger) {
 
 TEST(PathLengths, AreRefusedWhereTheyAreNotKnown) {
   const Scene scene = test::SmallStore{}.scene();
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.by_length = steps;
   options.direct = DirectLight::exact;
   test::expect_input_error([&] { simulate(scene, options); }, "--by-length", "--direct sampled");

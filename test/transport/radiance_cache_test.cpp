@@ -44,7 +44,8 @@ double cached(const RadianceCache& cache, const UnitGroups& groups, const Surfac
 // Root mean square and largest deviation of a cache on the floor from a room of some albedo, as shares.
 std::pair<double, double> deviation(const test::BareScene& scene, const UnitGroups& groups,
                                     const RadianceCache& cache, double real_albedo) {
-  const SignalMatrix truth = simulate(room(real_albedo).scene, {60000, DirectLight::exact, 3}).matrix;
+  const SignalMatrix truth =
+      simulate(room(real_albedo).scene, {EstimatorKind::uniform, 60000, DirectLight::exact, 3}).matrix;
   double squares = 0, largest = 0;
   for (std::size_t i = 0; i < truth.rows(); ++i)
     for (std::size_t j = 0; j < 2; ++j) {

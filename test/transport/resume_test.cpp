@@ -69,7 +69,7 @@ class Resume : public testing::Test {
 
   test::TempFolder folder;
   Scene scene = test::SmallStore{}.scene();
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
 };
 
 TEST_F(Resume, GivesTheSameBytesWithAFixedNumberOfSamples) {

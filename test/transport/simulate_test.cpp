@@ -21,7 +21,7 @@ SimulationResult run(const Scene& scene, std::uint64_t samples, DirectLight dire
                      std::uint64_t seed = 1, unsigned threads = 0) {
   RunControl control;
   control.threads = threads;
-  return simulate(scene, {samples, direct, seed}, control);
+  return simulate(scene, {EstimatorKind::uniform, samples, direct, seed}, control);
 }
 
 // z-test of two independent estimates entry by entry; entries that neither run ever hit are left out.
@@ -55,7 +55,7 @@ TEST(Simulate, EveryStrategyIsBitwiseTheSameForAnyNumberOfThreads) {
   for (LabelType& type : scene.label_types) type.size = {0.1, 0.05};
   for (const Strategy strategy : {Strategy::walk, Strategy::nee, Strategy::mis, Strategy::particle})
     for (const DirectLight direct : {DirectLight::sampled, DirectLight::exact}) {
-      SimulationOptions options;
+      SimulationOptions options{EstimatorKind::uniform};
       options.samples = 320;
       options.strategy = strategy;
       options.direct = direct;
@@ -79,12 +79,17 @@ TEST(Simulate, EveryStrategyIsBitwiseTheSameForAnyNumberOfThreads) {
 
 TEST(Simulate, RefusesWhatCannotBe) {
   const Scene scene = test::SmallStore{}.scene();
-  SimulationOptions options;
+  SimulationOptions options{EstimatorKind::uniform};
   options.strategy = Strategy::walk;
   test::expect_input_error([&] { simulate(scene, options); }, "--strategy walk", "'T0'", "'unit0'", "radius");
-  options = {};
+  options = {EstimatorKind::uniform};
   options.by_bounce = true;
   test::expect_input_error([&] { simulate(scene, options); }, "--by-bounce", "--max-bounces");
+  for (const SimulationOptions& uniforms : {SimulationOptions{.strategy = Strategy::nee},
+                                            {.heuristic = Heuristic::power},
+                                            {.max_bounces = 3},
+                                            {.by_length = {1, 10}}})
+    test::expect_input_error([&] { simulate(scene, uniforms); }, "estimator reuse", "uniform");
   Scene shining = scene;
   shining.materials.push_back({"unused", make_lambertian(0)});
   shining.emitting_surfaces = {{"S", MaterialId{static_cast<std::uint32_t>(scene.materials.size())}, 1}};
@@ -209,7 +214,8 @@ TEST(Simulate, KeepsWhatItHasWhenCancelled) {
   const Scene scene = test::SmallStore{}.scene();
   CancelToken token;
   CancelAfter half(token, 0.5);
-  const SimulationResult result = simulate(scene, {6400, DirectLight::sampled, 1}, {1, &token, &half});
+  const SimulationResult result =
+      simulate(scene, {EstimatorKind::uniform, 6400, DirectLight::sampled, 1}, {1, &token, &half});
   EXPECT_FALSE(result.summary.complete);
   for (const LabelRow& row : result.matrix.labels) {
     EXPECT_GE(row.batches, 2U);
@@ -224,7 +230,8 @@ TEST(Simulate, KeepsWhatItHasWhenCancelled) {
 TEST(Simulate, SaysSoWhenCancelledTooEarly) {
   CancelToken token;
   token.request();
-  EXPECT_THROW(simulate(test::SmallStore{}.scene(), {640, DirectLight::sampled, 1}, {1, &token, nullptr}),
+  EXPECT_THROW(simulate(test::SmallStore{}.scene(), {EstimatorKind::uniform, 640, DirectLight::sampled, 1},
+                        {1, &token, nullptr}),
                Interrupted);
 }
 

@@ -14,6 +14,12 @@ namespace shelfbeam {
 namespace {
 
 void expect_possible(const Scene& scene, const SimulationOptions& options) {
+  if (options.estimator == EstimatorKind::reuse) {
+    if (options.needs_uniform())
+      throw InputError("estimator reuse", "has no strategies, and tells neither bounces nor lengths apart",
+                       "leave such options out, or use the estimator uniform");
+    return;
+  }
   if (options.by_bounce && options.max_bounces == PathRules::no_limit)
     throw InputError("--by-bounce", "needs to know the largest number of bounces", "add --max-bounces");
   if (options.by_length.count > 0 && options.strategy == Strategy::particle)
@@ -33,13 +39,9 @@ void expect_possible(const Scene& scene, const SimulationOptions& options) {
 
 std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options,
                                           const RunControl& control) {
-  switch (options.estimator) {
-    case EstimatorKind::uniform:
-      break;
-    case EstimatorKind::reuse:
-      return std::make_unique<ReuseEstimator>(world, options.seed, ReuseEffort{}, control);
-  }
   expect_possible(world.scene, options);
+  if (options.estimator == EstimatorKind::reuse)
+    return std::make_unique<ReuseEstimator>(world, options.seed, ReuseEffort{}, control);
   return std::make_unique<UniformEstimator>(world, options.rules(), options.seed,
                                             options.uniform_samples_per_batch(), options.by_bounce,
                                             options.by_length);

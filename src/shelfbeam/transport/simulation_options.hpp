@@ -14,7 +14,7 @@ namespace shelfbeam {
 /// To add an estimator: a name here, a case in make_estimator.cpp, a name in the command line's options.
 enum class EstimatorKind {
   uniform,  ///< the paper's, with its strategies
-  reuse     ///< path reuse (docs/methods/reuse.md); strategy, heuristic and bounces do not apply
+  reuse     ///< path reuse (docs/methods/reuse.md); strategy, heuristic, bounces and layers do not apply
 };
 
 enum class DirectLight {
@@ -38,6 +38,7 @@ inline constexpr std::uint32_t batch_count = 32;
 inline constexpr std::uint64_t open_samples_per_batch = 64;
 
 struct SimulationOptions {
+  EstimatorKind estimator = EstimatorKind::reuse;
   /// First rays a label; particles a transceiver. The simulation ends with these, unless one of the next two
   /// says otherwise.
   std::uint64_t samples = 10000;
@@ -50,7 +51,6 @@ struct SimulationOptions {
   /// Fill SignalMatrix::by_length; needs walks that sample direct light, too.
   LengthSteps by_length = {};
 
-  EstimatorKind estimator = EstimatorKind::uniform;
   std::optional<RelativeError> relative_error = {};  ///< ends when this is reached
   std::optional<double> time_s = {};  ///< ends before this is over, but not before `least_batches`
   std::size_t memory = 0;             ///< bytes that may be used; 0: any number
@@ -63,6 +63,11 @@ struct SimulationOptions {
   std::size_t bounce_layers() const { return by_bounce ? std::size_t{max_bounces} + 1 : 0; }
   std::size_t length_layers() const { return by_length.count; }
   std::size_t layers() const { return bounce_layers() + length_layers(); }
+  /// Something that only the uniform estimator has is asked for.
+  bool needs_uniform() const {
+    return strategy != Strategy::mis || heuristic != Heuristic::balance ||
+           max_bounces != PathRules::no_limit || layers() > 0;
+  }
   bool has_fixed_samples() const { return !relative_error && !time_s; }
   /// First rays a label and batch of the uniform estimator: `samples` rounded up to a whole number a batch.
   std::uint64_t uniform_samples_per_batch() const {
