@@ -1,6 +1,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <new>
 #include <string>
 #include <string_view>
@@ -30,16 +31,29 @@ void print_line(std::string_view kind, std::string_view text) {
   fmt::print(stderr, "{}: {}\n", kind, line);
 }
 
+// The library does not know what its settings are called here.
+std::string with_flag(std::string_view text, Setting setting) {
+  static const std::map<Setting, std::string_view> flags{
+      {Setting::memory, "--memory"},          {Setting::files_outside, "--allow-outside"},
+      {Setting::resumption, "--resume"},      {Setting::requirement, "--threshold"},
+      {Setting::forbidden_pairs, "--forbid"}, {Setting::share, "--share"},
+      {Setting::units, "--at-most"},          {Setting::failure, "--survive-failure"},
+      {Setting::estimator, "--estimator"},    {Setting::strategy, "--strategy"},
+      {Setting::direct_light, "--direct"},    {Setting::bounces, "--max-bounces"}};
+  const auto found = flags.find(setting);
+  return found == flags.end() ? std::string(text) : fmt::format("{} ({})", text, found->second);
+}
+
 int run(const ChosenVerb& verb) {
   try {
     const int code = verb();
     if (std::fflush(stdout) != 0) throw InputError("standard output", "cannot be written", "check the disk");
     return code;
   } catch (const InputError& error) {
-    print_line("error", error.what());
+    print_line("error", with_flag(error.what(), error.setting()));
     return wrong_input;
   } catch (const Interrupted& stop) {
-    print_line("stopped", stop.what());
+    print_line("stopped", with_flag(stop.what(), stop.setting()));
     return stopped_early;
   } catch (const std::bad_alloc&) {
     print_line("internal error", "not enough memory");

@@ -38,7 +38,7 @@ SignalTable PlacementInput::table(const Question& question) const {
   try {
     check_question(table, question);
   } catch (const InputError& error) {
-    throw InputError(name, error.what());
+    throw InputError(name, error.what(), {}, error.setting());
   }
   return table;
 }

@@ -142,7 +142,7 @@ int run_plan(const Options& options) {
     files.commit({report_name, placement_name, labels_name, placement_table_name, verification_name});
   } catch (const OutputError& error) {
     if (!summary.has_checkpoint) throw;
-    throw OutputError(error, checkpoint_remains);
+    throw OutputError(error, checkpoint_remains, Setting::resumption);
   }
   if (plan.complete) remove_checkpoint(simulation.checkpoint.path);
 

@@ -52,6 +52,17 @@ class BadStore : public testing::Test {
   TempFolder folder;
 };
 
+TEST_F(BadStore, NamesAFileOutsideItsFolder) {
+  const auto add_mesh = [](Json& store) {
+    store["fixtures"].push_back({{"type", "mesh"},
+                                 {"id", "B"},
+                                 {"file", "../secret.obj"},
+                                 {"at", {1, 1, 0}},
+                                 {"materials", {{"*", "m"}}}});
+  };
+  expect_change_refused(add_mesh, {"fixtures[1].file", "'../secret.obj' lies outside", "(--allow-outside)"});
+}
+
 TEST_F(BadStore, MissingFile) {
   expect_refused_by_all("none.json", {path("none.json") + ": cannot be read (No such file or directory)"});
   expect_refused_by_all("none/store.json", {path("none/store.json") + ": cannot be read"});
@@ -199,9 +210,9 @@ TEST_F(BadStore, MoreThanMemoryHolds) {
   store["transceivers"]["grids"][0].update(Json{{"max", {999, 999}}, {"spacing", 3.2}});
   folder.write("store.json", store.dump());
   for (const char* verb : {"simulate", "plan"})
-    expect_refused(
-        folder, {verb, path("store.json"), "-o", path("new")},
-        {"--memory: 100001 labels and 97969 candidates need ", " GB, ", "may be used; allow more"});
+    expect_refused(folder, {verb, path("store.json"), "-o", path("new")},
+                   {"memory: 100001 labels and 97969 candidates need ", " GB, ", "may be used; allow more",
+                    "(--memory)"});
 }
 
 TEST_F(BadStore, MoreThanTheMemoryAllowed) {
@@ -210,7 +221,7 @@ TEST_F(BadStore, MoreThanTheMemoryAllowed) {
   expect_refused(
       folder,
       {"simulate", path("store.json"), "-o", path("new.h5"), "--estimator", "uniform", "--memory", "6K"},
-      {"--memory: 17 labels and 12 candidates need ", "6e-06 GB may be used"});
+      {"memory: 17 labels and 12 candidates need ", "6e-06 GB may be used", "(--memory)"});
   test::expect_silent({"simulate", path("store.json"), "-o", path("new.h5"), "--quiet", "--memory", "12K",
                        "--samples", "64", "--estimator", "uniform"});
 }

@@ -117,7 +117,7 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"simulate", store, "-o", out, "--direct", "both"}, "--direct"},
       {{"simulate", store, "-o", out, "--strategy", "bdpt"}, "--strategy"},
       {{"simulate", store, "-o", out, "--strategy", "walk"},
-       "--strategy walk: never meets transceiver 'G1-1-1': its type 'ceiling' is a point; give the type a "
+       "strategy walk: never meets transceiver 'G1-1-1': its type 'ceiling' is a point; give the type a "
        "radius"},
       {{"simulate", store, "-o", out, "--heuristic", "maximum"}, "--heuristic"},
       {{"simulate", store, "-o", out, "--max-bounces", "-1"}, "--max-bounces"},
@@ -127,8 +127,8 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"simulate", store, "-o", out, "--lengths", "3"}, "--by-length"},
       {{"simulate", store, "-o", out, "--by-length", "0"}, "--by-length"},
       {{"simulate", store, "-o", out, "--by-length", "1", "--estimator", "reuse"}, "--by-length"},
-      {{"simulate", store, "-o", out, "--by-length", "1", "--direct", "exact"}, "--by-length"},
-      {{"simulate", store, "-o", out, "--by-length", "1", "--strategy", "particle"}, "--by-length"},
+      {{"simulate", store, "-o", out, "--by-length", "1", "--direct", "exact"}, "--direct"},
+      {{"simulate", store, "-o", out, "--by-length", "1", "--strategy", "particle"}, "--strategy"},
       {{"place", matrix, "--threshold", "0"}, "--threshold: '0' is no finite number above 0"},
       {{"place", matrix, "--threshold", "nan"}, "--threshold"},
       {{"place", matrix, "--threshold", "inf"}, "--threshold"},

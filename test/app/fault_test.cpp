@@ -72,7 +72,7 @@ TEST_F(Fault, WhatWasSimulatedIsKeptWhereTheOutputCannotBeWritten) {
   const test::Outcome outcome = with_file_size_limit(8, simulation);
   EXPECT_EQ(outcome.exit_code, 2);
   ASSERT_TRUE(std::filesystem::exists(folder / "signal.h5.checkpoint")) << outcome.err;
-  EXPECT_NE(outcome.err.find("the same command with '--resume' goes on"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("resuming goes on from there (--resume)"), std::string::npos) << outcome.err;
   auto resumed = simulation;
   resumed.push_back("--resume");
   const std::string out = expect_silent(resumed);

@@ -68,7 +68,7 @@ TEST_F(Killed, ACheckpointIsForItsOwnSimulationOnly) {
   killed();
   test::expect_refused(folder, arguments("signal.h5", {"--samples", "400000", "--seed", "2", "--resume"}),
                        {"signal.h5.checkpoint: is of another simulation: its seed is '1', here it is '2'",
-                        "run without '--resume'"});
+                        "begin anew without resuming (--resume)"});
   test::Json other = small_store();
   other["materials"]["m"]["reflectance"] = 0.31;
   folder.write("store.json", other.dump());

@@ -234,9 +234,9 @@ TEST(Budget, RejectsWhatItCannotAnswer) {
   SignalTable table = test::make_table({{1, 1}}, 2);
   test::expect_input_error([&] { reach_most(table, {}, 1, {.backend = "cplex"}); }, "cplex");
   table.transceivers[0].installed = table.transceivers[1].installed = true;
-  test::expect_input_error([&] { reach_most(table, {}, 1, {}); }, "--at-most", "2 units are installed");
+  test::expect_input_error([&] { reach_most(table, {}, 1, {}); }, "number of units", "2 units are installed");
   table.labels[0].requirement = 0;
-  test::expect_input_error([&] { reach_most(table, {}, 2, {}); }, "L0", "--threshold");
+  test::expect_input_error([&] { reach_most(table, {}, 2, {}); }, "L0", "set one for all labels");
 }
 
 }  // namespace

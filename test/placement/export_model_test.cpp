@@ -86,7 +86,7 @@ TEST(PlacementExport, LetsEveryUnitFail) {
 TEST(PlacementExport, RefusesFailuresOfALargeMatrix) {
   const SignalTable table =
       test::make_table(std::vector<std::vector<double>>(6, std::vector<double>(2000, 1.0)), 2000);
-  test::expect_input_error([&] { placement_model(table, {.redundant = true}); }, "--survive-failure",
+  test::expect_input_error([&] { placement_model(table, {.redundant = true}); }, "survives a failure",
                            "23988000 entries");
 }
 

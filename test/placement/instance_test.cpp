@@ -70,10 +70,10 @@ TEST(PlacementInstance, RejectsLabelsWithoutRequirement) {
        {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     SignalTable table = example();
     table.labels[1].requirement = wrong;
-    test::expect_input_error([&] { check_question(table, {coop}); }, "L1", "--threshold");
+    test::expect_input_error([&] { check_question(table, {coop}); }, "L1", "set one for all labels");
     EXPECT_NO_THROW(check_question(table, {alone}));
     table.labels[1].single_requirement = wrong;
-    test::expect_input_error([&] { check_question(table, {alone}); }, "L1", "--threshold");
+    test::expect_input_error([&] { check_question(table, {alone}); }, "L1", "set one for all labels");
   }
 }
 
@@ -83,7 +83,7 @@ TEST(PlacementInstance, RejectsSharesThatAreNone) {
         [&] {
           check_question(example(), {coop, Objective::effective_links, Combination::lexicographic, wrong});
         },
-        "--share");
+        "share of effective links");
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ TEST(Placement, RejectsWhatItCannotAnswer) {
   SignalTable table = test::make_table({{1, 1}}, 2);
   test::expect_input_error([&] { place(table, {}, {.backend = "cplex"}); }, "cplex");
   table.labels[0].requirement = 0;
-  test::expect_input_error([&] { place(table, {}, {}); }, "L0", "--threshold");
+  test::expect_input_error([&] { place(table, {}, {}); }, "L0", "set one for all labels");
 }
 
 TEST(Placement, TellsWhenLinksCountedOne) {

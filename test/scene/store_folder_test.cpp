@@ -18,8 +18,8 @@ using test::TempFolder;
 namespace fs = std::filesystem;
 
 constexpr const char* refused =
-    "lies outside the folder of the store file; move it there, or trust the store "
-    "file with '--allow-outside'";
+    "lies outside the folder of the store file; move it there, or allow files "
+    "outside of it";
 
 class References : public testing::Test {
  protected:

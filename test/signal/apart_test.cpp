@@ -64,7 +64,8 @@ TEST(Apart, FindsEveryPair) {
 TEST(Apart, NeedsPositions) {
   SignalTable table = make_signal_table(test::small_matrix());
   table.transceivers[1].position.reset();
-  test::expect_input_error([&] { keep_apart(table, 1, "matrix.csv"); }, "matrix.csv", "G1-1-0", "--forbid");
+  test::expect_input_error([&] { keep_apart(table, 1, "matrix.csv"); }, "matrix.csv", "G1-1-0",
+                           "pairs to forbid");
 }
 
 TEST(Apart, ReadsPairs) {

@@ -199,7 +199,7 @@ TEST(Engine, RefusesWhatDoesNotFitAndSaysHowMuchItNeeds) {
   options.samples = 64;
   options.memory = 100;
   const std::string message = test::input_error([&] { simulate(scene, options); });
-  EXPECT_NE(message.find("--memory: "), std::string::npos) << message;
+  EXPECT_NE(message.find("memory: "), std::string::npos) << message;
   EXPECT_NE(message.find("1e-07 GB may be used"), std::string::npos) << message;
   // What is enough is enough: some 3 kB for ten labels and four units.
   options.memory = 10000;

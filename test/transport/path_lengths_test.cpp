@@ -141,10 +141,10 @@ TEST(PathLengths, AreRefusedWhereTheyAreNotKnown) {
   SimulationOptions options{EstimatorKind::uniform};
   options.by_length = steps;
   options.direct = DirectLight::exact;
-  test::expect_input_error([&] { simulate(scene, options); }, "--by-length", "--direct sampled");
+  test::expect_input_error([&] { simulate(scene, options); }, "by path length", "direct light");
   options.direct = DirectLight::sampled;
   options.strategy = Strategy::particle;
-  test::expect_input_error([&] { simulate(scene, options); }, "--by-length", "particle");
+  test::expect_input_error([&] { simulate(scene, options); }, "by path length", "particle");
 }
 
 }  // namespace

@@ -81,10 +81,10 @@ TEST(Simulate, RefusesWhatCannotBe) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform};
   options.strategy = Strategy::walk;
-  test::expect_input_error([&] { simulate(scene, options); }, "--strategy walk", "'T0'", "'unit0'", "radius");
+  test::expect_input_error([&] { simulate(scene, options); }, "strategy walk", "'T0'", "'unit0'", "radius");
   options = {EstimatorKind::uniform};
   options.by_bounce = true;
-  test::expect_input_error([&] { simulate(scene, options); }, "--by-bounce", "--max-bounces");
+  test::expect_input_error([&] { simulate(scene, options); }, "number of bounces", "limit");
   for (const SimulationOptions& uniforms : {SimulationOptions{.strategy = Strategy::nee},
                                             {.heuristic = Heuristic::power},
                                             {.max_bounces = 3},

@@ -5,21 +5,42 @@
 
 namespace shelfbeam {
 
+/// What a message tells its reader to set. What that is called where it can be set, a flag or a field of a
+/// form, only the caller knows, who adds it to the message.
+enum class Setting {
+  none,
+  memory,
+  files_outside,
+  resumption,
+  requirement,
+  forbidden_pairs,
+  share,
+  units,
+  failure,
+  estimator,
+  strategy,
+  direct_light,
+  bounces
+};
+
 /// Wrong input: says what is wrong, where, and what to do about it.
 ///
 /// `where` names the file and the place in it ("store.json: materials.wall.reflectance"). The command line
 /// turns this error into one line on standard error and exit code 2; nothing has been written by then.
 class InputError : public std::runtime_error {
  public:
-  InputError(const std::string& where, const std::string& problem, const std::string& suggestion = {});
+  InputError(const std::string& where, const std::string& problem, const std::string& suggestion = {},
+             Setting setting = Setting::none);
 
   const std::string& where() const { return where_; }
+  Setting setting() const { return setting_; }
 
  protected:
-  InputError(const InputError& error, const std::string& addition);
+  InputError(const InputError& error, const std::string& addition, Setting setting);
 
  private:
   std::string where_;
+  Setting setting_;
 };
 
 /// An output cannot be written: no permission, no room. What stood in its place is as it was.
@@ -27,13 +48,19 @@ class OutputError : public InputError {
  public:
   using InputError::InputError;
   /// The same with more to say at its end.
-  OutputError(const OutputError& error, const std::string& addition);
+  OutputError(const OutputError& error, const std::string& addition, Setting setting);
 };
 
 /// The user stopped the work before it had anything worth keeping. Exit code 3.
 class Interrupted : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Interrupted(const std::string& text, Setting setting = Setting::none)
+      : std::runtime_error(text), setting_(setting) {}
+
+  Setting setting() const { return setting_; }
+
+ private:
+  Setting setting_;
 };
 
 }  // namespace shelfbeam

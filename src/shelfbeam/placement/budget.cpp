@@ -61,9 +61,9 @@ Reach reach_most(const SignalTable& table, const Question& question, std::size_t
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     if (table.transceivers[j].installed) reach.selected.push_back(j);
   if (reach.selected.size() > units)
-    throw InputError("--at-most",
+    throw InputError("number of units",
                      fmt::format("is {}, and {} units are installed already", units, reach.selected.size()),
-                     "allow at least these");
+                     "allow at least these", Setting::units);
   units = std::min(units, table.columns());
   reach.missed = check_selection(table, question, reach.selected).unmet;
   reach.reached = table.rows() - reach.missed.size();

@@ -61,10 +61,10 @@ milp::Model placement_model(const SignalTable& table, const Question& question) 
   std::size_t entries = 0;
   for (std::size_t i = 0; i < table.rows(); ++i) entries += table.row(i).size() * (table.row(i).size() - 1);
   if (entries > largest_model)
-    throw InputError("--survive-failure",
+    throw InputError("model that survives a failure",
                      fmt::format("needs {} entries in the model's file, and at most {} are written", entries,
                                  largest_model),
-                     "use 'shelfbeam place', which adds the rows as it needs them");
+                     "place without a model's file, which adds the rows as it needs them", Setting::failure);
   for (std::size_t i = 0; i < table.rows(); ++i)
     for (const SignalEntry& entry : table.row(i))
       model.rows.push_back(failure_row(table, i, entry.transceiver));

@@ -34,11 +34,11 @@ void check_question(const SignalTable& table, const Question& question) {
     const double requirement = requirement_of(label, question.model);
     if (!(requirement > 0) || !std::isfinite(requirement))
       throw InputError("label " + label.id, "has no requirement that a signal could meet",
-                       "set one for all labels with --threshold");
+                       "set one for all labels", Setting::requirement);
   }
   if (!(question.share > 0) || !std::isfinite(question.share))
-    throw InputError("--share", fmt::format("is {}", question.share),
-                     "use a number greater than 0, such as 1");
+    throw InputError("share of effective links", fmt::format("is {}", question.share),
+                     "use a number greater than 0, such as 1", Setting::share);
 }
 
 LabelCosts label_costs(const SignalTable& table, Objective objective) {

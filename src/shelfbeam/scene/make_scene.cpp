@@ -59,7 +59,7 @@ class SceneMaker {
             where,
             fmt::format("with this the store needs about {:.3g} GB of memory and may use {:.3g} GB",
                         1e-9 * static_cast<double>(size), 1e-9 * static_cast<double>(store_.memory)),
-            "use wider spacings or simpler meshes, or allow more ('--memory')");
+            "use wider spacings or simpler meshes, or allow more", Setting::memory);
     };
     for (const auto& [fixture, where] : store_.fixtures) add(scene_size(fixture), where);
     for (std::size_t g = 0; g < store_.grids.size(); ++g)

@@ -45,7 +45,7 @@ fs::path StoreFolder::find(const fs::path& name, const std::string& where, const
     const fs::path target = error ? fs::path() : resolved(path, error);
     if (error || !lies_in(target, home))
       throw InputError(where, fmt::format("'{}' lies outside the folder of the store file", name.string()),
-                       "move it there, or trust the store file with '--allow-outside'");
+                       "move it there, or allow files outside of it", Setting::files_outside);
   }
   if (fs::is_directory(path, error))
     throw InputError(where, fmt::format("'{}' is a folder", path.string()), "name a file in it");

@@ -42,7 +42,7 @@ void keep_apart(SignalTable& table, double metres, const std::string& name) {
   for (const SignalTable::Transceiver& unit : units)
     if (!unit.position)
       throw InputError(name, fmt::format("has no position of '{}', so no distance can be kept", unit.id),
-                       "use a signal file (HDF5), or name the pairs with --forbid");
+                       "use a signal file (HDF5), or name the pairs to forbid", Setting::forbidden_pairs);
   const std::vector<std::size_t> point = points_of(table);
   const double least = metres - place_tolerance;
   // Sweeping along x leaves few pairs to look at where the distance is small beside the shop.

@@ -44,7 +44,7 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
   detail::RecordReader file(path_);
   if (!file.line(detail::checkpoint_line))
     throw InputError(path_.string(), "is no checkpoint of this version of the program",
-                     "delete it, or run without '--resume', to begin anew");
+                     "delete it, or begin anew without resuming", Setting::resumption);
   const auto found = file.next();
   if (!found) file.fail();
   for (const auto& [name, value] : identity_)
@@ -52,7 +52,7 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
       throw InputError(
           path_.string(),
           fmt::format("is of another simulation: its {} is '{}', here it is '{}'", name, theirs, value),
-          "resume with the same store and options, or run without '--resume' to begin anew");
+          "resume with the same store and options, or begin anew without resuming", Setting::resumption);
   if (*found != to_text(identity_)) file.fail();
 
   std::vector<double> values;

@@ -102,7 +102,7 @@ RecordReader::RecordReader(const std::filesystem::path& path)
 
 void RecordReader::fail() const {
   throw InputError(name_, fmt::format("is damaged at byte {}", good_),
-                   "delete it, or run without '--resume', to begin anew");
+                   "delete it, or begin anew without resuming", Setting::resumption);
 }
 
 std::size_t RecordReader::read(void* data, std::size_t size) {

@@ -61,12 +61,12 @@ Engine::Engine(const World& world, const Estimator& estimator, const SimulationO
 }
 
 CheckpointIdentity Engine::identity(const std::string& hash) const {
-  std::string stop = fmt::format("--samples {}", options_.samples);
+  std::string stop = fmt::format("{} samples", options_.samples);
   if (options_.relative_error)
-    stop = fmt::format("--relative-error {} --above {} --max-samples {}", options_.relative_error->error,
+    stop = fmt::format("relative error {} above {}, at most {} samples", options_.relative_error->error,
                        options_.relative_error->above, options_.relative_error->most_samples);
   else if (options_.time_s)
-    stop = "--time";
+    stop = "time";
   return {{"program version", std::string(program_version())},
           {"store hash", hash},
           {"seed", fmt::format("{}", options_.seed)},
@@ -224,7 +224,7 @@ void Engine::resume() {
     ItemSums& sums = sums_[item];
     if (state.values.size() != sums.values.size() || state.batches > limit_)
       throw InputError(checkpoint_->path().string(), "does not fit the simulation",
-                       "delete it, or run without '--resume', to begin anew");
+                       "delete it, or begin anew without resuming", Setting::resumption);
     std::copy(state.values.begin(), state.values.end(), sums.values.begin());
     sums.batches = state.batches;
   });

@@ -17,22 +17,25 @@ void expect_possible(const Scene& scene, const SimulationOptions& options) {
   if (options.estimator == EstimatorKind::reuse) {
     if (options.needs_uniform())
       throw InputError("estimator reuse", "has no strategies, and tells neither bounces nor lengths apart",
-                       "leave such options out, or use the estimator uniform");
+                       "leave such options out, or use the estimator uniform", Setting::estimator);
     return;
   }
   if (options.by_bounce && options.max_bounces == PathRules::no_limit)
-    throw InputError("--by-bounce", "needs to know the largest number of bounces", "add --max-bounces");
+    throw InputError("matrices by number of bounces", "need to know the largest number", "limit it",
+                     Setting::bounces);
   if (options.by_length.count > 0 && options.strategy == Strategy::particle)
-    throw InputError("--by-length", "is for walks from labels", "use another strategy than 'particle'");
+    throw InputError("matrices by path length", "are for walks from labels",
+                     "use another strategy than particle", Setting::strategy);
   if (options.by_length.count > 0 && options.direct == DirectLight::exact)
-    throw InputError("--by-length", "needs direct light from the walks", "use '--direct sampled'");
+    throw InputError("matrices by path length", "need direct light from the walks", "let them sample it",
+                     Setting::direct_light);
   if (options.strategy != Strategy::walk) return;
   for (const Transceiver& unit : scene.transceivers)
     if (scene.type_of(unit).radius == 0)
-      throw InputError("--strategy walk",
+      throw InputError("strategy walk",
                        fmt::format("never meets transceiver '{}': its type '{}' is a point", unit.id,
                                    scene.type_of(unit).name),
-                       "give the type a radius, or use another strategy");
+                       "give the type a radius, or use another strategy", Setting::strategy);
 }
 
 }  // namespace

@@ -20,10 +20,10 @@ double result_bytes(double entries, const SimulationOptions& options, bool keeps
 void expect_at_most(double needed, std::size_t labels, std::size_t sources,
                     const SimulationOptions& options) {
   if (options.memory == 0 || needed <= static_cast<double>(options.memory)) return;
-  throw InputError("--memory",
+  throw InputError("memory",
                    fmt::format("{} labels and {} candidates need {:.3g} GB, {:.3g} GB may be used", labels,
                                sources, needed / 1e9, static_cast<double>(options.memory) / 1e9),
-                   "allow more, or use a wider grid of candidates");
+                   "allow more, or use a wider grid of candidates", Setting::memory);
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ class BatchSampler {
         row_(std::vector<double>(columns)) {
     for (std::size_t item = 0; item < estimator.items(); ++item)
       if (estimator.block(item).columns.size() != columns)
-        throw InputError("--strategy particle", "has no batches of whole rows", "use another strategy");
+        throw InputError("strategy particle", "has no batches of whole rows", "use another strategy",
+                         Setting::strategy);
   }
 
   std::uint64_t run(std::uint32_t batches) {

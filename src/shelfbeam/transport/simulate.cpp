@@ -24,6 +24,8 @@ namespace {
 // How many entries a summary names that have not reached the error asked for.
 constexpr std::size_t named_entries = 10;
 
+constexpr auto too_early = "the simulation was stopped before it had two batches of samples";
+
 void find_unmet(const RelativeError& wanted, const detail::Engine& engine, SimulationSummary& summary) {
   auto found = engine.survey().shortfall(wanted, named_entries);
   if (found.precision.is_enough()) return;
@@ -79,8 +81,10 @@ SimulationSummary run(const Scene& scene, const SimulationOptions& options, bool
     try {
       const bool complete = engine.run();
       if (engine.fewest_batches() < 2 || !engine.known().is_complete())
-        throw Interrupted(std::string("the simulation was stopped before it had two batches of samples") +
-                          (engine.has_checkpoint() ? "; the same command with '--resume' goes on" : ""));
+        throw engine.has_checkpoint()
+            ? Interrupted(std::string(too_early) + "; resuming goes on from its checkpoint",
+                          Setting::resumption)
+            : Interrupted(too_early);
       SignalMatrix head = detail::matrix_head(scene, hash, options.seed, estimator->name());
       head.length_step = options.by_length.step;
       const detail::MatrixRows rows(*estimator, engine.sums(), engine.known(), head.rows(),
@@ -97,7 +101,7 @@ SimulationSummary run(const Scene& scene, const SimulationOptions& options, bool
     } catch (const OutputError& error) {
       engine.try_to_save();
       if (!engine.has_checkpoint()) throw;
-      throw OutputError(error, checkpoint_remains);
+      throw OutputError(error, checkpoint_remains, Setting::resumption);
     }
   });
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

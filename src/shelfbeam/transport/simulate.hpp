@@ -10,9 +10,10 @@
 
 namespace shelfbeam {
 
-/// What to say where an output could not be written after a simulation that has a checkpoint.
+/// What to say where an output could not be written after a simulation that has a checkpoint
+/// (Setting::resumption).
 inline constexpr auto checkpoint_remains =
-    "the checkpoint has what was simulated: the same command with '--resume' goes on";
+    "the checkpoint has what was simulated, and resuming goes on from there";
 
 struct SimulationResult {
   SignalMatrix matrix;
