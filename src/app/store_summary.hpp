@@ -8,10 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/material/material_shares.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/transport/path_rules.hpp"
 
-#include "material_shares.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {

@@ -34,12 +34,12 @@ class Workflow : public testing::Test {
 using WorkflowSlow = Workflow;
 
 TEST_F(Workflow, NewThenInspect) {
-  for (const char* name : {"thesis", "grocery", "chiller", "supermarket", "hypermarket"}) {
+  for (const auto& example : std::filesystem::directory_iterator(SHELFBEAM_SOURCE_DIR "/examples")) {
+    const std::string name = example.path().filename();
     const std::string out = expect_silent({"new", name, path(name)});
     EXPECT_NE(out.find("shelfbeam plan " + path(name) + "/store.json -o " + path(name) + "/plan"),
               std::string::npos);
-    EXPECT_TRUE(contents(folder / name) ==
-                contents(std::filesystem::path(SHELFBEAM_SOURCE_DIR) / "examples" / name));
+    EXPECT_TRUE(contents(folder / name) == contents(example.path()));
     const std::string text = expect_silent({"inspect", path(name) + "/store.json", "-o", path("plan.svg")});
     EXPECT_NE(text.find("reflectance"), std::string::npos);
     EXPECT_TRUE(bytes("plan.svg").starts_with("<?xml"));

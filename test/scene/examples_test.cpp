@@ -14,10 +14,8 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/scene/store.hpp"
-#include "shelfbeam/scene/templates.hpp"
 
 #include "scene/solids.hpp"
-#include "support/expect_input_error.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -28,21 +26,6 @@ const fs::path examples = fs::path(SHELFBEAM_SOURCE_DIR) / "examples";
 
 Scene example(const char* name) {
   return make_scene(read_store(examples / name / "store.json"));
-}
-
-TEST(Templates, AreTheExamples) {
-  std::vector<std::string> names;
-  for (const StoreTemplate& one : store_templates()) {
-    names.emplace_back(one.name);
-    std::size_t files = 0;
-    for (const auto& entry : fs::directory_iterator(examples / one.name)) files += entry.is_regular_file();
-    EXPECT_EQ(one.files.size(), files) << one.name;
-    for (const TemplateFile& file : one.files)
-      EXPECT_TRUE(file.content == read_file(examples / one.name / file.name)) << one.name << '/' << file.name;
-    EXPECT_EQ(&find_template(std::string(one.name)), &one);
-  }
-  EXPECT_EQ(names, (std::vector<std::string>{"thesis", "grocery", "chiller", "supermarket", "hypermarket"}));
-  test::expect_input_error([] { find_template("grosery"); }, "did you mean 'grocery'?");
 }
 
 TEST(Thesis, HasTheCountsOfTheErrata) {

@@ -2,7 +2,7 @@
 
 #include "shelfbeam/material/material.hpp"
 
-namespace shelfbeam::app {
+namespace shelfbeam {
 
 /// Where the light that falls on a surface goes; the rest is absorbed.
 struct MaterialShares {
@@ -15,4 +15,4 @@ MaterialShares shares_at_normal(const Material& material);
 /// Of light that falls in evenly from a hemisphere (cosine-weighted).
 MaterialShares hemispherical_shares(const Material& material);
 
-}  // namespace shelfbeam::app
+}  // namespace shelfbeam

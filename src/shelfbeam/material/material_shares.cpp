@@ -1,11 +1,11 @@
-#include "material_shares.hpp"
+#include "shelfbeam/material/material_shares.hpp"
 
 #include <array>
 #include <cmath>
 #include <utility>
 #include <variant>
 
-namespace shelfbeam::app {
+namespace shelfbeam {
 
 namespace {
 
@@ -66,4 +66,4 @@ MaterialShares hemispherical_shares(const Material& material) {
   return mean;
 }
 
-}  // namespace shelfbeam::app
+}  // namespace shelfbeam
