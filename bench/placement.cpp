@@ -103,22 +103,21 @@ class Table {
                                                                 : "-";
     if (json_) {
       rows_.push_back({{"instance", instance},
-                       {"model", name_of(model_names, question.model)},
-                       {"objective", name_of(objective_names, question.objective)},
+                       {"model", to_text(question.model)},
+                       {"objective", to_text(question.objective)},
                        {"by", by},
                        {"count", found.count()},
                        {"value", found.objective_value},
                        {"bound", found.lower_bound},
-                       {"status", name_of(status_names, found.status)},
+                       {"status", to_text(found.status)},
                        {"seconds", seconds},
                        {"ratio", ratio},
                        {"ratio_is", is_ours ? "" : sign}});
       return;
     }
     fmt::print("{:<18} {:<16} {:<16} {:<10} {:>5} {:>11.6g} {:>11.6g} {:<10} {:>9.3f} {:>8}\n", instance,
-               name_of(model_names, question.model), name_of(objective_names, question.objective), by,
-               found.count(), found.objective_value, found.lower_bound, name_of(status_names, found.status),
-               seconds,
+               to_text(question.model), to_text(question.objective), by, found.count(), found.objective_value,
+               found.lower_bound, to_text(found.status), seconds,
                is_ours        ? ""
                : *sign == '-' ? "-"
                               : fmt::format("{}{:.3g}", sign, ratio));

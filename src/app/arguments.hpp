@@ -1,8 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include <CLI/CLI.hpp>
+
+#include "shelfbeam/base/names.hpp"
 
 namespace shelfbeam::app {
 
@@ -14,6 +18,23 @@ CLI::Validator positive_number();
 CLI::Validator positive_count();
 /// A path that is not empty.
 CLI::Validator a_path();
+
+/// An option whose words are the names of an enumeration (names_of).
+template <class Enum, class Value>
+CLI::Option* add_names(CLI::App& verb, const std::string& flag, Value& value, const std::string& help) {
+  const auto set = [&value](const std::string& name) { value = from_text<Enum>(name).value(); };
+  return verb.add_option_function<std::string>(flag, set, help)->check(CLI::IsMember(all_names<Enum>()));
+}
+template <class Enum>
+CLI::Option* add_choice(CLI::App& verb, const std::string& flag, std::optional<Enum>& value,
+                        const std::string& help) {
+  return add_names<Enum>(verb, flag, value, help);
+}
+/// As above, with what `value` is as the default.
+template <class Enum>
+CLI::Option* add_choice(CLI::App& verb, const std::string& flag, Enum& value, const std::string& help) {
+  return add_names<Enum>(verb, flag, value, help)->default_str(std::string(to_text(value)));
+}
 
 /// Throws InputError when the output is the input, which it would overwrite.
 void keep_input(const std::filesystem::path& output, const std::filesystem::path& input);

@@ -6,6 +6,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/model_file.hpp"
 #include "shelfbeam/placement/export_model.hpp"
+#include "shelfbeam/placement/names.hpp"
 #include "shelfbeam/signal/matrix_export.hpp"
 #include "shelfbeam/signal/signal_file.hpp"
 
@@ -21,7 +22,7 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  QuestionFlags question;
+  Question question;
   PlacementInput input;
   std::filesystem::path output;
   std::string what = "mean";
@@ -43,9 +44,9 @@ void export_matrix(const Options& options) {
 }
 
 void export_model(const Options& options) {
-  const Question question = options.question.question();
+  const Question& question = options.question;
   if (question.objective != Objective::count && question.combination == Combination::lexicographic)
-    throw InputError(fmt::format("--objective {}", options.question.objective),
+    throw InputError(fmt::format("--objective {}", to_text(question.objective)),
                      "comes second, and a file holds one objective: that of the number",
                      "add --weighted for one sum, or leave the objective out");
   const milp::Model model = placement_model(options.input.table(question), question);

@@ -22,8 +22,8 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  QuestionFlags question;
-  SolverFlags solver;
+  Question question;
+  PlaceOptions solver;
   PlacementInput input;
   std::filesystem::path output;
   std::size_t at_most = 0;  ///< 0: not given
@@ -36,14 +36,12 @@ struct Answer {
 };
 
 Answer reach(const Options& options, const SignalTable& table, const RunControl& control) {
-  const Reach reach = reach_most(table, options.question.question(), options.at_most,
-                                 options.solver.options(options.common.seed), control);
+  const Reach reach = reach_most(table, options.question, options.at_most, options.solver, control);
   return {reach_json(reach, table), describe(reach, table), exit_code(reach.status)};
 }
 
 Answer cover(const Options& options, const SignalTable& table, const RunControl& control) {
-  Placement placement =
-      place(table, options.question.question(), options.solver.options(options.common.seed), control);
+  Placement placement = place(table, options.question, options.solver, control);
   ReachCurve curve;
   std::string remark;
   if (options.curve && placement.has_selection()) {
@@ -58,7 +56,7 @@ Answer cover(const Options& options, const SignalTable& table, const RunControl&
 
 int run_place(const Options& options) {
   options.input.keep(options.output);
-  const Question question = options.question.question();
+  const Question& question = options.question;
   if (options.at_most > 0 &&
       (question.objective != Objective::count || question.combination == Combination::weighted))
     throw InputError("--at-most", "asks for the most labels, and objectives and prices play no part in that",
@@ -92,7 +90,7 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
   verb->add_flag("--curve", options->curve, "Also tell what share of the labels fewer transceivers reach")
       ->excludes(at_most);
   add_question_options(*verb, options->question);
-  add_solver_options(*verb, options->solver, 60);
+  add_solver_options(*verb, options->solver);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"
@@ -101,7 +99,10 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
       "  shelfbeam place matrix.csv --threshold 0.02 --weighted --costs costs.csv\n"
       "  shelfbeam place open.h5 shut.h5 --survive-failure --min-spacing 2\n"
       "  shelfbeam place signal.h5 --at-most 6");
-  verb->callback([options, &chosen] { chosen = [options] { return run_place(*options); }; });
+  verb->callback([options, &chosen] {
+    options->solver.seed = options->common.seed;
+    chosen = [options] { return run_place(*options); };
+  });
 }
 
 }  // namespace shelfbeam::app

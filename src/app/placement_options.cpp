@@ -5,70 +5,38 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/names.hpp"
 
 #include "arguments.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {
 
-Question QuestionFlags::question() const {
-  Question question;
-  question.model =
-      model == "cooperative" ? CommunicationModel::cooperative : CommunicationModel::non_cooperative;
-  question.objective = objective == "count"    ? Objective::count
-                       : objective == "links"  ? Objective::links
-                       : objective == "signal" ? Objective::signal
-                                               : Objective::effective_links;
-  question.combination = weighted ? Combination::weighted : Combination::lexicographic;
-  question.share = share;
-  question.redundant = survive_failure;
-  return question;
-}
-
-PlaceOptions SolverFlags::options(std::uint64_t seed) const {
-  PlaceOptions options;
-  options.solver = solver == "auto"     ? SolverChoice::automatic
-                   : solver == "search" ? SolverChoice::search
-                   : solver == "mip"    ? SolverChoice::mip
-                                        : SolverChoice::greedy;
-  options.backend = backend;
-  options.time_limit_s = time_limit_s;
-  options.seed = seed;
-  return options;
-}
-
-void add_question_options(CLI::App& verb, QuestionFlags& flags) {
-  verb.add_option("--model", flags.model, "cooperative: signals add up; non-cooperative: one unit must do")
-      ->check(CLI::IsMember({"cooperative", "non-cooperative"}))
-      ->capture_default_str();
-  verb.add_option("--objective", flags.objective, "What to minimise beside the number of transceivers")
-      ->check(CLI::IsMember({"count", "links", "effective-links", "signal"}))
-      ->capture_default_str();
-  auto* weighted =
-      verb.add_flag("--weighted", flags.weighted, "Minimise the cost of units plus the objective");
-  verb.add_flag("--lexicographic", flags.lexicographic,
-                "Fewest transceivers first, then the objective (default)")
+void add_question_options(CLI::App& verb, Question& question) {
+  add_choice(verb, "--model", question.model,
+             "cooperative: signals add up; non-cooperative: one unit must do");
+  add_choice(verb, "--objective", question.objective, "What to minimise beside the number of transceivers");
+  auto* weighted = verb.add_flag_callback(
+      "--weighted", [&question] { question.combination = Combination::weighted; },
+      "Minimise the cost of units plus the objective");
+  verb.add_flag("--lexicographic", "Fewest transceivers first, then the objective (default)")
       ->excludes(weighted);
-  verb.add_option("--share", flags.share, "Share of the requirement from which an effective link counts")
+  verb.add_option("--share", question.share, "Share of the requirement from which an effective link counts")
       ->check(positive_number())
       ->capture_default_str();
-  verb.add_flag("--survive-failure", flags.survive_failure,
+  verb.add_flag("--survive-failure", question.redundant,
                 "Every label stays reached when any one unit fails, installed ones included");
 }
 
-void add_solver_options(CLI::App& verb, SolverFlags& flags, double default_time_limit_s) {
-  flags.time_limit_s = default_time_limit_s;
+void add_solver_options(CLI::App& verb, PlaceOptions& options) {
   std::vector<std::string> names;
   for (const milp::Backend& backend : milp::backends()) names.emplace_back(backend.name);
-  verb.add_option(
-          "--solver", flags.solver,
-          "auto: search, and a MIP solver where that is better; search: without a MIP solver; mip: a MIP "
-          "solver alone; greedy: the paper's heuristic, not exact")
-      ->check(CLI::IsMember({"auto", "search", "mip", "greedy"}))
-      ->capture_default_str();
-  verb.add_option("--backend", flags.backend, fmt::format("MIP solver: {}", fmt::join(names, " or ")))
+  add_choice(verb, "--solver", options.solver,
+             "auto: search, and a MIP solver where that is better; search: without a MIP solver; mip: a MIP "
+             "solver alone; greedy: the paper's heuristic, not exact");
+  verb.add_option("--backend", options.backend, fmt::format("MIP solver: {}", fmt::join(names, " or ")))
       ->check(CLI::IsMember(names));
-  verb.add_option("--time-limit", flags.time_limit_s, "Seconds for the answer, curve included")
+  verb.add_option("--time-limit", options.time_limit_s, "Seconds for the answer, curve included")
       ->check(positive_number())
       ->capture_default_str();
 }

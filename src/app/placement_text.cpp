@@ -34,8 +34,7 @@ std::string at_least(double count) {
 }
 
 std::string model_of(const Question& question) {
-  return fmt::format("{}{}", name_of(model_names, question.model),
-                     question.redundant ? ", whichever unit fails" : "");
+  return fmt::format("{}{}", to_text(question.model), question.redundant ? ", whichever unit fails" : "");
 }
 
 std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
@@ -46,7 +45,7 @@ std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable
 }
 
 std::string outcome(const Placement& placement) {
-  std::string text = fmt::format("  {}", name_of(status_names, placement.status));
+  std::string text = fmt::format("  {}", to_text(placement.status));
   if (placement.has_selection())
     text += fmt::format(": value {:.9g}, lower bound {:.9g}, gap {:.1f} %", placement.objective_value,
                         placement.lower_bound, 100 * placement.gap());
@@ -163,8 +162,8 @@ std::string describe(const Reach& reach, const SignalTable& table) {
   }
   text += ".\n" + chosen(reach.selected, table);
   text += fmt::format("  {}: reached {}, upper bound {}, gap {:.1f} %; {:.2f} s, solver {}\n",
-                      name_of(status_names, reach.status), reach.reached, reach.upper_bound,
-                      100 * reach.gap(), reach.seconds, reach.solver);
+                      to_text(reach.status), reach.reached, reach.upper_bound, 100 * reach.gap(),
+                      reach.seconds, reach.solver);
   text += fmt::format("  bound: {}\n", behind_bound(reach.bound_proof));
   if (reach.too_large && reach.status != Status::optimal)
     text += "  the table is too large for the exact method\n";

@@ -37,8 +37,8 @@ namespace {
 struct Options {
   CommonOptions common;
   SimulationFlags simulation;
-  QuestionFlags question;
-  SolverFlags solver;
+  Question question;
+  PlaceOptions solver;
   CertificateFlags certificate;
   bool no_certificate = false, curve = false, sensitivity = false;
   double reflectance_error = SensitivityOptions().assumed_error;
@@ -113,8 +113,9 @@ int run_plan(const Options& options) {
     const RunControl control{options.common.threads, &cancel, progress.sink()};
     PlanOptions asked;
     asked.simulation = simulation;
-    asked.question = options.question.question();
-    asked.place = options.solver.options(options.common.seed);
+    asked.question = options.question;
+    asked.place = options.solver;
+    asked.place.seed = options.common.seed;
     asked.table = [&](const SignalMatrix& matrix) { return table_of(options, matrix); };
     const double confidence = options.certificate.confidence;
     asked.confidence = options.no_certificate ? std::nullopt : std::optional(confidence);
@@ -170,9 +171,9 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
   auto options = std::make_shared<Options>();
   verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
   verb->add_option("-o,--output", options->folder, "Folder for the results")->required()->check(a_path());
-  add_simulation_options(*verb, options->simulation, "exact");
+  add_simulation_options(*verb, options->simulation, DirectLight::exact);
   add_question_options(*verb, options->question);
-  add_solver_options(*verb, options->solver, 60);
+  add_solver_options(*verb, options->solver);
   add_requirement_options(*verb, options->requirements);
   add_certificate_options(*verb, options->certificate);
   verb->add_flag("--no-certificate", options->no_certificate,

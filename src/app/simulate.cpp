@@ -67,7 +67,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   verb->add_option("-o,--output", options->output, "Signal file (HDF5) to write")
       ->required()
       ->check(a_path());
-  add_simulation_options(*verb, options->simulation, "sampled");
+  add_simulation_options(*verb, options->simulation, DirectLight::sampled);
   add_layers(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);

@@ -41,13 +41,9 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
   if (options.estimator == EstimatorKind::reuse) {
     options.direct = DirectLight::exact;
   } else {
-    options.direct = direct.value_or(default_direct) == "sampled" ? DirectLight::sampled : DirectLight::exact;
-    const std::string named = strategy.value_or("mis");
-    options.strategy = named == "walk"  ? Strategy::walk
-                       : named == "nee" ? Strategy::nee
-                       : named == "mis" ? Strategy::mis
-                                        : Strategy::particle;
-    options.heuristic = heuristic.value_or("balance") == "balance" ? Heuristic::balance : Heuristic::power;
+    options.direct = direct.value_or(default_direct);
+    options.strategy = strategy.value_or(options.strategy);
+    options.heuristic = heuristic.value_or(options.heuristic);
     options.max_bounces = max_bounces.value_or(PathRules::no_limit);
     options.by_bounce = by_bounce;
     if (by_length) options.by_length = {*by_length, lengths.value_or(default_lengths)};
@@ -70,20 +66,19 @@ EstimatorKind SimulationFlags::kind() const {
                            : direct      ? "--direct"
                                          : nullptr;
   if (!estimator) return of_uniform != nullptr ? EstimatorKind::uniform : EstimatorKind::reuse;
-  if (*estimator == "uniform") return EstimatorKind::uniform;
-  if (of_uniform != nullptr && (strategy || heuristic || max_bounces || by_length || *direct == "sampled"))
+  if (estimator == EstimatorKind::uniform) return EstimatorKind::uniform;
+  if (of_uniform != nullptr &&
+      (strategy || heuristic || max_bounces || by_length || direct == DirectLight::sampled))
     throw InputError(of_uniform, "is not for the estimator reuse",
                      "leave it out, or use '--estimator uniform'");
   return EstimatorKind::reuse;
 }
 
-void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::string& default_direct) {
+void add_simulation_options(CLI::App& verb, SimulationFlags& flags, DirectLight default_direct) {
   flags.default_direct = default_direct;
-  verb.add_option(
-          "--estimator", flags.estimator,
-          "reuse (default): paths shared by neighbouring labels, all transceivers at once; uniform: the "
-          "paper's random walk with one uniformly chosen transceiver a vertex")
-      ->check(CLI::IsMember({"reuse", "uniform"}));
+  add_choice(verb, "--estimator", flags.estimator,
+             "reuse (default): paths shared by neighbouring labels, all transceivers at once; uniform: the "
+             "paper's random walk with one uniformly chosen transceiver a vertex");
   auto* error = verb.add_option("--relative-error", flags.relative_error,
                                 "Stop when 99 % of the entries that matter have this relative standard error")
                     ->check(positive_number());
@@ -110,19 +105,14 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::s
       ->excludes(samples)
       ->excludes(error)
       ->excludes(share);
-  verb.add_option(
-          "--direct", flags.direct,
-          fmt::format("Direct light of uniform: sampled by the walk, as in the paper, or exact in closed "
-                      "form ({})",
-                      default_direct))
-      ->check(CLI::IsMember({"sampled", "exact"}));
-  verb.add_option("--strategy", flags.strategy,
-                  "How uniform finds paths are found: walk (until a transceiver of some size is met), nee "
-                  "(next event "
-                  "estimation), mis (both, weighted), particle (from the transceivers)")
-      ->check(CLI::IsMember({"walk", "nee", "mis", "particle"}));
-  verb.add_option("--heuristic", flags.heuristic, "Weights of mis")
-      ->check(CLI::IsMember({"balance", "power"}));
+  add_choice(verb, "--direct", flags.direct,
+             fmt::format("Direct light of uniform: sampled by the walk, as in the paper, or exact in closed "
+                         "form ({})",
+                         to_text(default_direct)));
+  add_choice(verb, "--strategy", flags.strategy,
+             "How uniform finds paths are found: walk (until a transceiver of some size is met), nee (next "
+             "event estimation), mis (both, weighted), particle (from the transceivers)");
+  add_choice(verb, "--heuristic", flags.heuristic, "Weights of mis");
   verb.add_option("--max-bounces", flags.max_bounces, "Longest paths of uniform: reflections and refractions")
       ->check(CLI::Range(0, 1000));
   verb.add_option("--memory", flags.memory,

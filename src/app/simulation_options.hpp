@@ -15,14 +15,15 @@ namespace shelfbeam::app {
 
 /// The options of `simulate`, which `plan` takes too.
 struct SimulationFlags {
-  std::optional<std::string> estimator;
-  std::optional<std::string> direct;
-  std::string default_direct;
+  std::optional<EstimatorKind> estimator;
+  std::optional<DirectLight> direct;
+  DirectLight default_direct = DirectLight::sampled;
   std::optional<std::uint64_t> samples;
   std::optional<double> relative_error, time_s;
   std::optional<double> above;
   std::optional<std::uint64_t> max_samples;
-  std::optional<std::string> strategy, heuristic;
+  std::optional<Strategy> strategy;
+  std::optional<Heuristic> heuristic;
   std::optional<std::uint32_t> max_bounces;
   bool by_bounce = false;
   std::optional<double> by_length;
@@ -37,7 +38,7 @@ struct SimulationFlags {
   SimulationOptions options(std::uint64_t seed, const std::filesystem::path& output) const;
 };
 
-void add_simulation_options(CLI::App& verb, SimulationFlags& flags, const std::string& default_direct);
+void add_simulation_options(CLI::App& verb, SimulationFlags& flags, DirectLight default_direct);
 
 /// --by-bounce and --by-length, which only a verb that leaves a signal file has.
 void add_layers(CLI::App& verb, SimulationFlags& flags);

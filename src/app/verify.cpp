@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/placement/names.hpp"
 #include "shelfbeam/placement/placement_file.hpp"
 #include "shelfbeam/placement/words.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
@@ -33,7 +35,7 @@ struct Options {
   CommonOptions common;
   SimulationFlags simulation;
   CertificateFlags certificate;
-  std::string model;
+  std::optional<CommunicationModel> model;
   bool survive_failure = false;
   std::filesystem::path store, placement, output;
   bool allow_outside = false;
@@ -68,9 +70,7 @@ int run_verify(const Options& options) {
   keep_input(options.output, options.placement);
   const Installation installation = load_installation(options);
   Question question = installation.question;
-  if (!options.model.empty())
-    question.model = options.model == "cooperative" ? CommunicationModel::cooperative
-                                                    : CommunicationModel::non_cooperative;
+  question.model = options.model.value_or(question.model);
   question.redundant = question.redundant || options.survive_failure;
   if (!options.output.empty()) expect_writable(options.output);
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
@@ -108,12 +108,11 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
       ->required()
       ->check(a_path());
   verb->add_option("-o,--output", options->output, "Write a row a label to this CSV file")->check(a_path());
-  verb->add_option("--model", options->model, "cooperative or non-cooperative (that of the placement)")
-      ->check(CLI::IsMember({"cooperative", "non-cooperative"}));
+  add_choice(*verb, "--model", options->model, "cooperative or non-cooperative (that of the placement)");
   verb->add_flag("--survive-failure", options->survive_failure,
                  "Every label must stay reached when any one unit fails");
   add_certificate_options(*verb, options->certificate);
-  add_simulation_options(*verb, options->simulation, "exact");
+  add_simulation_options(*verb, options->simulation, DirectLight::exact);
   add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);
   verb->footer(

@@ -160,7 +160,7 @@ TEST(PlacementFile, OfEarlierVersionsSaysNothingOfProofs) {
 TEST(PlacementFile, NamesEveryProof) {
   const test::TempFolder folder;
   Placement placement = solved();
-  for (const auto& [name, proof] : bound_proof_names) {
+  for (const auto& [name, proof] : names_of<BoundProof>) {
     placement.bound_proof = proof;
     const std::string text = placement_json(placement, example());
     EXPECT_NE(text.find("\"bound_proof\": \"" + std::string(name) + "\""), std::string::npos);

@@ -261,10 +261,10 @@ std::vector<double> JsonCursor::numbers(std::size_t count) const {
   return values;
 }
 
-std::string JsonCursor::choice(std::initializer_list<std::string_view> known) const {
+std::string JsonCursor::one_of(std::span<const std::string_view> known) const {
   std::string word = text();
   if (std::find(known.begin(), known.end(), word) == known.end())
-    fail(fmt::format("is '{}', which is not known here", word), suggest(word, {known.begin(), known.size()}));
+    fail(fmt::format("is '{}', which is not known here", word), suggest(word, known));
   return word;
 }
 

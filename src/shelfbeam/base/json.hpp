@@ -6,10 +6,13 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "shelfbeam/base/names.hpp"
 
 namespace shelfbeam {
 
@@ -52,10 +55,20 @@ class JsonCursor {
   std::vector<double> numbers(std::size_t count) const;  ///< array of exactly `count` finite numbers
   std::vector<double> numbers() const;
   /// One of `known`; throws with the nearest.
-  std::string choice(std::initializer_list<std::string_view> known) const;
+  std::string choice(std::initializer_list<std::string_view> known) const {
+    return one_of({known.begin(), known.size()});
+  }
+  /// The value of one of the names of an enumeration, or of the first of them.
+  template <class Enum>
+  Enum choice(std::span<const Named<Enum>> known = names_of<Enum>) const {
+    std::vector<std::string_view> names;
+    for (const Named<Enum>& entry : known) names.push_back(entry.name);
+    return *from_text<Enum>(one_of(names));
+  }
 
  private:
   struct Document;
+  std::string one_of(std::span<const std::string_view> known) const;
   JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path);
 
   std::shared_ptr<const Document> document_;

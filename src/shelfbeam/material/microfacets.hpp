@@ -1,21 +1,36 @@
 #pragma once
 
+#include <array>
 #include <functional>
 
+#include "shelfbeam/base/names.hpp"
 #include "shelfbeam/math/vec3.hpp"
 
 namespace shelfbeam {
 
 enum class FacetDistribution { beckmann, ggx };
+template <>
+inline constexpr auto names_of<FacetDistribution> = std::to_array<Named<FacetDistribution>>(
+    {{"ggx", FacetDistribution::ggx}, {"beckmann", FacetDistribution::beckmann}});
+
 enum class Masking {
   smith,           ///< G1 G1 (2.27): exact for GGX (2.31); for Beckmann the closed form with erf (2.28)
   smith_rational,  ///< Beckmann: the rational approximation of (2.28)
   cook_torrance    ///< parallel grooves (2.26); reflection only
 };
+template <>
+inline constexpr auto names_of<Masking> =
+    std::to_array<Named<Masking>>({{"smith", Masking::smith},
+                                   {"smith_rational", Masking::smith_rational},
+                                   {"cook_torrance", Masking::cook_torrance}});
+
 enum class FacetSampling {
   visible,  ///< normals as the viewer sees them (Heitz 2018); GGX only
   all       ///< D cos(theta_h): (2.33) to (2.36)
 };
+template <>
+inline constexpr auto names_of<FacetSampling> =
+    std::to_array<Named<FacetSampling>>({{"visible", FacetSampling::visible}, {"all", FacetSampling::all}});
 
 /// The statistics of a rough surface (2.8.3). Directions are unit, in the frame of the mean surface (+z its
 /// normal, x and y the axes of an anisotropic one). Make them with `make_microfacets`.

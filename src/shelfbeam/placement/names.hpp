@@ -1,47 +1,56 @@
 #pragma once
 
 #include <array>
-#include <string_view>
 
+#include "shelfbeam/base/names.hpp"
+#include "shelfbeam/placement/certificate.hpp"
 #include "shelfbeam/placement/instance.hpp"
 #include "shelfbeam/placement/placement.hpp"
 
 namespace shelfbeam {
 
-/// The words for a question on the command line and in placement.json.
-template <class Enum>
-struct Named {
-  std::string_view name;
-  Enum value;
-};
+// The words for questions and answers on the command line and in placement.json.
 
-inline constexpr std::array model_names = {
-    Named<CommunicationModel>{"cooperative", CommunicationModel::cooperative},
-    Named<CommunicationModel>{"non-cooperative", CommunicationModel::non_cooperative}};
+template <>
+inline constexpr auto names_of<CommunicationModel> =
+    std::to_array<Named<CommunicationModel>>({{"cooperative", CommunicationModel::cooperative},
+                                              {"non-cooperative", CommunicationModel::non_cooperative}});
 
-inline constexpr std::array objective_names = {
-    Named<Objective>{"count", Objective::count}, Named<Objective>{"links", Objective::links},
-    Named<Objective>{"effective-links", Objective::effective_links},
-    Named<Objective>{"signal", Objective::signal}};
+template <>
+inline constexpr auto names_of<Objective> = std::to_array<Named<Objective>>({{"count", Objective::count},
+                                                                             {"links", Objective::links},
+                                                                             {"effective-links",
+                                                                              Objective::effective_links},
+                                                                             {"signal", Objective::signal}});
 
-inline constexpr std::array combination_names = {
-    Named<Combination>{"lexicographic", Combination::lexicographic},
-    Named<Combination>{"weighted", Combination::weighted}};
+template <>
+inline constexpr auto names_of<Combination> = std::to_array<Named<Combination>>(
+    {{"lexicographic", Combination::lexicographic}, {"weighted", Combination::weighted}});
 
-inline constexpr std::array status_names = {
-    Named<Status>{"optimal", Status::optimal}, Named<Status>{"feasible", Status::feasible},
-    Named<Status>{"infeasible", Status::infeasible}, Named<Status>{"stopped", Status::stopped}};
+template <>
+inline constexpr auto names_of<Status> = std::to_array<Named<Status>>({{"optimal", Status::optimal},
+                                                                       {"feasible", Status::feasible},
+                                                                       {"infeasible", Status::infeasible},
+                                                                       {"stopped", Status::stopped}});
 
-inline constexpr std::array bound_proof_names = {
-    Named<BoundProof>{"trivial", BoundProof::trivial}, Named<BoundProof>{"dual", BoundProof::dual},
-    Named<BoundProof>{"log", BoundProof::log}, Named<BoundProof>{"search", BoundProof::search},
-    Named<BoundProof>{"solver", BoundProof::solver}};
+template <>
+inline constexpr auto names_of<BoundProof> =
+    std::to_array<Named<BoundProof>>({{"trivial", BoundProof::trivial},
+                                      {"dual", BoundProof::dual},
+                                      {"log", BoundProof::log},
+                                      {"search", BoundProof::search},
+                                      {"solver", BoundProof::solver}});
 
-template <class Table, class Enum>
-constexpr std::string_view name_of(const Table& names, Enum value) {
-  for (const auto& entry : names)
-    if (entry.value == value) return entry.name;
-  return {};
-}
+template <>
+inline constexpr auto names_of<SolverChoice> =
+    std::to_array<Named<SolverChoice>>({{"auto", SolverChoice::automatic},
+                                        {"search", SolverChoice::search},
+                                        {"mip", SolverChoice::mip},
+                                        {"greedy", SolverChoice::greedy}});
+
+template <>
+inline constexpr auto names_of<Verdict> = std::to_array<Named<Verdict>>({{"reached", Verdict::reached},
+                                                                         {"missed", Verdict::missed},
+                                                                         {"undecided", Verdict::undecided}});
 
 }  // namespace shelfbeam

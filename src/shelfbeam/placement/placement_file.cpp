@@ -37,17 +37,6 @@ Json count(double value) {
   return std::isfinite(value) ? Json(std::llround(value)) : Json(nullptr);
 }
 
-template <class Table>
-auto named(const JsonCursor& cursor, const Table& names) {
-  const std::string word = cursor.text();
-  std::vector<std::string_view> known;
-  for (const auto& entry : names) {
-    if (entry.name == word) return entry.value;
-    known.push_back(entry.name);
-  }
-  cursor.fail(fmt::format("is '{}', which is not known here", word), suggest(word, known));
-}
-
 std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const SignalTable& table) {
   const Positions known = positions(table.transceivers);
   std::vector<std::uint32_t> selected;
@@ -181,9 +170,9 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
         {{"label", table.labels[label.label].id}, {"requirement", label.requirement}, {"most", label.most}});
   const Question& question = placement.question;
   Json file = {{"format", format_version},
-               {"model", name_of(model_names, question.model)},
-               {"objective", name_of(objective_names, question.objective)},
-               {"combination", name_of(combination_names, question.combination)},
+               {"model", to_text(question.model)},
+               {"objective", to_text(question.objective)},
+               {"combination", to_text(question.combination)},
                {"share", question.share},
                {"survives_failure", question.redundant},
                {"min_spacing", placement.min_spacing > 0 ? Json(placement.min_spacing) : Json(nullptr)},
@@ -195,11 +184,11 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
                {"objective_value", number(placement.objective_value)},
                {"lower_bound", number(placement.lower_bound)},
                {"gap", number(placement.gap())},
-               {"bound_proof", name_of(bound_proof_names, placement.bound_proof)},
+               {"bound_proof", to_text(placement.bound_proof)},
                {"ties_settled", placement.ties_settled},
                {"unit_costs", placement.unit_costs},
                {"redundant_share", redundant_share(placement, table)},
-               {"status", name_of(status_names, placement.status)},
+               {"status", to_text(placement.status)},
                {"solver", placement.solver},
                {"seconds", number(placement.seconds)},
                {"unreachable", unreachable},
@@ -222,7 +211,7 @@ std::string reach_json(const Reach& reach, const SignalTable& table) {
   Json selected = Json::array();
   for (const std::uint32_t j : reach.selected) selected.push_back(table.transceivers[j].id);
   const Json file = {{"format", format_version},
-                     {"model", name_of(model_names, reach.question.model)},
+                     {"model", to_text(reach.question.model)},
                      {"survives_failure", reach.question.redundant},
                      {"at_most", reach.at_most},
                      {"selected", selected},
@@ -231,8 +220,8 @@ std::string reach_json(const Reach& reach, const SignalTable& table) {
                      {"reached", reach.reached},
                      {"reached_upper_bound", reach.upper_bound},
                      {"gap", number(reach.gap())},
-                     {"bound_proof", name_of(bound_proof_names, reach.bound_proof)},
-                     {"status", name_of(status_names, reach.status)},
+                     {"bound_proof", to_text(reach.bound_proof)},
+                     {"status", to_text(reach.status)},
                      {"too_large", reach.too_large},
                      {"solver", reach.solver},
                      {"seconds", number(reach.seconds)},
@@ -254,10 +243,10 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
                     "forbidden_pairs", "labels",          "curve_complete",
                     "certificate",     "sensitivity"});
   Placement placement;
-  placement.question.model = named(file["model"], model_names);
-  placement.question.objective = named(file["objective"], objective_names);
+  placement.question.model = file["model"].choice<CommunicationModel>();
+  placement.question.objective = file["objective"].choice<Objective>();
   if (const auto found = file.find("combination"))
-    placement.question.combination = named(*found, combination_names);
+    placement.question.combination = found->choice<Combination>();
   if (const auto found = file.find("share")) placement.question.share = found->positive();
   if (const auto found = file.find("survives_failure")) placement.question.redundant = found->boolean();
   if (const auto found = file.find("min_spacing"); found && !found->is_null())
@@ -272,10 +261,10 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
   placement.count_lower_bound = number_or_infinity(file["count_lower_bound"]);
   placement.objective_value = number_or_infinity(file["objective_value"]);
   placement.lower_bound = number_or_infinity(file["lower_bound"]);
-  if (const auto found = file.find("bound_proof")) placement.bound_proof = named(*found, bound_proof_names);
+  if (const auto found = file.find("bound_proof")) placement.bound_proof = found->choice<BoundProof>();
   if (const auto found = file.find("ties_settled")) placement.ties_settled = found->boolean();
   if (const auto found = file.find("unit_costs")) placement.unit_costs = found->boolean();
-  placement.status = named(file["status"], status_names);
+  placement.status = file["status"].choice<Status>();
   placement.solver = file["solver"].text();
   placement.seconds = file["seconds"].non_negative();
   placement.unreachable = read_unreachable(file["unreachable"], table);

@@ -98,18 +98,6 @@ std::string what_is_out_of_reach(const Certificate& certificate) {
 
 }  // namespace
 
-std::string_view verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::reached:
-      return "reached";
-    case Verdict::missed:
-      return "missed";
-    case Verdict::undecided:
-      break;
-  }
-  return "undecided";
-}
-
 std::string statement(const Placement& placement) {
   if (!placement.certificate) return {};
   const Certificate& certificate = *placement.certificate;

@@ -24,9 +24,6 @@ std::string why_exclusive(const Placement& placement, bool has_options);
 /// "no light arrives at all": why Unreachable::most is 0. `is_heard`: the label has some entry above 0.
 std::string_view why_nothing(const Question& question, bool is_heard);
 
-/// "reached"
-std::string_view verdict_name(Verdict verdict);
-
 /// "4 transceivers reach all 390 labels, and 3 cannot, with joint confidence 99 %": what a certificate says,
 /// a sentence or several. Empty without one.
 std::string statement(const Placement& placement);

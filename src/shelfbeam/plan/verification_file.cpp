@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
-#include "shelfbeam/placement/words.hpp"
+#include "shelfbeam/placement/names.hpp"
 
 namespace shelfbeam {
 
@@ -11,9 +11,9 @@ std::string verification_csv(const Certificate& certificate, const Scene& scene)
   std::string text = "id,verdict,requirement,signal,standard_error,lower,upper,samples\n";
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
     const LabelVerdict& label = certificate.labels[i];
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(scene.labels[i].id),
-                        verdict_name(label.verdict), label.requirement, label.signal, label.standard_error,
-                        label.lower, label.upper, label.samples);
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(scene.labels[i].id), to_text(label.verdict),
+                        label.requirement, label.signal, label.standard_error, label.lower, label.upper,
+                        label.samples);
   }
   return text;
 }

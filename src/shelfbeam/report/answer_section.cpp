@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/placement/names.hpp"
 #include "shelfbeam/placement/words.hpp"
 #include "shelfbeam/report/headline.hpp"
 #include "shelfbeam/report/html_table.hpp"
@@ -93,7 +94,7 @@ std::string key_figures(const ReportData& data) {
     html += card("Labels", grouped(labels), "");
   }
   const bool adds_up = placement.question.model == CommunicationModel::cooperative;
-  html += card("Model", model_name(placement.question.model),
+  html += card("Model", std::string(to_text(placement.question.model)),
                adds_up ? "signals of all units add up" : "one unit alone must reach a label", "card word");
   const std::string objective = objective_name(placement.question);
   const std::size_t comma = objective.find(", ");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "shelfbeam/placement/names.hpp"
 #include "shelfbeam/placement/words.hpp"
 #include "shelfbeam/report/headline.hpp"
 #include "shelfbeam/report/html_table.hpp"
@@ -39,7 +40,7 @@ std::string placement_facts(const ReportData& data) {
   const Placement& placement = data.input.placement;
   const Question& question = placement.question;
   Facts facts("Placement");
-  facts.add("Model", model_name(question.model));
+  facts.add("Model", std::string(to_text(question.model)));
   facts.add("Objective", objective_name(question));
   if (question.objective == Objective::effective_links)
     facts.add("A link counts from", percent(question.share, 0) + " of the requirement");

@@ -227,10 +227,6 @@ double count_gap(const Placement& placement) {
   return count == 0 ? 0 : static_cast<double>(count - least) / static_cast<double>(count);
 }
 
-std::string model_name(CommunicationModel model) {
-  return model == CommunicationModel::cooperative ? "cooperative" : "non-cooperative";
-}
-
 std::string objective_name(const Question& question) {
   if (question.combination == Combination::weighted)
     return question.objective == Objective::count

@@ -25,7 +25,6 @@ std::size_t least_count(const Placement& placement);
 /// (count - least_count) / count.
 double count_gap(const Placement& placement);
 
-std::string model_name(CommunicationModel model);
 /// "fewest transceivers, then fewest links"
 std::string objective_name(const Question& question);
 std::string status_name(Status status);

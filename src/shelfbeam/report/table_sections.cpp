@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/placement/words.hpp"
+#include "shelfbeam/placement/names.hpp"
 #include "shelfbeam/report/html_table.hpp"
 #include "shelfbeam/report/id_ranges.hpp"
 #include "shelfbeam/report/sections.hpp"
@@ -127,7 +127,7 @@ std::string weakest_section(const ReportData& data) {
                                    fixed(label.position.y, 2),
                                    fixed(label.position.z, 2),
                                    label.type};
-    if (certificate) cells.emplace_back(verdict_name(certificate->labels[row].verdict));
+    if (certificate) cells.emplace_back(to_text(certificate->labels[row].verdict));
     table.add_row(cells);
   }
   return html_section("weakest",

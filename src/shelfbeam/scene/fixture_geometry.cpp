@@ -32,20 +32,6 @@ Rotation rotation(double degrees) {
 
 }  // namespace
 
-std::string_view face_name(Face face) {
-  switch (face) {
-    case Face::front:
-      return "front";
-    case Face::back:
-      return "back";
-    case Face::left:
-      return "left";
-    case Face::right:
-      return "right";
-  }
-  return "";
-}
-
 std::vector<Vec2> rectangle_footprint(const Vec2& at, double length, double depth, double rotation_deg) {
   const Rotation turn = rotation(rotation_deg);
   const auto turned = [&](double x, double y) {
@@ -170,7 +156,7 @@ void FixtureBuilder::add_label_row(const FixtureLabels& labels, Face face, doubl
   for (int k = 0; k < count; ++k) {
     const double along = first + k * labels.spacing;
     Label label;
-    label.id = fmt::format("{}-{}-{}-{}", scene_.fixtures[fixture_].id, face_name(face), level, k + 1);
+    label.id = fmt::format("{}-{}-{}-{}", scene_.fixtures[fixture_].id, to_text(face), level, k + 1);
     label.position = point(along_x ? Vec3{along, across, z} : Vec3{across, along, z});
     label.normal = direction(normal);
     label.type = labels.type;

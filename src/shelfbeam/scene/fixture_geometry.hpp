@@ -34,8 +34,6 @@ class FixtureBuilder {
   double cos_, sin_;
 };
 
-std::string_view face_name(Face face);
-
 /// Outline in plan of a rectangle with its least corner at `at`, turned about it.
 std::vector<Vec2> rectangle_footprint(const Vec2& at, double length, double depth, double rotation_deg);
 

@@ -111,7 +111,7 @@ void add_fixture(Scene& scene, const Gondola& g) {
         builder.add_box(PartKind::board, {0, low_y, floor - board_thickness}, {g.length, high_y, floor},
                         g.material);
       add_goods_row(builder, {0, goods_low, floor}, {g.length, goods_high, ceiling}, g.stocking, g.goods,
-                    fmt::format("{}-{}-{}", g.id, face_name(face), level));
+                    fmt::format("{}-{}-{}", g.id, to_text(face), level));
     }
   };
   if (front) add_side(Face::front, 0, panel);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -11,19 +12,11 @@ namespace shelfbeam {
 
 namespace {
 
-Face read_face(const JsonCursor& cursor, bool with_ends) {
-  const std::string name =
-      with_ends ? cursor.choice({"front", "back", "left", "right"}) : cursor.choice({"front", "back"});
-  return name == "front"  ? Face::front
-         : name == "back" ? Face::back
-         : name == "left" ? Face::left
-                          : Face::right;
-}
-
 std::vector<Face> read_faces(const JsonCursor& cursor, bool with_ends) {
+  const std::span<const Named<Face>> known(names_of<Face>);
   std::vector<Face> faces;
   for (const JsonCursor& element : cursor.elements()) {
-    const Face face = read_face(element, with_ends);
+    const Face face = element.choice(with_ends ? known : known.first(2));
     if (std::find(faces.begin(), faces.end(), face) != faces.end())
       element.fail("stands twice", "remove one");
     faces.push_back(face);

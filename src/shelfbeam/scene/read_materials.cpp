@@ -70,23 +70,20 @@ std::optional<std::array<double, 2>> read_roughness(const JsonCursor& material, 
 }
 
 Masking read_masking(const JsonCursor& cursor, FacetDistribution distribution, bool refracts) {
-  const std::string name = cursor.choice({"smith", "smith_rational", "cook_torrance"});
-  if (name == "cook_torrance") {
-    if (refracts) cursor.fail("is only defined for reflection", "use 'smith'");
-    return Masking::cook_torrance;
-  }
-  if (name == "smith") return Masking::smith;
-  if (distribution == FacetDistribution::ggx)
+  const auto masking = cursor.choice<Masking>();
+  if (masking == Masking::cook_torrance && refracts)
+    cursor.fail("is only defined for reflection", "use 'smith'");
+  if (masking == Masking::smith_rational && distribution == FacetDistribution::ggx)
     cursor.fail("approximates the masking of beckmann; ggx has its exact one",
                 "use 'smith', or the distribution 'beckmann'");
-  return Masking::smith_rational;
+  return masking;
 }
 
 FacetSampling read_sampling(const JsonCursor& cursor, FacetDistribution distribution) {
-  if (cursor.choice({"visible", "all"}) == "all") return FacetSampling::all;
-  if (distribution != FacetDistribution::ggx)
+  const auto sampling = cursor.choice<FacetSampling>();
+  if (sampling == FacetSampling::visible && distribution != FacetDistribution::ggx)
     cursor.fail("visible facets can only be sampled for ggx", "use 'all', or the distribution 'ggx'");
-  return FacetSampling::visible;
+  return sampling;
 }
 
 struct FacetRules {
@@ -103,9 +100,7 @@ std::optional<Microfacets> read_facets(const JsonCursor& material, const FacetRu
     return std::nullopt;
   }
   const auto name = material.find("distribution");
-  const auto distribution = name && name->choice({"ggx", "beckmann"}) == "beckmann"
-                                ? FacetDistribution::beckmann
-                                : FacetDistribution::ggx;
+  const auto distribution = name ? name->choice<FacetDistribution>() : FacetDistribution::ggx;
   Microfacets facets = make_microfacets(distribution, (*alpha)[0], (*alpha)[1]);
   if (const auto masking = material.find("masking"))
     facets.masking = read_masking(*masking, distribution, rules.refracts);

@@ -84,7 +84,7 @@ class Resolver {
     Json json = shelving("gondola", g);
     json["shelves"] = g.shelves;
     json["faces"] = Json::array();
-    for (const Face face : g.faces) json["faces"].push_back(face_name(face));
+    for (const Face face : g.faces) json["faces"].push_back(to_text(face));
     return json;
   }
   Json fixture(const Freezer& f) const { return shelving("freezer", f); }

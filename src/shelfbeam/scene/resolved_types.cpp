@@ -12,27 +12,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(Masking masking) {
-  switch (masking) {
-    case Masking::smith_rational:
-      return "smith_rational";
-    case Masking::cook_torrance:
-      return "cook_torrance";
-    case Masking::smith:
-      break;
-  }
-  return "smith";
-}
-
 Json with_facets(Json json, const std::optional<Microfacets>& facets) {
   if (!facets) return json;
   if (facets->isotropic())
     json["roughness"] = facets->alpha_x;
   else
     json["roughness"] = {facets->alpha_x, facets->alpha_y};
-  json["distribution"] = facets->distribution == FacetDistribution::ggx ? "ggx" : "beckmann";
-  json["masking"] = name_of(facets->masking);
-  json["sampling"] = facets->sampling == FacetSampling::visible ? "visible" : "all";
+  json["distribution"] = to_text(facets->distribution);
+  json["masking"] = to_text(facets->masking);
+  json["sampling"] = to_text(facets->sampling);
   return json;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shelfbeam/base/ids.hpp"
+#include "shelfbeam/base/names.hpp"
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/scene.hpp"
@@ -19,6 +20,9 @@ namespace shelfbeam {
 using Vec2 = std::array<double, 2>;
 
 enum class Face { front, back, left, right };
+template <>
+inline constexpr auto names_of<Face> = std::to_array<Named<Face>>(
+    {{"front", Face::front}, {"back", Face::back}, {"left", Face::left}, {"right", Face::right}});
 
 /// The labels along the faces of a fixture.
 struct FixtureLabels {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
+
+#include "shelfbeam/base/names.hpp"
 
 namespace shelfbeam {
 
@@ -13,12 +16,20 @@ enum class Strategy {
   mis,      ///< both, weighted against each other (2.7.3)
   particle  ///< from the source, with connections to all labels at every vertex
 };
+template <>
+inline constexpr auto names_of<Strategy> = std::to_array<Named<Strategy>>({{"walk", Strategy::walk},
+                                                                           {"nee", Strategy::nee},
+                                                                           {"mis", Strategy::mis},
+                                                                           {"particle", Strategy::particle}});
 
 /// How multiple importance sampling weights a technique of density p among all (Veach 1997).
 enum class Heuristic {
   balance,  ///< p / sum p
   power     ///< p^2 / sum p^2
 };
+template <>
+inline constexpr auto names_of<Heuristic> = std::to_array<Named<Heuristic>>({{"balance", Heuristic::balance},
+                                                                             {"power", Heuristic::power}});
 
 /// How a ray has left its last vertex, which decides whether connections find the sources that it meets.
 enum class Departure {

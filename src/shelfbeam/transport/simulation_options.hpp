@@ -11,16 +11,22 @@
 
 namespace shelfbeam {
 
-/// To add an estimator: a name here, a case in make_estimator.cpp, a name in the command line's options.
+/// To add an estimator: a value and a name here, a case in make_estimator.cpp.
 enum class EstimatorKind {
   uniform,  ///< the paper's, with its strategies
   reuse     ///< path reuse (docs/methods/reuse.md); strategy, heuristic, bounces and layers do not apply
 };
+template <>
+inline constexpr auto names_of<EstimatorKind> = std::to_array<Named<EstimatorKind>>(
+    {{"reuse", EstimatorKind::reuse}, {"uniform", EstimatorKind::uniform}});
 
 enum class DirectLight {
   sampled,  ///< by the paths' first connection, as in the paper
   exact     ///< apart: between points in closed form, once; else by stratified samples in every batch
 };
+template <>
+inline constexpr auto names_of<DirectLight> =
+    std::to_array<Named<DirectLight>>({{"sampled", DirectLight::sampled}, {"exact", DirectLight::exact}});
 
 /// Where a simulation keeps what it has while it works (docs/formats/checkpoint.md).
 struct CheckpointOptions {

@@ -40,22 +40,9 @@ UniformEstimator::UniformEstimator(const World& world, const PathRules& rules, s
 }
 
 std::string UniformEstimator::name() const {
-  std::string name = "uniform ";
-  switch (rules_.strategy) {
-    case Strategy::walk:
-      name += "walk";
-      break;
-    case Strategy::nee:
-      name += "nee";
-      break;
-    case Strategy::mis:
-      name += rules_.heuristic == Heuristic::balance ? "mis (balance)" : "mis (power)";
-      break;
-    case Strategy::particle:
-      name = "particle";
-      break;
-  }
-  name += rules_.samples_direct ? ", direct sampled" : ", direct exact";
+  std::string name = fmt::format("{}{}", by_source_ ? "" : "uniform ", to_text(rules_.strategy));
+  if (rules_.strategy == Strategy::mis) name += fmt::format(" ({})", to_text(rules_.heuristic));
+  name += fmt::format(", direct {}", rules_.samples_direct ? "sampled" : "exact");
   if (rules_.max_bounces != PathRules::no_limit)
     name += fmt::format(", {} bounces at most", rules_.max_bounces);
   return name;
