@@ -70,7 +70,7 @@ TEST_F(LayersOfATree, SidewaysIncludeIsRefused) {
 
 TEST_F(LayersOfATree, UpwardIncludeOfATestIsRefused) {
   tree.write("test/base/b_test.cpp",
-             "#include \"shelfbeam/stats/hypothesis.hpp\"\n#include <shelfbeam/math/vec3.hpp>\n");
+             "#include \"shelfbeam/stats/moments.hpp\"\n#include <shelfbeam/math/vec3.hpp>\n");
   expect_refused("test/base/b_test.cpp:2: layer 'base' must not include 'math'");
 }
 

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/stats/hypothesis.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
 #include "profiles.hpp"
+#include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {

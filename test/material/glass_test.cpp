@@ -7,10 +7,10 @@
 #include "shelfbeam/material/fresnel.hpp"
 #include "shelfbeam/material/material.hpp"
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/stats/hypothesis.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
 #include "material/cases.hpp"
+#include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "shelfbeam/material/material.hpp"
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/stats/hypothesis.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
 #include "material/cases.hpp"
 #include "material/sphere_cells.hpp"
+#include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/stats/hypothesis.hpp"
+#include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/stats/hypothesis.hpp"
 
 #include "support/direction_cells.hpp"
+#include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/scene/store.hpp"
-#include "shelfbeam/stats/hypothesis.hpp"
 #include "shelfbeam/transport/simulate.hpp"
 
 #include "box_room_walk.hpp"
+#include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {

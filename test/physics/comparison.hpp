@@ -9,8 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/signal/signal_matrix.hpp"
-#include "shelfbeam/stats/hypothesis.hpp"
 #include "shelfbeam/transport/simulate.hpp"
+
+#include "support/hypothesis.hpp"
 
 namespace shelfbeam::test {
 

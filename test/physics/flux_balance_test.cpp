@@ -9,8 +9,9 @@
 
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/store.hpp"
-#include "shelfbeam/stats/hypothesis.hpp"
 #include "shelfbeam/transport/simulate.hpp"
+
+#include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/stats/hypothesis.hpp"
 #include "shelfbeam/transport/simulate.hpp"
 
 #include "strategy_store.hpp"
+#include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {

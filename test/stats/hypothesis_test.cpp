@@ -1,4 +1,4 @@
-#include "shelfbeam/stats/hypothesis.hpp"
+#include "support/hypothesis.hpp"
 
 #include <array>
 #include <cmath>

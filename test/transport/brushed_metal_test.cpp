@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "shelfbeam/stats/hypothesis.hpp"
 #include "shelfbeam/transport/simulate.hpp"
 
 #include "support/empty_room.hpp"
+#include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {

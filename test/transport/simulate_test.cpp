@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/stats/hypothesis.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
 #include "support/expect_input_error.hpp"
+#include "support/hypothesis.hpp"
 #include "support/small_store.hpp"
 
 namespace shelfbeam {
