@@ -52,7 +52,9 @@ bool agrees(const Outcome& outcome, const SignalMatrix& matrix, const Placement&
     }
     if (label.signal != check.signal[i] || label.direct != direct || label.best != everything.signal[i])
       return false;
-    if (label.strongest_signal != largest || label.strongest.has_value() != (largest > 0)) return false;
+    if (label.strongest.has_value() != (largest > 0)) return false;
+    if (label.strongest && matrix.mean[matrix.at(i, *label.strongest)] != static_cast<float>(largest))
+      return false;
     if (label.reached_by.size() != check.serving[i]) return false;
     if (!placement.selected.empty() && label.met == unmet(check, i)) return false;
   }

@@ -70,7 +70,9 @@ struct Dense {
         column += s.gap[at];
         const std::size_t place = i * columns + column;
         mean.at(place) = s.mean[at];
-        if (!s.error.empty()) error[place] = s.error_of(at);
+        if (!s.error.empty() && s.error[at] > 0)
+          error[place] = s.least_error * std::exp((s.error[at] - 1) * s.error_step) *
+                         (s.grain > 0 ? std::abs(static_cast<double>(s.mean[at])) : 1);
         if (!s.direct.empty()) direct[place] = s.direct[at] * s.direct_step;
       }
     }

@@ -148,7 +148,7 @@ void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scen
       canvas.text({middle.x, middle.y + 0.35 * size}, fixture.id, "fid mid");
       obstacles.push_back(place.text);
     }
-    canvas.close_group();
+    canvas.raw("</g>");
   }
 }
 

@@ -46,15 +46,16 @@ LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placemen
   };
   LabelOutcome result;
   result.requirement = matrix.labels[label].requirement;
+  double strongest_signal = 0;
   std::optional<std::uint32_t> second;
   for (const std::uint32_t column : placement.selected) {
     const auto signal = static_cast<double>(row[column]);
     if (is_met(signal, result.requirement)) result.reached_by.push_back(column);
     result.direct += direct(column);
-    if (signal > result.strongest_signal) {
+    if (signal > strongest_signal) {
       second = result.strongest;
       result.strongest = column;
-      result.strongest_signal = signal;
+      strongest_signal = signal;
     } else if (signal > 0 && (!second || signal > static_cast<double>(row[*second]))) {
       second = column;
     }

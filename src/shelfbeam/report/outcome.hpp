@@ -24,8 +24,7 @@ struct LabelOutcome {
   /// It has flagged entries (SignalMatrix::flags), is not met without them, and no certificate decides it.
   bool rests_on_flagged = false;
   std::optional<std::uint32_t> strongest;  ///< column of the chosen unit with the largest entry above 0
-  double strongest_signal = 0;
-  std::vector<std::uint32_t> reached_by;  ///< columns of the chosen units that reach it alone (l_ij = 1)
+  std::vector<std::uint32_t> reached_by;   ///< columns of the chosen units that reach it alone (l_ij = 1)
 
   double margin() const { return margin_db(signal, requirement); }
 };

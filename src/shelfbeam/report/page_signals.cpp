@@ -144,12 +144,6 @@ PackedSignals packed(PageSignals signals) {
 
 }  // namespace
 
-double PageSignals::error_of(std::size_t entry) const {
-  if (error[entry] == 0) return 0;
-  return least_error * std::exp((error[entry] - 1) * error_step) *
-         (grain > 0 ? std::abs(static_cast<double>(mean[entry])) : 1);
-}
-
 PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement, const Rounding& rounding) {
   const std::uint32_t grains_a_need = rounding.grains_a_need;
   PageSignals signals;

@@ -30,15 +30,14 @@ struct PageSignals {
   std::vector<float> mean;              ///< as the page's script has it
   std::vector<std::uint32_t> grains;    ///< k of each entry; empty where means are as they are in the matrix
   std::vector<std::uint32_t> negative;  ///< rounded entries below 0, as noise may have it
-  std::vector<std::uint16_t> error;   ///< code of the standard error (error_of); empty where it is not known
+  /// Code of the standard error, up to half a step off: 0 for none, else least_error exp((code - 1)
+  /// error_step), of rounded entries times the mean's size. Empty where errors are not known.
+  std::vector<std::uint16_t> error;
   std::vector<std::uint16_t> direct;  ///< direct / mean in direct_step; empty where it is not known
   double grain = 0;                   ///< as a share of what a label needs; 0: nothing is rounded or left out
   std::uint32_t details_from = 0;     ///< grains; of smaller entries error and direct share are not kept
   double least_error = 1, error_step = 0, direct_step = 1;
 
-  /// 0 for code 0, else least_error exp((code - 1) error_step), of rounded entries times the mean's size: up
-  /// to half a step off.
-  double error_of(std::size_t entry) const;
   /// Its standard error and direct share are kept.
   bool is_detailed(std::size_t entry) const { return grains.empty() || grains[entry] >= details_from; }
 

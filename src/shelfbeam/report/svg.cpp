@@ -14,10 +14,6 @@ std::string coordinate(double value) {
   return text == "-0" ? "0" : text;
 }
 
-void SvgCanvas::open_group(std::string_view css_class) {
-  body_ += fmt::format("<g class=\"{}\">", css_class);
-}
-
 void SvgCanvas::close_element(std::string_view name, std::string_view title) {
   if (title.empty())
     body_ += "/>\n";

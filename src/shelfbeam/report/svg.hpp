@@ -17,8 +17,6 @@ std::string coordinate(double value);
 /// Collects SVG elements. Looks come from CSS classes; text handed in is escaped here, class names are not.
 class SvgCanvas {
  public:
-  void open_group(std::string_view css_class);
-  void close_group() { body_ += "</g>"; }
   void rect(const Point& corner, double width, double height, std::string_view css_class,
             std::string_view title = {});
   void circle(const Point& centre, double radius, std::string_view css_class);
