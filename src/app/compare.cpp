@@ -19,7 +19,7 @@
 #include "shelfbeam/signal/signal_table.hpp"
 
 #include "arguments.hpp"
-#include "print_json.hpp"
+#include "terminal.hpp"
 #include "text_table.hpp"
 #include "verbs.hpp"
 

@@ -13,7 +13,7 @@
 #include "arguments.hpp"
 #include "placement_input.hpp"
 #include "placement_options.hpp"
-#include "print_json.hpp"
+#include "terminal.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {

@@ -8,8 +8,8 @@
 
 #include "arguments.hpp"
 #include "loaded_store.hpp"
-#include "print_json.hpp"
 #include "store_summary.hpp"
+#include "terminal.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {

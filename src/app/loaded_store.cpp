@@ -8,6 +8,18 @@ Store load_store(const std::filesystem::path& path, bool allow_outside, std::siz
   return read_store(path, {allow_outside, memory == 0 ? most_of_the_memory() : memory});
 }
 
+SignalTable table_without_signals(const Scene& scene) {
+  SignalTable table;
+  for (const Label& label : scene.labels) {
+    const double requirement = scene.type_of(label).requirement();
+    table.labels.push_back({label.id, requirement, requirement, 0, 0});
+  }
+  for (const Transceiver& unit : scene.transceivers)
+    table.transceivers.push_back({unit.id, scene.type_of(unit).cost, unit.installed, unit.position});
+  table.row_begin.assign(table.labels.size() + 1, 0);
+  return table;
+}
+
 void add_store_options(CLI::App& verb, bool& allow_outside) {
   verb.add_flag("--allow-outside", allow_outside,
                 "Let the store file name files (meshes, tables, profiles) outside its folder");

@@ -13,7 +13,7 @@
 #include "shelfbeam/base/text.hpp"
 
 #include "arguments.hpp"
-#include "print_json.hpp"
+#include "terminal.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam {

@@ -41,6 +41,15 @@ void add_solver_options(CLI::App& verb, PlaceOptions& options) {
       ->capture_default_str();
 }
 
+void add_certificate_options(CLI::App& verb, CertificateFlags& flags) {
+  verb.add_option("--confidence", flags.confidence, "Joint confidence of all that is certified")
+      ->check(CLI::Range(0.5, 0.999999))
+      ->capture_default_str();
+  verb.add_option("--budget", flags.budget_s, "Seconds for verification and refinement")
+      ->check(positive_number())
+      ->capture_default_str();
+}
+
 int exit_code(Status status) {
   switch (status) {
     case Status::optimal:

@@ -18,7 +18,6 @@
 #include "shelfbeam/signal/signal_table.hpp"
 
 #include "arguments.hpp"
-#include "certificate_options.hpp"
 #include "loaded_store.hpp"
 #include "placement_options.hpp"
 #include "placement_text.hpp"
@@ -26,7 +25,6 @@
 #include "requirements.hpp"
 #include "simulation_options.hpp"
 #include "store_summary.hpp"
-#include "store_table.hpp"
 #include "terminal.hpp"
 #include "verbs.hpp"
 

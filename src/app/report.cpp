@@ -15,7 +15,7 @@
 #include "arguments.hpp"
 #include "loaded_store.hpp"
 #include "plan_folder.hpp"
-#include "print_json.hpp"
+#include "terminal.hpp"
 #include "verbs.hpp"
 
 namespace shelfbeam::app {

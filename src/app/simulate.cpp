@@ -10,7 +10,6 @@
 
 #include "arguments.hpp"
 #include "loaded_store.hpp"
-#include "print_json.hpp"
 #include "simulation_options.hpp"
 #include "store_summary.hpp"
 #include "terminal.hpp"

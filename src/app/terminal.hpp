@@ -4,6 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "shelfbeam/base/control.hpp"
 
 namespace shelfbeam::app {
@@ -27,6 +30,11 @@ class TerminalProgress : public ProgressSink {
   std::string task_;
   Clock::time_point started_, last_;
 };
+
+/// The summary that `--json` asks for. Paths need not be UTF-8; JSON must.
+inline void print_json(const nlohmann::ordered_json& json) {
+  fmt::print("{}\n", json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
 
 /// Makes Ctrl-C, SIGTERM and a terminal that goes away ask the running work to end with what it has; a second
 /// Ctrl-C ends the program.

@@ -15,15 +15,13 @@
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/plan/verification_file.hpp"
 #include "shelfbeam/plan/verify_installation.hpp"
-#include "shelfbeam/scene/installation.hpp"
 #include "shelfbeam/scene/store.hpp"
 
 #include "arguments.hpp"
-#include "certificate_options.hpp"
 #include "loaded_store.hpp"
+#include "placement_options.hpp"
 #include "simulation_options.hpp"
 #include "store_summary.hpp"
-#include "store_table.hpp"
 #include "terminal.hpp"
 #include "verbs.hpp"
 

@@ -8,11 +8,13 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/places.hpp"
+#include "shelfbeam/scene/device_csv.hpp"
 #include "shelfbeam/scene/fixture_geometry.hpp"
 #include "shelfbeam/scene/misplaced.hpp"
 #include "shelfbeam/scene/scene_size.hpp"
 #include "shelfbeam/scene/sound_mesh.hpp"
 #include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store_names.hpp"
 #include "shelfbeam/scene/warning_list.hpp"
 
 namespace shelfbeam {
@@ -272,6 +274,17 @@ class SceneMaker {
 
 Scene make_scene(const Store& store) {
   return SceneMaker(store).make();
+}
+
+Scene scene_with_units(Store store, const std::filesystem::path& csv) {
+  store.grids.clear();
+  store.transceivers.clear();
+  store.keep_out.clear();
+  store.installed.clear();
+  read_transceivers_csv(csv, StoreNames(store), store);
+  if (store.transceivers.empty())
+    throw InputError(csv.string(), "names no units", "list the units that hang");
+  return make_scene(store);
 }
 
 }  // namespace shelfbeam

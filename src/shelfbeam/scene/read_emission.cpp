@@ -1,5 +1,3 @@
-#include "shelfbeam/scene/read_emission.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -11,6 +9,7 @@
 #include "shelfbeam/device/photometry.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store_parts.hpp"
 
 namespace shelfbeam {
 

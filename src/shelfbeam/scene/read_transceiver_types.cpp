@@ -1,4 +1,3 @@
-#include "shelfbeam/scene/read_emission.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store_parts.hpp"
 

@@ -139,6 +139,10 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
 /// Expands fixtures and grids, checks ids and positions, and freezes the result. Throws InputError.
 Scene make_scene(const Store& store);
 
+/// The store's scene with the units of a CSV (device_csv.hpp: read_transceivers_csv) in the place of its
+/// candidates; they may hang anywhere, several at one place, too. Throws InputError with file and line.
+Scene scene_with_units(Store store, const std::filesystem::path& csv);
+
 /// The store with nothing left to look up: labels and candidates listed, meshes inlined. Reading it back
 /// gives the same scene to the bit; its content hash identifies the store in result files.
 std::string resolved_store_json(const Store& store, const Scene& scene);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/base/json.hpp"
+#include "shelfbeam/device/emission.hpp"
 #include "shelfbeam/scene/store.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 #include "shelfbeam/scene/store_names.hpp"
@@ -17,6 +18,9 @@ namespace shelfbeam {
 
 void read_materials(const JsonCursor& section, Store& store);
 void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store);
+/// The `emission` of a transceiver type, and the photometric file it names; its power is positive. Throws at
+/// the JSON path, or in the photometric file at the line.
+Emission read_emission(const JsonCursor& cursor, const StoreFolder& folder);
 /// After the transceiver types, which a threshold may name.
 void read_label_types(const JsonCursor& section, Store& store);
 void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
