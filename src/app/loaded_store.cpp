@@ -1,4 +1,4 @@
-#include "loaded_store.hpp"
+#include "app/loaded_store.hpp"
 
 #include "shelfbeam/base/memory.hpp"
 

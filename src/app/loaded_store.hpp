@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "shelfbeam/scene/store.hpp"
-#include "shelfbeam/signal/signal_table.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam::app {
 

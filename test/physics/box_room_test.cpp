@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "shelfbeam/scene/store.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
-#include "box_room_walk.hpp"
+#include "physics/box_room_walk.hpp"
 #include "support/hypothesis.hpp"
 
 namespace shelfbeam {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/signal/signal_matrix.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 #include "support/hypothesis.hpp"
 

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/math/warp.hpp"
-#include "shelfbeam/scene/store.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 #include "support/hypothesis.hpp"
 

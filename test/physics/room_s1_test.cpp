@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/json.hpp"
-#include "shelfbeam/scene/store.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 #include "support/hypothesis.hpp"
 

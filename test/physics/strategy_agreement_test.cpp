@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
-#include "strategy_store.hpp"
+#include "physics/strategy_store.hpp"
 #include "support/hypothesis.hpp"
 
 namespace shelfbeam {

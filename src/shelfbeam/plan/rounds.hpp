@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "shelfbeam/plan/verification.hpp"
-#include "shelfbeam/transport/simulation_options.hpp"
+#include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam {
 

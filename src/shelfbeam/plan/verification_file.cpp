@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
-#include "shelfbeam/placement/names.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
 
 namespace shelfbeam {
 

@@ -1,0 +1,125 @@
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
+
+#include "app/options/arguments.hpp"
+#include "app/text/terminal.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam {
+
+// Made by cmake/embed.cmake from the files in examples/.
+namespace embedded {
+extern const std::string_view thesis_store;
+extern const std::string_view grocery_store;
+extern const std::string_view grocery_checkout;
+extern const std::string_view chiller_store;
+extern const std::string_view chiller_till;
+extern const std::string_view chiller_mirror;
+extern const std::string_view chiller_ring;
+extern const std::string_view chiller_spot;
+extern const std::string_view supermarket_store;
+extern const std::string_view hypermarket_store;
+}  // namespace embedded
+
+}  // namespace shelfbeam
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct TemplateFile {
+  std::string_view name;
+  std::string_view content;
+};
+
+/// A store to start from; its files are those of the folder of the same name in examples/.
+struct Template {
+  std::string_view name;
+  std::string_view description;
+  std::span<const TemplateFile> files;
+};
+
+std::span<const Template> store_templates() {
+  static const std::array thesis{TemplateFile{"store.json", embedded::thesis_store}};
+  static const std::array grocery{TemplateFile{"store.json", embedded::grocery_store},
+                                  TemplateFile{"checkout.glb", embedded::grocery_checkout}};
+  static const std::array chiller{TemplateFile{"store.json", embedded::chiller_store},
+                                  TemplateFile{"till.glb", embedded::chiller_till},
+                                  TemplateFile{"security-mirror.obj", embedded::chiller_mirror},
+                                  TemplateFile{"batwing.ies", embedded::chiller_ring},
+                                  TemplateFile{"narrow-aisle.ldt", embedded::chiller_spot}};
+  static const std::array supermarket{TemplateFile{"store.json", embedded::supermarket_store}};
+  static const std::array hypermarket{TemplateFile{"store.json", embedded::hypermarket_store}};
+  static const std::array templates{
+      Template{"thesis", "the test environment of the paper: 390 labels, 320 candidates", thesis},
+      Template{"grocery", "a small grocery with gondolas, freezers and checkouts", grocery},
+      Template{"chiller", "a station shop: glass doors, measured profiles, several ways to aim a unit",
+               chiller},
+      Template{"supermarket", "50 x 40 m: 5,000 labels, 600 candidates", supermarket},
+      Template{"hypermarket", "110 x 85 m: 40,000 labels, 2,000 candidates", hypermarket}};
+  return templates;
+}
+
+const Template& find_template(const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const Template& t : store_templates()) {
+    if (t.name == name) return t;
+    known.push_back(t.name);
+  }
+  throw InputError("TEMPLATE", fmt::format("there is no template '{}'", name), suggest(name, known));
+}
+
+struct Options {
+  CommonOptions common;
+  std::string name;
+  std::filesystem::path folder;
+};
+
+int run_new(const Options& options) {
+  const Template& chosen = find_template(options.name);
+  for (const TemplateFile& file : chosen.files)
+    if (const auto path = options.folder / file.name; std::filesystem::exists(path))
+      throw InputError(path.string(), "exists already", "choose another folder, or remove the file");
+  make_output_folder(options.folder);
+  for (const TemplateFile& file : chosen.files) write_file(options.folder / file.name, file.content);
+  const std::string store = (options.folder / "store.json").string();
+  if (options.common.json) {
+    print_json({{"store", store}});
+  } else if (!options.common.quiet) {
+    fmt::print("{}: {}\nnext: shelfbeam plan {} -o {}\n", store, chosen.description, store,
+               (options.folder / "plan").string());
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_new(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb = app.add_subcommand("new", "Write a ready store to start from");
+  auto options = std::make_shared<Options>();
+  std::string names, choices;
+  for (const Template& t : store_templates()) {
+    names += fmt::format("\n  {:<11} {}", t.name, t.description);
+    choices += fmt::format("{}{}", choices.empty() ? "" : ",", t.name);
+  }
+  verb->add_option("TEMPLATE", options->name, "One of:" + names)->required()->type_name("{" + choices + "}");
+  verb->add_option("DIR", options->folder, "Folder for the store file and what it needs")
+      ->required()
+      ->check(a_path());
+  add_common_options(*verb, options->common);
+  verb->footer("Examples:\n  shelfbeam new grocery my-store\n  shelfbeam new thesis thesis");
+  verb->callback([options, &chosen] { chosen = [options] { return run_new(*options); }; });
+}
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+
+#include "shelfbeam/base/names.hpp"
+#include "shelfbeam/placement/answer/certificate.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
+
+namespace shelfbeam {
+
+// The words for questions and answers on the command line and in placement.json.
+
+template <>
+inline constexpr auto names_of<CommunicationModel> =
+    std::to_array<Named<CommunicationModel>>({{"cooperative", CommunicationModel::cooperative},
+                                              {"non-cooperative", CommunicationModel::non_cooperative}});
+
+template <>
+inline constexpr auto names_of<Objective> = std::to_array<Named<Objective>>({{"count", Objective::count},
+                                                                             {"links", Objective::links},
+                                                                             {"effective-links",
+                                                                              Objective::effective_links},
+                                                                             {"signal", Objective::signal}});
+
+template <>
+inline constexpr auto names_of<Combination> = std::to_array<Named<Combination>>(
+    {{"lexicographic", Combination::lexicographic}, {"weighted", Combination::weighted}});
+
+template <>
+inline constexpr auto names_of<Status> = std::to_array<Named<Status>>({{"optimal", Status::optimal},
+                                                                       {"feasible", Status::feasible},
+                                                                       {"infeasible", Status::infeasible},
+                                                                       {"stopped", Status::stopped}});
+
+template <>
+inline constexpr auto names_of<BoundProof> =
+    std::to_array<Named<BoundProof>>({{"trivial", BoundProof::trivial},
+                                      {"dual", BoundProof::dual},
+                                      {"log", BoundProof::log},
+                                      {"search", BoundProof::search},
+                                      {"solver", BoundProof::solver}});
+
+template <>
+inline constexpr auto names_of<SolverChoice> =
+    std::to_array<Named<SolverChoice>>({{"auto", SolverChoice::automatic},
+                                        {"search", SolverChoice::search},
+                                        {"mip", SolverChoice::mip},
+                                        {"greedy", SolverChoice::greedy}});
+
+template <>
+inline constexpr auto names_of<Verdict> = std::to_array<Named<Verdict>>({{"reached", Verdict::reached},
+                                                                         {"missed", Verdict::missed},
+                                                                         {"undecided", Verdict::undecided}});
+
+}  // namespace shelfbeam
