@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "shelfbeam/transport/estimator.hpp"
-#include "shelfbeam/transport/world.hpp"
+#include "shelfbeam/transport/tally/estimator.hpp"
+#include "shelfbeam/transport/world/world.hpp"
 
 namespace shelfbeam::bench {
 

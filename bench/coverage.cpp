@@ -36,12 +36,12 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/parallel.hpp"
-#include "shelfbeam/signal/signal_file.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 #include "support.hpp"
-#include "transport/interval_coverage.hpp"
-#include "transport/zoo.hpp"
+#include "unit/transport/interval_coverage.hpp"
+#include "unit/transport/zoo.hpp"
 
 namespace {
 

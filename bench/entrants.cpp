@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/transport/direct.hpp"
-#include "shelfbeam/transport/label_walk.hpp"
+#include "shelfbeam/transport/uniform/label_walk.hpp"
+#include "shelfbeam/transport/world/direct.hpp"
 
 #include "support.hpp"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "shelfbeam/transport/path_rules.hpp"
-#include "shelfbeam/transport/reuse.hpp"
-#include "shelfbeam/transport/tally.hpp"
+#include "shelfbeam/transport/reuse/reuse.hpp"
+#include "shelfbeam/transport/tally/tally.hpp"
+#include "shelfbeam/transport/world/path_rules.hpp"
 
 #include "batch_sums.hpp"
 

@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/placement/placement.hpp"
-#include "shelfbeam/signal/signal_file.hpp"
-#include "shelfbeam/signal/signal_table.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
-#include "transport/zoo.hpp"
+#include "unit/transport/zoo.hpp"
 
 namespace shelfbeam::bench {
 

@@ -1,6 +1,6 @@
 // Our search against MIP solvers on the same questions: one process, one after the other, side by side.
 
-#include "shelfbeam/placement/placement.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/milp/solver.hpp"
-#include "shelfbeam/placement/names.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
 
 #include "placement_bounds.hpp"
 #include "placement_instances.hpp"

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/milp/solver.hpp"
-#include "shelfbeam/placement/detail/lp_bound.hpp"
-#include "shelfbeam/placement/detail/reductions.hpp"
+#include "shelfbeam/placement/bound/lp_bound.hpp"
+#include "shelfbeam/placement/reduce/reductions.hpp"
 
 #include "placement_instances.hpp"
 #include "support.hpp"

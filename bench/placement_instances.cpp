@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 #include "support.hpp"
 

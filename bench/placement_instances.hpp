@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "shelfbeam/signal/signal_table.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam::bench {
 

@@ -12,11 +12,11 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/placement/detail/search_matrix.hpp"
-#include "shelfbeam/placement/detail/search_problem.hpp"
-#include "shelfbeam/placement/detail/tree_search.hpp"
-#include "shelfbeam/placement/names.hpp"
-#include "shelfbeam/placement/placement.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
+#include "shelfbeam/placement/kernels/search_problem.hpp"
+#include "shelfbeam/placement/tree/tree_search.hpp"
 
 #include "placement_instances.hpp"
 #include "support.hpp"

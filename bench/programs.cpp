@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "shelfbeam/signal/signal_file.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
 
 #include "support/temp_folder.hpp"
 

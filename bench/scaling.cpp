@@ -5,7 +5,7 @@
 #include <memory>
 #include <thread>
 
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 #include "entrants.hpp"
 #include "support.hpp"

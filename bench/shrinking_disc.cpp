@@ -12,9 +12,9 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/scene/store.hpp"
-#include "shelfbeam/transport/coverage.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
+#include "shelfbeam/transport/world/coverage.hpp"
 
 namespace {
 

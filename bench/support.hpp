@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shelfbeam/scene/scene.hpp"
-#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 
 namespace shelfbeam::bench {
 

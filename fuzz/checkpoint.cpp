@@ -1,4 +1,4 @@
-#include "shelfbeam/signal/checkpoint.hpp"
+#include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "shelfbeam/device/photometry.hpp"
+#include "shelfbeam/device/photometry/photometry.hpp"
 
 #include "reader.hpp"
 
@@ -14,7 +14,7 @@ std::vector<std::string> seeds() {
   std::vector<std::string> files;
   for (const char* name : {"comma_decimals", "no_lamps_single_plane", "symmetry_0", "symmetry_1",
                            "symmetry_2_24_planes", "symmetry_3", "symmetry_4_24_planes", "uneven_planes"})
-    files.push_back(source_file(std::string("test/device/photometry/") + name + ".ldt"));
+    files.push_back(source_file(std::string("test/data/photometry/") + name + ".ldt"));
   files.push_back(source_file("data/photometry/wide-ceiling.ldt"));
   return files;
 }

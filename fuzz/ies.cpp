@@ -1,4 +1,4 @@
-#include "shelfbeam/device/photometry.hpp"
+#include "shelfbeam/device/photometry/photometry.hpp"
 
 #include "reader.hpp"
 
@@ -15,7 +15,7 @@ std::vector<std::string> seeds() {
   for (const char* name : {"1986_axial", "1991_quadrant_tilt", "1995_bilateral_negative_sizes",
                            "2002_90_to_270_absolute", "2019_full_sphere", "b_full", "b_half", "b_quadrant",
                            "commas_and_wrapped_lines", "open_circle", "upwards"})
-    files.push_back(source_file(std::string("test/device/photometry/") + name + ".ies"));
+    files.push_back(source_file(std::string("test/data/photometry/") + name + ".ies"));
   files.push_back(source_file("data/photometry/wide-ceiling.ies"));
   return files;
 }

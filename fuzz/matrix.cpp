@@ -1,7 +1,7 @@
 #include <zlib.h>
 
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/signal/signal_table.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "reader.hpp"
 #include "scratch_folder.hpp"

@@ -1,4 +1,4 @@
-#include "shelfbeam/signal/measurements.hpp"
+#include "shelfbeam/signal/measured/measurements.hpp"
 
 #include "reader.hpp"
 #include "scratch_folder.hpp"

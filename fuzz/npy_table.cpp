@@ -1,4 +1,4 @@
-#include "shelfbeam/signal/detail/formats.hpp"
+#include "shelfbeam/signal/tables/formats.hpp"
 
 #include "reader.hpp"
 #include "scratch_folder.hpp"

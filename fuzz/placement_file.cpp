@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/placement_file.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
 
 #include "reader.hpp"
 #include "scratch_folder.hpp"

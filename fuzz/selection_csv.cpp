@@ -1,5 +1,5 @@
-#include "shelfbeam/signal/apart.hpp"
-#include "shelfbeam/signal/signal_table.hpp"
+#include "shelfbeam/signal/constraints/apart.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "reader.hpp"
 #include "scratch_folder.hpp"

@@ -1,8 +1,8 @@
-#include "shelfbeam/signal/signal_file.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/signal/detail/signal_reading.hpp"
+#include "shelfbeam/signal/hdf5/signal_reading.hpp"
 
 #include "hdf5_checksums.hpp"
 #include "reader.hpp"
@@ -36,7 +36,7 @@ std::vector<std::string> seeds() {
   }
   for (const char* name :
        {"claims_chunk", "claims_entries", "claims_labels", "claims_text_length", "foreign", "variable_texts"})
-    files.push_back(source_file(std::string("test/signal/data/") + name + ".h5"));
+    files.push_back(source_file(std::string("test/data/signal/") + name + ".h5"));
   return files;
 }
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "shelfbeam/signal/signal_matrix.hpp"
-#include "shelfbeam/signal/signal_table.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam::fuzz {
 

@@ -1,4 +1,4 @@
-#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 
 #include "reader.hpp"
 #include "scratch_folder.hpp"

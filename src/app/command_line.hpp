@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "verbs.hpp"
+#include "app/verbs.hpp"
 
 namespace shelfbeam::app {
 

@@ -1,8 +1,8 @@
-#include "loaded_store.hpp"
+#include "app/loaded_store.hpp"
 
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 
 namespace shelfbeam::app {
 

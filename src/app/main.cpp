@@ -11,7 +11,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 
-#include "command_line.hpp"
+#include "app/command_line.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The 3-D view of a report: reads the page's data, then shows and recomputes.
 
-import { readSignals, readStore } from "./store";
+import { readSignals, readStore } from "./data/store";
 import { View } from "./view";
 import style from "./viewer.css";
 

@@ -1,19 +1,19 @@
 // The 3-D view as a whole: picture, controls and what links them.
 
-import { Card } from "./card";
-import { modesOf, type Mode } from "./classes";
-import { button, Choice, element } from "./dom";
-import { counted, decibels, grouped, percentage, significant } from "./format";
-import { Levels } from "./levels";
-import { LabelList, UnitList } from "./lists";
-import { Model } from "./model";
-import { Names } from "./names";
-import { onThemeChange } from "./palette";
-import { Picture, type ClassCounts } from "./picture";
-import { Stage } from "./stage";
-import { changedUnits, fromHash, initialState, toHash, type Selection } from "./state";
-import { verdicts, type Signals, type Store } from "./store";
-import { Thresholds } from "./thresholds";
+import { Card } from "./panel/card";
+import { modesOf, type Mode } from "./scene/classes";
+import { button, Choice, element } from "./panel/dom";
+import { counted, decibels, grouped, percentage, significant } from "./data/format";
+import { Levels } from "./data/levels";
+import { LabelList, UnitList } from "./panel/lists";
+import { Model } from "./data/model";
+import { Names } from "./data/names";
+import { onThemeChange } from "./scene/palette";
+import { Picture, type ClassCounts } from "./scene/picture";
+import { Stage } from "./scene/stage";
+import { changedUnits, fromHash, initialState, toHash, type Selection } from "./data/state";
+import { verdicts, type Signals, type Store } from "./data/store";
+import { Thresholds } from "./data/thresholds";
 
 const slowestHover = 60; // ms a frame
 

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/stats/hypothesis.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
-#include "box_room_walk.hpp"
+#include "physics/box_room_walk.hpp"
 
 namespace shelfbeam {
 namespace {

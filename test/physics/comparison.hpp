@@ -10,7 +10,7 @@
 
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/stats/hypothesis.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 namespace shelfbeam::test {
 

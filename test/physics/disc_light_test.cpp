@@ -2,14 +2,14 @@
 // Configuration Factors): a Lambertian disc of flux Phi and area A has the radiance Phi / (pi A), so a cosine
 // label reads Phi / A times its factor towards the disc.
 
-#include "disc_light.hpp"
+#include "physics/disc_light.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "bare_scene.hpp"
-#include "comparison.hpp"
+#include "physics/bare_scene.hpp"
+#include "physics/comparison.hpp"
 
 namespace shelfbeam {
 namespace {

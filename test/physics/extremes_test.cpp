@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "bare_scene.hpp"
-#include "comparison.hpp"
+#include "physics/bare_scene.hpp"
+#include "physics/comparison.hpp"
 #include "support/empty_room.hpp"
 
 namespace shelfbeam {

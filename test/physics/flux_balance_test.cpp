@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/math/warp.hpp"
-#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/stats/hypothesis.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 namespace shelfbeam {
 namespace {

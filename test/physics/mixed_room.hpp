@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bare_scene.hpp"
+#include "physics/bare_scene.hpp"
 
 namespace shelfbeam::test {
 

@@ -4,9 +4,9 @@
 
 #include "shelfbeam/math/frame.hpp"
 
-#include "bare_scene.hpp"
-#include "comparison.hpp"
-#include "disc_light.hpp"
+#include "physics/bare_scene.hpp"
+#include "physics/comparison.hpp"
+#include "physics/disc_light.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "comparison.hpp"
-#include "mixed_room.hpp"
+#include "physics/comparison.hpp"
+#include "physics/mixed_room.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "bare_scene.hpp"
-#include "comparison.hpp"
-#include "reuse_matrix.hpp"
-#include "strategy_store.hpp"
+#include "physics/bare_scene.hpp"
+#include "physics/comparison.hpp"
+#include "physics/reuse_matrix.hpp"
+#include "physics/strategy_store.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/json.hpp"
-#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 
-#include "bare_scene.hpp"
-#include "comparison.hpp"
-#include "reuse_matrix.hpp"
+#include "physics/bare_scene.hpp"
+#include "physics/comparison.hpp"
+#include "physics/reuse_matrix.hpp"
 
 namespace shelfbeam {
 namespace {

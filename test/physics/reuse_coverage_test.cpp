@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 
-#include "reuse_matrix.hpp"
+#include "physics/reuse_matrix.hpp"
 
 namespace shelfbeam {
 namespace {

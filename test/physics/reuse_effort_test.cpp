@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "comparison.hpp"
-#include "reuse_matrix.hpp"
-#include "strategy_store.hpp"
+#include "physics/comparison.hpp"
+#include "physics/reuse_matrix.hpp"
+#include "physics/strategy_store.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/stats/moments.hpp"
-#include "shelfbeam/transport/direct.hpp"
-#include "shelfbeam/transport/reuse.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/reuse/reuse.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
+#include "shelfbeam/transport/world/direct.hpp"
 
-#include "comparison.hpp"
+#include "physics/comparison.hpp"
 
 namespace shelfbeam::test {
 

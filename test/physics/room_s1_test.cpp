@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/json.hpp"
-#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/stats/hypothesis.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
-#include "bare_scene.hpp"
+#include "physics/bare_scene.hpp"
 
 namespace shelfbeam {
 namespace {

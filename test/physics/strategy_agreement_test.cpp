@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/stats/hypothesis.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
-#include "strategy_store.hpp"
+#include "physics/strategy_store.hpp"
 
 namespace shelfbeam {
 namespace {

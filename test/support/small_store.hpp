@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "shelfbeam/scene/store.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 
 namespace shelfbeam::test {
 

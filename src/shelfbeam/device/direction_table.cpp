@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "shelfbeam/device/detail/sine_segment.hpp"
+#include "shelfbeam/device/sine_segment.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {

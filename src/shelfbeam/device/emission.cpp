@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "shelfbeam/device/detail/cosine_power.hpp"
+#include "shelfbeam/device/cosine_power.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/device/detail/cosine_power.hpp"
+#include "shelfbeam/device/cosine_power.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {

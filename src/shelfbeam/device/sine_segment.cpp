@@ -1,4 +1,4 @@
-#include "shelfbeam/device/detail/sine_segment.hpp"
+#include "shelfbeam/device/sine_segment.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "shelfbeam/material/detail/coat_albedo.hpp"
+#include "shelfbeam/material/coat_albedo.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/material/detail/directions.hpp"
+#include "shelfbeam/material/directions.hpp"
 #include "shelfbeam/material/fresnel.hpp"
 
 namespace shelfbeam::detail {

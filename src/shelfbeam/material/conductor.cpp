@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "shelfbeam/material/detail/directions.hpp"
-#include "shelfbeam/material/detail/facet_reflection.hpp"
-#include "shelfbeam/material/detail/require.hpp"
+#include "shelfbeam/material/directions.hpp"
+#include "shelfbeam/material/facet_reflection.hpp"
 #include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/material/require.hpp"
 
 namespace shelfbeam {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "shelfbeam/material/detail/directions.hpp"
-#include "shelfbeam/material/detail/require.hpp"
+#include "shelfbeam/material/directions.hpp"
 #include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/material/require.hpp"
 
 namespace shelfbeam {
 

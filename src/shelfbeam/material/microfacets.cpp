@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "shelfbeam/material/detail/require.hpp"
+#include "shelfbeam/material/require.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {

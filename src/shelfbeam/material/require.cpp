@@ -1,4 +1,4 @@
-#include "shelfbeam/material/detail/require.hpp"
+#include "shelfbeam/material/require.hpp"
 
 #include <stdexcept>
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/material/detail/directions.hpp"
-#include "shelfbeam/material/detail/require.hpp"
+#include "shelfbeam/material/directions.hpp"
 #include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/material/require.hpp"
 
 namespace shelfbeam {
 

@@ -1,4 +1,4 @@
-#include "shelfbeam/milp/detail/bound_report.hpp"
+#include "shelfbeam/milp/bound_report.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,4 +1,4 @@
-#include "shelfbeam/milp/detail/file_rows.hpp"
+#include "shelfbeam/milp/file_rows.hpp"
 
 #include <algorithm>
 #include <array>

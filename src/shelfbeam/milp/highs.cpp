@@ -6,9 +6,9 @@
 #include <Highs.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/milp/detail/bound_report.hpp"
-#include "shelfbeam/milp/detail/objective_scale.hpp"
+#include "shelfbeam/milp/bound_report.hpp"
 #include "shelfbeam/milp/lp_session.hpp"
+#include "shelfbeam/milp/objective_scale.hpp"
 #include "shelfbeam/milp/solver.hpp"
 
 namespace shelfbeam::milp {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/milp/detail/file_rows.hpp"
+#include "shelfbeam/milp/file_rows.hpp"
 #include "shelfbeam/milp/model_file.hpp"
 
 namespace shelfbeam::milp {

@@ -1,4 +1,4 @@
-#include "shelfbeam/milp/detail/objective_scale.hpp"
+#include "shelfbeam/milp/objective_scale.hpp"
 
 #include <algorithm>
 #include <cmath>

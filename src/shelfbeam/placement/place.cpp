@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/parallel.hpp"
-#include "shelfbeam/placement/checker.hpp"
-#include "shelfbeam/placement/detail/placement_search.hpp"
-#include "shelfbeam/placement/greedy.hpp"
-#include "shelfbeam/placement/mip.hpp"
-#include "shelfbeam/placement/mounts.hpp"
-#include "shelfbeam/placement/placement.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/heuristic/greedy.hpp"
+#include "shelfbeam/placement/mip/mip.hpp"
+#include "shelfbeam/placement/placement_search.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/mounts.hpp"
 
 namespace shelfbeam {
 

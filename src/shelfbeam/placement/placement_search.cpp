@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/detail/placement_search.hpp"
+#include "shelfbeam/placement/placement_search.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -13,20 +13,20 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/placement/bounds.hpp"
-#include "shelfbeam/placement/checker.hpp"
-#include "shelfbeam/placement/detail/annealing.hpp"
-#include "shelfbeam/placement/detail/cover_search.hpp"
-#include "shelfbeam/placement/detail/local_search.hpp"
-#include "shelfbeam/placement/detail/lp_bound.hpp"
-#include "shelfbeam/placement/detail/proof.hpp"
-#include "shelfbeam/placement/detail/reduced_cover.hpp"
-#include "shelfbeam/placement/detail/reductions.hpp"
-#include "shelfbeam/placement/detail/search_matrix.hpp"
-#include "shelfbeam/placement/detail/search_problem.hpp"
-#include "shelfbeam/placement/detail/tree_search.hpp"
-#include "shelfbeam/placement/export_model.hpp"
-#include "shelfbeam/placement/mip.hpp"
+#include "shelfbeam/placement/bound/lp_bound.hpp"
+#include "shelfbeam/placement/heuristic/annealing.hpp"
+#include "shelfbeam/placement/heuristic/cover_search.hpp"
+#include "shelfbeam/placement/heuristic/local_search.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
+#include "shelfbeam/placement/kernels/search_problem.hpp"
+#include "shelfbeam/placement/mip/export_model.hpp"
+#include "shelfbeam/placement/mip/mip.hpp"
+#include "shelfbeam/placement/problem/bounds.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/reduce/reduced_cover.hpp"
+#include "shelfbeam/placement/reduce/reductions.hpp"
+#include "shelfbeam/placement/tree/proof.hpp"
+#include "shelfbeam/placement/tree/tree_search.hpp"
 
 namespace shelfbeam::detail {
 

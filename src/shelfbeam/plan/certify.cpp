@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/plan/decisive_rows.hpp"
 #include "shelfbeam/plan/label_rounds.hpp"
 #include "shelfbeam/plan/optimism.hpp"

@@ -4,12 +4,12 @@
 #include <functional>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/certificate.hpp"
-#include "shelfbeam/placement/placement.hpp"
+#include "shelfbeam/placement/answer/certificate.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
-#include "shelfbeam/signal/signal_table.hpp"
-#include "shelfbeam/transport/simulation_options.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+#include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "shelfbeam/placement/checker.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/placement.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
 
 namespace shelfbeam {
 

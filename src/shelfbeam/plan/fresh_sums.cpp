@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "shelfbeam/stats/distributions.hpp"
-#include "shelfbeam/transport/sample_batches.hpp"
+#include "shelfbeam/transport/run/sample_batches.hpp"
 
 namespace shelfbeam {
 

@@ -9,7 +9,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/stats/skewed_moments.hpp"
-#include "shelfbeam/transport/simulation_options.hpp"
+#include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam {
 

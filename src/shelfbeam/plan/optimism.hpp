@@ -8,7 +8,7 @@
 #include "shelfbeam/plan/verification.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
-#include "shelfbeam/signal/signal_table.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
 

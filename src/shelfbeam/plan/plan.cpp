@@ -7,7 +7,7 @@
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
-#include "shelfbeam/signal/signal_table.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
 

@@ -3,12 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "shelfbeam/placement/curve.hpp"
-#include "shelfbeam/placement/placement.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/coverage/curve.hpp"
 #include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/plan/sensitivity.hpp"
 #include "shelfbeam/scene/scene.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 namespace shelfbeam {
 

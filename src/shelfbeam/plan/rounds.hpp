@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "shelfbeam/plan/verification.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 namespace shelfbeam {
 

@@ -10,7 +10,7 @@
 
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/stats/moments.hpp"
-#include "shelfbeam/transport/sample_batches.hpp"
+#include "shelfbeam/transport/run/sample_batches.hpp"
 
 namespace shelfbeam {
 

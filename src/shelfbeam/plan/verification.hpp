@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/certificate.hpp"
-#include "shelfbeam/placement/instance.hpp"
+#include "shelfbeam/placement/answer/certificate.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/scene/scene.hpp"
-#include "shelfbeam/transport/simulation_options.hpp"
+#include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
-#include "shelfbeam/placement/words.hpp"
+#include "shelfbeam/placement/io/words.hpp"
 
 namespace shelfbeam {
 

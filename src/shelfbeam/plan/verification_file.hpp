@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "shelfbeam/placement/certificate.hpp"
+#include "shelfbeam/placement/answer/certificate.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {

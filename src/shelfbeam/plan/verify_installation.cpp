@@ -5,7 +5,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/plan/label_rounds.hpp"
 #include "shelfbeam/plan/rounds.hpp"
-#include "shelfbeam/transport/simulate.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 namespace shelfbeam {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/placement.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/scene/scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "shelfbeam/signal/detail/text_file.hpp"
+#include "shelfbeam/signal/text_file.hpp"
 
 #include <algorithm>
 #include <cerrno>

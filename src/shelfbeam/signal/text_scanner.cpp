@@ -1,4 +1,4 @@
-#include "shelfbeam/signal/detail/text_scanner.hpp"
+#include "shelfbeam/signal/text_scanner.hpp"
 
 #include <algorithm>
 #include <charconv>

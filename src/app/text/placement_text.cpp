@@ -1,0 +1,184 @@
+#include "app/text/placement_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
+#include "shelfbeam/placement/answer/scenarios.hpp"
+#include "shelfbeam/placement/io/words.hpp"
+#include "shelfbeam/placement/problem/critical.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+/// "1 transceiver reaches", "2 transceivers reach"
+std::string units_reach(std::size_t units) {
+  return counted(units, "transceiver") + (units == 1 ? " reaches" : " reach");
+}
+
+/// "all 12 labels", "the only label"
+std::string all_labels(std::size_t labels) {
+  return labels == 1 ? "the only label" : "all " + counted(labels, "label");
+}
+
+/// "at least 1 transceiver is needed"
+std::string at_least(double count) {
+  const auto units = static_cast<std::uint64_t>(std::ceil(count));
+  return fmt::format("at least {} {} needed", counted(units, "transceiver"), units == 1 ? "is" : "are");
+}
+
+std::string model_of(const Question& question) {
+  return fmt::format("{}{}", name_of(model_names, question.model),
+                     question.redundant ? ", whichever unit fails" : "");
+}
+
+std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
+  std::vector<std::string_view> ids;
+  ids.reserve(selected.size());
+  for (const std::uint32_t j : selected) ids.push_back(table.transceivers[j].id);
+  return ids.empty() ? "" : fmt::format("  chosen: {}\n", fmt::join(ids, ", "));
+}
+
+std::string outcome(const Placement& placement) {
+  std::string text = fmt::format("  {}", name_of(status_names, placement.status));
+  if (placement.has_selection())
+    text += fmt::format(": value {:.9g}, lower bound {:.9g}, gap {:.1f} %", placement.objective_value,
+                        placement.lower_bound, 100 * placement.gap());
+  return text + fmt::format("; {:.2f} s, solver {}\n", placement.seconds,
+                            placement.solver.empty() ? "not needed" : placement.solver);
+}
+
+/// What no selection can do for the labels of `unreachable`.
+std::string out_of_reach(const Placement& placement, const SignalTable& table) {
+  const std::size_t lost = placement.unreachable.size();
+  if (placement.question.model == CommunicationModel::non_cooperative)
+    return placement.question.redundant
+               ? fmt::format("{} cannot be reached by two units at once", lost)
+               : fmt::format("{} cannot be reached even by the best candidate", lost);
+  return fmt::format(
+      "{} cannot be reached even by {}{}", lost,
+      table.mounts.empty() ? "all candidates together" : "the best options of all mounting points together",
+      placement.question.redundant ? " when the strongest fails" : "");
+}
+
+std::string infeasible(const Placement& placement, const SignalTable& table) {
+  const std::string no_selection = fmt::format("No selection reaches {}{}", all_labels(table.rows()),
+                                               placement.question.redundant ? ", whichever unit fails" : "");
+  if (placement.unreachable.empty())
+    return fmt::format("{}: each could be reached, but not all of them at once, because {} (proven by {}).\n",
+                       no_selection, why_exclusive(placement, !table.mounts.empty()), placement.solver);
+  std::string text = fmt::format("{}: {}.\n", no_selection, out_of_reach(placement, table));
+  const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
+  for (std::size_t u = 0; u < shown; ++u) {
+    const Unreachable& one = placement.unreachable[u];
+    text += fmt::format("  {}: at most {:.4g}, needs {:.4g}", table.labels[one.label].id, one.most,
+                        one.requirement);
+    if (one.most == 0)
+      text += fmt::format(" ({})", why_nothing(placement.question, !table.row(one.label).empty()));
+    text += '\n';
+  }
+  if (shown < placement.unreachable.size())
+    text += fmt::format("  and {} more\n", placement.unreachable.size() - shown);
+  return text;
+}
+
+std::string nothing_found(const Placement& placement) {
+  const std::string needed = at_least(placement.count_lower_bound);
+  if (placement.solver == "greedy" || placement.solver == "search")
+    return fmt::format("{} found no placement; {}. '--solver mip' searches for one.\n",
+                       placement.solver == "greedy" ? "The greedy method" : "The search", needed);
+  return fmt::format("No placement was found in time; {}.\n", needed);
+}
+
+/// How many labels hang on each unit, where any does.
+std::string hanging(const Placement& placement, const SignalTable& table) {
+  std::vector<std::string> counts;
+  std::size_t all = 0;
+  for (const Critical& one : critical_units(table, placement.question, placement.selected)) {
+    counts.push_back(fmt::format("{} {}", table.transceivers[one.unit].id, one.labels.size()));
+    all += one.labels.size();
+  }
+  return all == 0 ? "  no label hangs on a single unit\n"
+                  : fmt::format("  labels that hang on one unit: {}\n", fmt::join(counts, ", "));
+}
+
+std::string solved(const Placement& placement, const SignalTable& table) {
+  const bool is_proven = static_cast<double>(placement.count()) <= placement.count_lower_bound;
+  std::string text = fmt::format("{} {} ({}); {}.\n", units_reach(placement.count()),
+                                 all_labels(table.rows()), model_of(placement.question),
+                                 is_proven ? "fewer cannot, proven" : at_least(placement.count_lower_bound));
+  text += chosen(placement.selected, table);
+  if (!table.mounts.empty())
+    text += fmt::format("  from {} at {}\n", counted(table.columns(), "candidate"),
+                        counted(table.mounting_points(), "mounting point"));
+  for (const ScenarioMargin& margin : scenario_margins(table, placement)) {
+    const SignalTable::Scenario& scenario = table.scenarios[margin.scenario];
+    text += scenario.labels == 0 ? fmt::format("  {}: no labels\n", scenario.name)
+                                 : fmt::format("  {}: {}, the weakest ({}) gets {:.4g} of its requirement\n",
+                                               scenario.name, counted(scenario.labels, "label"),
+                                               table.labels[margin.label].id, margin.smallest_margin);
+  }
+  return text + hanging(placement, table);
+}
+
+/// In percent; 100 without labels.
+double percentage(std::size_t labels, const SignalTable& table) {
+  return table.rows() == 0 ? 100 : 100 * static_cast<double>(labels) / static_cast<double>(table.rows());
+}
+
+}  // namespace
+
+std::string describe(const Placement& placement, const SignalTable& table) {
+  const bool is_infeasible = placement.status == Status::infeasible;
+  std::string text = is_infeasible               ? infeasible(placement, table)
+                     : placement.has_selection() ? solved(placement, table)
+                                                 : nothing_found(placement);
+  if (const std::string apart = kept_apart(placement); !apart.empty()) text += fmt::format("  {}\n", apart);
+  text += outcome(placement);
+  if (is_infeasible) return text;
+  return text + fmt::format("  bound: {}{}\n", behind_bound(placement.bound_proof),
+                            placement.ties_settled ? "; of equal placements this has the widest margin" : "");
+}
+
+std::string describe(const Reach& reach, const SignalTable& table) {
+  const bool reaches_all = reach.reached == table.rows();
+  std::string text = units_reach(reach.selected.size()) + " ";
+  text += reaches_all ? all_labels(table.rows())
+                      : fmt::format("{} of {}, {:.1f} %", grouped(reach.reached),
+                                    counted(table.rows(), "label"), percentage(reach.reached, table));
+  text += fmt::format(" ({})", model_of(reach.question));
+  if (!reaches_all) {
+    text += reach.at_most == 1 ? "; no single transceiver reaches more"
+                               : fmt::format("; no {} reach more", counted(reach.at_most, "transceiver"));
+    if (reach.status != Status::optimal)
+      text +=
+          fmt::format(" than {}, {:.1f} %", grouped(reach.upper_bound), percentage(reach.upper_bound, table));
+    text += ", proven";
+  }
+  text += ".\n" + chosen(reach.selected, table);
+  text += fmt::format("  {}: reached {}, upper bound {}, gap {:.1f} %; {:.2f} s, solver {}\n",
+                      name_of(status_names, reach.status), reach.reached, reach.upper_bound,
+                      100 * reach.gap(), reach.seconds, reach.solver);
+  text += fmt::format("  bound: {}\n", behind_bound(reach.bound_proof));
+  if (reach.too_large && reach.status != Status::optimal)
+    text += "  the table is too large for the exact method\n";
+  return text;
+}
+
+std::string describe(const ReachCurve& curve, const SignalTable& table) {
+  if (curve.points.empty() || table.rows() == 0) return {};
+  std::string text = "  units   labels reached: at least   at most\n";
+  for (const CurvePoint& point : curve.points)
+    text += fmt::format("  {:5}                  {:7.1f} % {:7.1f} %\n", point.units,
+                        percentage(point.at_least, table), percentage(point.at_most, table));
+  if (!curve.is_complete) text += "  the curve was stopped early: more time may bring the two nearer\n";
+  return text;
+}
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,231 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/report/comparison/comparison_report.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/measured/comparison.hpp"
+#include "shelfbeam/signal/measured/measurements.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+#include "app/options/arguments.hpp"
+#include "app/text/print_json.hpp"
+#include "app/text/text_table.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t listed = 5;  // worst pairs in the text
+
+struct Options {
+  CommonOptions common;
+  fs::path signal, measured, placement, output;
+  double confidence = 0.95;
+};
+
+/// Where the table and the page go; empty: nowhere.
+struct Outputs {
+  fs::path table, page;
+};
+
+Outputs outputs_of(const Options& options) {
+  const fs::path& output = options.output;
+  if (output.empty()) return {};
+  if (output.extension() == ".csv") return {output, {}};
+  if (output.extension() == ".html") return {{}, output};
+  if (!output.extension().empty() && !fs::is_directory(output))
+    throw InputError(output.string(),
+                     fmt::format("'{}' says nothing about the format", output.extension().string()),
+                     "end the name in .csv or .html, or name a folder for both");
+  return {output / "comparison.csv", output / "comparison.html"};
+}
+
+/// Throws InputError where an output cannot be written or is an input.
+void prepare(const Options& options, const Outputs& outputs) {
+  const bool to_folder = !outputs.table.empty() && !outputs.page.empty();
+  if (to_folder) make_output_folder(options.output);
+  for (const fs::path& output : {outputs.table, outputs.page}) {
+    if (output.empty()) continue;
+    for (const fs::path& input : {options.signal, options.measured, options.placement})
+      if (!input.empty()) keep_input(output, input);
+    expect_writable(output);
+  }
+}
+
+std::vector<std::uint32_t> units_of(const Options& options, const SignalMatrix& matrix,
+                                    const Measurements& measurements) {
+  if (measurements.of_pairs) {
+    if (!options.placement.empty())
+      throw InputError(options.measured.string(),
+                       "names a transceiver for every signal, so no placement plays a part",
+                       "leave --placement out, or remove the column 'transceiver'");
+    return {};
+  }
+  if (options.placement.empty())
+    throw InputError(options.measured.string(),
+                     "has no column 'transceiver', so it is of several units at once",
+                     "say with --placement which were on");
+  const SignalTable table = make_signal_table(matrix, options.signal.string());
+  std::vector<std::uint32_t> units = read_placement(options.placement, table).selected;
+  if (units.empty())
+    throw InputError(options.placement.string(), "selects no transceiver", "use a placement that was found");
+  return units;
+}
+
+nlohmann::ordered_json pair_json(const ComparisonInput& input, std::size_t k) {
+  const ComparedPair& pair = input.pairs[k];
+  const PairResult& result = input.comparison.pairs[k];
+  using Json = nlohmann::ordered_json;
+  return {{"label", input.matrix.labels[pair.label].id},
+          {"transceiver",
+           pair.transceiver ? Json(input.matrix.transceivers[*pair.transceiver].id) : Json(nullptr)},
+          {"measured", pair.measured},
+          {"expected", result.expected},
+          {"residual_db", result.residual ? Json(*result.residual) : Json(nullptr)}};
+}
+
+nlohmann::ordered_json summary(const ComparisonInput& input) {
+  using Json = nlohmann::ordered_json;
+  const Comparison& c = input.comparison;
+  constexpr const char* shared[] = {"none", "of labels", "of transceivers", "of both"};
+  Json outliers = Json::array(), worst = Json::array();
+  for (const std::size_t k : c.outliers) outliers.push_back(pair_json(input, k));
+  for (std::size_t k = 0; k < std::min(c.worst.size(), listed); ++k)
+    worst.push_back(pair_json(input, c.worst[k]));
+  Json json = {{"pairs", input.pairs.size()},
+               {"fitted", c.fitted},
+               {"uncertain", c.uncertain},
+               {"nothing_measured", c.nothing_measured},
+               {"factor", c.factor},
+               {"confidence", c.confidence},
+               {"factor_low", c.factor_interval.low},
+               {"factor_high", c.factor_interval.high},
+               {"shared_errors", shared[static_cast<std::size_t>(c.shared)]},
+               {"spread_db", c.spread},
+               {"median_residual_db", c.median_residual},
+               {"ninety_residual_db", c.ninety_residual},
+               {"correlation", c.correlation},
+               {"slope", nullptr},
+               {"slope_low", nullptr},
+               {"slope_high", nullptr},
+               {"chi_square", nullptr},
+               {"degrees_of_freedom", nullptr},
+               {"p_value", nullptr},
+               {"one_factor", nullptr},
+               {"outliers", outliers},
+               {"worst", worst}};
+  if (c.slope) {
+    json["slope"] = *c.slope;
+    json["slope_low"] = c.slope_interval.low;
+    json["slope_high"] = c.slope_interval.high;
+  }
+  if (c.test) {
+    json["chi_square"] = c.test->statistic;
+    json["degrees_of_freedom"] = c.test->degrees_of_freedom;
+    json["p_value"] = c.test->p_value;
+    json["one_factor"] = !c.test->rejected();
+  }
+  return json;
+}
+
+void print_pairs(const ComparisonInput& input, const std::string& heading,
+                 const std::vector<std::size_t>& pairs) {
+  fmt::print("{}\n", heading);
+  std::vector<std::vector<std::string>> rows{{"label", "transceiver", "measured", "expected", "residual"}};
+  for (std::size_t k = 0; k < std::min(pairs.size(), listed); ++k) {
+    const ComparedPair& pair = input.pairs[pairs[k]];
+    const PairResult& result = input.comparison.pairs[pairs[k]];
+    rows.push_back({input.matrix.labels[pair.label].id,
+                    pair.transceiver ? input.matrix.transceivers[*pair.transceiver].id : "all",
+                    significant(pair.measured), significant(result.expected),
+                    result.residual ? decibels(*result.residual) : "-"});
+  }
+  print_table(rows, 2);
+}
+
+void print_text(const ComparisonInput& input) {
+  for (const std::string& statement : comparison_statements(input.comparison)) fmt::print("{}\n", statement);
+  const Comparison& c = input.comparison;
+  if (c.outliers.empty())
+    fmt::print("No pair is an outlier.\n");
+  else
+    print_pairs(input,
+                c.outliers.size() > listed
+                    ? fmt::format("{}, the first {}:", counted(c.outliers.size(), "outlier"), listed)
+                    : counted(c.outliers.size(), "outlier") + ":",
+                c.outliers);
+  print_pairs(input,
+              c.outliers.empty() ? "Fitted pairs that are furthest off:"
+                                 : "Fitted pairs that are furthest off, outliers aside:",
+              c.worst);
+}
+
+int run_compare(const Options& options) {
+  const Outputs outputs = outputs_of(options);
+  const SignalMatrix matrix = read_signal_file(options.signal);
+  const Measurements measurements = read_measurements(options.measured, matrix);
+  const std::vector<ComparedPair> pairs =
+      compared_pairs(matrix, measurements, units_of(options, matrix, measurements));
+  const Comparison comparison = compare_signals(pairs, options.confidence, options.measured.string());
+  const ComparisonInput input{matrix, pairs, comparison, options.measured.filename().string(),
+                              options.signal.filename().string()};
+  prepare(options, outputs);
+  if (!outputs.table.empty()) write_file(outputs.table, comparison_csv(input));
+  if (!outputs.page.empty()) write_file(outputs.page, comparison_html(input));
+  if (options.common.json) {
+    nlohmann::ordered_json json = summary(input);
+    if (!outputs.table.empty()) json["table"] = outputs.table.string();
+    if (!outputs.page.empty()) json["report"] = outputs.page.string();
+    print_json(json);
+  } else if (!options.common.quiet) {
+    print_text(input);
+    for (const fs::path& output : {outputs.table, outputs.page})
+      if (!output.empty()) fmt::print("{}\n", output.string());
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("compare", "Set measured signals beside the simulated ones and fit one factor");
+  auto options = std::make_shared<Options>();
+  verb->add_option("SIGNAL", options->signal, "Signal file (HDF5)")->required()->check(a_path());
+  verb->add_option("MEASURED", options->measured,
+                   "CSV with header label,transceiver,signal or label,signal; a column error may follow")
+      ->required()
+      ->check(a_path());
+  verb->add_option(
+          "--placement", options->placement,
+          "placement.json of the units that were on together: for measurements that name labels only")
+      ->check(a_path());
+  verb->add_option("--confidence", options->confidence, "Of the intervals, between 0.5 and 0.9999")
+      ->check(CLI::Range(0.5, 0.9999))
+      ->capture_default_str();
+  verb->add_option("-o,--output", options->output,
+                   "Folder for comparison.csv and comparison.html, or a file .csv or .html")
+      ->check(a_path());
+  add_common_options(*verb, options->common);
+  verb->footer(
+      "Examples:\n"
+      "  shelfbeam compare plan/signal.h5 measured.csv -o comparison\n"
+      "  shelfbeam compare plan/signal.h5 labels.csv --placement plan/placement.json --json");
+  verb->callback([options, &chosen] { chosen = [options] { return run_compare(*options); }; });
+}
+
+}  // namespace shelfbeam::app

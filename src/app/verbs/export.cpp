@@ -1,0 +1,113 @@
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/milp/model_file.hpp"
+#include "shelfbeam/placement/mip/export_model.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/tables/matrix_export.hpp"
+
+#include "app/options/arguments.hpp"
+#include "app/options/placement_input.hpp"
+#include "app/options/placement_options.hpp"
+#include "app/text/print_json.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  QuestionFlags question;
+  PlacementInput input;
+  std::filesystem::path output;
+  std::string what = "mean";
+  bool for_model = false, for_matrix = false;  ///< an option was given that only plays a part there
+};
+
+void export_matrix(const Options& options) {
+  if (options.input.signals.size() > 1)
+    throw InputError(options.input.signals[1].string(), "is a second file, and a matrix comes from one",
+                     "export one after the other");
+  const SignalMatrix matrix = read_signal_file(options.input.signals.front());
+  const auto& values = options.what == "mean"     ? matrix.mean
+                       : options.what == "direct" ? matrix.direct
+                                                  : matrix.standard_error;
+  if (options.output.extension() == ".npy")
+    write_matrix_npy(matrix, values, options.output);
+  else
+    write_matrix_csv(matrix, values, options.output);
+}
+
+void export_model(const Options& options) {
+  const Question question = options.question.question();
+  if (question.objective != Objective::count && question.combination == Combination::lexicographic)
+    throw InputError(fmt::format("--objective {}", options.question.objective),
+                     "comes second, and a file holds one objective: that of the number",
+                     "add --weighted for one sum, or leave the objective out");
+  const milp::Model model = placement_model(options.input.table(question), question);
+  if (options.output.extension() == ".lp")
+    milp::write_lp(model, options.output);
+  else
+    milp::write_mps(model, options.output);
+}
+
+int run_export(const Options& options) {
+  options.input.keep(options.output);
+  const std::string kind = options.output.extension().string();
+  const bool is_model = kind == ".mps" || kind == ".lp", is_matrix = kind == ".csv" || kind == ".npy";
+  if (is_model && options.for_matrix)
+    throw InputError("--what", "chooses a matrix, but the output is a model",
+                     "leave it out, or write .csv or .npy");
+  if (is_matrix && options.for_model)
+    throw InputError(
+        "--model, --objective, --weighted, --share, --survive-failure, --threshold, --costs, --min-spacing, "
+        "--forbid",
+        "play no part in a matrix", "leave them out, or write .mps or .lp");
+  if (is_model)
+    export_model(options);
+  else if (is_matrix)
+    export_matrix(options);
+  else
+    throw InputError(options.output.string(), fmt::format("'{}' says nothing about the format", kind),
+                     "end the name in .mps, .lp, .csv or .npy");
+  if (options.common.json)
+    print_json({{"output", options.output.string()}});
+  else if (!options.common.quiet)
+    fmt::print("{}\n", options.output.string());
+  return done;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("export", "Write the placement model (MPS, LP) or the matrix (CSV, NPY)");
+  auto options = std::make_shared<Options>();
+  add_placement_input(*verb, options->input);
+  verb->add_option("-o,--output", options->output,
+                   "File to write: .mps or .lp for the model, .csv or .npy for the matrix")
+      ->required()
+      ->check(a_path());
+  verb->add_option("--what", options->what, "Which matrix of a signal file (HDF5)")
+      ->check(CLI::IsMember({"mean", "standard-error", "direct"}))
+      ->capture_default_str();
+  add_question_options(*verb, options->question);
+  add_common_options(*verb, options->common);
+  verb->footer(
+      "Examples:\n"
+      "  shelfbeam export signal.h5 -o model.mps --model non-cooperative --objective links --weighted\n"
+      "  shelfbeam export signal.h5 -o errors.csv --what standard-error");
+  verb->callback([options, verb, &chosen] {
+    options->for_matrix = verb->count("--what") > 0;
+    for (const char* flag : {"--model", "--objective", "--weighted", "--lexicographic", "--share",
+                             "--survive-failure", "--threshold", "--costs", "--min-spacing", "--forbid"})
+      options->for_model = options->for_model || verb->count(flag) > 0;
+    chosen = [options] { return run_export(*options); };
+  });
+}
+
+}  // namespace shelfbeam::app

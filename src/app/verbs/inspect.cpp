@@ -1,0 +1,52 @@
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/report/data/report.hpp"
+
+#include "app/loaded_store.hpp"
+#include "app/options/arguments.hpp"
+#include "app/text/print_json.hpp"
+#include "app/text/store_summary.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  std::filesystem::path store, plan;
+  bool allow_outside = false;
+};
+
+int run_inspect(const Options& options) {
+  keep_input(options.plan, options.store);
+  const LoadedStore store = load_store(options.store, options.allow_outside);
+  if (!options.plan.empty()) write_file(options.plan, floor_plan_svg(store.scene));
+  if (options.common.json) {
+    print_json(summary_json(store, summarize(store.scene)));
+  } else if (!options.common.quiet) {
+    print_summary(store, summarize(store.scene));
+    if (!options.plan.empty()) fmt::print("\nfloor plan: {}\n", options.plan.string());
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb = app.add_subcommand(
+      "inspect", "Check a store file; show dimensions, counts, areas, reflectances, flux and the plan");
+  auto options = std::make_shared<Options>();
+  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
+  verb->add_option("-o,--output", options->plan, "Write the floor plan as SVG to this file")->check(a_path());
+  add_store_options(*verb, options->allow_outside);
+  add_common_options(*verb, options->common);
+  verb->footer("Examples:\n  shelfbeam inspect store.json\n  shelfbeam inspect store.json -o plan.svg");
+  verb->callback([options, &chosen] { chosen = [options] { return run_inspect(*options); }; });
+}
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,107 @@
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/placement/coverage/curve.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
+
+#include "app/options/arguments.hpp"
+#include "app/options/placement_input.hpp"
+#include "app/options/placement_options.hpp"
+#include "app/text/terminal.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  QuestionFlags question;
+  SolverFlags solver;
+  PlacementInput input;
+  std::filesystem::path output;
+  std::size_t at_most = 0;  ///< 0: not given
+  bool curve = false;
+};
+
+struct Answer {
+  std::string json, text;
+  int code = done;
+};
+
+Answer reach(const Options& options, const SignalTable& table, const RunControl& control) {
+  const Reach reach = reach_most(table, options.question.question(), options.at_most,
+                                 options.solver.options(options.common.seed), control);
+  return {reach_json(reach, table), describe(reach, table), exit_code(reach.status)};
+}
+
+Answer cover(const Options& options, const SignalTable& table, const RunControl& control) {
+  Placement placement =
+      place(table, options.question.question(), options.solver.options(options.common.seed), control);
+  ReachCurve curve;
+  std::string remark;
+  if (options.curve && placement.has_selection()) {
+    curve = add_curve(placement, table, options.solver.time_limit_s, control);
+  } else if (options.curve) {
+    remark = fmt::format("  {}: '--at-most K' tells what K transceivers reach\n", no_curve);
+  }
+  return {placement_json(placement, table, curve),
+          describe(placement, table) + describe(curve, table) + remark,
+          curve.is_complete ? exit_code(placement.status) : stopped_early};
+}
+
+int run_place(const Options& options) {
+  options.input.keep(options.output);
+  const Question question = options.question.question();
+  if (options.at_most > 0 &&
+      (question.objective != Objective::count || question.combination == Combination::weighted))
+    throw InputError("--at-most", "asks for the most labels, and objectives and prices play no part in that",
+                     "leave out --objective and --weighted");
+  const SignalTable table = options.input.table(question);
+  if (!options.output.empty()) expect_writable(options.output);
+  Answer answer;
+  {
+    TerminalProgress progress(options.common.quiet);
+    const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
+    answer = options.at_most > 0 ? reach(options, table, control) : cover(options, table, control);
+  }
+  if (!options.output.empty()) write_file(options.output, answer.json);
+  if (options.common.json)
+    fmt::print("{}", answer.json);
+  else if (!options.common.quiet)
+    fmt::print("{}", answer.text);
+  return answer.code;
+}
+
+}  // namespace
+
+void add_place(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb = app.add_subcommand("place", "Choose transceivers on a signal matrix, with a proven bound");
+  auto options = std::make_shared<Options>();
+  add_placement_input(*verb, options->input);
+  verb->add_option("-o,--output", options->output, "Write the answer as JSON to this file")->check(a_path());
+  auto* at_most = verb->add_option("--at-most", options->at_most,
+                                   "Reach the most labels with at most so many transceivers")
+                      ->check(positive_count());
+  verb->add_flag("--curve", options->curve, "Also tell what share of the labels fewer transceivers reach")
+      ->excludes(at_most);
+  add_question_options(*verb, options->question);
+  add_solver_options(*verb, options->solver, 60);
+  add_common_options(*verb, options->common);
+  verb->footer(
+      "Examples:\n"
+      "  shelfbeam place signal.h5 -o placement.json\n"
+      "  shelfbeam place signal.h5 --model non-cooperative --objective links\n"
+      "  shelfbeam place matrix.csv --threshold 0.02 --weighted --costs costs.csv\n"
+      "  shelfbeam place open.h5 shut.h5 --survive-failure --min-spacing 2\n"
+      "  shelfbeam place signal.h5 --at-most 6");
+  verb->callback([options, &chosen] { chosen = [options] { return run_place(*options); }; });
+}
+
+}  // namespace shelfbeam::app

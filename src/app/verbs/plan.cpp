@@ -1,0 +1,201 @@
+#include "shelfbeam/plan/plan.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/placement/io/words.hpp"
+#include "shelfbeam/plan/verification_file.hpp"
+#include "shelfbeam/signal/checkpoint/checkpoint.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+#include "app/loaded_store.hpp"
+#include "app/options/arguments.hpp"
+#include "app/options/certificate_options.hpp"
+#include "app/options/placement_options.hpp"
+#include "app/options/requirements.hpp"
+#include "app/options/simulation_options.hpp"
+#include "app/text/placement_text.hpp"
+#include "app/text/plan_folder.hpp"
+#include "app/text/store_summary.hpp"
+#include "app/text/store_table.hpp"
+#include "app/text/terminal.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  SimulationFlags simulation;
+  QuestionFlags question;
+  SolverFlags solver;
+  CertificateFlags certificate;
+  bool no_certificate = false, curve = false, sensitivity = false;
+  double reflectance_error = SensitivityOptions().assumed_error;
+  Requirements requirements;
+  std::filesystem::path store, folder;
+  bool allow_outside = false;
+};
+
+SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
+  SignalTable table = make_signal_table(matrix);
+  options.requirements.apply(table, options.store.string());
+  return table;
+}
+
+// A store that is no plan's own stays, and so do the lists that may lie beside it.
+void keep_store(const std::filesystem::path& folder, const std::filesystem::path& file,
+                const LoadedStore& store) {
+  std::error_code missing;
+  const auto home = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (std::filesystem::equivalent(folder, home, missing) && read_file(file) != store.resolved)
+    throw InputError(folder.string(), "is the folder of the store file, which would be overwritten",
+                     "choose another folder for the plan");
+}
+
+// What was asked for beside the placement.
+std::string additions(const Options& options, const Plan& plan, const SignalTable& table) {
+  const Placement& placement = plan.placement;
+  std::string text = describe(plan.curve, table);
+  if (options.curve && !placement.has_selection())
+    text += fmt::format("  {}: 'place {} --at-most K' tells what K transceivers reach\n", no_curve,
+                        (options.folder / signal_name).string());
+  if (placement.certificate) text += fmt::format("certificate: {}\n", statement(placement));
+  if (placement.sensitivity)
+    text += fmt::format("sensitivity: {}\n", statement(*placement.sensitivity, table.rows()));
+  else if (options.sensitivity)
+    text += fmt::format("  no sensitivity {}\n", placement.has_selection()
+                                                     ? "yet: the run was stopped before it was known"
+                                                     : "without a placement");
+  return text;
+}
+
+// An error that was asked for was not reached, and no certificate says what that means.
+bool is_imprecise(const Plan& plan) {
+  return !plan.placement.certificate && plan.simulation.summary.unmet_error;
+}
+
+// Something that was asked of the selection came to no end.
+bool is_open(const Options& options, const Plan& plan) {
+  const Placement& placement = plan.placement;
+  return is_imprecise(plan) || (placement.certificate && !placement.certificate->open.empty()) ||
+         !plan.curve.is_complete ||
+         (options.sensitivity && placement.has_selection() && !placement.sensitivity);
+}
+
+int run_plan(const Options& options) {
+  const CancelToken& cancel = cancel_on_signal();
+  const LoadedStore store =
+      load_store(options.store, options.allow_outside, options.simulation.most_memory());
+  keep_store(options.folder, options.store, store);
+  // What is asked of the placement is checked before the light is simulated.
+  SignalTable nothing = table_without_signals(store.scene);
+  options.requirements.apply(nothing, options.store.string());
+  const SimulationOptions simulation =
+      options.simulation.options(options.common.seed, options.folder / signal_name);
+  const bool is_new = !std::filesystem::exists(options.folder);
+  prepare_plan_folder(options.folder);
+  print_warnings(options.common, store.scene, simulation.rules().strategy);
+  Plan plan;
+  try {
+    TerminalProgress progress(options.common.quiet);
+    const RunControl control{options.common.threads, &cancel, progress.sink()};
+    PlanOptions asked;
+    asked.simulation = simulation;
+    asked.question = options.question.question();
+    asked.place = options.solver.options(options.common.seed);
+    asked.table = [&](const SignalMatrix& matrix) { return table_of(options, matrix); };
+    const double confidence = options.certificate.confidence;
+    asked.confidence = options.no_certificate ? std::nullopt : std::optional(confidence);
+    asked.budget_s = options.certificate.budget_s;
+    asked.curve = options.curve;
+    if (options.sensitivity) asked.sensitivity = {options.reflectance_error, confidence};
+    plan = make_plan(store.scene, store.hash, asked, control);
+  } catch (...) {  // stopped too early, or refused
+    std::error_code not_empty;
+    if (is_new) std::filesystem::remove(options.folder, not_empty);
+    throw;
+  }
+  const SignalMatrix& matrix = plan.simulation.matrix;
+  const SimulationSummary& summary = plan.simulation.summary;
+  const SignalTable table = table_of(options, matrix);
+  const std::string answer = placement_json(plan.placement, table, plan.curve);
+  try {
+    AtomicFolder files(options.folder);
+    files.add(store_name).write(store.resolved);
+    write_signal_file(matrix, files.add(signal_name));
+    files.add(placement_name).write(answer);
+    if (plan.placement.certificate)
+      files.add(verification_name).write(verification_csv(*plan.placement.certificate, store.scene));
+    write_report(files, {store.scene, matrix, plan.placement, plan.curve});
+    files.commit({report_name, placement_name, labels_name, placement_table_name, verification_name});
+  } catch (const OutputError& error) {
+    if (!summary.has_checkpoint) throw;
+    throw OutputError(error, checkpoint_remains);
+  }
+  if (plan.complete) remove_checkpoint(simulation.checkpoint.path);
+
+  if (options.common.json)
+    fmt::print("{}", answer);
+  else if (!options.common.quiet)
+    fmt::print("{}\n{}{}report: {}\n", describe(summary), describe(plan.placement, table),
+               additions(options, plan, table), (options.folder / report_name).string());
+  if (options.common.json && !options.common.quiet && is_imprecise(plan))
+    fmt::print(
+        stderr,
+        "the relative error is out of reach; without '--json' the entries that prevent it are named\n");
+  if (plan.complete) return is_open(options, plan) ? stopped_early : exit_code(plan.placement.status);
+  if (!options.common.quiet)
+    fmt::print(stderr, "stopped early: {}; the same command with '--resume' goes on\n",
+               summary.complete ? "the simulation had ended, what follows it had not"
+                                : "the plan rests on the samples so far");
+  return stopped_early;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb = app.add_subcommand("plan", "Simulate a store, place transceivers, and write the report");
+  auto options = std::make_shared<Options>();
+  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
+  verb->add_option("-o,--output", options->folder, "Folder for the results")->required()->check(a_path());
+  add_simulation_options(*verb, options->simulation, "exact");
+  add_question_options(*verb, options->question);
+  add_solver_options(*verb, options->solver, 60);
+  add_requirement_options(*verb, options->requirements);
+  add_certificate_options(*verb, options->certificate);
+  verb->add_flag("--no-certificate", options->no_certificate,
+                 "Place on the simulated matrix as it is, and say nothing of its errors");
+  verb->add_flag("--curve", options->curve, "Also tell what share of the labels fewer transceivers reach");
+  auto* sensitivity =
+      verb->add_flag("--sensitivity", options->sensitivity,
+                     "Also simulate the chosen transceivers with reflectances at both ends of their ranges");
+  verb->add_option("--reflectance-error", options->reflectance_error,
+                   "Relative error of reflectances whose range nobody told, for --sensitivity")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(sensitivity)
+      ->capture_default_str();
+  add_store_options(*verb, options->allow_outside);
+  add_common_options(*verb, options->common);
+  verb->footer(
+      "Examples:\n"
+      "  shelfbeam plan store.json -o plan\n"
+      "  shelfbeam plan store.json -o plan --samples 50000 --model non-cooperative --objective links\n"
+      "  shelfbeam plan store.json -o plan --curve --sensitivity --reflectance-error 0.2\n"
+      "Writes signal.h5, placement.json, verification.csv, placement.csv, labels.csv, store.json (resolved) "
+      "and\n"
+      "report.html.");
+  verb->callback([options, &chosen] { chosen = [options] { return run_plan(*options); }; });
+}
+
+}  // namespace shelfbeam::app

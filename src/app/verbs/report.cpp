@@ -1,0 +1,63 @@
+#include "shelfbeam/report/data/report.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+#include "app/loaded_store.hpp"
+#include "app/options/arguments.hpp"
+#include "app/text/plan_folder.hpp"
+#include "app/text/print_json.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  std::filesystem::path folder;
+};
+
+int run_report(const Options& options) {
+  const LoadedStore store = load_store(options.folder / store_name);
+  const SignalMatrix matrix = read_signal_file(options.folder / signal_name);
+  // The bytes that `plan` hashed, not what this version would write for the same store.
+  if (matrix.provenance.store_hash != content_hash(read_file(options.folder / store_name)))
+    throw InputError((options.folder / signal_name).string(),
+                     "belongs to another store file than the one beside it", "run 'shelfbeam plan' again");
+  const SignalTable table = make_signal_table(matrix, (options.folder / signal_name).string());
+  const Placement placement = read_placement(options.folder / placement_name, table);
+  const ReachCurve curve = read_curve(options.folder / placement_name, table);
+  AtomicFolder files(options.folder);
+  write_report(files, {store.scene, matrix, placement, curve});
+  files.commit({report_name});
+  const std::string report = (options.folder / report_name).string();
+  if (options.common.json)
+    print_json({{"report", report}});
+  else if (!options.common.quiet)
+    fmt::print("{}\n", report);
+  return done;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb =
+      app.add_subcommand("report", "Rebuild report.html, labels.csv and placement.csv of a plan");
+  auto options = std::make_shared<Options>();
+  verb->add_option("DIR", options->folder, "Folder that 'shelfbeam plan' wrote")->required()->check(a_path());
+  add_common_options(*verb, options->common);
+  verb->footer("Examples:\n  shelfbeam report plan");
+  verb->callback([options, &chosen] { chosen = [options] { return run_report(*options); }; });
+}
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,82 @@
+#include "shelfbeam/transport/run/simulate.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/transport/world/coverage.hpp"
+
+#include "app/loaded_store.hpp"
+#include "app/options/arguments.hpp"
+#include "app/options/simulation_options.hpp"
+#include "app/text/print_json.hpp"
+#include "app/text/store_summary.hpp"
+#include "app/text/terminal.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  SimulationFlags simulation;
+  std::filesystem::path store, output;
+  bool allow_outside = false;
+};
+
+int run_simulate(const Options& options) {
+  const CancelToken& cancel = cancel_on_signal();
+  keep_input(options.output, options.store);
+  const LoadedStore store =
+      load_store(options.store, options.allow_outside, options.simulation.most_memory());
+  const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
+  expect_writable(options.output);
+  print_warnings(options.common, store.scene, simulation.rules().strategy);
+  SimulationSummary summary;
+  {
+    TerminalProgress progress(options.common.quiet);
+    const RunControl control{options.common.threads, &cancel, progress.sink()};
+    summary = simulate_to_file(store.scene, store.hash, simulation, options.output, control);
+  }
+  if (options.common.json) {
+    nlohmann::ordered_json json{{"signal", options.output.string()}};
+    json.update(to_json(summary));
+    json["warnings"] = store.scene.warnings;
+    json["found_by_chance"] = chance_light(store.scene, simulation.rules().strategy);
+    print_json(json);
+  } else if (!options.common.quiet) {
+    fmt::print("{}\n{}\n", describe(summary), options.output.string());
+  }
+  if (summary.complete) return summary.unmet_error ? stopped_early : done;
+  if (!options.common.json && !options.common.quiet)
+    fmt::print(stderr,
+               "stopped early: the file holds the samples so far; the same command with '--resume' "
+               "goes on\n");
+  return stopped_early;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb = app.add_subcommand("simulate", "Compute the signal matrix of a store");
+  auto options = std::make_shared<Options>();
+  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
+  verb->add_option("-o,--output", options->output, "Signal file (HDF5) to write")
+      ->required()
+      ->check(a_path());
+  add_simulation_options(*verb, options->simulation, "sampled");
+  add_layers(*verb, options->simulation);
+  add_store_options(*verb, options->allow_outside);
+  add_common_options(*verb, options->common);
+  verb->footer(
+      "Examples:\n"
+      "  shelfbeam simulate store.json -o signal.h5 --samples 100000\n"
+      "  shelfbeam simulate store.json -o signal.h5 --direct exact --relative-error 0.05\n"
+      "  shelfbeam simulate store.json -o signal.h5 --direct exact --relative-error 0.05 --resume");
+  verb->callback([options, &chosen] { chosen = [options] { return run_simulate(*options); }; });
+}
+
+}  // namespace shelfbeam::app

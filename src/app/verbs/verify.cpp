@@ -1,0 +1,126 @@
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/placement/io/words.hpp"
+#include "shelfbeam/plan/sub_scene.hpp"
+#include "shelfbeam/plan/verification_file.hpp"
+#include "shelfbeam/plan/verify_installation.hpp"
+#include "shelfbeam/scene/build/installation.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+
+#include "app/loaded_store.hpp"
+#include "app/options/arguments.hpp"
+#include "app/options/certificate_options.hpp"
+#include "app/options/simulation_options.hpp"
+#include "app/text/store_summary.hpp"
+#include "app/text/store_table.hpp"
+#include "app/text/terminal.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  SimulationFlags simulation;
+  CertificateFlags certificate;
+  std::string model;
+  bool survive_failure = false;
+  std::filesystem::path store, placement, output;
+  bool allow_outside = false;
+};
+
+struct Installation {
+  Scene scene;  ///< its transceivers are those that hang
+  Question question;
+};
+
+bool is_json(const std::filesystem::path& path) {
+  const std::string text = read_file(path);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && text[first] == '{';
+}
+
+Installation load_installation(const Options& options) {
+  const std::filesystem::path& units = options.placement;
+  const Store store = read_store(options.store, {options.allow_outside, options.simulation.most_memory()});
+  if (!is_json(units)) return {scene_with_units(store, units), {}};
+  const Scene scene = make_scene(store);
+  const Placement placement = read_placement(units, table_without_signals(scene));
+  if (!placement.has_selection() || placement.selected.empty())
+    throw InputError(units.string(), "has no selection", "nothing hangs that could be verified");
+  std::vector<std::uint32_t> labels(scene.labels.size());
+  std::iota(labels.begin(), labels.end(), 0U);
+  return {sub_scene(scene, labels, placement.selected), placement.question};
+}
+
+int run_verify(const Options& options) {
+  keep_input(options.output, options.store);
+  keep_input(options.output, options.placement);
+  const Installation installation = load_installation(options);
+  Question question = installation.question;
+  if (!options.model.empty())
+    question.model = options.model == "cooperative" ? CommunicationModel::cooperative
+                                                    : CommunicationModel::non_cooperative;
+  question.redundant = question.redundant || options.survive_failure;
+  if (!options.output.empty()) expect_writable(options.output);
+  const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
+  print_warnings(options.common, installation.scene, simulation.rules().strategy);
+  Placement placement;
+  {
+    TerminalProgress progress(options.common.quiet);
+    const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
+    CertifyOptions asked;
+    asked.confidence = options.certificate.confidence;
+    asked.budget_s = options.certificate.budget_s;
+    asked.simulation = simulation;
+    asked.simulation.checkpoint = {};
+    placement = verify_installation(installation.scene, question, asked, control);
+  }
+  const Certificate& certificate = *placement.certificate;
+  if (!options.output.empty()) write_file(options.output, verification_csv(certificate, installation.scene));
+  if (options.common.json)
+    fmt::print("{}", certificate_json(certificate, table_without_signals(installation.scene)));
+  else if (!options.common.quiet)
+    fmt::print("{}\n{}\n", statement(placement), certificate_scope);
+  if (certificate.count(Verdict::missed) > 0) return answer_is_no;
+  return certificate.all_reached() ? done : stopped_early;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb = app.add_subcommand(
+      "verify", "Tell on fresh samples which labels a placement or an installation reaches");
+  auto options = std::make_shared<Options>();
+  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
+  verb->add_option("PLACEMENT", options->placement,
+                   "placement.json, or a CSV of units anywhere with columns id,x,y,z,ax,ay,az,roll_deg,type")
+      ->required()
+      ->check(a_path());
+  verb->add_option("-o,--output", options->output, "Write a row a label to this CSV file")->check(a_path());
+  verb->add_option("--model", options->model, "cooperative or non-cooperative (that of the placement)")
+      ->check(CLI::IsMember({"cooperative", "non-cooperative"}));
+  verb->add_flag("--survive-failure", options->survive_failure,
+                 "Every label must stay reached when any one unit fails");
+  add_certificate_options(*verb, options->certificate);
+  add_simulation_options(*verb, options->simulation, "exact");
+  add_store_options(*verb, options->allow_outside);
+  add_common_options(*verb, options->common);
+  verb->footer(
+      "Examples:\n"
+      "  shelfbeam verify store.json plan/placement.json\n"
+      "  shelfbeam verify store.json installed.csv --model non-cooperative -o verification.csv");
+  verb->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
+}
+
+}  // namespace shelfbeam::app

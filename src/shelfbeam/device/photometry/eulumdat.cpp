@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/device/photometry/photometric_lines.hpp"
+#include "shelfbeam/device/photometry/photometry.hpp"
+#include "shelfbeam/device/photometry/planes.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using detail::PhotometricLines;
+using detail::Plane;
+
+class EulumdatReader {
+ public:
+  explicit EulumdatReader(PhotometricLines& lines) : lines_(lines) {}
+
+  DirectionTable read() {
+    skip(2, "the header");
+    const std::size_t symmetry = whole("the symmetry", 0, 4);
+    const std::size_t c_count = extent("the number of C-planes");
+    skip(1, "the distance of the C-planes");
+    const std::size_t gamma_count = extent("the number of intensities in a C-plane");
+    skip(17, "the description");  // the distance of gammas, names, sizes, flux fractions
+    const double factor = number("the conversion factor");
+    if (!(factor > 0)) fail(fmt::format("the conversion factor is {}", factor), "it is positive");
+    skip(1, "the tilt during measurement");
+    const std::size_t lamp_sets = extent("the number of sets of lamps", 0);
+    skip(6 * lamp_sets, "the sets of lamps");
+    skip(10, "the direct ratios");
+
+    const std::vector<double> c = angles(c_count, 360, "the C-angle");
+    const std::size_t c_line = lines_.line();
+    const std::vector<double> gamma = angles(gamma_count, 180, "the gamma angle");
+    if (gamma_count < 2) fail("there is one gamma angle", "at least two are needed");
+    std::vector<Plane> planes;
+    for (const double angle : stored(symmetry, c, c_line))
+      planes.push_back({angle, intensities(angle, gamma_count, factor)});
+    lines_.expect_end();
+
+    if (symmetry == 0) {
+      if (!detail::go_around(planes))
+        lines_.fail(c_line, fmt::format("the C-angles end at {}", c.back()),
+                    "without symmetry they go around the circle");
+      detail::close(planes);
+    }
+    if (symmetry >= 2) detail::unfold(planes);
+    if (symmetry == 4) detail::unfold(planes);
+    return detail::table_of_planes(gamma, std::move(planes));
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
+    lines_.fail(lines_.line(), problem, suggestion);
+  }
+
+  void skip(std::size_t count, std::string_view what) {
+    for (std::size_t k = 0; k < count; ++k) lines_.next(what);
+  }
+
+  /// One number a line; decimals by a point or a comma.
+  double number(std::string_view what) {
+    std::string word(lines_.next(what));
+    std::replace(word.begin(), word.end(), ',', '.');
+    const auto value = detail::finite_number(word);
+    if (!value)
+      fail(fmt::format("'{}' is no number, where {} should be", detail::quoted(word), what),
+           "each line holds one value: check that none is missing before it");
+    return *value;
+  }
+
+  std::size_t whole(std::string_view what, std::size_t low, std::size_t high) {
+    const double value = number(what);
+    if (value != std::floor(value) || value < static_cast<double>(low) || value > static_cast<double>(high))
+      fail(fmt::format("{} is {}", what, value),
+           fmt::format("a whole number from {} to {} is expected", low, high));
+    return static_cast<std::size_t>(value);
+  }
+
+  /// A count of values that are still to come, a line each.
+  std::size_t extent(std::string_view what, std::size_t least = 1) {
+    const std::size_t count = whole(what, least, std::numeric_limits<std::uint32_t>::max());
+    if (count > lines_.remaining())
+      fail(fmt::format("{} is {}, but only {} lines follow", what, count, lines_.remaining()),
+           "fetch the file again: it is truncated, or its counts are wrong");
+    return count;
+  }
+
+  std::vector<double> angles(std::size_t count, double last, std::string_view what) {
+    std::vector<double> result;
+    result.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double angle = detail::snapped(number(what));
+      if (k == 0 && angle != 0) fail(fmt::format("{} is {}", what, angle), "angles begin at 0");
+      if (k > 0 && !(angle > result.back()))
+        fail(fmt::format("{} {} follows {}", what, angle, result.back()), "angles ascend");
+      if (angle > last) fail(fmt::format("{} is {}", what, angle), fmt::format("they end at {}", last));
+      result.push_back(angle);
+    }
+    return result;
+  }
+
+  /// The angles of the C-planes that the file has intensities for.
+  std::vector<double> stored(std::size_t symmetry, const std::vector<double>& c, std::size_t line) const {
+    const auto index_of = [&](double angle) {
+      const auto found = std::find(c.begin(), c.end(), angle);
+      if (found == c.end())
+        lines_.fail(line, fmt::format("symmetry {} needs a C-plane at {}", symmetry, angle),
+                    "check the C-angles and the symmetry");
+      return found - c.begin();
+    };
+    switch (symmetry) {
+      case 1:
+        return {0};
+      case 2:
+        return {c.begin(), c.begin() + index_of(180) + 1};
+      case 3: {
+        std::vector<double> result(c.begin() + index_of(270), c.end());
+        if (result.back() == 360) result.pop_back();
+        for (auto a = c.begin(); a != c.begin() + index_of(90) + 1; ++a) result.push_back(*a + 360);
+        return result;
+      }
+      case 4:
+        return {c.begin(), c.begin() + index_of(90) + 1};
+      default:
+        return c;
+    }
+  }
+
+  std::vector<double> intensities(double c, std::size_t count, double factor) {
+    std::vector<double> values;
+    values.reserve(std::min(count, lines_.remaining()));
+    for (std::size_t k = 0; k < count; ++k) {
+      const double value = number(fmt::format("an intensity of the C-plane {}", std::fmod(c, 360)));
+      if (value < 0) fail(fmt::format("an intensity is {}", value), "intensities are not negative");
+      values.push_back(value * factor);
+      if (!std::isfinite(values.back()))
+        fail("an intensity is not finite", "check the intensities and the conversion factor");
+    }
+    return values;
+  }
+
+  PhotometricLines& lines_;
+};
+
+}  // namespace
+
+DirectionTable parse_eulumdat(std::string_view text, const std::string& name) {
+  PhotometricLines lines(text, name);
+  return lines.checked(EulumdatReader(lines).read());
+}
+
+DirectionTable read_eulumdat(const std::filesystem::path& file) {
+  return parse_eulumdat(read_file(file), file.string());
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,87 @@
+#include "shelfbeam/device/photometry/photometric_lines.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr std::size_t longest_text = 64'000'000;  // measured files have some kilobytes
+
+// Beyond these a table is no measurement, and scaling it could overflow.
+constexpr double least_integral = 1e-15, largest_integral = 1e15;
+
+}  // namespace
+
+PhotometricLines::PhotometricLines(std::string_view text, std::string name)
+    : name_(std::move(name)), characters_(text.size()) {
+  if (text.size() > longest_text)
+    fail(0, fmt::format("has {} characters: too long for a photometric file", text.size()),
+         "check that it is the right file");
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0')) text.remove_suffix(1);
+  while (!text.empty()) {
+    const std::size_t end = text.find_first_of("\r\n");
+    lines_.push_back(trim(text.substr(0, end)));
+    if (end == std::string_view::npos) break;
+    text.remove_prefix(end + (text.substr(end).starts_with("\r\n") ? 2 : 1));
+  }
+}
+
+void PhotometricLines::fail(std::size_t line, const std::string& problem,
+                            const std::string& suggestion) const {
+  throw InputError(line == 0 ? name_ : fmt::format("{}: line {}", name_, line), problem, suggestion);
+}
+
+std::string_view PhotometricLines::next(std::string_view what) {
+  if (at_end())
+    fail(lines_.size(), fmt::format("the file ends where {} should be", what),
+         "fetch the file again: it is truncated, or its counts are wrong");
+  return lines_[next_++];
+}
+
+void PhotometricLines::expect_end() {
+  while (!at_end())
+    if (const std::string_view line = next(""); !line.empty() && line != "END")
+      fail(next_, fmt::format("the file goes on after its last intensity with '{}'", quoted(line)),
+           "check its counts; one file holds one luminaire");
+}
+
+DirectionTable PhotometricLines::checked(DirectionTable table) const {
+  if (!(table.integral() >= least_integral))
+    fail(0, "emits nothing: its intensities or its multipliers are zero", "use a file with a profile");
+  if (table.integral() > largest_integral)
+    fail(0, fmt::format("has a flux of {:.3g}", table.integral()), "check its intensities and multipliers");
+  return table;
+}
+
+std::optional<double> finite_number(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);  // from_chars knows no '+'
+  double value = 0;
+  const char* end = word.data() + word.size();
+  const auto [stopped, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc{} || stopped != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+double snapped(double angle) {
+  const double exact = 90 * std::round(angle / 90);
+  return std::abs(angle - exact) < 1e-3 ? exact : angle;
+}
+
+std::string quoted(std::string_view word) {
+  std::string result(word.substr(0, 40));
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) >= 0x7F) c = '?';
+  return result;
+}
+
+}  // namespace shelfbeam::detail

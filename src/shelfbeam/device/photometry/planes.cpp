@@ -1,0 +1,65 @@
+#include "shelfbeam/device/photometry/planes.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+Plane between(const Plane& a, const Plane& b, double phi) {
+  const double t = (phi - a.phi) / (b.phi - a.phi);
+  Plane plane{phi, a.values};
+  for (std::size_t i = 0; i < plane.values.size(); ++i)
+    plane.values[i] = a.values[i] * (1 - t) + b.values[i] * t;
+  return plane;
+}
+
+/// Turns the circle so that it begins at 0.
+std::vector<Plane> from_zero(std::vector<Plane> planes) {
+  if (planes.front().phi == 0) return planes;
+  const auto after = std::find_if(planes.begin(), planes.end(), [](const Plane& p) { return p.phi >= 360; });
+  std::vector<Plane> turned{after->phi == 360 ? *after : between(*std::prev(after), *after, 360)};
+  turned.insert(turned.end(), after->phi == 360 ? std::next(after) : after, planes.end());
+  for (Plane& plane : turned) plane.phi -= 360;
+  // The last of these is the plane that the circle began with.
+  turned.insert(turned.end(), std::next(planes.begin()), after);
+  turned.push_back({360, turned.front().values});
+  return turned;
+}
+
+}  // namespace
+
+void unfold(std::vector<Plane>& planes) {
+  const double about = planes.back().phi;
+  for (std::size_t k = planes.size() - 1; k-- > 0;)
+    planes.push_back({2 * about - planes[k].phi, planes[k].values});
+}
+
+bool go_around(const std::vector<Plane>& planes) {
+  double widest = 0;
+  for (std::size_t k = 1; k < planes.size(); ++k)
+    widest = std::max(widest, planes[k].phi - planes[k - 1].phi);
+  return 360 - planes.back().phi <= widest * 1.001;
+}
+
+void close(std::vector<Plane>& planes) {
+  if (planes.back().phi != 360) planes.push_back({360, planes.front().values});
+}
+
+DirectionTable table_of_planes(const std::vector<double>& theta_deg, std::vector<Plane> planes) {
+  if (planes.size() > 1) planes = from_zero(std::move(planes));
+  std::vector<double> theta, phi, values;
+  for (const double angle : theta_deg) theta.push_back(radians(angle));
+  for (const Plane& plane : planes) {
+    phi.push_back(planes.size() > 1 ? radians(plane.phi) : 0);
+    values.insert(values.end(), plane.values.begin(), plane.values.end());
+  }
+  return {std::move(theta), std::move(phi), std::move(values)};
+}
+
+}  // namespace shelfbeam::detail

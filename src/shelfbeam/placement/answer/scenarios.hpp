@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shelfbeam/placement/answer/placement.hpp"
+
+namespace shelfbeam {
+
+/// How near a selection comes to missing a label of one scenario.
+struct ScenarioMargin {
+  std::size_t scenario = 0;    ///< index into SignalTable::scenarios
+  double smallest_margin = 0;  ///< least received_signal / (gamma tau); infinite without labels
+  std::uint32_t label = 0;     ///< the row where it is, the first of several
+};
+
+/// One for every scenario of the table; none without a selection.
+std::vector<ScenarioMargin> scenario_margins(const SignalTable& table, const Placement& placement);
+
+}  // namespace shelfbeam

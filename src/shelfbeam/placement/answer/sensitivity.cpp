@@ -1,0 +1,10 @@
+#include "shelfbeam/placement/answer/sensitivity.hpp"
+
+namespace shelfbeam {
+
+Verdict Sensitivity::holds() const {
+  if (!low.missed.empty()) return Verdict::missed;
+  return low.undecided.empty() ? Verdict::reached : Verdict::undecided;
+}
+
+}  // namespace shelfbeam

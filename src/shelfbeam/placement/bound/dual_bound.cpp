@@ -1,0 +1,160 @@
+#include "shelfbeam/placement/bound/dual_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "shelfbeam/placement/bound/bound_row.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// sum_i y_i b_i and, per column, sum_i y_i a_ij.
+struct WeighedRows {
+  double bound = 0;
+  std::vector<double> weight;
+
+  WeighedRows(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
+              std::span<const double> y, std::size_t most_units)
+      : weight(table.columns(), 0.0) {
+    BoundRowReader reader(table, question, most_units);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (y[k] > 0 && std::isfinite(y[k]))
+        bound += y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
+  }
+};
+
+/// A mounting point that no unit is installed at, or a column with a point of its own.
+struct Point {
+  std::vector<std::uint32_t> options;
+  double least = infinite;   ///< r_j of its best option
+  double second = infinite;  ///< of the next one
+};
+
+Point make_point(std::vector<std::uint32_t> options, const std::vector<double>& reduced_cost) {
+  Point point;
+  for (const std::uint32_t j : options) {
+    const double r = reduced_cost[j];
+    point.second = std::min(point.second, std::max(point.least, r));
+    point.least = std::min(point.least, r);
+  }
+  point.options = std::move(options);
+  return point;
+}
+
+/// The units that may be chosen: points without an installed unit. Adds the installed ones to the bound and
+/// rules out the other options of their points.
+std::vector<Point> free_points(const SignalTable& table, const std::vector<std::uint32_t>& without,
+                               DualBound& dual) {
+  std::vector<Point> points;
+  std::vector<bool> shares(table.columns(), false), is_out(table.columns(), false);
+  for (const std::uint32_t j : without) {
+    is_out[j] = true;
+    dual.if_chosen[j] = infinite;
+  }
+  for (const auto& mount : table.mounts) {
+    bool taken = false;
+    for (const std::uint32_t j : mount) {
+      shares[j] = true;
+      taken = taken || table.transceivers[j].installed;
+    }
+    for (const std::uint32_t j : mount)
+      if (taken && !table.transceivers[j].installed) dual.if_chosen[j] = infinite;
+    std::vector<std::uint32_t> options;
+    for (const std::uint32_t j : mount)
+      if (!is_out[j]) options.push_back(j);
+    if (!taken && !options.empty()) points.push_back(make_point(std::move(options), dual.reduced_cost));
+  }
+  for (std::uint32_t j = 0; j < table.columns(); ++j) {
+    if (table.transceivers[j].installed) {
+      dual.bound += dual.reduced_cost[j];
+      dual.if_left_out[j] = infinite;
+    } else if (!shares[j] && !is_out[j]) {
+      points.push_back(make_point({j}, dual.reduced_cost));
+    }
+  }
+  return points;
+}
+
+/// Adds the points that are taken to the bound; `if_chosen` and `if_left_out` become what a column in or out
+/// adds to it.
+void take_points(std::vector<Point> points, std::size_t least, std::size_t most, DualBound& dual) {
+  std::stable_sort(points.begin(), points.end(),
+                   [](const Point& a, const Point& b) { return a.least < b.least; });
+  const auto negative = static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(), [](const Point& point) { return point.least < 0; }));
+  most = std::min(most, points.size());
+  least = std::min(least, most);
+  const std::size_t taken = std::clamp(negative, least, most);
+  const double last = taken > 0 ? points[taken - 1].least : 0;
+  const double next = taken < points.size() ? points[taken].least : infinite;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Point& point = points[k];
+    const bool is_taken = k < taken;
+    if (is_taken) dual.bound += point.least;
+    // Where a further unit would be one too many, or one more than is needed, it replaces the last.
+    const bool replaces = taken == most || (taken == least && negative < least);
+    for (const std::uint32_t j : point.options) {
+      const double r = dual.reduced_cost[j];
+      if (is_taken)
+        dual.if_chosen[j] = r - point.least;
+      else
+        dual.if_chosen[j] = most == 0 ? infinite : r - (replaces ? last : 0);
+      if (is_taken && r == point.least) {
+        const double without = taken > least ? 0 : infinite;
+        dual.if_left_out[j] = std::min({point.second, next, without}) - point.least;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
+                     std::span<const double> y, std::span<const double> cost, const AnswerSet& answers) {
+  const std::size_t n = table.columns();
+  const WeighedRows weighed(table, question, rows, y, answers.most);
+  DualBound dual{weighed.bound, std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), {}};
+  double added = weighed.bound;
+  for (std::size_t j = 0; j < n; ++j) {
+    dual.reduced_cost.push_back(cost[j] - weighed.weight[j]);
+    added += std::abs(cost[j]) + weighed.weight[j];
+  }
+
+  if (!std::isfinite(added)) {
+    dual.bound = -infinite;
+    dual.if_chosen = dual.if_left_out = std::vector<double>(n, -infinite);
+    return dual;
+  }
+
+  std::vector<Point> points = free_points(table, answers.without, dual);
+  const auto installed = static_cast<std::size_t>(
+      std::count_if(table.transceivers.begin(), table.transceivers.end(),
+                    [](const SignalTable::Transceiver& unit) { return unit.installed; }));
+  take_points(std::move(points), answers.least - std::min(answers.least, installed),
+              answers.most - std::min(answers.most, installed), dual);
+
+  const double slack =
+      static_cast<double>(rows.size() + n + 8) * std::numeric_limits<double>::epsilon() * added;
+  dual.bound -= slack;
+  for (std::size_t j = 0; j < n; ++j) {
+    dual.if_chosen[j] += dual.bound;
+    dual.if_left_out[j] += dual.bound;
+  }
+  return dual;
+}
+
+FixedColumns fix_columns(const DualBound& dual, double worth) {
+  FixedColumns fixed;
+  for (std::uint32_t j = 0; j < dual.if_chosen.size(); ++j) {
+    if (dual.if_left_out[j] > worth) fixed.chosen.push_back(j);
+    if (dual.if_chosen[j] > worth) fixed.left_out.push_back(j);
+  }
+  return fixed;
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/placement/problem/instance.hpp"
+
+namespace shelfbeam::detail {
+
+/// An inequality that answers meet, made of one label's row sum_j a_ij T_j >= b (cover_rows.hpp):
+/// - the row;
+/// - with A, a knapsack cover inequality (Carr, Fleischer, Leung and Phillips, SODA 2000): with all of A
+/// chosen
+///   the label still lacks d = b - sum_{j in A} a_ij, without A no less, so
+///   sum_{j not in A} min(1, a_ij / d) T_j >= 1;
+/// - with a share s > 0, for answers of at most K units (AnswerSet::most): these give s K at most beyond what
+/// each gives above s,
+///   so the label needs d = b - s K from that, and sum_j min(1, max(0, a_ij - s) / d) T_j >= 1. Near s = 1 /
+///   K this is the pigeonhole principle: one unit gives at least that.
+/// - with t > 0, for answers in which some unit gives the label t at least: sum_{a_ij >= t} T_j >= 1.
+/// The second and third say nothing where d is not positive. A, a share and t exclude one another.
+struct BoundRow {
+  std::uint32_t label = 0;
+  std::vector<std::uint32_t> taken = {};  ///< A, ascending
+  double share = 0;                       ///< s
+  double strongest = 0;                   ///< t
+
+  /// The label's own row.
+  bool is_plain() const { return taken.empty() && share == 0 && strongest == 0; }
+
+  bool operator==(const BoundRow&) const = default;
+};
+
+/// Which answers a bound is for.
+struct AnswerSet {
+  std::size_t least = 0;  ///< units, installed ones included
+  std::size_t most = std::numeric_limits<std::size_t>::max();
+  std::vector<std::uint32_t> without = {};  ///< columns that none of them has, no installed one
+};
+
+/// What multipliers prove about the cost of answers; every number is safe against rounding.
+struct DualBound {
+  double bound = 0;                  ///< no answer costs less
+  std::vector<double> if_chosen;     ///< per column: no answer with it costs less; infinite: there is none
+  std::vector<double> if_left_out;   ///< per column: no answer without it costs less
+  std::vector<double> reduced_cost;  ///< per column: c_j - sum_i y_i a_ij
+};
+
+/// The Lagrangian bound of multipliers y >= 0 of `rows` for costs c of any sign, from the table alone: no
+/// solver is asked or believed. It holds for `answers`.
+///
+/// For every answer T, c T >= c T + sum_i y_i (b_i - a_i T) = sum_i y_i b_i + sum_j r_j T_j with the reduced
+/// costs r_j = c_j - sum_i y_i a_ij. The right-hand side is least over all T with the installed units in, at
+/// most one unit a mounting point and what `answers` allows, where of every other point the option
+/// of least r_j competes: the points of least r_j are taken, at least so many, and further ones as long as
+/// they are negative, at most so many. `if_chosen` and `if_left_out` are the same minimum with one T_j given.
+/// This holds for every y; multipliers that are negative or not finite count as 0. Errors of rounding are
+/// bounded by (rows + columns + 8) 2^-52 times the sum of what was added up.
+DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
+                     std::span<const double> y, std::span<const double> cost, const AnswerSet& answers = {});
+
+/// What every answer that costs at most `worth` has in common.
+struct FixedColumns {
+  std::vector<std::uint32_t> chosen;    ///< in all of them, installed units among them; ascending
+  std::vector<std::uint32_t> left_out;  ///< in none; ascending
+};
+
+/// Reduced-cost fixing: a column is left out where `if_chosen` exceeds `worth`, chosen where `if_left_out`
+/// does: the contrary costs more than `worth` by the definition of these bounds. To look for something better
+/// than a known cost, `worth` is that cost less 1 where all costs are whole numbers, or else less what would
+/// count as better.
+FixedColumns fix_columns(const DualBound& dual, double worth);
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,175 @@
+#include "shelfbeam/placement/bound/lp_bound.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include "shelfbeam/milp/lp_session.hpp"
+#include "shelfbeam/placement/bound/bound_row.hpp"
+#include "shelfbeam/placement/bound/cover_cuts.hpp"
+#include "shelfbeam/placement/bound/row_pricing.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr double row_tolerance = 1e-6;
+
+class RowGeneration {
+ public:
+  RowGeneration(const SignalTable& table, const Question& question, std::span<const double> cost,
+                const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control)
+      : table_(table),
+        question_(question),
+        cost_(cost),
+        options_(options),
+        control_(control),
+        reader_(table, question, options.answers.most),
+        pricing_(table, question, options.answers.most),
+        lp_(load(table, cost, backend, options)),
+        is_row_(table.rows(), false) {
+    result_.dual = dual_bound(table, question, {}, {}, cost, options.answers);
+  }
+
+  LpBound run() {
+    std::vector<BoundRow> batch = options_.rows;
+    if (batch.empty())
+      for (const std::uint32_t label : pricing_.hardest()) batch.push_back({label});
+    do {
+      add(batch);
+      if (!solve()) {
+        result_.complete = false;
+        break;
+      }
+      batch = violated_rows();
+    } while (!batch.empty() && result_.dual.bound < options_.enough);
+    return std::move(result_);
+  }
+
+ private:
+  // An upper limit alone is left to the inequalities with a share: where it leaves nothing the LP would have
+  // no solution and no multipliers that say so.
+  static bool limits_count(const LpBoundOptions& options) { return options.answers.least > 0; }
+
+  static std::unique_ptr<milp::LpSession> load(const SignalTable& table, std::span<const double> cost,
+                                               const milp::Backend& backend, const LpBoundOptions& options) {
+    std::vector<milp::Column> columns;
+    for (std::size_t j = 0; j < table.columns(); ++j)
+      columns.push_back({cost[j], table.transceivers[j].installed ? 1.0 : 0.0, 1, false, {}});
+    for (const std::uint32_t j : options.answers.without) columns[j].upper = 0;
+    auto lp = backend.lp(columns);
+    std::vector<milp::Row> rows;
+    for (const auto& mount : table.mounts) {
+      milp::Row row{-milp::infinity, 1, {}, {}};
+      for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
+      rows.push_back(std::move(row));
+    }
+    if (limits_count(options)) {
+      milp::Row row{
+          static_cast<double>(options.answers.least), static_cast<double>(options.answers.most), {}, {}};
+      for (std::uint32_t j = 0; j < table.columns(); ++j) row.entries.push_back({j, 1.0});
+      rows.push_back(std::move(row));
+    }
+    if (!rows.empty()) lp->add_rows(rows);
+    return lp;
+  }
+
+  double seconds_left() const {
+    return options_.time_limit_s -
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  void add(const std::vector<BoundRow>& batch) {
+    std::vector<milp::Row> rows;
+    for (const BoundRow& row : batch) {
+      milp::Row& built = rows.emplace_back();
+      built.lower = reader_.read(row, [&](std::uint32_t j, double a) { built.entries.push_back({j, a}); });
+      if (row.is_plain()) {
+        is_row_[row.label] = true;
+        result_.labels.push_back(row.label);
+      }
+      rows_.push_back(row);
+    }
+    lp_->add_rows(rows);
+  }
+
+  bool solve() {
+    if (seconds_left() <= 0) return false;
+    milp::LpResult solved = lp_->solve(seconds_left(), control_);
+    if (solved.termination != milp::Termination::optimal) return false;
+    ++result_.rounds;
+    result_.x = std::move(solved.x);
+    const std::size_t first_row = table_.mounts.size() + (limits_count(options_) ? 1 : 0);
+    std::vector<BoundRow> rows;
+    std::vector<double> y;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const double dual = solved.y[first_row + k];
+      if (dual <= 0) continue;
+      rows.push_back(rows_[k]);
+      y.push_back(dual);
+    }
+    DualBound dual = dual_bound(table_, question_, rows, y, cost_, options_.answers);
+    if (dual.bound > result_.dual.bound) {
+      result_.dual = std::move(dual);
+      result_.rows = std::move(rows);
+      result_.y = std::move(y);
+    }
+    control_.report("bound", -1, fmt::format("{:.6g} from {} rows", result_.dual.bound, rows_.size()));
+    return true;
+  }
+
+  // Cuts only once every row is met: they cost more and many would be in vain.
+  std::vector<BoundRow> violated_rows() {
+    const std::size_t most = 50 + table_.columns() / 4;
+    std::vector<BoundRow> batch;
+    // A row that is in the LP is violated by no more than the solver's tolerance: nothing would come of it.
+    for (const auto& row : pricing_.violated(result_.x, row_tolerance, most, is_row_))
+      batch.push_back({row.label});
+    result_.complete = batch.empty();
+    if (batch.empty() && options_.cuts && question_.model == CommunicationModel::cooperative) {
+      batch = cover_cuts(table_, question_, result_.labels, result_.x, most);
+      if (options_.answers.most < table_.columns())
+        for (BoundRow& row :
+             share_cuts(table_, question_, options_.answers.most, result_.labels, result_.x, most))
+          batch.push_back(std::move(row));
+    }
+    return batch;
+  }
+
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const SignalTable& table_;
+  const Question& question_;
+  std::span<const double> cost_;
+  const LpBoundOptions& options_;
+  const RunControl& control_;
+  BoundRowReader reader_;
+  RowPricing pricing_;
+  std::unique_ptr<milp::LpSession> lp_;
+  std::vector<BoundRow> rows_;  ///< all in the LP
+  std::vector<bool> is_row_;    ///< per label: its row is in the LP
+  LpBound result_;
+};
+
+}  // namespace
+
+std::vector<BoundRow> rows_of(const LpBound& bound) {
+  std::vector<BoundRow> rows;
+  for (const std::uint32_t label : bound.labels) rows.push_back({label});
+  for (const BoundRow& row : bound.rows)
+    if (!row.is_plain()) rows.push_back(row);
+  return rows;
+}
+
+LpBound lp_bound(const SignalTable& table, const Question& question, std::span<const double> cost,
+                 const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control) {
+  tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
+                                             : static_cast<int>(control.threads));
+  return arena.execute([&] { return RowGeneration(table, question, cost, backend, options, control).run(); });
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,108 @@
+#include "shelfbeam/placement/coverage/budget.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/coverage/reach_bound.hpp"
+#include "shelfbeam/placement/coverage/reach_model.hpp"
+#include "shelfbeam/placement/coverage/reach_search.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Entries looked at, so that answers do not depend on the machine: about ten seconds each.
+constexpr std::size_t search_work = 2'000'000'000;
+constexpr std::size_t bound_work = 4'000'000'000;
+
+/// Takes a selection that is better than the one so far.
+bool offer(Reach& reach, const SignalTable& table, const std::vector<std::uint32_t>& selected) {
+  Check check = check_selection(table, reach.question, selected);
+  const std::size_t reached = table.rows() - check.unmet.size();
+  const bool better =
+      reached > reach.reached || (reached == reach.reached && selected.size() < reach.selected.size());
+  if (!check.allowed() || selected.size() > reach.at_most || !better) return false;
+  reach.selected = selected;
+  reach.reached = reached;
+  reach.missed = std::move(check.unmet);
+  return true;
+}
+
+}  // namespace
+
+double Reach::gap() const {
+  return upper_bound > reached ? static_cast<double>(upper_bound - reached) / static_cast<double>(upper_bound)
+                               : 0;
+}
+
+Reach reach_most(const SignalTable& table, const Question& question, std::size_t units,
+                 const PlaceOptions& options, const RunControl& control) {
+  const auto start = Clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto at = [&](double part) {
+    const double seconds = part * std::clamp(options.time_limit_s, 0.0, 1e8);
+    return start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  };
+  check_question(table, question);
+  const auto backends = milp::wanted_backends(options.backend);
+
+  Reach reach;
+  reach.question = question;
+  reach.at_most = units;
+  reach.solver = "greedy";
+  for (std::uint32_t j = 0; j < table.columns(); ++j)
+    if (table.transceivers[j].installed) reach.selected.push_back(j);
+  if (reach.selected.size() > units)
+    throw InputError("--at-most",
+                     fmt::format("is {}, and {} units are installed already", units, reach.selected.size()),
+                     "allow at least these");
+  units = std::min(units, table.columns());
+  reach.missed = check_selection(table, question, reach.selected).unmet;
+  reach.reached = table.rows() - reach.missed.size();
+
+  const bool may_ask = options.solver == SolverChoice::automatic || options.solver == SolverChoice::mip;
+  const bool fits = detail::ReachModel::fits(table, question);
+  const bool is_asked = may_ask && fits;
+  reach.too_large = may_ask && !fits;
+
+  detail::ReachSearch search(table, question);
+  search.improve(units, search_work, control, at(is_asked ? 0.3 : 0.5));
+  offer(reach, table, search.selected());
+
+  ReachBound bound(table, question, units);
+  const auto lower_to = [&](std::size_t most, BoundProof proof) {
+    if (most >= reach.upper_bound) return;
+    reach.upper_bound = most;
+    reach.bound_proof = proof;
+  };
+  reach.upper_bound = bound.labels(units);
+  bound.improve(units, reach.reached, std::min<std::size_t>(1000, 1 + bound_work / (2 * bound.entries() + 1)),
+                control, at(is_asked ? 0.5 : 1));
+  lower_to(bound.labels(units), BoundProof::dual);
+
+  if (is_asked)
+    for (const milp::Backend& backend : backends) {
+      detail::ReachModel model(table, question, units);
+      const auto outcome = model.solve(backend.solve, options.time_limit_s - elapsed(), control);
+      reach.solver = fmt::format("{} {}", backend.name, backend.version);
+      lower_to(outcome.most_reached, BoundProof::solver);
+      if (outcome.selected) offer(reach, table, *outcome.selected);
+      if (!outcome.failed) break;
+    }
+  const bool was_cut_short = control.cancelled() || Clock::now() >= at(1);
+  reach.status = reach.upper_bound <= reach.reached ? Status::optimal
+                 : is_asked || was_cut_short        ? Status::stopped
+                                                    : Status::feasible;
+  reach.seconds = elapsed();
+  return reach;
+}
+
+}  // namespace shelfbeam

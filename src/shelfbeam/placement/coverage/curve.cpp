@@ -1,0 +1,139 @@
+#include "shelfbeam/placement/coverage/curve.hpp"
+
+#include <algorithm>
+
+#include "shelfbeam/placement/coverage/reach_bound.hpp"
+#include "shelfbeam/placement/coverage/reach_search.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// Entries looked at, so that answers do not depend on the machine.
+constexpr std::size_t search_work = 8'000'000'000;
+constexpr std::size_t bound_work = 10'000'000'000;
+
+using Clock = std::chrono::steady_clock;
+
+class Curve {
+ public:
+  Curve(const SignalTable& table, const Question& question, const std::vector<std::uint32_t>& selected,
+        const RunControl& control, Clock::time_point until)
+      : table_(table), question_(question), control_(control), until_(until), search_(table, question) {
+    curve_.selected = selected;
+    const std::size_t first = std::max<std::size_t>(1, search_.count());
+    for (std::size_t k = first; k <= selected.size(); ++k) curve_.points.push_back({k, 0, table.rows()});
+  }
+
+  ReachCurve run(const std::vector<std::uint32_t>& selected) {
+    if (points_.empty()) return curve_;
+    offer(selected);
+    look_forwards();
+    look_backwards(selected);
+    for (std::size_t p = 1; p < points_.size(); ++p)
+      points_[p].at_least = std::max(points_[p].at_least, points_[p - 1].at_least);
+    bound();
+    curve_.is_complete = !is_over();
+    return curve_;
+  }
+
+ private:
+  bool is_over() const { return control_.cancelled() || Clock::now() >= until_; }
+
+  // What a search reaches is told by the checker.
+  void offer(const std::vector<std::uint32_t>& selected) {
+    const Check check = check_selection(table_, question_, selected);
+    if (!check.allowed() || selected.size() > points_.back().units) return;
+    const std::size_t place = std::max(selected.size(), points_.front().units) - points_.front().units;
+    points_[place].at_least = std::max(points_[place].at_least, table_.rows() - check.unmet.size());
+    if (check.unmet.empty() && selected.size() < curve_.selected.size()) curve_.selected = selected;
+  }
+
+  // One number of units after the other, each from the selection before, and exchanges as long as the share
+  // of the work lasts.
+  void look_forwards() {
+    const std::size_t work = search_work / points_.size();
+    for (const CurvePoint& point : points_) {
+      if (is_over()) return;
+      control_.report("curve",
+                      static_cast<double>(point.units) / static_cast<double>(2 * points_.back().units));
+      search_.improve(point.units, work, control_, until_);
+      offer(search_.selected());
+    }
+  }
+
+  void look_backwards(const std::vector<std::uint32_t>& selected) {
+    search_.start(selected);
+    while (!is_over() && search_.count() > points_.front().units && search_.drop()) offer(search_.selected());
+  }
+
+  void bound() {
+    ReachBound bound(table_, question_, points_.back().units);
+    const std::size_t all_steps = bound_work / (2 * bound.entries() + 1);
+    const std::size_t steps = std::min<std::size_t>(300, 1 + all_steps / points_.size());
+    for (const CurvePoint& point : points_) {
+      control_.report("curve",
+                      0.5 + static_cast<double>(point.units) / static_cast<double>(2 * points_.back().units));
+      bound.improve(point.units, point.at_least, steps, control_, until_);
+    }
+    for (CurvePoint& point : points_) point.at_most = bound.labels(point.units);
+  }
+
+  const SignalTable& table_;
+  const Question& question_;
+  const RunControl& control_;
+  Clock::time_point until_;
+  detail::ReachSearch search_;
+  ReachCurve curve_;
+  std::vector<CurvePoint>& points_ = curve_.points;
+};
+
+}  // namespace
+
+ReachCurve reach_curve(const SignalTable& table, const Question& question,
+                       const std::vector<std::uint32_t>& selected, const RunControl& control,
+                       Clock::time_point until) {
+  return Curve(table, question, selected, control, until).run(selected);
+}
+
+void agree(Placement& placement, ReachCurve& curve, const SignalTable& table) {
+  const Question& question = placement.question;
+  const bool is_lexicographic = question.combination == Combination::lexicographic;
+  const bool only_counts = is_lexicographic && question.objective == Objective::count;
+  if (is_lexicographic && !placement.certificate && curve.selected.size() < placement.count()) {
+    placement.selected = curve.selected;
+    placement.objective_value = only_counts ? static_cast<double>(placement.count())
+                                            : check_selection(table, question, curve.selected).objective;
+    placement.ties_settled = false;
+    std::erase_if(curve.points, [&](const CurvePoint& point) { return point.units > placement.count(); });
+  }
+  for (const CurvePoint& point : curve.points) {
+    const auto needed = static_cast<double>(point.units + 1);
+    if (point.at_most == table.rows() || needed <= placement.count_lower_bound) continue;
+    placement.count_lower_bound = needed;
+    if (only_counts) placement.lower_bound = needed;
+    placement.bound_proof =
+        only_counts ? BoundProof::dual : std::max(placement.bound_proof, BoundProof::dual);
+  }
+  const bool is_proven = only_counts && placement.lower_bound >= placement.objective_value;
+  if (is_proven) placement.status = Status::optimal;
+  for (CurvePoint& point : curve.points)
+    if (static_cast<double>(point.units) < placement.count_lower_bound)
+      point.at_most = std::min(point.at_most, table.rows() - 1);
+}
+
+ReachCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
+                     const RunControl& control) {
+  const Clock::time_point start = Clock::now();
+  constexpr double longest_s = 1e8;
+  const double seconds = std::min(longest_s, std::max(time_limit_s - placement.seconds, 0.1 * time_limit_s));
+  ReachCurve curve = reach_curve(
+      table, placement.question, placement.selected, control,
+      start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
+  agree(placement, curve, table);
+  placement.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+  return curve;
+}
+
+}  // namespace shelfbeam

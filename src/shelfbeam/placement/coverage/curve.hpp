@@ -1,0 +1,46 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+
+namespace shelfbeam {
+
+/// What a number of units can do: some selection of at most so many meets at least so many labels, and none
+/// meets more than at most so many.
+struct CurvePoint {
+  std::size_t units = 0;
+  std::size_t at_least = 0;  ///< labels
+  std::size_t at_most = 0;   ///< labels, proven
+};
+
+struct ReachCurve {
+  std::vector<CurvePoint> points;       ///< one for every number of units; neither column falls
+  std::vector<std::uint32_t> selected;  ///< the fewest units seen that meet every label; ascending
+  bool is_complete = true;              ///< no interruption and no limit cut it short
+};
+
+/// A point for every number of units from the installed ones (at least 1) to those of `selected`, which meets
+/// every label. The first column comes from the greedy method forwards and from the selection backwards, the
+/// second from ReachBound. Large tables get fewer steps, so that 20 million entries take about a minute; it
+/// ends early, with wider points, where `until` comes.
+ReachCurve reach_curve(
+    const SignalTable& table, const Question& question, const std::vector<std::uint32_t>& selected,
+    const RunControl& control = {},
+    std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max());
+
+/// Lets a placement and the curve that began with its selection take over what the other knows: fewer units
+/// that meet every label (lexicographic questions; a certified selection stays), a higher bound of their
+/// number, and that fewer than this bound miss a label.
+void agree(Placement& placement, ReachCurve& curve, const SignalTable& table);
+
+/// The curve of a placement that has a selection, made in what this has left of the limit, but in a tenth of
+/// it at least; both agree then, and the placement's seconds have grown.
+ReachCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
+                     const RunControl& control = {});
+
+}  // namespace shelfbeam

@@ -1,0 +1,161 @@
+#include "shelfbeam/placement/coverage/reach_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace shelfbeam {
+
+namespace {
+
+float rounded_up(double value) {
+  return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+
+ReachBound::ReachBound(const SignalTable& table, const Question& question, std::size_t most_units)
+    : mounts_(table), installed_(table.columns(), false), redundant_(question.redundant) {
+  for (std::size_t j = 0; j < table.columns(); ++j)
+    if (table.transceivers[j].installed) installed_[j] = true, ++installed_count_;
+  const bool cooperative = question.model == CommunicationModel::cooperative;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto row = table.row(i);
+    const double requirement = requirement_of(table.labels[i], question.model);
+    if (!is_met(mounts_.most_signal(row, question) * (1 + 1e-12), requirement)) continue;
+    // What the shares of a met label add up to; as for CoverModel's rows where one of k units may fail.
+    double together = 1;
+    if (redundant_) {
+      const auto units = static_cast<double>(std::max<std::size_t>(2, std::min(most_units, row.size())));
+      together = cooperative ? units / (units - 1) : 2;
+    }
+    const double enough = requirement * (1 - 2 * met_tolerance);
+    for (const SignalEntry& entry : row) {
+      if (!mounts_.available(entry.transceiver)) continue;
+      if (!cooperative && !is_met(entry.signal, requirement)) continue;
+      const double share = cooperative ? std::min(1.0, entry.signal / enough) : 1;
+      entries_.push_back({entry.transceiver, rounded_up(share)});
+    }
+    row_begin_.push_back(entries_.size());
+    together_.push_back(together);
+  }
+  const std::vector<double> ones(together_.size(), 1.0);
+  for (const double left_out : {0.0, 0.3, 0.6, 0.95})
+    if (left_out == 0 || cooperative) kinds_.push_back({left_out, ones});
+  best_.assign(most_units + 1, static_cast<double>(together_.size()));
+}
+
+std::size_t ReachBound::labels(std::size_t units) const {
+  const std::size_t all = together_.size();
+  if (units < (redundant_ ? 2U : 1U)) return 0;
+  // Sums of m terms are off by less than m 1e-16 of themselves.
+  return std::min(all, static_cast<std::size_t>(std::floor(best_[units] * (1 + 1e-9) + 1e-9)));
+}
+
+// The best candidate of every mounting point, best first; installed units are not among them.
+std::vector<ReachBound::Candidate> ReachBound::best_candidates(const std::vector<double>& value) const {
+  std::vector<Candidate> candidates;
+  for (std::uint32_t j = 0; j < value.size(); ++j) {
+    if (installed_[j] || !mounts_.available(j)) continue;
+    const auto options = mounts_.options(j);
+    const bool beaten = std::any_of(options.begin(), options.end(), [&](std::uint32_t other) {
+      return value[other] > value[j] || (value[other] == value[j] && other < j);
+    });
+    if (!beaten) candidates.push_back({j, value[j]});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
+  return candidates;
+}
+
+// b_ij. With at most k units, sum_j (a_ij - d) T_j >= R_i - k d; dividing by the right-hand side, which is
+// above 0, and clipping gives shares that add up to 1 where the label is met.
+inline double ReachBound::lifted(const Kind& kind, std::size_t units, std::size_t label,
+                                 const Entry& entry) const {
+  const double less = kind.left_out / static_cast<double>(units);
+  return std::clamp((static_cast<double>(entry.share) - less) / (together_[label] - kind.left_out), 0.0, 1.0);
+}
+
+// Takes the bounds of the multipliers for all numbers of units for which they hold; returns the one for
+// `units` and the units that it counts.
+double ReachBound::evaluate(const Kind& kind, std::size_t units, std::vector<bool>& counted) {
+  std::vector<double> value(installed_.size(), 0.0);
+  double sum = 0;
+  for (std::size_t i = 0; i < together_.size(); ++i) {
+    const double y = kind.multiplier[i];
+    sum += 1 - y;
+    if (y == 0) continue;
+    for (std::size_t k = row_begin_[i]; k < row_begin_[i + 1]; ++k)
+      value[entries_[k].column] += y * lifted(kind, units, i, entries_[k]);
+  }
+  counted = installed_;
+  for (std::size_t j = 0; j < value.size(); ++j)
+    if (installed_[j]) sum += value[j];
+  const std::vector<Candidate> candidates = best_candidates(value);
+  const std::size_t last = kind.left_out == 0 ? best_.size() - 1 : units;
+  double wanted = sum;
+  for (std::size_t k = installed_count_; k <= last; ++k) {
+    const std::size_t next = k - installed_count_;
+    if (next > 0 && next <= candidates.size()) {
+      sum += candidates[next - 1].value;
+      if (k <= units) counted[candidates[next - 1].column] = true;
+    }
+    best_[k] = std::min(best_[k], sum);
+    if (k == units) wanted = sum;
+  }
+  return wanted;
+}
+
+void ReachBound::improve(std::size_t units, std::size_t reached, std::size_t steps, const RunControl& control,
+                         Clock::time_point until) {
+  if (units == 0) return;
+  const std::size_t each = (steps + kinds_.size() - 1) / kinds_.size();
+  for (Kind& kind : kinds_)
+    if (labels(units) > reached) improve(kind, units, reached, each, control, until);
+}
+
+void ReachBound::improve(Kind& kind, std::size_t units, std::size_t reached, std::size_t steps,
+                         const RunControl& control, Clock::time_point until) {
+  std::vector<double>& multiplier = kind.multiplier;
+  double length = 1;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t since_better = 0;
+  std::vector<double> best_multiplier = multiplier;
+  std::vector<bool> counted;
+  std::vector<double> excess(multiplier.size());
+  for (std::size_t step = 0; step < steps && !control.cancelled() && Clock::now() < until; ++step) {
+    const double value = evaluate(kind, units, counted);
+    if (labels(units) <= reached) break;
+    if (value < least * (1 - 1e-6)) {
+      since_better = 0;
+    } else if (++since_better >= 10) {
+      length *= 0.5;
+      since_better = 0;
+      multiplier = best_multiplier;
+      if (length < 1e-4) return;
+      continue;
+    }
+    if (value < least) {
+      least = value;
+      best_multiplier = multiplier;
+    }
+    // A subgradient: what the counted units give to a label beyond its share. Polyak's step towards what is
+    // known to be possible.
+    double norm = 0;
+    for (std::size_t i = 0; i < excess.size(); ++i) {
+      excess[i] = -1;
+      for (std::size_t k = row_begin_[i]; k < row_begin_[i + 1]; ++k)
+        if (counted[entries_[k].column]) excess[i] += lifted(kind, units, i, entries_[k]);
+      const bool stays = (multiplier[i] >= 1 && excess[i] < 0) || (multiplier[i] <= 0 && excess[i] > 0);
+      if (!stays) norm += excess[i] * excess[i];
+    }
+    if (norm == 0) return;  // nothing is better for this number of units
+    const double move = length * std::max(0.5, value - static_cast<double>(reached)) / norm;
+    for (std::size_t i = 0; i < excess.size(); ++i)
+      multiplier[i] = std::clamp(multiplier[i] - move * excess[i], 0.0, 1.0);
+  }
+  multiplier = best_multiplier;
+}
+
+}  // namespace shelfbeam

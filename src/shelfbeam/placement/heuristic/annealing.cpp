@@ -1,0 +1,201 @@
+#include "shelfbeam/placement/heuristic/annealing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/placement/kernels/active_rows.hpp"
+#include "shelfbeam/placement/kernels/similar_columns.hpp"
+#include "shelfbeam/placement/kernels/walks.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr std::size_t rows_at_first = 256;
+
+// In requirements of a label. Of the exchanges some 6 % are accepted at the hot end, 3 % at the cold one.
+constexpr double hot = 0.03, cold = 0.015;
+constexpr std::uint64_t longest_cooling = 2'000'000, shortest_cooling = 2'500, coolings = 4;
+
+class Annealing {
+ public:
+  Annealing(const SearchProblem& problem, const SearchMatrix& all, const std::vector<std::uint32_t>& start,
+            std::uint32_t seed)
+      : problem_(problem),
+        all_(all),
+        rows_(all, receiving(problem.question)),
+        in_(all.columns(), false),
+        random_(seed) {
+    for (const std::uint32_t j : start) {
+      in_[j] = true;
+      (problem.available[j] ? free_ : fixed_).push_back(j);
+    }
+    for (std::uint32_t j = 0; j < all.columns(); ++j)
+      if (problem.available[j]) candidates_.push_back(j);
+    similar_.emplace(all, candidates_);
+    if (margin_of(problem.table, problem.question, all, start, memory_).is_met) fewest_ = start.size();
+    rows_.take_hardest_for(start, rows_at_first);
+    recount();
+  }
+
+  void run(const SearchEffort& effort, const RunControl& control) {
+    constexpr std::uint64_t between_looks = 4096;
+    const std::uint64_t cooling = std::clamp(effort.moves / coolings, shortest_cooling, longest_cooling);
+    const auto is_over = [&] {
+      return control.cancelled() || std::chrono::steady_clock::now() >= effort.until;
+    };
+    for (std::uint64_t move = 0; move < effort.moves; ++move) {
+      if (move % between_looks == 0) {
+        if (is_over()) return;
+        control.report("annealing", -1, fmt::format("{} moves", move));
+        recount();  // sums that were added to and taken from drift
+      }
+      while (lack_ <= 0 && !has_failed_ && meets_all()) {
+        if (free_.empty() || is_over()) return;
+        drop_least();
+      }
+      if (free_.empty() || free_.size() == candidates_.size()) return;
+      const double part = static_cast<double>(move % cooling) / static_cast<double>(cooling);
+      exchange(hot * std::pow(cold / hot, part));
+    }
+  }
+
+  const std::optional<std::vector<std::uint32_t>>& best() const { return best_; }
+
+ private:
+  std::vector<std::uint32_t> selection() const {
+    std::vector<std::uint32_t> result = fixed_;
+    result.insert(result.end(), free_.begin(), free_.end());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  static constexpr float demand = 1 - static_cast<float>(search_tolerance);
+
+  // Rows that only pad lack nothing.
+  void recount() {
+    held_.assign(rows_.padded(), 0.0F);
+    std::fill(held_.begin() + static_cast<std::ptrdiff_t>(rows_.size()), held_.end(), 1.0F);
+    for (const std::uint32_t j : selection())
+      SearchKernels::receive(Receiving::sum, rows_.column(j), held_.size(), held_.data(), nullptr);
+    nothing_.assign(held_.size(), 0.0F);
+    lack_ = lack_after(nothing_.data(), nothing_.data());
+  }
+
+  float lack_after(const float* out, const float* in) const {
+    return SearchKernels::lack_after(held_.data(), out, in, demand, held_.size());
+  }
+
+  void drop_least() {
+    std::size_t least = 0;
+    float least_lack = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      const float lack = lack_after(rows_.column(free_[k]), nothing_.data());
+      if (lack >= least_lack) continue;
+      least_lack = lack;
+      least = k;
+    }
+    in_[free_[least]] = false;
+    free_[least] = free_.back();
+    free_.pop_back();
+    recount();
+  }
+
+  // Keeps the selection if it meets all labels; else takes rows that it leaves unmet. One whose sums only
+  // single precision takes for met has failed, until an exchange makes another of it.
+  bool meets_all() {
+    const std::vector<std::uint32_t> selected = selection();
+    Margin margin;
+    while (!(margin = margin_of(problem_.table, problem_.question, all_, selected, memory_)).is_met) {
+      if (!rows_.learn(std::span(memory_).first(all_.rows()), margin.label)) {
+        has_failed_ = true;
+        return false;
+      }
+      recount();
+      if (lack_ > 0) return false;
+    }
+    if (selected.size() < fewest_) {
+      best_ = selected;
+      fewest_ = selected.size();
+    }
+    return true;
+  }
+
+  std::uint32_t bits() { return static_cast<std::uint32_t>(random_()); }
+  std::size_t index(std::size_t n) { return to_index(bits(), static_cast<std::uint32_t>(n)); }
+  double unit() { return to_unit(bits()); }
+
+  // Near ones most of the time, which keep what all others do in place, and now and then anything.
+  std::uint32_t another_for(std::uint32_t out) {
+    constexpr double any = 0.1, nearest = 0.4;
+    constexpr std::size_t nearest_count = 8;
+    const double kind = unit();
+    if (kind < any) return candidates_[index(candidates_.size())];
+    const std::span<const std::uint32_t> near = similar_->to(out);
+    return near[index(kind < any + nearest ? std::min(nearest_count, near.size()) : near.size())];
+  }
+
+  bool is_excluded(std::uint32_t in, std::uint32_t out) const {
+    return std::any_of(problem_.excludes[in].begin(), problem_.excludes[in].end(),
+                       [&](std::uint32_t other) { return other != out && in_[other]; });
+  }
+
+  void exchange(double temperature) {
+    std::uint32_t& place = free_[index(free_.size())];
+    const std::uint32_t out = place, in = another_for(out);
+    if (in_[in] || is_excluded(in, out)) return;
+    const float lack = lack_after(rows_.column(out), rows_.column(in));
+    if (lack > lack_ && unit() >= std::exp(static_cast<double>(lack_ - lack) / temperature)) return;
+    in_[out] = false;
+    in_[in] = true;
+    place = in;
+    has_failed_ = false;
+    SearchKernels::exchange(rows_.column(out), rows_.column(in), held_.size(), held_.data());
+    lack_ = lack;
+    if (lack_ <= 0) recount();
+  }
+
+  const SearchProblem& problem_;
+  const SearchMatrix& all_;
+  ActiveRows rows_;
+  std::vector<bool> in_;
+  std::vector<std::uint32_t> fixed_, free_, candidates_;
+  std::optional<SimilarColumns> similar_;
+  std::vector<float> held_, nothing_, memory_;
+  float lack_ = 0;           ///< what all active rows lack
+  bool has_failed_ = false;  ///< the selection, on all rows, though none of them is new
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
+  std::optional<std::vector<std::uint32_t>> best_;
+  std::mt19937 random_;
+};
+
+}  // namespace
+
+bool can_anneal(const Question& question) {
+  return question.combination == Combination::lexicographic && receiving(question) == Receiving::sum;
+}
+
+std::optional<std::vector<std::uint32_t>> anneal(const SearchProblem& problem, const SearchMatrix& all,
+                                                 const std::vector<std::uint32_t>& start,
+                                                 const SearchEffort& effort, const RunControl& control) {
+  if (!can_anneal(problem.question)) return std::nullopt;
+  std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
+  for_each_walk(effort, control, [&](std::size_t k, std::uint32_t seed, const RunControl& own) {
+    Annealing walk(problem, all, start, seed);
+    walk.run(effort, own);
+    found[k] = walk.best();
+  });
+  std::optional<std::vector<std::uint32_t>> best;
+  for (auto& one : found)
+    if (one && (!best || one->size() < best->size())) best = std::move(one);
+  return best;
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,250 @@
+#include "shelfbeam/placement/heuristic/local_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/placement/kernels/active_rows.hpp"
+#include "shelfbeam/placement/kernels/walks.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr std::size_t rows_at_first = 256;
+// More candidates for a row are worse, not only slower: the best of all is too often the same.
+constexpr std::size_t most_supporters = 24;
+
+class Walk {
+ public:
+  Walk(const SearchProblem& problem, const SearchMatrix& all, const std::vector<std::uint32_t>& start,
+       std::uint32_t seed)
+      : problem_(problem),
+        all_(all),
+        rule_(receiving(problem.question)),
+        rows_(all, rule_),
+        demand_(rule_ == Receiving::second_best ? 2.0F : 1.0F),
+        price_(all.columns(), 1.0),
+        is_free_(problem.available),
+        in_(all.columns(), false),
+        touched_(all.columns(), 0),
+        random_(seed) {
+    if (problem.question.combination == Combination::weighted)
+      for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(problem.cost[j]);
+    for (const std::uint32_t j : start) in_[j] = true;
+    if (margin_of(problem.table, problem.question, all, start, memory_).is_met) best_cost_ = cost();
+    rows_.take_hardest_for(start, rows_at_first);
+    follow_rows();
+  }
+
+  void run(const SearchEffort& effort, const RunControl& control) {
+    constexpr std::uint64_t between_looks = 64;
+    const auto is_over = [&] {
+      return control.cancelled() || std::chrono::steady_clock::now() >= effort.until;
+    };
+    for (std::uint64_t move = 1; move <= effort.moves; ++move) {
+      if (move % between_looks == 0) {
+        if (is_over()) return;
+        control.report("local search", -1, fmt::format("{} moves", move));
+      }
+      if (move % between_looks == 0) recount();  // sums that were added to and taken from drift
+      now_ = move;
+      while (meets_rows()) {
+        if (is_over()) return;
+        if (!try_on_all()) continue;  // more is asked for
+        if (!remove_cheapest()) return;
+      }
+      if (!exchange()) return;
+    }
+  }
+
+  const std::optional<std::vector<std::uint32_t>>& best() const { return best_; }
+  double best_cost() const { return best_cost_; }
+
+ private:
+  // Prices may be zero: such units are worth taking whatever they give.
+  static double ratio(double value, double price) { return price > 0 ? value / price : value * 1e30; }
+
+  double cost() const {
+    double sum = 0;
+    for (std::size_t j = 0; j < in_.size(); ++j)
+      if (in_[j]) sum += price_[j];
+    return sum;
+  }
+
+  // Weights and supporters of rows that have come in.
+  void follow_rows() {
+    weight_.resize(rows_.padded(), 0.0F);
+    for (std::size_t r = supporters_.size(); r < rows_.size(); ++r) {
+      const std::uint32_t row = rows_.row(r);
+      std::vector<std::uint32_t> columns;
+      for (std::uint32_t j = 0; j < in_.size(); ++j)
+        if (is_free_[j] && rows_.used_of(row, j) > 0) columns.push_back(j);
+      const std::size_t count = std::min(most_supporters, columns.size());
+      std::partial_sort(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(count), columns.end(),
+                        [&](std::uint32_t a, std::uint32_t b) {
+                          const float x = all_.column(a)[row], y = all_.column(b)[row];
+                          return x > y || (x == y && a < b);
+                        });
+      columns.resize(count);
+      supporters_.push_back(std::move(columns));
+      weight_[r] = 1;
+    }
+    recount();
+  }
+
+  Receiving counting_rule() const { return rule_ == Receiving::sum_without_best ? rule_ : Receiving::sum; }
+
+  void recount() {
+    held_.assign(rows_.padded(), 0.0F);
+    largest_.assign(rows_.padded(), 0.0F);
+    for (std::size_t j = 0; j < in_.size(); ++j)
+      if (in_[j])
+        SearchKernels::receive(counting_rule(), rows_.column(j), rows_.padded(), held_.data(),
+                               largest_.data());
+  }
+
+  bool meets_rows() {
+    unmet_.clear();
+    const float enough = demand_ * (1 - static_cast<float>(search_tolerance));
+    for (std::uint32_t r = 0; r < rows_.size(); ++r)
+      if (held_[r] < enough) unmet_.push_back(r);
+    return unmet_.empty();
+  }
+
+  std::vector<std::uint32_t> selection() const {
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t j = 0; j < in_.size(); ++j)
+      if (in_[j]) result.push_back(j);
+    return result;
+  }
+
+  // Keeps the selection if it meets all labels; else takes the rows that it leaves unmet.
+  bool try_on_all() {
+    const std::vector<std::uint32_t> selected = selection();
+    const Margin margin = margin_of(problem_.table, problem_.question, all_, selected, memory_);
+    if (margin.is_met) {
+      if (const double price = cost(); price < best_cost_) {
+        best_ = selected;
+        best_cost_ = price;
+      }
+      return true;
+    }
+    if (!rows_.learn(std::span(memory_).first(all_.rows()), margin.label)) rows_.ask_more_of(margin.label);
+    follow_rows();
+    return false;
+  }
+
+  double lost_with(std::uint32_t j) const {
+    return static_cast<double>(
+        SearchKernels::loss(rows_.column(j), weight_.data(), held_.data(), demand_, rows_.padded()));
+  }
+
+  bool remove_cheapest() {
+    std::uint32_t out = none;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t j = 0; j < in_.size(); ++j) {
+      if (!in_[j] || !is_free_[j] || touched_[j] == now_) continue;
+      const double loss = ratio(lost_with(j), price_[j]);
+      if (out == none || loss < least || (loss == least && touched_[j] < touched_[out])) {
+        out = j;
+        least = loss;
+      }
+    }
+    if (out == none) return false;
+    in_[out] = false;
+    touched_[out] = now_;
+    if (rule_ == Receiving::sum_without_best) {
+      recount();
+    } else {
+      const float* const lost = rows_.column(out);
+      for (std::size_t r = 0; r < rows_.padded(); ++r) held_[r] -= lost[r];
+    }
+    return true;
+  }
+
+  // The most useful column for some unmet row comes in, then the least useful go until it pays.
+  bool exchange() {
+    const std::uint32_t row = unmet_[random_() % unmet_.size()];
+    std::uint32_t in = none;
+    double most = 0;
+    for (const std::uint32_t j : supporters_[row]) {
+      if (in_[j] || (touched_[j] > 0 && touched_[j] + 1 >= now_) || price_[j] >= best_cost_) continue;
+      double gained = static_cast<double>(
+          SearchKernels::worth(rows_.column(j), weight_.data(), held_.data(), demand_, rows_.padded()));
+      for (const std::uint32_t other : problem_.excludes[j])
+        if (in_[other]) gained -= lost_with(other);
+      const double worth = ratio(gained, price_[j]);
+      if (in == none || worth > most || (worth == most && touched_[j] < touched_[in])) {
+        in = j;
+        most = worth;
+      }
+    }
+    if (in != none) {
+      in_[in] = true;
+      touched_[in] = now_;
+      bool replaces = false;
+      for (const std::uint32_t other : problem_.excludes[in]) {
+        if (!in_[other]) continue;
+        replaces = true;
+        in_[other] = false;
+        touched_[other] = now_;
+      }
+      if (replaces)
+        recount();
+      else
+        SearchKernels::receive(counting_rule(), rows_.column(in), rows_.padded(), held_.data(),
+                               largest_.data());
+    }
+    constexpr double rounding = 1e-12;
+    while (cost() >= best_cost_ * (1 - rounding))
+      if (!remove_cheapest()) return false;
+    meets_rows();
+    for (const std::uint32_t r : unmet_) weight_[r] += 1;
+    return true;
+  }
+
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  const SearchProblem& problem_;
+  const SearchMatrix& all_;
+  Receiving rule_;
+  ActiveRows rows_;
+  float demand_;
+  std::vector<double> price_;
+  std::vector<bool> is_free_, in_;
+  std::vector<std::uint64_t> touched_;  ///< the move in which it came or went last
+  std::mt19937 random_;
+  std::uint64_t now_ = 0;
+  std::vector<std::vector<std::uint32_t>> supporters_;  ///< by row: the free columns that give it most
+  std::vector<float> weight_, held_, largest_, memory_;
+  std::vector<std::uint32_t> unmet_;
+  std::optional<std::vector<std::uint32_t>> best_;
+  double best_cost_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+std::optional<std::vector<std::uint32_t>> local_search(const SearchProblem& problem, const SearchMatrix& all,
+                                                       const std::vector<std::uint32_t>& start,
+                                                       const SearchEffort& effort,
+                                                       const RunControl& control) {
+  std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
+  std::vector<double> cost(effort.walks, std::numeric_limits<double>::infinity());
+  for_each_walk(effort, control, [&](std::size_t k, std::uint32_t seed, const RunControl& own) {
+    Walk walk(problem, all, start, seed);
+    walk.run(effort, own);
+    found[k] = walk.best();
+    cost[k] = walk.best_cost();
+  });
+  const auto best = static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+  return found.empty() ? std::nullopt : found[best];
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,310 @@
+#include "shelfbeam/placement/io/placement_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/format_version.hpp"
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
+#include "shelfbeam/placement/answer/scenarios.hpp"
+#include "shelfbeam/placement/io/placement_json.hpp"
+#include "shelfbeam/placement/io/sensitivity_json.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/critical.hpp"
+#include "shelfbeam/placement/problem/mounts.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using detail::Json;
+using detail::number;
+using detail::number_or_infinity;
+using detail::position;
+using detail::Positions;
+using detail::positions;
+
+constexpr int format_version = 1;
+constexpr std::int64_t most_units = std::numeric_limits<std::uint32_t>::max();
+
+// Whole numbers without ".0", as a reader expects of a count.
+Json count(double value) {
+  return std::isfinite(value) ? Json(std::llround(value)) : Json(nullptr);
+}
+
+template <class Table>
+auto named(const JsonCursor& cursor, const Table& names) {
+  const std::string word = cursor.text();
+  std::vector<std::string_view> known;
+  for (const auto& entry : names) {
+    if (entry.name == word) return entry.value;
+    known.push_back(entry.name);
+  }
+  cursor.fail(fmt::format("is '{}', which is not known here", word), suggest(word, known));
+}
+
+std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const SignalTable& table) {
+  const Positions known = positions(table.transceivers);
+  std::vector<std::uint32_t> selected;
+  std::vector<bool> seen(table.columns(), false);
+  for (const JsonCursor& element : cursor.elements()) {
+    selected.push_back(position(element, known, "transceiver"));
+    if (seen[selected.back()]) element.fail(fmt::format("names '{}' again", element.text()), "name it once");
+    seen[selected.back()] = true;
+  }
+  if (const auto crowded = crowded_mounts(table, seen); !crowded.empty()) {
+    std::vector<std::string_view> ids;
+    for (const std::uint32_t j : table.mounts[crowded.front()])
+      if (seen[j]) ids.push_back(table.transceivers[j].id);
+    cursor.fail(fmt::format("names '{}', which are options of one mounting point", fmt::join(ids, "' and '")),
+                "keep one of them");
+  }
+  std::sort(selected.begin(), selected.end());
+  return selected;
+}
+
+std::vector<Unreachable> read_unreachable(const JsonCursor& cursor, const SignalTable& table) {
+  const Positions known = positions(table.labels);
+  std::vector<Unreachable> result;
+  for (const JsonCursor& element : cursor.elements()) {
+    element.expect_keys({"label", "requirement", "most"});
+    result.push_back({position(element["label"], known, "label"), element["requirement"].positive(),
+                      element["most"].non_negative()});
+  }
+  return result;
+}
+
+// Share of the labels that two or more of the selected units reach alone: "Redundant" of the paper's
+// Table 3.1.
+double redundant_share(const Placement& placement, const SignalTable& table) {
+  if (table.rows() == 0) return 0;
+  const Check check = check_selection(table, placement.question, placement.selected);
+  const auto redundant = std::count_if(check.serving.begin(), check.serving.end(),
+                                       [](std::uint32_t units) { return units >= 2; });
+  return static_cast<double>(redundant) / static_cast<double>(table.rows());
+}
+
+Json scenarios(const Placement& placement, const SignalTable& table) {
+  Json result = Json::array();
+  for (const ScenarioMargin& margin : scenario_margins(table, placement)) {
+    const SignalTable::Scenario& scenario = table.scenarios[margin.scenario];
+    result.push_back({{"name", scenario.name},
+                      {"labels", scenario.labels},
+                      {"smallest_margin", number(margin.smallest_margin)},
+                      {"label", scenario.labels > 0 ? Json(table.labels[margin.label].id) : Json(nullptr)}});
+  }
+  return result;
+}
+
+Json first_ids(const std::vector<std::uint32_t>& labels, const SignalTable& table) {
+  Json ids = Json::array();
+  for (std::size_t k = 0; k < std::min(labels.size(), most_listed_labels); ++k)
+    ids.push_back(table.labels[labels[k]].id);
+  return ids;
+}
+
+Json critical(const Placement& placement, const SignalTable& table) {
+  Json result = Json::array();
+  for (const Critical& one : critical_units(table, placement.question, placement.selected))
+    result.push_back({{"unit", table.transceivers[one.unit].id},
+                      {"count", one.labels.size()},
+                      {"labels", first_ids(one.labels, table)}});
+  return result;
+}
+
+Json curve_points(const std::vector<CurvePoint>& points) {
+  Json result = Json::array();
+  for (const CurvePoint& point : points)
+    result.push_back({{"units", point.units}, {"at_least", point.at_least}, {"at_most", point.at_most}});
+  return result;
+}
+
+Json ids_of(const Certificate& certificate, Verdict verdict, const SignalTable& table) {
+  Json ids = Json::array();
+  for (std::size_t i = 0; i < certificate.labels.size(); ++i)
+    if (certificate.labels[i].verdict == verdict) ids.push_back(table.labels[i].id);
+  return ids;
+}
+
+Json to_json(const Certificate& certificate, const SignalTable& table) {
+  return {{"confidence", certificate.confidence},
+          {"reached", certificate.count(Verdict::reached)},
+          {"missed", ids_of(certificate, Verdict::missed, table)},
+          {"undecided", ids_of(certificate, Verdict::undecided, table)},
+          {"count_lower_bound", certificate.count_lower_bound},
+          {"bound_labels", certificate.bound_labels},
+          {"rounds", certificate.rounds},
+          {"seconds", certificate.seconds},
+          {"open", certificate.open}};
+}
+
+// Verdicts alone: signals and limits stand in verification.csv.
+Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table) {
+  cursor.expect_keys({"confidence", "reached", "missed", "undecided", "count_lower_bound", "bound_labels",
+                      "rounds", "seconds", "open"});
+  Certificate certificate;
+  certificate.confidence = cursor["confidence"].positive();
+  certificate.labels.resize(table.rows());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    certificate.labels[i].requirement = table.labels[i].requirement;
+    certificate.labels[i].verdict = Verdict::reached;
+  }
+  const Positions known = positions(table.labels);
+  for (const auto& [key, verdict] :
+       {std::pair("missed", Verdict::missed), std::pair("undecided", Verdict::undecided)})
+    for (const JsonCursor& element : cursor[key].elements())
+      certificate.labels[position(element, known, "label")].verdict = verdict;
+  certificate.count_lower_bound = static_cast<std::size_t>(cursor["count_lower_bound"].non_negative());
+  certificate.bound_labels = static_cast<std::size_t>(cursor["bound_labels"].non_negative());
+  certificate.rounds = static_cast<std::uint32_t>(cursor["rounds"].non_negative());
+  certificate.seconds = cursor["seconds"].non_negative();
+  certificate.open = cursor["open"].text();
+  if (const JsonCursor stated = cursor["reached"];
+      stated.number() != static_cast<double>(certificate.count(Verdict::reached)))
+    stated.fail("is not the number of labels that are neither missed nor undecided", "correct one of them");
+  return certificate;
+}
+
+}  // namespace
+
+std::string placement_json(const Placement& placement, const SignalTable& table, const ReachCurve& curve) {
+  Json selected = Json::array();
+  for (const std::uint32_t j : placement.selected) selected.push_back(table.transceivers[j].id);
+  Json unreachable = Json::array();
+  for (const Unreachable& label : placement.unreachable)
+    unreachable.push_back(
+        {{"label", table.labels[label.label].id}, {"requirement", label.requirement}, {"most", label.most}});
+  const Question& question = placement.question;
+  Json file = {{"format", format_version},
+               {"model", name_of(model_names, question.model)},
+               {"objective", name_of(objective_names, question.objective)},
+               {"combination", name_of(combination_names, question.combination)},
+               {"share", question.share},
+               {"survives_failure", question.redundant},
+               {"min_spacing", placement.min_spacing > 0 ? Json(placement.min_spacing) : Json(nullptr)},
+               {"forbidden_pairs", placement.forbidden_pairs},
+               {"labels", table.rows()},
+               {"selected", selected},
+               {"count", placement.count()},
+               {"count_lower_bound", count(placement.count_lower_bound)},
+               {"objective_value", number(placement.objective_value)},
+               {"lower_bound", number(placement.lower_bound)},
+               {"gap", number(placement.gap())},
+               {"bound_proof", name_of(bound_proof_names, placement.bound_proof)},
+               {"ties_settled", placement.ties_settled},
+               {"unit_costs", placement.unit_costs},
+               {"redundant_share", redundant_share(placement, table)},
+               {"status", name_of(status_names, placement.status)},
+               {"solver", placement.solver},
+               {"seconds", number(placement.seconds)},
+               {"unreachable", unreachable},
+               {"scenarios", scenarios(placement, table)},
+               {"critical", critical(placement, table)}};
+  if (!curve.points.empty()) {
+    file["curve"] = curve_points(curve.points);
+    file["curve_complete"] = curve.is_complete;
+  }
+  if (placement.certificate) file["certificate"] = to_json(*placement.certificate, table);
+  if (placement.sensitivity) file["sensitivity"] = detail::to_json(*placement.sensitivity, table);
+  return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string certificate_json(const Certificate& certificate, const SignalTable& table) {
+  return to_json(certificate, table).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string reach_json(const Reach& reach, const SignalTable& table) {
+  Json selected = Json::array();
+  for (const std::uint32_t j : reach.selected) selected.push_back(table.transceivers[j].id);
+  const Json file = {{"format", format_version},
+                     {"model", name_of(model_names, reach.question.model)},
+                     {"survives_failure", reach.question.redundant},
+                     {"at_most", reach.at_most},
+                     {"selected", selected},
+                     {"count", reach.selected.size()},
+                     {"labels", table.rows()},
+                     {"reached", reach.reached},
+                     {"reached_upper_bound", reach.upper_bound},
+                     {"gap", number(reach.gap())},
+                     {"bound_proof", name_of(bound_proof_names, reach.bound_proof)},
+                     {"status", name_of(status_names, reach.status)},
+                     {"too_large", reach.too_large},
+                     {"solver", reach.solver},
+                     {"seconds", number(reach.seconds)},
+                     {"missed", first_ids(reach.missed, table)}};
+  return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
+  const JsonCursor file = JsonCursor::parse_file(path);
+  expect_format_version(file.where(), file["format"].integer(0, most_versions), format_version);
+  file.expect_keys({"format",          "model",           "objective",
+                    "combination",     "share",           "survives_failure",
+                    "selected",        "count",           "count_lower_bound",
+                    "objective_value", "lower_bound",     "gap",
+                    "unit_costs",      "redundant_share", "status",
+                    "solver",          "seconds",         "unreachable",
+                    "scenarios",       "critical",        "curve",
+                    "bound_proof",     "ties_settled",    "min_spacing",
+                    "forbidden_pairs", "labels",          "curve_complete",
+                    "certificate",     "sensitivity"});
+  Placement placement;
+  placement.question.model = named(file["model"], model_names);
+  placement.question.objective = named(file["objective"], objective_names);
+  if (const auto found = file.find("combination"))
+    placement.question.combination = named(*found, combination_names);
+  if (const auto found = file.find("share")) placement.question.share = found->positive();
+  if (const auto found = file.find("survives_failure")) placement.question.redundant = found->boolean();
+  if (const auto found = file.find("min_spacing"); found && !found->is_null())
+    placement.min_spacing = found->positive();
+  if (const auto found = file.find("forbidden_pairs"))
+    placement.forbidden_pairs =
+        static_cast<std::size_t>(found->integer(0, std::numeric_limits<std::int64_t>::max()));
+  if (const auto found = file.find("labels"); found && found->number() != static_cast<double>(table.rows()))
+    found->fail(fmt::format("is {}, but the matrix has {} labels", found->number(), table.rows()),
+                "use the matrix that this placement was computed from");
+  placement.selected = read_selected(file["selected"], table);
+  placement.count_lower_bound = number_or_infinity(file["count_lower_bound"]);
+  placement.objective_value = number_or_infinity(file["objective_value"]);
+  placement.lower_bound = number_or_infinity(file["lower_bound"]);
+  if (const auto found = file.find("bound_proof")) placement.bound_proof = named(*found, bound_proof_names);
+  if (const auto found = file.find("ties_settled")) placement.ties_settled = found->boolean();
+  if (const auto found = file.find("unit_costs")) placement.unit_costs = found->boolean();
+  placement.status = named(file["status"], status_names);
+  placement.solver = file["solver"].text();
+  placement.seconds = file["seconds"].non_negative();
+  placement.unreachable = read_unreachable(file["unreachable"], table);
+  if (const JsonCursor stated = file["count"]; stated.number() != static_cast<double>(placement.count()))
+    stated.fail(fmt::format("is {}, but {} transceivers are selected", stated.number(), placement.count()),
+                "correct one of them");
+  if (const auto found = file.find("certificate")) placement.certificate = read_certificate(*found, table);
+  if (const auto found = file.find("sensitivity"))
+    placement.sensitivity = detail::read_sensitivity(*found, table);
+  return placement;
+}
+
+ReachCurve read_curve(const std::filesystem::path& path, const SignalTable& table) {
+  const JsonCursor file = JsonCursor::parse_file(path);
+  ReachCurve curve;
+  const auto points = file.find("curve");
+  if (!points) return curve;
+  const auto labels = static_cast<std::int64_t>(table.rows());
+  for (const JsonCursor& element : points->elements()) {
+    element.expect_keys({"units", "at_least", "at_most"});
+    const std::int64_t at_least = element["at_least"].integer(0, labels);
+    const std::int64_t before =
+        curve.points.empty() ? 0 : static_cast<std::int64_t>(curve.points.back().units);
+    curve.points.push_back({static_cast<std::size_t>(element["units"].integer(before + 1, most_units)),
+                            static_cast<std::size_t>(at_least),
+                            static_cast<std::size_t>(element["at_most"].integer(at_least, labels))});
+  }
+  curve.is_complete = file["curve_complete"].boolean();
+  return curve;
+}
+
+}  // namespace shelfbeam

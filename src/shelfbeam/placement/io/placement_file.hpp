@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/coverage/budget.hpp"
+#include "shelfbeam/placement/coverage/curve.hpp"
+
+namespace shelfbeam {
+
+/// placement.json as docs/formats/placement.md describes it; the same answer gives the same text, but for
+/// `seconds`. The curve is left out where there is none.
+std::string placement_json(const Placement& placement, const SignalTable& table,
+                           const ReachCurve& curve = {});
+
+/// The object under `certificate` alone.
+std::string certificate_json(const Certificate& certificate, const SignalTable& table);
+
+/// What `place --at-most` writes.
+std::string reach_json(const Reach& reach, const SignalTable& table);
+
+/// So many ids of labels at most stand in one list of critical or missed labels; their number is told.
+inline constexpr std::size_t most_listed_labels = 1000;
+
+/// Reads a placement.json against the table it belongs to. Throws InputError with file and place; an id that
+/// the table does not have is one.
+Placement read_placement(const std::filesystem::path& path, const SignalTable& table);
+
+/// The curve in it, if there is one; without `selected`. Throws as `read_placement`.
+ReachCurve read_curve(const std::filesystem::path& path, const SignalTable& table);
+
+}  // namespace shelfbeam

@@ -1,0 +1,70 @@
+#include "shelfbeam/placement/kernels/active_rows.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace shelfbeam::detail {
+
+ActiveRows::ActiveRows(const SearchMatrix& all, Receiving rule)
+    : all_(all), rule_(rule), is_known_(all.rows(), false) {}
+
+float ActiveRows::used_of(std::uint32_t row, std::uint32_t column) const {
+  const float ratio = all_.column(column)[row];
+  if (is_sum(rule_)) return std::min(ratio, 1.0F);
+  return ratio >= 1.0F ? 1.0F : 0.0F;
+}
+
+void ActiveRows::take(std::span<const std::uint32_t> rows) {
+  const std::size_t before = rows_.size();
+  for (const std::uint32_t row : rows) {
+    rows_.push_back(row);
+    is_known_[row] = true;
+  }
+  if (padded() > stride_) {
+    const std::size_t wider = std::max(2 * stride_, padded());
+    std::vector<float> values(wider * all_.columns(), 0.0F);
+    for (std::size_t j = 0; j < all_.columns(); ++j)
+      std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(j * stride_), before,
+                  values.begin() + static_cast<std::ptrdiff_t>(j * wider));
+    values_ = std::move(values);
+    stride_ = wider;
+  }
+  for (std::uint32_t j = 0; j < all_.columns(); ++j)
+    for (std::size_t r = before; r < rows_.size(); ++r) values_[j * stride_ + r] = used_of(rows_[r], j);
+}
+
+void ActiveRows::take_hardest_for(std::span<const std::uint32_t> selected, std::size_t count) {
+  std::vector<std::pair<float, std::uint32_t>> by_sum;
+  for (std::uint32_t i = 0; i < all_.rows(); ++i) {
+    if (is_known_[i]) continue;
+    float sum = 0;
+    for (const std::uint32_t j : selected) sum += used_of(i, j);
+    by_sum.emplace_back(sum, i);
+  }
+  count = std::min(count, by_sum.size());
+  std::partial_sort(by_sum.begin(), by_sum.begin() + static_cast<std::ptrdiff_t>(count), by_sum.end());
+  std::vector<std::uint32_t> rows;
+  for (std::size_t k = 0; k < count; ++k) rows.push_back(by_sum[k].second);
+  take(rows);
+}
+
+bool ActiveRows::learn(std::span<const float> received, std::uint32_t label) {
+  constexpr std::size_t at_once = 32;
+  std::vector<std::pair<float, std::uint32_t>> short_of;
+  for (std::uint32_t i = 0; i < all_.rows(); ++i)
+    if (received[i] < 1 && !is_known_[i]) short_of.emplace_back(received[i], i);
+  std::sort(short_of.begin(), short_of.end());
+  std::vector<std::uint32_t> fresh;
+  for (std::size_t k = 0; k < std::min(at_once, short_of.size()); ++k) fresh.push_back(short_of[k].second);
+  if (fresh.empty() && !is_known_[label]) fresh.push_back(label);  // met in float arithmetic only
+  take(fresh);
+  return !fresh.empty();
+}
+
+void ActiveRows::ask_more_of(std::uint32_t label) {
+  constexpr float less = 1 - 1e-4F;
+  const auto r = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), label) - rows_.begin());
+  for (std::size_t j = 0; j < all_.columns(); ++j) values_[j * stride_ + r] *= less;
+}
+
+}  // namespace shelfbeam::detail

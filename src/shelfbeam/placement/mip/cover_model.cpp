@@ -1,0 +1,213 @@
+#include "shelfbeam/placement/mip/cover_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "shelfbeam/milp/verify.hpp"
+#include "shelfbeam/placement/mip/export_model.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+// Solvers drop coefficients of about this size without a word. Taking them out here and their sum off the
+// right-hand side is a relaxation: bounds stay valid, and the checker judges selections.
+constexpr double negligible = 1e-8;
+
+// Solvers compare sums with tolerances of 1e-9 to 1e-7, in presolve to either side, and prune wrongly what
+// lies that near to a row's bound. So coefficients are rounded up to this grid, another relaxation: a
+// selection that the contract allows then reaches 1 exactly, and no sum comes nearer to the bound, half a
+// step lower, than half a step.
+constexpr double steps = 1 << 20;
+
+}  // namespace
+
+milp::Row relaxed(milp::Row row) {
+  row.lower = 1 - 0.5 / steps;
+  for (milp::Entry& entry : row.entries) {
+    if (entry.value < negligible) row.lower -= entry.value;
+    entry.value = entry.value < negligible ? 0 : std::ceil(std::min(entry.value, 1.0) * steps) / steps;
+  }
+  std::erase_if(row.entries, [](const milp::Entry& entry) { return entry.value == 0; });
+  return row;
+}
+
+namespace {
+
+// The most units that a selection of at most this cost can have: the installed ones and the cheapest others.
+std::size_t most_units(const SignalTable& table, std::span<const double> cost, double known) {
+  const double most = known * (1 + 1e-9);
+  std::vector<double> others;
+  double spent = 0;
+  std::size_t count = 0;
+  for (std::size_t j = 0; j < cost.size(); ++j) {
+    if (table.transceivers[j].installed)
+      spent += cost[j], ++count;
+    else
+      others.push_back(cost[j]);
+  }
+  std::sort(others.begin(), others.end());
+  for (const double one : others) {
+    spent += one;
+    if (spent > most) break;
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+CoverModel::CoverModel(const SignalTable& table, const Question& question, const SolveFunction& solve,
+                       double time_limit_s, const RunControl& control)
+    : table_(table), question_(question), solve_(solve), control_(control), time_limit_s_(time_limit_s) {}
+
+void CoverModel::build() {
+  model_ = model_without_failures(table_, question_);
+  built_ = true;
+  if (question_.model == CommunicationModel::non_cooperative) return;
+  for (std::size_t i = 0; i < table_.rows(); ++i) model_.rows[i] = relaxed(std::move(model_.rows[i]));
+  if (!question_.redundant) return;
+  for (std::size_t i = 0; i < table_.rows(); ++i) {
+    const auto row = table_.row(i);
+    const auto strongest =
+        std::max_element(row.begin(), row.end(),
+                         [](const SignalEntry& a, const SignalEntry& b) { return a.signal < b.signal; });
+    if (strongest != row.end()) add_failure(i, strongest->transceiver);
+  }
+}
+
+// Summing the rows (i, j) over the k chosen units that reach label i gives (k - 1) sum_j a_ij T_j >= k, and
+// k / (k - 1) falls with k, so that any upper bound of k will do. The right-hand side follows the grid of the
+// coefficients as in `relaxed`.
+void CoverModel::bound_label_rows(std::size_t most) {
+  if (!question_.redundant || question_.model == CommunicationModel::non_cooperative) return;
+  for (std::size_t i = 0; i < table_.rows(); ++i) {
+    const auto units = static_cast<double>(std::max<std::size_t>(2, std::min(most, table_.row(i).size())));
+    double without = 0;
+    for (const SignalEntry& entry : table_.row(i))
+      if (const double share = entry.signal / table_.labels[i].requirement; share < negligible)
+        without += share;
+    const double least = (1 - 2 * met_tolerance) * units / (units - 1) - without;
+    model_.rows[i].lower = (std::ceil(least * steps) - 0.5) / steps;
+  }
+}
+
+bool CoverModel::add_failure(std::size_t label, std::uint32_t failed) {
+  if (!failures_.emplace(label, failed).second) return false;
+  model_.rows.push_back(relaxed(failure_row(table_, label, failed)));
+  return true;
+}
+
+// Adds the rows that such a selection breaks; false where they are all there.
+bool CoverModel::let_fail(const std::vector<std::uint32_t>& selected,
+                          const std::vector<std::uint32_t>& unmet) {
+  if (!question_.redundant || question_.model == CommunicationModel::non_cooperative) return false;
+  std::vector<bool> chosen(table_.columns(), false);
+  for (const std::uint32_t j : selected) chosen[j] = true;
+  bool added = false;
+  for (const std::uint32_t i : unmet) {
+    double sum = 0, largest = 0;
+    for (const SignalEntry& entry : table_.row(i)) {
+      if (!chosen[entry.transceiver]) continue;
+      sum += entry.signal;
+      largest = std::max(largest, entry.signal);
+    }
+    const double requirement = table_.labels[i].requirement;
+    for (const SignalEntry& entry : table_.row(i)) {
+      if (!chosen[entry.transceiver]) continue;
+      const bool breaks = entry.signal == largest || sum - entry.signal < requirement;
+      if (breaks && add_failure(i, entry.transceiver)) added = true;
+    }
+  }
+  return added;
+}
+
+double CoverModel::seconds_left() const {
+  return time_limit_s_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double known,
+                                         std::optional<std::size_t> count) {
+  Outcome outcome;
+  if (seconds_left() <= 0 || control_.cancelled()) return outcome;
+  if (!built_) build();
+  for (std::size_t j = 0; j < cost.size(); ++j) {
+    milp::Column& column = model_.columns[j];
+    const bool too_dear = column.lower == 0 && cost[j] > known * (1 + 1e-9);
+    column.cost = too_dear ? 0 : cost[j];
+    column.upper = too_dear ? 0 : 1;
+  }
+  bound_label_rows(count ? *count : most_units(table_, cost, known));
+  milp::Row count_row;
+  if (count) {
+    count_row.lower = count_row.upper = static_cast<double>(*count);
+    for (std::uint32_t j = 0; j < table_.columns(); ++j) count_row.entries.push_back({j, 1.0});
+  }
+
+  while (seconds_left() > 0 && !control_.cancelled()) {
+    if (count) model_.rows.push_back(count_row);
+    const milp::Result result = solve_(model_, {.time_limit_s = seconds_left()}, control_);
+    const bool empty_handed = result.solution.empty() && !model_.columns.empty();
+    const bool wrong =
+        !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;
+    if (count) model_.rows.pop_back();
+
+    // Rows relax the rule and cuts keep every answer, so this is a proof unless an answer is known.
+    if (result.termination == milp::Termination::infeasible && known == milp::infinity) {
+      outcome.infeasible = true;
+      break;
+    }
+    if (wrong || result.termination == milp::Termination::error ||
+        result.termination == milp::Termination::infeasible) {
+      outcome.failed = true;
+      break;
+    }
+    outcome.bound = std::max(outcome.bound, result.dual_bound);
+    if (empty_handed) break;
+    std::vector<std::uint32_t> selected;
+    for (std::uint32_t j = 0; j < table_.columns(); ++j)
+      if (result.solution[j] > 0.5) selected.push_back(j);
+    const Check check = check_selection(table_, question_, selected);
+    if (check.met()) {
+      outcome.selected = std::move(selected);
+      outcome.proven = result.termination == milp::Termination::optimal;
+      break;
+    }
+    if (result.termination != milp::Termination::optimal) break;
+    if (check.unmet.empty()) {  // units that exclude one another, against their row
+      outcome.failed = true;
+      break;
+    }
+    if (!let_fail(selected, check.unmet)) cut_off(selected, check.unmet.front());
+  }
+  return outcome;
+}
+
+// The selection leaves the label unmet, and so does every part of it (signals are not negative). It is first
+// extended by the units that are weakest there for as long as the label stays unmet; one of the units outside
+// must then be chosen.
+void CoverModel::cut_off(const std::vector<std::uint32_t>& selected, std::size_t unmet_label) {
+  std::vector<double> signal(table_.columns(), 0.0);
+  for (const SignalEntry& entry : table_.row(unmet_label)) signal[entry.transceiver] = entry.signal;
+  std::vector<bool> chosen(table_.columns(), false);
+  for (const std::uint32_t j : selected) chosen[j] = true;
+  std::vector<std::uint32_t> outside;
+  for (std::uint32_t j = 0; j < table_.columns(); ++j)
+    if (!chosen[j]) outside.push_back(j);
+  std::stable_sort(outside.begin(), outside.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return signal[a] < signal[b]; });
+
+  const double requirement = requirement_of(table_.labels[unmet_label], question_.model);
+  auto first = outside.begin();
+  for (; first != outside.end(); ++first) {
+    chosen[*first] = true;
+    if (is_met(received_signal(table_, unmet_label, chosen, question_), requirement)) break;
+  }
+  milp::Row cut{1.0, milp::infinity, {}, "cut"};
+  for (; first != outside.end(); ++first) cut.entries.push_back({*first, 1.0});
+  model_.rows.push_back(std::move(cut));
+}
+
+}  // namespace shelfbeam::detail

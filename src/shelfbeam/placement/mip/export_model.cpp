@@ -1,0 +1,74 @@
+#include "shelfbeam/placement/mip/export_model.hpp"
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+
+namespace shelfbeam {
+
+std::vector<double> first_objective(const SignalTable& table, const Question& question) {
+  if (question.combination == Combination::lexicographic) return std::vector<double>(table.columns(), 1.0);
+  std::vector<double> cost = objective_coefficients(table, question);
+  for (std::size_t j = 0; j < cost.size(); ++j) cost[j] += table.transceivers[j].cost;
+  return cost;
+}
+
+milp::Model model_without_failures(const SignalTable& table, const Question& question) {
+  const bool cooperative = question.model == CommunicationModel::cooperative;
+  const std::vector<double> cost = first_objective(table, question);
+  milp::Model model;
+  for (std::size_t j = 0; j < table.columns(); ++j) {
+    const SignalTable::Transceiver& unit = table.transceivers[j];
+    model.columns.push_back({cost[j], unit.installed ? 1.0 : 0.0, 1.0, true, unit.id});
+  }
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double requirement = requirement_of(table.labels[i], question.model);
+    const double units = question.redundant ? 2.0 : 1.0;
+    milp::Row row{cooperative ? 1 - met_tolerance : units, milp::infinity, {}, table.labels[i].id};
+    for (const SignalEntry& entry : table.row(i)) {
+      if (cooperative)
+        row.entries.push_back({entry.transceiver, entry.signal / requirement});
+      else if (is_met(entry.signal, requirement))
+        row.entries.push_back({entry.transceiver, 1.0});
+    }
+    model.rows.push_back(std::move(row));
+  }
+  for (const auto& mount : table.mounts) {
+    milp::Row row{-milp::infinity, 1.0, {}, "mount_" + table.transceivers[mount.front()].id};
+    for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
+    model.rows.push_back(std::move(row));
+  }
+  for (const auto& [a, b] : table.apart)
+    model.rows.push_back({-milp::infinity,
+                          1.0,
+                          {{a, 1.0}, {b, 1.0}},
+                          "apart_" + table.transceivers[a].id + "_" + table.transceivers[b].id});
+  return model;
+}
+
+milp::Row failure_row(const SignalTable& table, std::size_t label, std::uint32_t failed) {
+  const SignalTable::Label& of = table.labels[label];
+  milp::Row row{1 - met_tolerance, milp::infinity, {}, of.id + "_without_" + table.transceivers[failed].id};
+  for (const SignalEntry& entry : table.row(label))
+    if (entry.transceiver != failed)
+      row.entries.push_back({entry.transceiver, entry.signal / of.requirement});
+  return row;
+}
+
+milp::Model placement_model(const SignalTable& table, const Question& question) {
+  milp::Model model = model_without_failures(table, question);
+  if (!question.redundant || question.model == CommunicationModel::non_cooperative) return model;
+  std::size_t entries = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i) entries += table.row(i).size() * (table.row(i).size() - 1);
+  if (entries > largest_model)
+    throw InputError("--survive-failure",
+                     fmt::format("needs {} entries in the model's file, and at most {} are written", entries,
+                                 largest_model),
+                     "use 'shelfbeam place', which adds the rows as it needs them");
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    for (const SignalEntry& entry : table.row(i))
+      model.rows.push_back(failure_row(table, i, entry.transceiver));
+  return model;
+}
+
+}  // namespace shelfbeam

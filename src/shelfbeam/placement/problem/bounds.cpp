@@ -1,0 +1,63 @@
+#include "shelfbeam/placement/problem/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+#include "shelfbeam/placement/problem/checker.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double solver_tolerance = 1e-6;
+
+}  // namespace
+
+std::size_t least_count(const SignalTable& table, const Question& question) {
+  std::vector<std::uint32_t> installed;
+  for (std::uint32_t j = 0; j < table.columns(); ++j)
+    if (table.transceivers[j].installed) installed.push_back(j);
+  const std::size_t least =
+      installed.size() + (check_selection(table, question, installed).unmet.empty() ? 0 : 1);
+  return question.redundant && table.rows() > 0 ? std::max<std::size_t>(least, 2) : least;
+}
+
+CostBounds::CostBounds(const SignalTable& table, std::span<const double> cost) {
+  for (std::size_t j = 0; j < cost.size(); ++j) {
+    whole_ = whole_ && cost[j] == std::round(cost[j]);
+    if (table.transceivers[j].installed) {
+      installed_cost_ += cost[j];
+      ++installed_;
+    } else {
+      ascending_.push_back(cost[j]);
+    }
+  }
+  std::sort(ascending_.begin(), ascending_.end());
+}
+
+double CostBounds::cheapest(std::size_t count) const {
+  const std::size_t further = std::min(count > installed_ ? count - installed_ : 0, ascending_.size());
+  return std::accumulate(ascending_.begin(), ascending_.begin() + static_cast<std::ptrdiff_t>(further),
+                         installed_cost_);
+}
+
+std::size_t CostBounds::fewest(double cost) const {
+  const double enough = cost * (1 - solver_tolerance);
+  double spent = installed_cost_;
+  std::size_t count = installed_;
+  for (auto dearest = ascending_.rbegin(); dearest != ascending_.rend() && spent < enough; ++dearest) {
+    spent += *dearest;
+    ++count;
+  }
+  return count;
+}
+
+double CostBounds::rounded(double bound) const {
+  const double slack = solver_tolerance * std::max(1.0, std::abs(bound));
+  if (!whole_ || !(slack < 0.5)) return bound;
+  return std::ceil(bound - slack);
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,76 @@
+#include "shelfbeam/placement/problem/instance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+
+namespace shelfbeam {
+
+double received_signal(std::span<const SignalEntry> row, const std::vector<bool>& chosen,
+                       const Question& question) {
+  const bool cooperative = question.model == CommunicationModel::cooperative;
+  double result = 0, largest = 0;
+  for (const SignalEntry& entry : row) {
+    if (!chosen[entry.transceiver]) continue;
+    // Passing on the smaller of two leaves out the largest of all without subtracting it, which could cancel.
+    const double part = question.redundant ? std::min(largest, entry.signal) : entry.signal;
+    largest = std::max(largest, entry.signal);
+    result = cooperative ? result + part : std::max(result, part);
+  }
+  return result;
+}
+
+double received_signal(const SignalTable& table, std::size_t label, const std::vector<bool>& chosen,
+                       const Question& question) {
+  return received_signal(table.row(label), chosen, question);
+}
+
+void check_question(const SignalTable& table, const Question& question) {
+  for (const SignalTable::Label& label : table.labels) {
+    const double requirement = requirement_of(label, question.model);
+    if (!(requirement > 0) || !std::isfinite(requirement))
+      throw InputError("label " + label.id, "has no requirement that a signal could meet",
+                       "set one for all labels with --threshold");
+  }
+  if (!(question.share > 0) || !std::isfinite(question.share))
+    throw InputError("--share", fmt::format("is {}", question.share),
+                     "use a number greater than 0, such as 1");
+}
+
+LabelCosts label_costs(const SignalTable& table, Objective objective) {
+  LabelCosts result{std::vector<double>(table.rows(), 0.0), false};
+  if (objective == Objective::count) return result;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    result.cost[i] = objective == Objective::signal ? table.labels[i].signal_cost : table.labels[i].link_cost;
+  result.unit = std::none_of(result.cost.begin(), result.cost.end(), [](double cost) { return cost > 0; });
+  if (result.unit) std::fill(result.cost.begin(), result.cost.end(), 1.0);
+  return result;
+}
+
+std::vector<double> objective_coefficients(const SignalTable& table, const Question& question) {
+  std::vector<double> result(table.columns(), 0.0);
+  if (question.objective == Objective::count) return result;
+  const std::vector<double> cost = label_costs(table, question.objective).cost;
+  const bool cooperative = question.model == CommunicationModel::cooperative;
+  if (question.objective == Objective::links && cooperative) {
+    std::fill(result.begin(), result.end(), std::accumulate(cost.begin(), cost.end(), 0.0));
+    return result;
+  }
+  const double share = question.objective == Objective::effective_links ? question.share : 1.0;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double least = share * requirement_of(table.labels[i], question.model);
+    for (const SignalEntry& entry : table.row(i)) {
+      if (question.objective == Objective::signal)
+        result[entry.transceiver] += cost[i] * entry.signal;
+      else if (is_met(entry.signal, least))
+        result[entry.transceiver] += cost[i];
+    }
+  }
+  return result;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,228 @@
+#include "shelfbeam/placement/reduce/reductions.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+
+#include "shelfbeam/placement/problem/cover_rows.hpp"
+#include "shelfbeam/placement/reduce/bit_rows.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr std::uint32_t none = ~std::uint32_t{0};
+
+std::string_view bytes(std::span<const std::uint64_t> words) {
+  return {reinterpret_cast<const char*>(words.data()), words.size_bytes()};
+}
+
+/// The elements of 0 ... n - 1 that `keep` names.
+std::vector<std::uint32_t> indices(const std::vector<bool>& keep) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t k = 0; k < keep.size(); ++k)
+    if (keep[k]) result.push_back(k);
+  return result;
+}
+
+class CoverReducer {
+ public:
+  CoverReducer(const SignalTable& table, const Question& question, std::span<const double> cost,
+               const std::vector<bool>& pinned, const std::function<bool()>& stop)
+      : table_(table),
+        stop_(stop),
+        cost_(cost),
+        pinned_(pinned.empty() ? std::vector<bool>(table.columns(), false) : pinned),
+        mount_(table.columns(), none),
+        rows_(table.rows(), table.columns()),
+        open_(table.columns(), true),
+        forced_(table.columns(), false),
+        unmet_(table.rows(), true) {
+    const CoverRows cover(table, question);
+    for (std::uint32_t i = 0; i < table.rows(); ++i)
+      cover.for_entries(i, [&](std::uint32_t j, double) { rows_.add(i, j); });
+    for (std::uint32_t k = 0; k < table.mounts.size(); ++k)
+      for (const std::uint32_t j : table.mounts[k]) mount_[j] = k;
+  }
+
+  Reduction run() {
+    for (std::uint32_t j = 0; j < table_.columns(); ++j)
+      if (table_.transceivers[j].installed) force(j);
+    drop_met_labels();
+    drop_dominated_labels();
+    while (!infeasible_ && !stops() && (force_columns() || drop_dominated_columns())) drop_dominated_labels();
+    Reduction result{infeasible_, indices(forced_), {}};
+    if (!infeasible_) result.parts = parts();
+    return result;
+  }
+
+ private:
+  bool stops() const { return stop_ && stop_(); }
+
+  void force(std::uint32_t column) {
+    if (mount_[column] != none)
+      for (const std::uint32_t option : table_.mounts[mount_[column]]) open_[option] = false;
+    open_[column] = false;
+    forced_[column] = true;
+  }
+
+  std::vector<std::uint32_t> open_columns(std::uint32_t label) const {
+    std::vector<std::uint32_t> columns;
+    rows_.for_each(label, [&](std::uint32_t j) {
+      if (open_[j]) columns.push_back(j);
+    });
+    return columns;
+  }
+
+  void drop_met_labels() {
+    for (std::uint32_t i = 0; i < unmet_.size(); ++i)
+      rows_.for_each(i, [&](std::uint32_t j) {
+        if (forced_[j]) unmet_[i] = false;
+      });
+  }
+
+  // A forced option shuts others out, which may leave a label with one column or with none.
+  bool force_columns() {
+    bool forced_any = false;
+    for (bool changed = true; changed && !infeasible_;) {
+      changed = false;
+      for (std::uint32_t i = 0; i < unmet_.size() && !infeasible_; ++i) {
+        if (!unmet_[i]) continue;
+        const auto columns = open_columns(i);
+        infeasible_ = columns.empty();
+        if (columns.size() != 1) continue;
+        force(columns.front());
+        drop_met_labels();
+        changed = forced_any = true;
+      }
+    }
+    return forced_any;
+  }
+
+  // Smaller labels first: only a smaller one can be part of another. Each is kept with its rarest column, so
+  // a label meets only those that have a column of its own for their rarest.
+  void drop_dominated_labels() {
+    const std::vector<std::uint32_t> labels = indices(unmet_);
+    BitRows rows(labels.size(), table_.columns());
+    std::vector<std::uint32_t> size(labels.size(), 0), reached(table_.columns(), 0);
+    for (std::size_t k = 0; k < labels.size(); ++k)
+      for (const std::uint32_t j : open_columns(labels[k])) rows.add(k, j), ++size[k], ++reached[j];
+
+    std::vector<std::uint32_t> order;
+    std::unordered_set<std::string_view> seen;
+    for (std::uint32_t k = 0; k < labels.size(); ++k) {
+      if (seen.insert(bytes(rows.row(k))).second)
+        order.push_back(k);
+      else
+        unmet_[labels[k]] = false;
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return size[a] < size[b]; });
+    std::vector<std::vector<std::uint32_t>> kept(table_.columns());
+    for (const std::uint32_t k : order) {
+      if (k % 64 == 0 && stops()) return;
+      std::uint32_t rarest = none;
+      bool dominated = false;
+      rows.for_each(k, [&](std::uint32_t j) {
+        if (rarest == none || reached[j] < reached[rarest]) rarest = j;
+        dominated = dominated || std::any_of(kept[j].begin(), kept[j].end(),
+                                             [&](std::uint32_t other) { return rows.is_subset(other, k); });
+      });
+      if (dominated)
+        unmet_[labels[k]] = false;
+      else if (rarest != none)
+        kept[rarest].push_back(k);
+    }
+  }
+
+  bool may_replace(std::uint32_t in, std::uint32_t out) const {
+    return !pinned_[in] && (mount_[in] == none || mount_[in] == mount_[out]) && cost_[in] <= cost_[out];
+  }
+
+  bool drop_dominated_columns() {
+    const std::vector<std::uint32_t> labels = indices(unmet_);
+    std::vector<std::vector<std::uint32_t>> columns(labels.size());
+    BitRows reach(table_.columns(), labels.size());
+    for (std::uint32_t k = 0; k < labels.size(); ++k) {
+      columns[k] = open_columns(labels[k]);
+      for (const std::uint32_t j : columns[k]) reach.add(j, k);
+    }
+    bool dropped = false;
+    // One after the other, each against those that are left: of equal ones the first stays.
+    for (auto j = static_cast<std::uint32_t>(table_.columns()); j-- > 0;) {
+      if (!open_[j] || pinned_[j]) continue;
+      if (j % 64 == 0 && stops()) break;
+      const std::vector<std::uint32_t>* fewest = nullptr;
+      reach.for_each(j, [&](std::uint32_t k) {
+        if (fewest == nullptr || columns[k].size() < fewest->size()) fewest = &columns[k];
+      });
+      const bool is_dominated =
+          fewest == nullptr || std::any_of(fewest->begin(), fewest->end(), [&](std::uint32_t other) {
+            return other != j && open_[other] && may_replace(other, j) && reach.is_subset(j, other);
+          });
+      if (!is_dominated) continue;
+      open_[j] = false;
+      dropped = true;
+    }
+    return dropped;
+  }
+
+  std::vector<CoverPart> parts() const {
+    std::vector<std::uint32_t> parent(table_.columns());
+    std::iota(parent.begin(), parent.end(), 0U);
+    const auto root = [&](std::uint32_t j) {
+      while (parent[j] != j) j = parent[j] = parent[parent[j]];
+      return j;
+    };
+    const auto join = [&](const std::vector<std::uint32_t>& columns) {
+      for (const std::uint32_t j : columns) parent[root(j)] = root(columns.front());
+    };
+    const std::vector<std::uint32_t> labels = indices(unmet_);
+    for (const std::uint32_t i : labels) join(open_columns(i));
+    std::vector<std::uint32_t> pinned;
+    for (std::uint32_t j = 0; j < table_.columns(); ++j)
+      if (open_[j] && pinned_[j]) pinned.push_back(j);
+    join(pinned);
+    for (std::vector<std::uint32_t> mount : table_.mounts) {
+      std::erase_if(mount, [&](std::uint32_t j) { return !open_[j]; });
+      join(mount);
+    }
+
+    std::vector<CoverPart> result;
+    std::vector<std::uint32_t> part(table_.columns(), none);
+    const auto part_of = [&](std::uint32_t column) -> CoverPart& {
+      std::uint32_t& k = part[root(column)];
+      if (k == none) {
+        k = static_cast<std::uint32_t>(result.size());
+        result.emplace_back();
+      }
+      return result[k];
+    };
+    for (const std::uint32_t i : labels) part_of(open_columns(i).front()).labels.push_back(i);
+    for (std::uint32_t j = 0; j < table_.columns(); ++j)
+      if (open_[j]) part_of(j).columns.push_back(j);
+    return result;
+  }
+
+  const SignalTable& table_;
+  const std::function<bool()>& stop_;
+  std::span<const double> cost_;
+  std::vector<bool> pinned_;
+  std::vector<std::uint32_t> mount_;  ///< index into SignalTable::mounts, or none
+  BitRows rows_;                      ///< per label: the columns that reach it, open or not
+  std::vector<bool> open_;            ///< per column: neither forced nor dropped
+  std::vector<bool> forced_;
+  std::vector<bool> unmet_;  ///< per label: neither met nor dropped
+  bool infeasible_ = false;
+};
+
+}  // namespace
+
+Reduction reduce_cover(const SignalTable& table, const Question& question, std::span<const double> cost,
+                       const std::vector<bool>& pinned, const std::function<bool()>& stop) {
+  return CoverReducer(table, question, cost, pinned, stop).run();
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,289 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
+#include "shelfbeam/placement/kernels/search_problem.hpp"
+#include "shelfbeam/placement/tree/proof.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+// Sums in double precision are off by far less.
+constexpr double slack = 1e-10;
+// Sums of another order, or of ratios, decide near-ties of the rule otherwise: so much less is asked for.
+constexpr double rounding = 1e-12;
+// What the search takes for met, and lower still: whoever meets the rule has that.
+constexpr double relaxed = (1 - met_tolerance) * (1 - search_tolerance);
+
+class ProofChecker {
+ public:
+  ProofChecker(const SignalTable& table, const Question& question, const Proof& proof,
+               const CheckLimits& limits)
+      : table_(table), question_(question), problem_(table, question), proof_(proof), limits_(limits) {
+    is_sum_ = question.model == CommunicationModel::cooperative;
+    for (const std::uint32_t i : proof.rows) {
+      rows_.push_back(dense(known(i), 1 - met_tolerance));
+      if (!is_sum_) relaxed_rows_.push_back(dense(i, relaxed));
+    }
+  }
+
+  ProofVerdict judge() {
+    if (!proof_.is_complete) return ProofVerdict::left_open;
+    const bool is_proven = holds();
+    if (ran_out_) return ProofVerdict::unfinished;
+    if (is_proven) return ProofVerdict::holds;
+    return is_open_ ? ProofVerdict::left_open : ProofVerdict::refuted;
+  }
+
+ private:
+  bool holds() {
+    if (proof_.most_cost < 0) return true;  // no selection costs so little
+    chosen_.assign(table_.columns(), false);
+    std::vector<bool> allowed = problem_.available;
+    for (const std::uint32_t j : problem_.installed) take(j);
+    if (problem_.installed.size() > proof_.most_units) return true;
+    // There is nothing to choose beyond all columns.
+    const std::size_t units = std::min(proof_.most_units - problem_.installed.size(), table_.columns());
+    return node(allowed, units) && at_ == proof_.steps.size();
+  }
+
+  std::uint32_t known(std::uint32_t label) const {
+    if (label >= table_.rows()) throw std::out_of_range("the table has no such label");
+    return label;
+  }
+
+  // What columns give a label: parts of its requirement, or whether they alone give `least` of it.
+  std::vector<double> dense(std::uint32_t i, double least) const {
+    std::vector<double> row(table_.columns(), 0.0);
+    const double requirement = requirement_of(table_.labels[i], question_.model);
+    for (const SignalEntry& entry : table_.row(i))
+      row[entry.transceiver] = is_sum_                               ? entry.signal / requirement
+                               : entry.signal >= requirement * least ? 1.0
+                                                                     : 0.0;
+    return row;
+  }
+
+  bool label_is_met(std::uint32_t i) const {
+    return is_met(received_signal(table_, i, chosen_, question_),
+                  requirement_of(table_.labels[i], question_.model));
+  }
+
+  // What the row lacks of `demand` (cooperative), or of the units that must reach it.
+  double lacking(const std::vector<double>& row, double demand = 1 - met_tolerance - rounding) const {
+    double sum = 0, best = 0;
+    for (const std::uint32_t j : taken_) {
+      sum += row[j];
+      best = std::max(best, row[j]);
+    }
+    if (is_sum_) return std::max(0.0, demand - (question_.redundant ? sum - best : sum));
+    return std::max(0.0, (question_.redundant ? 2 : 1) - sum);
+  }
+
+  void take(std::uint32_t j) {
+    taken_.push_back(j);
+    chosen_[j] = true;
+    spent_ += problem_.cost[j];
+  }
+  void give_back() {
+    spent_ -= problem_.cost[taken_.back()];
+    chosen_[taken_.back()] = false;
+    taken_.pop_back();
+  }
+
+  std::uint32_t next() {
+    if (at_ == proof_.steps.size()) throw std::out_of_range("the proof ends early");
+    return proof_.steps[at_++];
+  }
+
+  std::vector<double> values(const std::vector<float>& weights, double price, std::size_t units,
+                             const std::vector<bool>& allowed, double& need) const {
+    // By the search's rule, which is below the contract's: what meets the one meets the other, and near-ties
+    // count as they did there.
+    const auto& rows = is_sum_ ? rows_ : relaxed_rows_;
+    std::vector<double> value(table_.columns(), 0.0);
+    std::vector<std::uint32_t> columns;
+    for (std::uint32_t j = 0; j < value.size(); ++j)
+      if (allowed[j]) columns.push_back(j);
+    need = 0;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const auto weight = static_cast<double>(weights.at(r));
+      if (!(weight >= 0) || !std::isfinite(weight)) throw std::out_of_range("a weight is no such number");
+      const double open = lacking(rows[r], relaxed);
+      if (open == 0) continue;
+      const double shift = is_sum_ ? Proof::shift * open / static_cast<double>(units) : 0;
+      const double counted = open - static_cast<double>(units) * shift;
+      need += weight * counted;
+      for (const std::uint32_t j : columns)
+        value[j] += weight * std::min(counted, std::max(0.0, rows[r][j] - shift));
+    }
+    for (const std::uint32_t j : columns) value[j] -= price * static_cast<double>(problem_.cost[j]);
+    return value;
+  }
+
+  struct Sums {
+    double most = 0, without_one = 0;
+  };
+  static Sums largest(const std::vector<double>& value, const std::vector<bool>& allowed, std::size_t count) {
+    std::vector<double> positive;
+    for (std::size_t j = 0; j < value.size(); ++j)
+      if (allowed[j] && value[j] > 0) positive.push_back(value[j]);
+    const std::size_t largest = std::min(count, positive.size());
+    std::partial_sort(positive.begin(), positive.begin() + static_cast<std::ptrdiff_t>(largest),
+                      positive.end(), std::greater<>());
+    Sums sums;
+    for (std::size_t k = 0; k < largest; ++k) {
+      sums.most += positive[k];
+      if (k + 1 < count) sums.without_one += positive[k];
+    }
+    return sums;
+  }
+
+  // Reads one node's steps; whether they prove it.
+  bool node(std::vector<bool> allowed, std::size_t units) {
+    while (!is_over()) {
+      for (std::size_t j = 0; j < allowed.size(); ++j)
+        allowed[j] = allowed[j] && problem_.cost[j] <= proof_.most_cost - spent_;
+      switch (next()) {
+        case Proof::cost_fails:
+          return spent_ > proof_.most_cost || taken_.size() > proof_.most_units;
+        case Proof::row_fails:
+          if (const std::uint32_t row = known(next()); label_is_met(row)) return false;
+          return units == 0;
+        case Proof::sum_fails: {
+          const Weighing w = weighing(units, allowed);
+          return w.paid + largest(w.value, allowed, units).most < w.need * (1 - slack);
+        }
+        case Proof::filter: {
+          const Weighing w = weighing(units, allowed);
+          const double others = w.paid + largest(w.value, allowed, units).without_one;
+          for (std::size_t j = 0; j < allowed.size(); ++j)
+            if (others + w.value[j] < w.need * (1 - slack)) allowed[j] = false;
+          break;
+        }
+        case Proof::single_fails:
+          return units == 1 && every_single_fails(allowed);
+        case Proof::branch:
+          return branch(std::move(allowed), units);
+        case Proof::open:
+          is_open_ = true;
+          return false;
+        default:
+          return false;
+      }
+    }
+    return false;
+  }
+
+  bool is_over() {
+    constexpr std::uint64_t between_looks = 64;
+    if (++looks_ % between_looks == 0)
+      ran_out_ = ran_out_ || limits_.control.cancelled() || std::chrono::steady_clock::now() >= limits_.until;
+    return ran_out_;
+  }
+
+  struct Weighing {
+    std::vector<double> value;
+    double need = 0, paid = 0;
+  };
+  Weighing weighing(std::size_t units, const std::vector<bool>& allowed) {
+    if (units == 0) throw std::out_of_range("no unit is left to weigh");
+    const std::uint32_t id = next();
+    const auto price = static_cast<double>(std::bit_cast<float>(next()));
+    if (!(price >= 0) || !std::isfinite(price)) throw std::out_of_range("a price is no such number");
+    Weighing w;
+    w.value = values(proof_.weights.at(id >> 16).at(id & 0xFFFF), price, units, allowed, w.need);
+    const std::int64_t left = proof_.most_cost - spent_;
+    w.paid = price > 0 && left > 0 ? price * static_cast<double>(left) : 0;
+    // Such a price proves nothing, and differences of large numbers must not seem to.
+    if (w.paid > 2 * w.need) throw std::out_of_range("a price is too high");
+    return w;
+  }
+
+  bool every_single_fails(const std::vector<bool>& allowed) {
+    bool is_unmet = false;  // without any
+    for (std::uint32_t i = 0; i < table_.rows() && !is_unmet; ++i) is_unmet = !label_is_met(i);
+    if (!is_unmet) return false;
+    std::vector<double> open;
+    for (const auto& row : rows_) open.push_back(lacking(row));
+    for (std::uint32_t j = 0; j < allowed.size(); ++j) {
+      if (!allowed[j]) continue;
+      bool fails = false;
+      for (std::size_t r = 0; r < rows_.size() && !fails; ++r) fails = rows_[r][j] < open[r] - slack;
+      if (fails) continue;
+      take(j);
+      for (std::uint32_t i = 0; i < table_.rows() && !fails; ++i) fails = !label_is_met(i);
+      give_back();
+      if (!fails) return false;
+    }
+    return true;
+  }
+
+  bool branch(std::vector<bool> allowed, std::size_t units) {
+    const std::uint32_t label = known(next());
+    const bool by_cost = next() != 0;
+    const std::uint32_t count = next();
+    if (units == 0 || label_is_met(label)) return false;
+    const std::vector<double> row = dense(label, 1 - met_tolerance);
+    const double open = lacking(row);
+    const std::int64_t cost_left = proof_.most_cost - spent_;
+    std::vector<bool> listed(table_.columns(), false);
+    std::vector<bool> left = allowed;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t j = next();
+      listed.at(j) = true;
+      // The search may have listed what is too dear by now; such children fail at once.
+      std::vector<bool> below = left;
+      below[j] = false;
+      for (const std::uint32_t other : problem_.excludes[j]) below[other] = false;
+      if (chosen_[j]) return false;
+      take(j);
+      const bool is_proven = node(std::move(below), units - 1);
+      give_back();
+      if (!is_proven) return false;
+      left[j] = false;
+    }
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      if (!allowed[j] || listed[j] || row[j] == 0) continue;
+      const double part = !by_cost ? 1 / static_cast<double>(units)
+                          : cost_left > 0
+                              ? static_cast<double>(problem_.cost[j]) / static_cast<double>(cost_left)
+                              : 0;
+      if (row[j] >= open * part * (1 - slack)) return false;
+    }
+    return true;
+  }
+
+  const SignalTable& table_;
+  const Question& question_;
+  SearchProblem problem_;
+  const Proof& proof_;
+  const CheckLimits& limits_;
+  bool is_sum_ = true, is_open_ = false, ran_out_ = false;
+  std::uint64_t looks_ = 0;
+  std::vector<std::vector<double>> rows_, relaxed_rows_;
+  std::vector<std::uint32_t> taken_;
+  std::vector<bool> chosen_;
+  std::int64_t spent_ = 0;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+ProofVerdict judge_proof(const SignalTable& table, const Question& question, const Proof& proof,
+                         const CheckLimits& limits) {
+  try {
+    return ProofChecker(table, question, proof, limits).judge();
+  } catch (const std::out_of_range&) {
+    return ProofVerdict::refuted;
+  }
+}
+
+bool check_proof(const SignalTable& table, const Question& question, const Proof& proof) {
+  return judge_proof(table, question, proof) == ProofVerdict::holds;
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/placement/tree/tree_walk.hpp"
+
+namespace shelfbeam::detail {
+
+TreeRun::TreeRun(const SearchProblem& p, const SearchMatrix& a, const SearchMatrix& m, const TreeGoal& g,
+                 const TreeSearch::Limits& l, const RunControl& control)
+    : problem(p),
+      all(a),
+      matrix(m),
+      goal(g),
+      limits(l),
+      rule(receiving(p.question)),
+      control_(control),
+      is_searched_(a.rows(), false),
+      most_work_(l.work > 0 ? l.work : std::numeric_limits<std::uint64_t>::max()),
+      most_cost_(g.most_cost),
+      margin_(g.least_margin),
+      widest_(g.start) {
+  if (goal.kind == TreeGoal::Kind::widest) {
+    std::vector<float> memory;
+    margin_ = margin_of(problem.table, problem.question, all, goal.start, memory).smallest;
+  }
+  for (std::size_t i = 0; i < matrix.rows(); ++i) is_searched_[matrix.row(i)] = true;
+}
+
+TreeRun::TreeRun(const TreeRun& whole, std::uint64_t shares)
+    : problem(whole.problem),
+      all(whole.all),
+      matrix(whole.matrix),
+      goal(whole.goal),
+      limits(whole.limits),
+      rule(whole.rule),
+      control_(whole.control_),
+      is_searched_(whole.is_searched_),
+      most_work_((whole.most_work_ - std::min(whole.most_work_, whole.work())) / shares),
+      nodes_before_(whole.nodes()),
+      misses_before_(whole.misses_),
+      misses_(whole.misses_.load()),
+      logged_(whole.logged_.load()),
+      most_cost_(whole.most_cost()),
+      margin_(whole.margin_.load()),
+      widest_(whole.widest_),
+      found_(whole.found_any()),
+      cut_(whole.was_cut()) {}
+
+void TreeRun::join(const TreeRun& part) {
+  nodes_ += part.nodes();
+  work_ += part.work();
+  misses_ += part.misses_ - part.misses_before_;
+  for (const auto& [row, number] : part.missed_) missed_[row] += number;
+  is_part_cut_ = is_part_cut_ || !part.is_complete();
+  std::vector<float> memory;
+  if (part.best && !found_any()) offer(*part.best, memory);
+}
+
+bool TreeRun::ends() {
+  constexpr std::uint64_t between_looks = 64;
+  const std::uint64_t node = nodes_.fetch_add(1, std::memory_order_relaxed);
+  if (work() >= most_work_) cut_.store(true, std::memory_order_relaxed);
+  if (node % between_looks == 0) {
+    if (control_.cancelled() || node >= limits.nodes || std::chrono::steady_clock::now() >= limits.until ||
+        misses_rows())
+      cut_.store(true, std::memory_order_relaxed);
+    if (const std::unique_lock lock(reporting_, std::try_to_lock); lock.owns_lock() && control_.progress)
+      control_.report("tree search", -1,
+                      fmt::format("{} nodes, {} units", nodes_before_ + node, goal.most_units));
+  }
+  return was_cut() || found_any();
+}
+
+double TreeRun::exact_target() const {
+  const double rule_alone = 1 - met_tolerance;
+  return goal.kind == TreeGoal::Kind::cheapest
+             ? rule_alone
+             : std::max(rule_alone, margin_.load(std::memory_order_relaxed));
+}
+
+float TreeRun::target() const {
+  constexpr double largest = 1e5;  // a matrix holds no more than ten times that
+  return static_cast<float>(std::min(exact_target(), largest) * (1 - search_tolerance));
+}
+
+Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float>& memory) {
+  const Margin margin = margin_of(problem.table, problem.question, all, selected, memory);
+  count_work(all.padded_rows() * selected.size());
+  if (!margin.is_met) return margin;
+  const std::lock_guard lock(mutex_);
+  std::vector<std::uint32_t> sorted(selected.begin(), selected.end());
+  std::sort(sorted.begin(), sorted.end());
+  switch (goal.kind) {
+    case TreeGoal::Kind::any:
+      if (margin.smallest < goal.least_margin || found_any()) break;
+      best = std::move(sorted);
+      found_.store(true, std::memory_order_relaxed);
+      break;
+    case TreeGoal::Kind::cheapest: {
+      const std::int64_t cost = problem.cost_of(selected);
+      if (cost > most_cost()) break;
+      best = std::move(sorted);
+      most_cost_.store(cost - 1, std::memory_order_relaxed);
+      break;
+    }
+    case TreeGoal::Kind::widest:
+      if (problem.cost_of(selected) > goal.most_cost) break;
+      if (const double now = margin_.load(std::memory_order_relaxed);
+          margin.smallest < now || (margin.smallest == now && (sorted.size() > widest_.size() ||
+                                                               (sorted.size() == widest_.size() &&
+                                                                !problem.is_first_by_id(sorted, widest_)))))
+        break;
+      best = widest_ = std::move(sorted);
+      margin_.store(margin.smallest, std::memory_order_relaxed);
+  }
+  return margin;
+}
+
+void TreeRun::miss(std::uint32_t row) {
+  if (is_searched_[row]) return;
+  misses_.fetch_add(1, std::memory_order_relaxed);
+  const std::lock_guard lock(mutex_);
+  ++missed_[row];
+}
+
+std::vector<std::uint32_t> TreeRun::missed_rows() const {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> by_number;
+  for (const auto& [row, number] : missed_) by_number.emplace_back(number, row);
+  std::sort(by_number.rbegin(), by_number.rend());
+  std::vector<std::uint32_t> rows;
+  rows.reserve(by_number.size());
+  for (const auto& [number, row] : by_number) rows.push_back(row);
+  return rows;
+}
+
+}  // namespace shelfbeam::detail

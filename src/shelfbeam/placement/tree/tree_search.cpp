@@ -1,0 +1,117 @@
+#include "shelfbeam/placement/tree/tree_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <tbb/task_arena.h>
+
+#include "shelfbeam/placement/tree/tree_walk.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr std::size_t rows_at_first = 128;
+
+}  // namespace
+
+TreeSearch::TreeSearch(const SearchProblem& problem, const SearchMatrix& all)
+    : problem_(problem), all_(all), rule_(receiving(problem.question)) {}
+
+// The rows that multiplicative weights find hardest for so many units.
+void TreeSearch::choose_rows(std::size_t units) {
+  rows_.resize(all_.rows());
+  std::iota(rows_.begin(), rows_.end(), 0U);
+  weights_.assign(all_.rows(), 1.0F);
+  if (all_.rows() <= rows_at_first) return;
+  const std::size_t padded = all_.padded_rows();
+  std::vector<float> weight(padded, 1.0F), lacking(padded, 0.0F), share(padded, 0.0F), shift(padded, 0.0F),
+      unused(padded, 0.0F), load(padded), gain(all_.columns());
+  std::fill_n(lacking.begin(), all_.rows(), 1.0F);
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t j = 0; j < all_.columns(); ++j)
+    if (problem_.available[j]) order.push_back(j);
+  const std::size_t count = std::min(units, order.size());
+  constexpr int steps = 60;
+  constexpr float rate = 0.4F;
+  for (int step = 0; step < steps; ++step) {
+    const SearchKernels::Rows rows{lacking.data(), weight.data(), share.data(), shift.data(), 1.0F, padded};
+    for (const std::uint32_t j : order)
+      gain[j] = SearchKernels::gain(rule_, all_.column(j), 1.0F, rows, unused.data());
+    std::partial_sort(
+        order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+        [&](std::uint32_t a, std::uint32_t b) { return gain[a] > gain[b] || (gain[a] == gain[b] && a < b); });
+    std::fill(load.begin(), load.end(), 0.0F);
+    for (std::size_t k = 0; k < count; ++k)
+      SearchKernels::load(rule_, all_.column(order[k]), rows, load.data());
+    float largest = 0;
+    for (std::size_t i = 0; i < all_.rows(); ++i) {
+      weight[i] *= std::exp(rate * std::clamp(1 - load[i], -2.0F, 1.0F));
+      largest = std::max(largest, weight[i]);
+    }
+    for (float& w : weight) w = std::max(w / largest, 1e-12F);
+  }
+  std::partial_sort(rows_.begin(), rows_.begin() + rows_at_first, rows_.end(),
+                    [&](std::uint32_t a, std::uint32_t b) {
+                      return weight[a] > weight[b] || (weight[a] == weight[b] && a < b);
+                    });
+  rows_.resize(rows_at_first);
+  weights_.clear();
+  for (const std::uint32_t i : rows_) weights_.push_back(std::max(weight[i], 1e-4F));
+}
+
+void TreeSearch::begin_with(std::span<const std::uint32_t> rows, std::span<const double> weights) {
+  rows_.assign(rows.begin(), rows.end());
+  matrix_.reset();
+  const double largest = weights.empty() ? 0 : *std::max_element(weights.begin(), weights.end());
+  constexpr double least = 1e-4;
+  weights_.clear();
+  for (const double weight : weights)
+    weights_.push_back(static_cast<float>(largest > 0 ? std::max(weight / largest, least) : 1));
+}
+
+TreeAnswer TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const RunControl& control) {
+  constexpr std::size_t rows_at_once = 32;
+  constexpr float weight_of_new = 0.3F;
+  TreeAnswer answer;
+  if (rows_.empty()) choose_rows(wanted.most_units);
+  TreeGoal goal = wanted;
+  Limits left = limits;
+  const int threads = control.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(control.threads);
+  tbb::task_arena arena(threads);
+  while (true) {
+    if (!matrix_) matrix_.emplace(problem_.table, problem_.question.model, rows_);
+    TreeRun run(problem_, all_, *matrix_, goal, left, control);
+    TreeWalk root(run, weights_, 0);
+    arena.execute([&] { root.from_root(); });
+    std::copy_n(root.weights().begin(), weights_.size(), weights_.begin());
+    answer.nodes += run.nodes();
+    if (run.best) {
+      answer.selected = run.best;
+      if (goal.kind == TreeGoal::Kind::cheapest) goal.most_cost = problem_.cost_of(*run.best) - 1;
+      if (goal.kind == TreeGoal::Kind::widest) goal.start = *run.best;
+    }
+    answer.is_complete = run.is_complete() || (goal.kind == TreeGoal::Kind::any && run.best.has_value());
+    if (answer.is_complete || !run.misses_rows() || control.cancelled() ||
+        std::chrono::steady_clock::now() >= limits.until || answer.nodes >= limits.nodes) {
+      if (limits.wants_proof) {
+        answer.proof.most_units = goal.most_units;
+        answer.proof.most_cost = goal.most_cost;
+        answer.proof.rows = rows_;
+        root.move_log_to(answer.proof);
+        answer.proof.is_complete = answer.is_complete && !run.found_any();
+      }
+      return answer;
+    }
+    const std::vector<std::uint32_t> missed = run.missed_rows();
+    for (std::size_t k = 0; k < std::min(rows_at_once, missed.size()); ++k) {
+      rows_.push_back(missed[k]);
+      weights_.push_back(weight_of_new);
+    }
+    matrix_.reset();
+    if (limits.work > 0) left.work -= std::min(left.work - 1, run.work());
+  }
+}
+
+}  // namespace shelfbeam::detail

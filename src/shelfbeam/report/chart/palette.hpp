@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/report/chart/svg.hpp"
+
+namespace shelfbeam {
+
+/// A range of margins that is drawn alike. Classes 0 and 1 are labels that are not met: larger, triangular
+/// and outlined, so that they stand out without colour.
+struct MarginClass {
+  double from;  ///< dB
+  const char* name;
+};
+
+inline constexpr std::array<MarginClass, 7> margin_classes{{{-1e300, "more than 3 dB short"},
+                                                            {-3, "up to 3 dB short"},
+                                                            {0, "0 to 1 dB"},
+                                                            {1, "1 to 3 dB"},
+                                                            {3, "3 to 6 dB"},
+                                                            {6, "6 to 10 dB"},
+                                                            {10, "above 10 dB"}}};
+
+/// `met` decides on which side of 0 dB a margin at the tolerance falls.
+std::size_t margin_class(double margin_db, bool met);
+
+/// Log classes of signal with edges 1, 2, 5 times powers of ten.
+struct SignalScale {
+  std::vector<double> edges;  ///< ascending; class k from edges[k] on, class 0 also what is below
+
+  /// Covers the positive values from their 5 % quantile up, so that a few faint ones do not take the colours
+  /// from all others; at most `most_classes` classes down from the largest.
+  explicit SignalScale(const std::vector<double>& values, std::size_t most_classes = 12);
+  std::size_t classes() const { return edges.size() - 1; }
+  std::size_t class_of(double signal) const;
+};
+
+/// The viridis colour map at t in [0, 1] as "#rrggbb"; its lightness rises with t, also for colour-blind
+/// eyes.
+std::string viridis(double t);
+
+/// <g id="m0"> ... for margin classes, <g id="g0"> ... and "gz" (no signal) for signal classes.
+void define_margin_marks(SvgCanvas& canvas, double radius);
+/// <g id="hollow">, drawn upon a label's mark, and "hollow-key", such a mark for legends.
+void define_hollow_mark(SvgCanvas& canvas, double radius);
+void define_signal_marks(SvgCanvas& canvas, const SignalScale& scale, double radius);
+
+/// CSS variables --g0.. : dark is strong on paper, bright is strong on a dark screen.
+std::string signal_colours(const SignalScale& scale, bool dark);
+
+}  // namespace shelfbeam

@@ -1,0 +1,130 @@
+#include "shelfbeam/report/chart/scatter_chart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/chart/svg.hpp"
+#include "shelfbeam/report/data/scale.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double side = 440, left = 92, right = 24, top = 20, bottom = 62;
+constexpr std::size_t most_bars = 400;  // more error bars hide the dots
+constexpr std::size_t many = 2000;      // dots that may stand a little closer than they can be told apart
+
+struct Kind {
+  ScatterChart::Mark mark;
+  const char* shape;
+  const char* meaning;
+};
+constexpr std::array<Kind, 3> kinds{
+    {{ScatterChart::Mark::usual, "<circle class=\"m5\" r=\"4\"/>", "fitted"},
+     {ScatterChart::Mark::faint, "<circle class=\"gz\" r=\"4\"/>", "too faint to decide"},
+     {ScatterChart::Mark::outlier, "<path class=\"m1\" d=\"M0 -7L6 4H-6Z\"/>", "outlier"}}};
+
+std::string symbol(ScatterChart::Mark mark) {
+  return fmt::format("s{}", static_cast<int>(mark));
+}
+
+// Decades, and 2 and 5 where there are few of them.
+std::vector<double> ticks(double low, double high) {
+  std::vector<double> result;
+  const bool few = high - low < 2.5;
+  for (int decade = static_cast<int>(std::floor(low)); decade <= high; ++decade)
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double at = decade + std::log10(factor);
+      if ((factor == 1 || few) && at >= low && at <= high) result.push_back(at);
+    }
+  while (result.size() > 8) {  // every second decade
+    std::vector<double> half;
+    for (std::size_t k = 0; k < result.size(); k += 2) half.push_back(result[k]);
+    result = std::move(half);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string scatter_svg(const ScatterChart& chart) {
+  if (chart.dots.empty()) return {};
+  double low = 1e300, high = -1e300;
+  for (const auto& dot : chart.dots) {
+    low = std::min({low, std::log10(dot.x), std::log10(dot.y)});
+    high = std::max({high, std::log10(dot.x), std::log10(dot.y)});
+  }
+  low -= 0.06 * std::max(high - low, 0.5);
+  high += 0.06 * std::max(high - low, 0.5);
+  const double unit = side / (high - low);
+  const auto x = [&](double decade) { return left + (decade - low) * unit; };
+  const auto y = [&](double decade) { return top + side - (decade - low) * unit; };
+  const auto inside = [&](double decade) { return std::clamp(decade, low, high); };
+  const auto log_or_low = [&](double value) { return value > 0 ? inside(std::log10(value)) : low; };
+
+  SvgCanvas canvas;
+  canvas.raw("<defs>");
+  for (const Kind& kind : kinds)
+    canvas.raw(fmt::format("<g id=\"{}\">{}</g>", symbol(kind.mark), kind.shape));
+  canvas.raw("</defs>\n");
+  for (const double at : ticks(low, high)) {
+    canvas.line({x(at), top}, {x(at), top + side}, "grid");
+    canvas.line({left, y(at)}, {left + side, y(at)}, "grid");
+    canvas.text({x(at), top + side + 21}, plain(std::pow(10, at)), "t mid");
+    canvas.text({left - 8, y(at) + 4}, plain(std::pow(10, at)), "t end");
+  }
+  canvas.line({left, top + side}, {left + side, top + side}, "axis");
+  canvas.line({left, top}, {left, top + side}, "axis");
+  if (chart.dots.size() <= most_bars)
+    for (const auto& dot : chart.dots) {
+      const double at_x = std::log10(dot.x), at_y = std::log10(dot.y);
+      if (dot.x_error > 0)
+        canvas.line({x(log_or_low(dot.x - dot.x_error)), y(at_y)},
+                    {x(log_or_low(dot.x + dot.x_error)), y(at_y)}, "tick");
+      if (dot.y_error > 0)
+        canvas.line({x(at_x), y(log_or_low(dot.y - dot.y_error))},
+                    {x(at_x), y(log_or_low(dot.y + dot.y_error))}, "tick");
+    }
+  const double cell = chart.dots.size() > many ? 2.5 : 0.5;
+  std::set<std::pair<int, int>> taken;
+  const auto draw = [&](ScatterChart::Mark mark) {
+    for (const auto& dot : chart.dots) {
+      if (dot.mark != mark) continue;
+      const Point at{x(std::log10(dot.x)), y(std::log10(dot.y))};
+      const bool is_new = taken.emplace(static_cast<int>(at.x / cell), static_cast<int>(at.y / cell)).second;
+      if (is_new || mark == ScatterChart::Mark::outlier) canvas.use(symbol(mark), at, dot.title);
+    }
+  };
+  draw(ScatterChart::Mark::faint);
+  draw(ScatterChart::Mark::usual);
+  canvas.line({x(low), y(low)}, {x(high), y(high)}, "equal");
+  if (const double band = chart.band_db / 10; band > 0 && band < high - low)
+    for (const double offset : {band, -band}) {
+      const double from = std::max(low, low - offset), to = std::min(high, high - offset);
+      canvas.line({x(from), y(from + offset)}, {x(to), y(to + offset)}, "mark");
+    }
+  draw(ScatterChart::Mark::outlier);
+  canvas.text({left + side / 2, top + side + 50}, chart.x_title, "t mid");
+  canvas.text({16, top + side / 2}, chart.y_title, "t mid", -90);
+  return inline_svg(left + side + right, top + side + bottom, "chart", chart.description, canvas.body());
+}
+
+std::string scatter_legend(const ScatterChart& chart) {
+  std::string items;
+  for (const Kind& kind : kinds) {
+    const bool occurs = std::any_of(chart.dots.begin(), chart.dots.end(),
+                                    [&](const ScatterChart::Dot& dot) { return dot.mark == kind.mark; });
+    if (occurs)
+      items += fmt::format("<li><svg class=\"key\" viewBox=\"-10 -10 20 20\">{}</svg>{}</li>\n", kind.shape,
+                           kind.meaning);
+  }
+  return "<ul class=\"legend\">\n" + items + "</ul>\n";
+}
+
+}  // namespace shelfbeam

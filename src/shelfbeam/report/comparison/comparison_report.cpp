@@ -1,0 +1,195 @@
+#include "shelfbeam/report/comparison/comparison_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/csv.hpp"
+#include "shelfbeam/report/chart/histogram_chart.hpp"
+#include "shelfbeam/report/chart/scatter_chart.hpp"
+#include "shelfbeam/report/data/scale.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/page/page_style.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr std::size_t most_rows = 20;
+
+const char* use_name(PairUse use) {
+  constexpr const char* names[] = {"fitted", "uncertain", "nothing-measured"};
+  return names[static_cast<std::size_t>(use)];
+}
+
+std::string residual_text(const PairResult& result) {
+  return result.residual ? decibels(*result.residual) : "–";
+}
+
+// Measured signals are divided by the factor, so that agreement is the diagonal.
+std::string scatter_figure(const ComparisonInput& input) {
+  const Comparison& comparison = input.comparison;
+  std::vector<double> values;
+  for (const ComparedPair& pair : input.pairs)
+    if (pair.simulated > 0) values.push_back(pair.simulated);
+  std::sort(values.begin(), values.end());
+  const SignalUnit unit = signal_unit(values[values.size() / 2]);
+  ScatterChart chart;
+  chart.description = "Measured signals, divided by the factor, over simulated signals on logarithmic axes";
+  chart.band_db = comparison.ninety_residual;
+  chart.x_title = fmt::format("simulated ({})", unit.name);
+  chart.y_title = fmt::format("measured / {} ({})", significant(comparison.factor), unit.name);
+  std::size_t absent = 0;
+  for (std::size_t k = 0; k < input.pairs.size(); ++k) {
+    const ComparedPair& pair = input.pairs[k];
+    const PairResult& result = comparison.pairs[k];
+    if (!result.residual) {
+      ++absent;
+      continue;
+    }
+    const double scaled = pair.measured / comparison.factor;
+    const auto mark = result.outlier                  ? ScatterChart::Mark::outlier
+                      : result.use == PairUse::fitted ? ScatterChart::Mark::usual
+                                                      : ScatterChart::Mark::faint;
+    chart.dots.push_back(
+        {pair.simulated / unit.factor, scaled / unit.factor, pair.standard_error / unit.factor,
+         pair.error.value_or(0) / comparison.factor / unit.factor, mark,
+         fmt::format("{}: simulated {}, measured / factor {}, {}", pair_name(input.matrix, pair),
+                     unit.text(pair.simulated), unit.text(scaled), decibels(*result.residual))});
+  }
+  std::string note = fmt::format(
+      "The line is agreement; 90\u00A0% of the fitted pairs lie between the dashed lines, {}\u00A0dB from "
+      "it.",
+      fixed(comparison.ninety_residual, 2));
+  if (absent > 0)
+    note += fmt::format(" {} without a positive signal on both sides {} not drawn.", counted(absent, "pair"),
+                        absent == 1 ? "is" : "are");
+  return html_figure("Measured and simulated signals", scatter_svg(chart) + scatter_legend(chart), note);
+}
+
+std::string residual_figure(const Comparison& comparison) {
+  std::vector<double> residuals;  // those of outliers would leave the others a bar or two
+  for (const std::size_t k : comparison.worst) residuals.push_back(*comparison.pairs[k].residual);
+  if (residuals.empty()) return {};
+  const auto [least, most] = std::minmax_element(residuals.begin(), residuals.end());
+  const double width = round_step(std::max(*most - *least, 0.1) / 20);
+  const auto first = static_cast<long>(std::floor(*least / width));
+  const auto last = std::max(first + 1, static_cast<long>(std::floor(*most / width)) + 1);
+  HistogramChart chart;
+  chart.description = "Histogram of the residuals of the fitted pairs in decibels";
+  for (long k = first; k < last; ++k) {
+    const double from = static_cast<double>(k) * width, to = static_cast<double>(k + 1) * width;
+    const auto count = std::count_if(residuals.begin(), residuals.end(),
+                                     [&](double value) { return value >= from && value < to; });
+    chart.bars.push_back({from, to, static_cast<double>(count), "bar",
+                          fmt::format("{} to {} dB: {}", plain(from), plain(to),
+                                      counted(static_cast<std::uint64_t>(count), "pair"))});
+  }
+  const double low = chart.bars.front().from, high = chart.bars.back().to;
+  for (const double value : multiples(low, high, round_step((high - low) / 6)))
+    chart.ticks.push_back({value, plain(value)});
+  chart.lines.push_back({0, "the factor"});
+  chart.x_title = "measured beyond factor × simulated (dB)";
+  chart.y_title = "pairs";
+  const std::size_t outliers = comparison.fitted - residuals.size();
+  const std::string note =
+      fmt::format("{} {} not drawn.", counted(outliers, "outlier"), outliers == 1 ? "is" : "are");
+  return html_figure("Residuals of the fitted pairs", histogram_svg(chart), outliers > 0 ? note : "");
+}
+
+std::string pair_table(const ComparisonInput& input, const std::vector<std::size_t>& pairs) {
+  HtmlTable table({{"Label", false},
+                   {"Transceiver", false},
+                   {"Measured"},
+                   {"Expected"},
+                   {"Residual"},
+                   {"Standard deviations"}});
+  for (std::size_t k = 0; k < std::min(pairs.size(), most_rows); ++k) {
+    const ComparedPair& pair = input.pairs[pairs[k]];
+    const PairResult& result = input.comparison.pairs[pairs[k]];
+    table.add_row({input.matrix.labels[pair.label].id,
+                   pair.transceiver ? input.matrix.transceivers[*pair.transceiver].id : "all",
+                   significant(pair.measured), significant(result.expected), residual_text(result),
+                   significant(result.standardized, 2)});
+  }
+  std::string html = table.html();
+  if (pairs.size() > most_rows)
+    html += paragraph(
+        fmt::format("The first {} of {}; comparison.csv has all.", most_rows, grouped(pairs.size())), "note");
+  return html;
+}
+
+std::string transceiver_section(const ComparisonInput& input) {
+  const auto& residuals = input.comparison.transceivers;
+  if (residuals.size() < 2) return {};
+  std::vector<TransceiverResidual> sorted = residuals;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return std::abs(a.median) > std::abs(b.median); });
+  HtmlTable table({{"Transceiver", false}, {"Fitted pairs"}, {"Median residual"}});
+  for (std::size_t k = 0; k < std::min(sorted.size(), most_rows); ++k)
+    table.add_row({input.matrix.transceivers[sorted[k].transceiver].id, grouped(sorted[k].pairs),
+                   decibels(sorted[k].median)});
+  std::string html = table.html();
+  if (sorted.size() > most_rows)
+    html += paragraph(fmt::format("The first {} of {}.", most_rows, grouped(sorted.size())), "note");
+  return html_section("transceivers", "Transceivers, the furthest off first", html);
+}
+
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
+}
+
+}  // namespace
+
+std::string comparison_csv(const ComparisonInput& input) {
+  std::string csv =
+      "label,transceiver,measured,error,simulated,standard_error,scaled,residual_db,standardized,use,"
+      "outlier\n";
+  for (std::size_t k = 0; k < input.pairs.size(); ++k) {
+    const ComparedPair& pair = input.pairs[k];
+    const PairResult& result = input.comparison.pairs[k];
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(input.matrix.labels[pair.label].id),
+                       pair.transceiver ? csv_field(input.matrix.transceivers[*pair.transceiver].id) : "",
+                       number(pair.measured), pair.error ? number(*pair.error) : "", number(pair.simulated),
+                       number(pair.standard_error), number(pair.measured / input.comparison.factor),
+                       result.residual ? number(*result.residual) : "", number(result.standardized),
+                       use_name(result.use), result.outlier ? 1 : 0);
+  }
+  return csv;
+}
+
+std::string comparison_html(const ComparisonInput& input) {
+  const Comparison& comparison = input.comparison;
+  const std::vector<std::string> statements = comparison_statements(comparison);
+  const bool bad = (comparison.test && comparison.test->rejected()) || !comparison.outliers.empty();
+  std::string body = fmt::format(
+      "<header class=\"{}\">\n<p class=\"kicker\">Measurement and simulation</p>\n<h1>{} beside {}</h1>\n"
+      "<p class=\"answer\">{}</p>\n",
+      bad ? "open" : "yes", escape(input.measured_name), escape(input.simulated_name), escape(statements[0]));
+  for (std::size_t k = 1; k < statements.size(); ++k) body += paragraph(statements[k], "remark");
+  body += "</header>\n";
+  body += html_section(
+      "signals", "How they agree",
+      "<div class=\"pair\">\n" + scatter_figure(input) + residual_figure(comparison) + "</div>\n");
+  if (!comparison.outliers.empty())
+    body += html_section("outliers", counted(comparison.outliers.size(), "outlier"),
+                         paragraph("Pairs that are further off than chance would have it once in a hundred "
+                                   "comparisons. Look for a wrong id, something in the way, a wrong material "
+                                   "or a saturated receiver.") +
+                             pair_table(input, comparison.outliers));
+  body += html_section("worst",
+                       comparison.outliers.empty() ? "Fitted pairs that are furthest off"
+                                                   : "Fitted pairs that are furthest off, outliers aside",
+                       pair_table(input, comparison.worst));
+  body += transceiver_section(input);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{} beside "
+      "{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
+      escape(input.measured_name), escape(input.simulated_name), page_style(), body);
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "shelfbeam/signal/measured/comparison.hpp"
+#include "shelfbeam/signal/signal_matrix.hpp"
+
+namespace shelfbeam {
+
+/// What a report of a comparison is made of.
+struct ComparisonInput {
+  const SignalMatrix& matrix;
+  std::span<const ComparedPair> pairs;
+  const Comparison& comparison;
+  std::string measured_name, simulated_name;  ///< of the files
+};
+
+/// comparison.csv (docs/formats/measurements.md): a row a pair, in the order of the measurements.
+std::string comparison_csv(const ComparisonInput& input);
+
+/// A self-contained page: the answer, the signals on two logarithmic axes, the residuals, the worst pairs.
+std::string comparison_html(const ComparisonInput& input);
+
+/// "A1-front-0-3 from G0-3-2"; the label alone where several units were measured at once.
+std::string pair_name(const SignalMatrix& matrix, const ComparedPair& pair);
+
+/// What a comparison says, a sentence or two each; the factor comes first.
+std::vector<std::string> comparison_statements(const Comparison& comparison);
+
+}  // namespace shelfbeam

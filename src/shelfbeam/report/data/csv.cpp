@@ -1,0 +1,79 @@
+#include "shelfbeam/base/csv.hpp"
+
+#include <cmath>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/data/outcome.hpp"
+#include "shelfbeam/report/data/report.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// Nine significant digits keep 32-bit values; nothing for what is not a number.
+std::string field(double value) {
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
+}
+
+std::string row(std::initializer_list<std::string> fields) {
+  std::string line;
+  for (const std::string& text : fields) {
+    if (&text != fields.begin()) line += ',';
+    line += text;
+  }
+  return line + '\n';
+}
+
+}  // namespace
+
+std::string labels_csv(const ReportInput& input) {
+  const SignalMatrix& matrix = input.matrix;
+  const Outcome outcome = outcome_of(matrix, input.placement);
+  const bool has_direct = matrix.direct.size() == matrix.mean.size();
+  std::string csv =
+      "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted\n";
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    const LabelRow& label = matrix.labels[i];
+    const LabelOutcome& result = outcome.labels[i];
+    std::string serving;
+    for (const std::uint32_t column : result.reached_by)
+      serving += (serving.empty() ? "" : ";") + matrix.transceivers[column].id;
+    const bool is_known = !matrix.flags.empty() && !input.placement.selected.empty();
+    csv +=
+        row({csv_field(label.id), field(label.position.x), field(label.position.y), field(label.position.z),
+             field(label.normal.x), field(label.normal.y), field(label.normal.z), csv_field(label.type),
+             field(label.requirement), field(result.signal), field(result.margin()),
+             has_direct && result.signal > 0 ? field(result.direct / result.signal) : "", csv_field(serving),
+             result.strongest ? csv_field(matrix.transceivers[*result.strongest].id) : "",
+             !is_known                 ? ""
+             : result.rests_on_flagged ? "no"
+                                       : "yes"});
+  }
+  return csv;
+}
+
+std::string placement_csv(const ReportInput& input) {
+  const SignalMatrix& matrix = input.matrix;
+  const Outcome outcome = outcome_of(matrix, input.placement);
+  std::map<std::string_view, double> roll_deg;
+  for (const Transceiver& transceiver : input.scene.transceivers)
+    roll_deg.emplace(transceiver.id, transceiver.roll_deg);
+  std::string csv = "id,x,y,z,ax,ay,az,roll_deg,type,cost,installed,reaches_alone,strongest_for,needed_by\n";
+  for (const UnitOutcome& unit : outcome.units) {
+    const TransceiverColumn& t = matrix.transceivers[unit.column];
+    const auto roll = roll_deg.find(t.id);
+    csv +=
+        row({csv_field(t.id), field(t.position.x), field(t.position.y), field(t.position.z), field(t.axis.x),
+             field(t.axis.y), field(t.axis.z), field(roll == roll_deg.end() ? 0 : roll->second),
+             csv_field(t.type), field(t.cost), t.installed ? "1" : "0", fmt::format("{}", unit.reaches_alone),
+             fmt::format("{}", unit.strongest_for), fmt::format("{}", unit.needed_by)});
+  }
+  return csv;
+}
+
+}  // namespace shelfbeam

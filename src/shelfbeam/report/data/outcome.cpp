@@ -1,0 +1,136 @@
+#include "shelfbeam/report/data/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "shelfbeam/placement/problem/mounts.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+std::vector<SignalEntry> entries_of(const SignalMatrix& matrix, std::size_t label) {
+  const auto row = matrix.mean_row(label);
+  std::vector<SignalEntry> entries;
+  for (std::uint32_t j = 0; j < row.size(); ++j) entries.push_back({j, static_cast<double>(row[j])});
+  return entries;
+}
+
+// Whether the label is not met by the entries that are not flagged, some of the chosen units' are and weigh
+// something beside its requirement, and no fresh samples have decided what becomes of it.
+bool rests_on_flagged(const SignalMatrix& matrix, const Placement& placement, const std::vector<bool>& chosen,
+                      std::size_t label) {
+  if (placement.certificate && placement.certificate->labels[label].verdict != Verdict::undecided)
+    return false;
+  constexpr double least = 0.02;
+  const double requirement = matrix.labels[label].requirement;
+  const auto is_flagged = [&](std::uint32_t column) { return matrix.is_flagged(matrix.at(label, column)); };
+  double flagged = 0;
+  for (const std::uint32_t column : placement.selected)
+    if (is_flagged(column)) flagged += static_cast<double>(matrix.mean[matrix.at(label, column)]);
+  if (!(flagged > least * requirement)) return false;
+  std::vector<SignalEntry> entries = entries_of(matrix, label);
+  std::erase_if(entries, [&](const SignalEntry& entry) { return is_flagged(entry.transceiver); });
+  return !is_met(received_signal(entries, chosen, placement.question), requirement);
+}
+
+LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placement, const Mounts& mounts,
+                           const std::vector<bool>& chosen, std::size_t label) {
+  const Question& question = placement.question;
+  const auto row = matrix.mean_row(label);
+  const auto direct = [&](std::uint32_t column) {
+    return matrix.direct.empty() ? 0.0 : static_cast<double>(matrix.direct[matrix.at(label, column)]);
+  };
+  LabelOutcome result;
+  result.requirement = matrix.labels[label].requirement;
+  std::optional<std::uint32_t> second;
+  for (const std::uint32_t column : placement.selected) {
+    const auto signal = static_cast<double>(row[column]);
+    if (is_met(signal, result.requirement)) result.reached_by.push_back(column);
+    result.direct += direct(column);
+    if (signal > result.strongest_signal) {
+      second = result.strongest;
+      result.strongest = column;
+      result.strongest_signal = signal;
+    } else if (signal > 0 && (!second || signal > static_cast<double>(row[*second]))) {
+      second = column;
+    }
+  }
+  const std::optional<std::uint32_t> counting = question.redundant ? second : result.strongest;
+  if (question.model == CommunicationModel::non_cooperative)
+    result.direct = counting ? direct(*counting) : 0;
+  else if (question.redundant && result.strongest)
+    result.direct -= direct(*result.strongest);
+  const std::vector<SignalEntry> entries = entries_of(matrix, label);
+  result.signal = received_signal(entries, chosen, question);
+  result.best = mounts.most_signal(entries, question);
+  result.met = !placement.selected.empty() && is_met(result.signal, result.requirement);
+  result.rests_on_flagged = rests_on_flagged(matrix, placement, chosen, label);
+  return result;
+}
+
+}  // namespace
+
+double margin_db(double signal, double requirement) {
+  if (requirement <= 0) return std::numeric_limits<double>::infinity();
+  return 10 * std::log10(signal / requirement);
+}
+
+std::vector<double> Outcome::direct_shares() const {
+  std::vector<double> shares;
+  for (const LabelOutcome& label : labels)
+    if (label.signal > 0) shares.push_back(label.direct / label.signal);
+  return shares;
+}
+
+std::vector<std::uint32_t> Outcome::served_by(std::size_t k) const {
+  const UnitOutcome& unit = units[k];
+  std::vector<std::uint32_t> served;
+  for (std::uint32_t i = 0; i < labels.size(); ++i) {
+    const auto& alone = labels[i].reached_by;
+    const bool serves = unit.reaches_alone > 0
+                            ? std::find(alone.begin(), alone.end(), unit.column) != alone.end()
+                            : labels[i].strongest == unit.column;
+    if (serves) served.push_back(i);
+  }
+  return served;
+}
+
+Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
+  Outcome outcome;
+  for (const std::uint32_t column : placement.selected) outcome.units.push_back({column, 0, 0, 0});
+  const Mounts mounts(shared_mounts(matrix), matrix.transceivers);
+  std::vector<bool> chosen(matrix.columns(), false);
+  for (const std::uint32_t column : placement.selected) chosen[column] = true;
+  // A unit is needed where its failure alone is too much, so nowhere in an answer to a redundant question.
+  Question nothing_fails = placement.question;
+  nothing_fails.redundant = false;
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    LabelOutcome label = label_outcome(matrix, placement, mounts, chosen, i);
+    const std::vector<SignalEntry> entries = entries_of(matrix, i);
+    if (label.met) ++outcome.met;
+    if (label.rests_on_flagged) ++outcome.on_flagged;
+    if (label.reached_by.size() > 1) ++outcome.redundant;
+    if (label.met && is_met(label.direct, label.requirement)) ++outcome.met_by_direct;
+    for (UnitOutcome& unit : outcome.units) {
+      if (is_met(static_cast<double>(matrix.mean[matrix.at(i, unit.column)]), label.requirement))
+        ++unit.reaches_alone;
+      if (label.strongest == unit.column) ++unit.strongest_for;
+      chosen[unit.column] = false;
+      if (label.met && !is_met(received_signal(entries, chosen, nothing_fails), label.requirement))
+        ++unit.needed_by;
+      chosen[unit.column] = true;
+    }
+    outcome.labels.push_back(std::move(label));
+  }
+  outcome.by_margin.resize(matrix.rows());
+  std::iota(outcome.by_margin.begin(), outcome.by_margin.end(), 0U);
+  std::stable_sort(outcome.by_margin.begin(), outcome.by_margin.end(),
+                   [&](auto a, auto b) { return outcome.labels[a].margin() < outcome.labels[b].margin(); });
+  return outcome;
+}
+
+}  // namespace shelfbeam

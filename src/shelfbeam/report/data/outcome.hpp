@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/signal/signal_matrix.hpp"
+#include "shelfbeam/stats/quantile.hpp"
+
+namespace shelfbeam {
+
+/// 10 log10(signal / requirement); minus infinity without signal, plus infinity without requirement.
+double margin_db(double signal, double requirement);
+
+/// What a placement does for one label.
+struct LabelOutcome {
+  double signal = 0;  ///< S_i: sum over the chosen units (cooperative), or the largest (non-cooperative);
+                      ///< of a redundant question without the strongest unit
+  double direct = 0;  ///< the part of `signal` that arrives without any reflection
+  double requirement = 0;  ///< gamma tau
+  double best = 0;         ///< the most it could get: from the best option of every mounting point together
+  bool met = false;        ///< signal >= requirement (1 - met_tolerance)
+  /// It has flagged entries (SignalMatrix::flags), is not met without them, and no certificate decides it.
+  bool rests_on_flagged = false;
+  std::optional<std::uint32_t> strongest;  ///< column of the chosen unit with the largest entry above 0
+  double strongest_signal = 0;
+  std::vector<std::uint32_t> reached_by;  ///< columns of the chosen units that reach it alone (l_ij = 1)
+
+  double margin() const { return margin_db(signal, requirement); }
+};
+
+/// What one chosen unit does.
+struct UnitOutcome {
+  std::uint32_t column = 0;
+  std::uint32_t reaches_alone = 0;  ///< labels with l_ij = 1
+  std::uint32_t strongest_for = 0;  ///< labels that get their largest entry from it
+  std::uint32_t needed_by = 0;      ///< labels that are met, and would not be without it
+};
+
+/// A placement seen from every label and every chosen unit, recomputed from the matrix in double precision.
+struct Outcome {
+  std::vector<LabelOutcome> labels;
+  std::vector<UnitOutcome> units;        ///< in the order of Placement::selected
+  std::vector<std::uint32_t> by_margin;  ///< labels, least margin first
+  std::size_t met = 0;                   ///< labels that are met
+  std::size_t met_by_direct = 0;         ///< labels that would be, were nothing reflected
+  std::size_t on_flagged = 0;            ///< labels that rest on flagged entries
+  std::size_t redundant = 0;             ///< labels that two or more chosen units reach alone (Table 3.1)
+  std::vector<double> direct_shares() const;  ///< direct / signal of every label with signal, label order
+
+  /// Labels that chosen unit k reaches alone; where there are none, those it is strongest for.
+  std::vector<std::uint32_t> served_by(std::size_t k) const;
+};
+
+Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement);
+
+}  // namespace shelfbeam

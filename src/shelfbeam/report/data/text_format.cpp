@@ -1,0 +1,89 @@
+#include "shelfbeam/report/data/text_format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace shelfbeam {
+
+std::string escape(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')
+          out += "\uFFFD";
+        else
+          out += c;
+    }
+  }
+  return out;
+}
+
+std::string fixed(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
+  const bool zero = text.find_first_not_of("0.") == std::string::npos;
+  return value < 0 && !zero ? "−" + text : text;
+}
+
+std::string significant(double value, int digits) {
+  if (value == 0) return "0";
+  if (!std::isfinite(value)) return value > 0 ? "∞" : value < 0 ? "−∞" : "–";
+  // Rounded first, so that 9.996 counts as 10.0 and not as 9.996 with two decimals.
+  const double rounded = std::stod(fmt::format("{:.{}e}", value, digits - 1));
+  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(rounded)) + 1e-12));
+  if (exponent < -4 || exponent > 6) {
+    const std::string mantissa = fixed(rounded / std::pow(10, exponent), digits - 1);
+    return fmt::format("{}·10^{}", mantissa, exponent);
+  }
+  return fixed(rounded, std::max(0, digits - 1 - exponent));
+}
+
+std::string decibels(double value, int decimals) {
+  if (std::isinf(value)) return value < 0 ? "no signal" : "no requirement";
+  // A label that is met by a hair should not read as if it had nothing to spare.
+  const std::string text = fixed(value, std::abs(value) < 0.095 ? std::max(decimals, 2) : decimals);
+  return (value > 0 && text != "0.00" ? "+" : "") + text + "\u00A0dB";
+}
+
+std::string percent(double share, int decimals) {
+  return fixed(100 * share, decimals) + "\u00A0%";
+}
+
+std::string with_joined_percent(std::string text) {
+  for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) text.replace(at, 2, "\u00A0%");
+  return text;
+}
+
+std::string plain(double value) {
+  const std::string text = fmt::format("{:.6g}", std::abs(value));
+  return value < 0 && text != "0" ? "−" + text : text;
+}
+
+SignalUnit signal_unit(double reference) {
+  constexpr std::array<std::pair<double, const char*>, 6> prefixes{
+      {{1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}, {1e-12, "p"}}};
+  for (const auto& [factor, prefix] : prefixes)
+    if (reference >= factor) return {factor, std::string(prefix) + "W/m²"};
+  return {};
+}
+
+}  // namespace shelfbeam

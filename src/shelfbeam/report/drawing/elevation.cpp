@@ -1,0 +1,178 @@
+#include "shelfbeam/report/drawing/elevation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/drawing/part_drawing.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// The fixture's own directions: u along it, v across it, both from its rotation.
+struct Directions {
+  double c, s;
+  explicit Directions(double rotation_deg)
+      : c(std::cos(rotation_deg * std::numbers::pi / 180)),
+        s(std::sin(rotation_deg * std::numbers::pi / 180)) {}
+  double u(double x, double y) const { return c * x + s * y; }
+  double v(double x, double y) const { return c * y - s * x; }
+};
+
+struct Span {
+  double low = std::numeric_limits<double>::max(), high = -low;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double size() const { return high - low; }
+};
+
+// A part or label seen from one side: across the view, upwards, and how near it is.
+struct Seen {
+  Span across;
+  double bottom, top, nearness;
+  const Part* part;
+};
+
+struct Outline {
+  Span u, v;
+  Outline(const Directions& d, const FixtureOutline& fixture) {
+    for (const auto& [x, y] : fixture.footprint) {
+      u.add(d.u(x, y));
+      v.add(d.v(x, y));
+    }
+  }
+};
+
+std::vector<std::uint32_t> labels_of(const Scene& scene, const FixtureOutline& fixture) {
+  constexpr double reach = 0.1;  // m
+  const Directions d(fixture.rotation_deg);
+  const Outline outline(d, fixture);
+  std::vector<std::uint32_t> labels;
+  for (std::uint32_t i = 0; i < scene.labels.size(); ++i) {
+    const Vec3& p = scene.labels[i].position;
+    const double u = d.u(p.x, p.y), v = d.v(p.x, p.y);
+    if (u > outline.u.low - reach && u < outline.u.high + reach && v > outline.v.low - reach &&
+        v < outline.v.high + reach && p.z <= fixture.height + reach)
+      labels.push_back(i);
+  }
+  return labels;
+}
+
+// Far to near, so that near things cover far ones.
+std::vector<Seen> view_parts(const Scene& scene, std::uint32_t fixture, const Directions& d, bool from_side,
+                             double towards) {
+  std::vector<Seen> seen;
+  for (const Part& part : scene.parts) {
+    if (part.fixture != fixture || part.kind == PartKind::shell) continue;
+    Span across, depth;
+    for (const auto& [x, y] : part.footprint) {
+      across.add(from_side ? d.u(x, y) : d.v(x, y));
+      depth.add(from_side ? d.v(x, y) : d.u(x, y));
+    }
+    seen.push_back({across, part.bottom, part.top, towards > 0 ? depth.high : -depth.low, &part});
+  }
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const Seen& a, const Seen& b) { return a.nearness < b.nearness; });
+  return seen;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> fixture_with_most_labels(const Scene& scene) {
+  std::optional<std::uint32_t> best;
+  std::size_t most = 0;
+  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
+    if (scene.fixtures[f].footprint.size() < 3) continue;
+    const std::size_t count = labels_of(scene, scene.fixtures[f]).size();
+    if (count > most) {
+      most = count;
+      best = f;
+    }
+  }
+  return best;
+}
+
+double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index, double top, double width) {
+  constexpr double left = 52, right = 60, gap = 78, heading = 58, below = 30;
+  const FixtureOutline& fixture = scene.fixtures[index];
+  const Directions d(fixture.rotation_deg);
+  const Outline outline(d, fixture);
+  const std::vector<std::uint32_t> labels = labels_of(scene, fixture);
+
+  const auto facing = [&](std::uint32_t i) {
+    return d.v(scene.labels[i].normal.x, scene.labels[i].normal.y);
+  };
+  const auto front = std::count_if(labels.begin(), labels.end(), [&](auto i) { return facing(i) < -0.5; });
+  const auto back = std::count_if(labels.begin(), labels.end(), [&](auto i) { return facing(i) > 0.5; });
+  const double towards = back > front ? 1 : -1;  // the viewer stands where v is large, or small
+
+  const double scale = std::min((width - left - right - gap) / (outline.u.size() + outline.v.size()), 190.0);
+  const double ground = top + heading + fixture.height * scale;
+  const auto up = [&](double z) { return ground - z * scale; };
+  // Seen from the back, u runs to the left.
+  const auto side_x = [&](double u) {
+    return left + (towards < 0 ? u - outline.u.low : outline.u.high - u) * scale;
+  };
+  const double end_left = left + outline.u.size() * scale + gap;
+  const auto end_x = [&](double v) { return end_left + (v - outline.v.low) * scale; };
+
+  canvas.text({left, top + 16}, fmt::format("{} from the side", fixture.id), "title");
+  canvas.text({left, top + 38},
+              fmt::format("the fixture with most labels ({}): {} m long, {} m deep, {} m high",
+                          grouped(labels.size()), fixed(outline.u.size(), 2), fixed(outline.v.size(), 2),
+                          fixed(fixture.height, 2)),
+              "sub");
+  const auto draw = [&](const std::vector<Seen>& parts, const auto& x) {
+    for (const Seen& seen : parts) {
+      const double a = x(seen.across.low), b = x(seen.across.high);
+      canvas.rect({std::min(a, b), up(seen.top)}, std::abs(b - a), (seen.top - seen.bottom) * scale,
+                  part_class(*seen.part));
+    }
+  };
+  draw(view_parts(scene, index, d, true, towards), side_x);
+  draw(view_parts(scene, index, d, false, -1), end_x);
+
+  std::vector<double> heights;
+  for (const std::uint32_t i : labels) {
+    const Vec3& p = scene.labels[i].position;
+    if (facing(i) * towards > 0.5)
+      canvas.rect({side_x(d.u(p.x, p.y)) - 3.5, up(p.z) - 2.5}, 7, 5, "tag", scene.labels[i].id);
+    const double out = facing(i);
+    const Point at{end_x(d.v(p.x, p.y)), up(p.z)};
+    canvas.line(at, {at.x + 7 * out, at.y - 7 * scene.labels[i].normal.z}, "label");
+    heights.push_back(p.z);
+  }
+  canvas.line({left - 12, ground}, {left + outline.u.size() * scale + 12, ground}, "ground");
+  canvas.line({end_left - 12, ground}, {end_left + outline.v.size() * scale + 12, ground}, "ground");
+  canvas.text({end_left + outline.v.size() * scale / 2, ground + 21}, "from its end", "t mid");
+  canvas.text({left + outline.u.size() * scale / 2, ground + 21},
+              fmt::format("{} m", fixed(outline.u.size(), 2)), "t mid");
+
+  // Heights of the labels between the two views, of the fixture on the left.
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end(), [](double a, double b) { return b - a < 0.02; }),
+                heights.end());
+  const double right_edge = left + outline.u.size() * scale;
+  double last = 1e9;
+  for (const double z : heights) {
+    canvas.line({right_edge + 3, up(z)}, {right_edge + 10, up(z)}, "tick");
+    if (last - up(z) < 14) continue;
+    canvas.text({right_edge + 14, up(z) + 4}, fixed(z, 2) + " m", "t");
+    last = up(z);
+  }
+  for (const double z : {0.0, fixture.height}) {
+    canvas.line({left - 10, up(z)}, {left - 3, up(z)}, "tick");
+    canvas.text({left - 14, up(z) + 4}, fixed(z, 2), "t end");
+  }
+  return heading + fixture.height * scale + below;
+}
+
+}  // namespace shelfbeam

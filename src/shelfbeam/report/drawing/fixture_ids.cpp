@@ -1,0 +1,155 @@
+#include "shelfbeam/report/drawing/fixture_ids.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/drawing/store_layer.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// A fixture's extent along and across its own direction.
+struct Extent {
+  Point centre;
+  double along = 0, across = 0, angle_deg = 0;
+};
+
+Extent extent_of(const PlanView& view, const FixtureOutline& fixture) {
+  const double turn = fixture.rotation_deg * std::numbers::pi / 180;
+  const double c = std::cos(turn), s = std::sin(turn);
+  double low_u = std::numeric_limits<double>::max(), high_u = -low_u, low_v = low_u, high_v = -low_u;
+  for (const auto& [x, y] : fixture.footprint) {
+    low_u = std::min(low_u, c * x + s * y);
+    high_u = std::max(high_u, c * x + s * y);
+    low_v = std::min(low_v, c * y - s * x);
+    high_v = std::max(high_v, c * y - s * x);
+  }
+  const double u = (low_u + high_u) / 2, v = (low_v + high_v) / 2;
+  Extent e{view.at(c * u - s * v, s * u + c * v), (high_u - low_u) * view.scale(),
+           (high_v - low_v) * view.scale(), -fixture.rotation_deg};
+  if (e.across > 1.001 * e.along) {
+    std::swap(e.along, e.across);
+    e.angle_deg -= 90;
+  }
+  // Upright: readable from below or from the right.
+  e.angle_deg = std::remainder(e.angle_deg, 180);
+  if (e.angle_deg > 89) e.angle_deg -= 180;
+  return e;
+}
+
+double text_width(const std::string& text, double size) {
+  constexpr double glyph = 0.62;  // of a bold sans-serif, as a share of its size
+  return glyph * size * static_cast<double>(text.size());
+}
+
+struct Rectangle {
+  double left = 0, top = 0, right = 0, bottom = 0;
+  bool meets(const Rectangle& o) const {
+    return left < o.right && o.left < right && top < o.bottom && o.top < bottom;
+  }
+  Point centre() const { return {(left + right) / 2, (top + bottom) / 2}; }
+};
+
+Rectangle bounds(const std::vector<Point>& points) {
+  if (points.empty()) return {};
+  Rectangle r{points[0].x, points[0].y, points[0].x, points[0].y};
+  for (const Point& p : points)
+    r = {std::min(r.left, p.x), std::min(r.top, p.y), std::max(r.right, p.x), std::max(r.bottom, p.y)};
+  return r;
+}
+
+// What an id should not cover: fixtures, the marks of labels, ids that stand beside their fixtures.
+std::vector<Rectangle> obstacles_of(const PlanView& view, const Scene& scene) {
+  std::vector<Rectangle> result;
+  for (const FixtureOutline& fixture : scene.fixtures)
+    result.push_back(bounds(view.outline(fixture.footprint)));
+  std::vector<Vec3> positions;
+  for (const Label& label : scene.labels) positions.push_back(label.position);
+  const double r = label_mark_radius(view, positions);
+  for (const Label& label : scene.labels) {
+    const Point p = label_mark_places(view, {&label.position, 1}, {&label.normal, 1}, r).front();
+    result.push_back({p.x - r, p.y - r, p.x + r, p.y + r});
+  }
+  return result;
+}
+
+struct IdPlace {
+  Rectangle text;
+  bool is_far = false;
+};
+
+// From the most to the least natural: beside the middle, beside a corner, above, below, then farther off.
+std::vector<IdPlace> places_around(const Rectangle& own, double width, double size) {
+  constexpr double near = 5, clear_of_marks = 17, far = 40;
+  const Point middle = own.centre();
+  std::vector<IdPlace> places;
+  const auto add = [&](double left, double top, bool is_far = false) {
+    places.push_back({{left, top, left + width, top + size}, is_far});
+  };
+  for (const double off : {near, clear_of_marks})
+    for (const double left : {own.right + off, own.left - off - width}) add(left, middle.y - size / 2);
+  for (const double left : {own.right + near, own.left - near - width})
+    for (const double top : {own.bottom - size, own.top}) add(left, top);
+  for (const double off : {near, clear_of_marks})
+    for (const double top : {own.top - off - size, own.bottom + off}) add(middle.x - width / 2, top);
+  for (const double left : {own.right + far, own.left - far - width})
+    for (const double top : {own.top - far - size, own.bottom + far}) add(left, top, true);
+  return places;
+}
+
+IdPlace free_place(const std::vector<Rectangle>& obstacles, const Rectangle& own, const PlanView& view,
+                   double width, double size) {
+  const std::vector<IdPlace> places = places_around(own, width, size);
+  const auto found = std::find_if(places.begin(), places.end(), [&](const IdPlace& place) {
+    const Rectangle& text = place.text;
+    return text.left > 0 && text.right < view.width() && text.top > 0 && text.bottom < view.height() &&
+           std::none_of(obstacles.begin(), obstacles.end(), [&](const auto& o) { return o.meets(text); });
+  });
+  return found == places.end() ? places.front() : *found;
+}
+
+void draw_leader(SvgCanvas& canvas, const Rectangle& text, const Rectangle& own) {
+  const Point from = own.centre();
+  canvas.line(
+      {std::clamp(from.x, text.left, text.right), std::clamp(from.y, text.top, text.bottom)},
+      {std::clamp(text.centre().x, own.left, own.right), std::clamp(text.centre().y, own.top, own.bottom)},
+      "tick");
+}
+
+}  // namespace
+
+void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  const double largest = 24, smallest = 9 * view.mark_share(), outside = 11 * view.mark_share();  // units
+  std::vector<Rectangle> obstacles = obstacles_of(view, scene);
+  for (std::size_t k = 0; k < scene.fixtures.size(); ++k) {
+    const FixtureOutline& fixture = scene.fixtures[k];
+    if (fixture.footprint.size() < 3) continue;
+    const Extent e = extent_of(view, fixture);
+    const double fits = std::min(0.66 * e.across, 0.92 * e.along / text_width(fixture.id, 1));
+    const bool inside = fits >= smallest;
+    const double size = inside ? std::min(fits, largest) : outside;
+    canvas.raw(fmt::format("<g style=\"font-size:min(var(--fid,14px),{}px)\">", coordinate(size)));
+    if (inside) {
+      const double down = 0.35 * size, radians = e.angle_deg * std::numbers::pi / 180;
+      canvas.text({e.centre.x - down * std::sin(radians), e.centre.y + down * std::cos(radians)}, fixture.id,
+                  "fid mid", e.angle_deg);
+    } else {
+      const Rectangle own = obstacles[k];
+      const IdPlace place = free_place(obstacles, own, view, text_width(fixture.id, size), size);
+      if (place.is_far) draw_leader(canvas, place.text, own);
+      const Point middle = place.text.centre();
+      canvas.text({middle.x, middle.y + 0.35 * size}, fixture.id, "fid mid");
+      obstacles.push_back(place.text);
+    }
+    canvas.close_group();
+  }
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/drawing/elevation.hpp"
+#include "shelfbeam/report/drawing/fixture_ids.hpp"
+#include "shelfbeam/report/drawing/mesh_silhouette.hpp"
+#include "shelfbeam/report/drawing/part_drawing.hpp"
+#include "shelfbeam/report/drawing/plan_view.hpp"
+#include "shelfbeam/report/drawing/store_layer.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// A mesh is drawn as it is, all else as the upright prisms that it consists of.
+void draw_parts(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  for (const std::uint32_t k : parts_seen_from_above(scene)) {
+    const Part& part = scene.parts[k];
+    if (const std::string silhouette = mesh_silhouette(view, scene, part); !silhouette.empty())
+      canvas.path(silhouette, part_class(part));
+    else
+      canvas.polygon(view.outline(part.footprint), part_class(part));
+  }
+  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f)
+    if (scene.fixtures[f].footprint.size() > 2 && mesh_silhouette(view, scene, f).empty())
+      canvas.polygon(view.outline(scene.fixtures[f].footprint), "outline");
+}
+
+// A dot where the label is and a tick the way it faces; labels above one another give one mark.
+void draw_labels(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  const double tick = 6 * view.mark_share(), dot = 1.8 * view.mark_share();
+  std::set<std::pair<std::string, std::string>> drawn;
+  std::string ticks, dots;
+  for (const Label& label : scene.labels) {
+    const Point at = view.at(label.position.x, label.position.y);
+    const std::string from = coordinate(at.x) + " " + coordinate(at.y);
+    const std::string step = coordinate(tick * label.normal.x) + " " + coordinate(-tick * label.normal.y);
+    if (!drawn.emplace(from, step).second) continue;
+    ticks += fmt::format("M{}l{}", from, step);
+    dots += fmt::format("M{0} {1}a{2} {2} 0 1 0 {3} 0a{2} {2} 0 1 0 -{3} 0", coordinate(at.x - dot),
+                        coordinate(at.y), coordinate(dot), coordinate(2 * dot));
+  }
+  if (ticks.empty()) return;
+  canvas.path(ticks, "label");
+  canvas.path(dots, "dot");
+}
+
+void draw_transceivers(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  std::vector<bool> installed;
+  for (const Transceiver& t : scene.transceivers) installed.push_back(t.installed);
+  draw_free_points(canvas, view, positions_of(scene.transceivers), installed);
+  std::string aims;
+  for (const Transceiver& t : scene.transceivers)
+    aims += aim_line(view.at(t.position.x, t.position.y), t.axis);
+  if (!aims.empty()) canvas.path(aims, "aim");
+  for (const Transceiver& t : scene.transceivers)
+    if (t.installed) {
+      const Point at = view.at(t.position.x, t.position.y);
+      canvas.rect({at.x - 6, at.y - 6}, 12, 12, "old", t.id);
+    }
+}
+
+std::string counts(const Scene& scene) {
+  const auto installed = std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
+                                       [](const Transceiver& t) { return t.installed; });
+  const std::size_t points = places_of(positions_of(scene.transceivers)).count;
+  const Vec3 size = scene.room ? *scene.room : scene.upper - scene.lower;
+  std::string text =
+      fmt::format("{} × {} × {} m · {} · {} · {}", plain(size.x), plain(size.y), plain(size.z),
+                  counted(scene.fixtures.size(), "fixture"), counted(scene.labels.size(), "label"),
+                  counted(scene.transceivers.size(), "candidate transceiver"));
+  if (points < scene.transceivers.size()) text += " at " + counted(points, "mounting point");
+  if (installed > 0) text += fmt::format(" ({} installed)", installed);
+  return text;
+}
+
+void draw_key(SvgCanvas& canvas, const Scene& scene, double y) {
+  const bool installed = std::any_of(scene.transceivers.begin(), scene.transceivers.end(),
+                                     [](const Transceiver& t) { return t.installed; });
+  double x = 360;
+  canvas.path(fmt::format("M{} {}v-8", x, y), "label");
+  canvas.circle({x, y}, 2.2, "dot");
+  canvas.text({x + 9, y + 1}, "label, facing this way", "t");
+  x += 180;
+  canvas.path(fmt::format("M{} {}h8m-4 -4v8", x - 4, y - 4), "cand");
+  const bool leans = std::any_of(scene.transceivers.begin(), scene.transceivers.end(),
+                                 [](const Transceiver& t) { return !aim_line({}, t.axis).empty(); });
+  if (leans) canvas.path(aim_line({x, y - 4}, {1, 0, 0}), "aim");
+  canvas.text({x + (leans ? 24 : 10), y + 1},
+              leans ? "candidate transceiver, leaning this way" : "candidate transceiver", "t");
+  if (!installed) return;
+  x += leans ? 312 : 180;
+  canvas.rect({x - 6, y - 10}, 12, 12, "old");
+  canvas.text({x + 12, y + 1}, "installed", "t");
+}
+
+}  // namespace
+
+std::string floor_plan_svg(const Scene& scene) {
+  constexpr double heading = 84, margin = 24;
+  const PlanView view(scene, heading);
+  SvgCanvas canvas;
+  view.draw_floor(canvas);
+  draw_parts(canvas, view, scene);
+  draw_labels(canvas, view, scene);
+  draw_transceivers(canvas, view, scene);
+  draw_fixture_ids(canvas, view, scene);
+  view.draw_axes(canvas);
+  canvas.text({margin, 34}, scene.name.empty() ? "Store" : scene.name, "title");
+  canvas.text({margin, 60}, counts(scene), "sub");
+  draw_key(canvas, scene, view.height() - 17);
+
+  double height = view.height();
+  if (const auto fixture = fixture_with_most_labels(scene))
+    height += margin + draw_elevation(canvas, scene, *fixture, height + margin, view.width());
+  height += margin;
+  const std::string w = coordinate(view.width()), h = coordinate(height);
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
+      "<title>{2}</title>\n<style>{3}</style>\n<rect class=\"paper\" width=\"{0}\" "
+      "height=\"{1}\"/>\n{4}</svg>\n",
+      w, h, escape(scene.name.empty() ? "Store" : scene.name), drawing_style(), canvas.body());
+}
+
+}  // namespace shelfbeam

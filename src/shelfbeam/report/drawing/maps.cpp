@@ -1,0 +1,225 @@
+#include "shelfbeam/report/drawing/maps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/report/drawing/fixture_ids.hpp"
+#include "shelfbeam/report/drawing/store_layer.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double unit_radius = 13;
+
+std::size_t find_fullest(const std::vector<ShelfLevel>& levels) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < levels.size(); ++k)
+    if (levels[k].labels.size() > levels[best].labels.size()) best = k;
+  return best;
+}
+
+std::vector<double> signals_of(const ReportData& data, std::size_t level) {
+  std::vector<double> values;
+  if (level < data.levels.size())
+    for (const std::uint32_t label : data.levels[level].labels) {
+      values.push_back(data.outcome.labels[label].direct);
+      values.push_back(data.outcome.labels[label].signal);
+    }
+  return values;
+}
+
+std::string key(const std::string& symbol, const std::string& text) {
+  return fmt::format(
+      "<li><svg class=\"key\" viewBox=\"-14 -14 28 28\" aria-hidden=\"true\"><use "
+      "href=\"#{}\"/></svg>{}</li>",
+      symbol, escape(text));
+}
+
+// A line out of the unit's disc the way that it leans, if it does.
+std::string nose_of(const TransceiverColumn& unit) {
+  const double lean = std::hypot(unit.axis.x, unit.axis.y);
+  const std::string line =
+      lean > 0 ? aim_line({unit_radius * unit.axis.x / lean, -unit_radius * unit.axis.y / lean}, unit.axis)
+               : "";
+  return line.empty() ? "" : fmt::format("<path class=\"k aim\" d=\"{}\"/>", line);
+}
+
+std::string unit_symbol(const TransceiverColumn& unit) {
+  return unit.installed ? "unit-old" : "unit";
+}
+
+}  // namespace
+
+Maps::Maps(const ReportData& data)
+    : data_(data),
+      view_(data.input.scene),
+      fullest_(find_fullest(data.levels)),
+      scale_(signals_of(data, fullest_)),
+      radius_(label_mark_radius(view_, positions_of(data.input.matrix.labels))) {}
+
+double Maps::shown_signal(std::uint32_t label) const {
+  const LabelOutcome& outcome = data_.outcome.labels[label];
+  return data_.has_selection() ? outcome.signal : outcome.best;
+}
+
+std::vector<Point> Maps::places(const ShelfLevel& level) const {
+  std::vector<Vec3> positions, normals;
+  for (const std::uint32_t label : level.labels) {
+    positions.push_back(data_.label(label).position);
+    normals.push_back(data_.label(label).normal);
+  }
+  return label_mark_places(view_, positions, normals, radius_);
+}
+
+std::string Maps::definitions() const {
+  SvgCanvas canvas;
+  canvas.raw("<svg class=\"defs\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>\n");
+  define_margin_marks(canvas, radius_);
+  define_hollow_mark(canvas, radius_);
+  define_signal_marks(canvas, scale_, radius_);
+  canvas.raw(fmt::format("<g id=\"unit\"><circle class=\"k unit\" r=\"{}\"/></g>\n", unit_radius));
+  canvas.raw(fmt::format(
+      "<g id=\"unit-old\"><rect class=\"k unit\" x=\"-{0}\" y=\"-{0}\" width=\"{1}\" height=\"{1}\" "
+      "rx=\"3\"/></g>\n",
+      unit_radius, 2 * unit_radius));
+  canvas.raw("<g id=\"unit-aim\"><path class=\"k aim\" d=\"M-10 0h20\"/></g>\n");
+  canvas.raw("<g id=\"cross\"><path class=\"cand\" d=\"M-7 0h14m-7 -7v14\"/></g>\n");
+  canvas.raw("<g id=\"worst\"><circle class=\"k worst\" r=\"12\"/></g>\n");
+
+  canvas.raw("<g id=\"store-layer\">\n");
+  view_.draw_floor(canvas);
+  draw_fixtures(canvas, view_, data_.input.scene);
+  std::vector<bool> chosen(data_.input.matrix.columns(), false);
+  if (data_.has_selection())
+    for (const std::uint32_t j : data_.input.placement.selected) chosen[j] = true;
+  draw_free_points(canvas, view_, positions_of(data_.input.matrix.transceivers), chosen);
+  draw_fixture_ids(canvas, view_, data_.input.scene);
+  view_.draw_axes(canvas);
+  canvas.raw("</g>\n<g id=\"unit-layer\">\n");
+  if (data_.has_selection())
+    for (std::size_t k = 0; k < data_.outcome.units.size(); ++k) {
+      const TransceiverColumn& unit = data_.transceiver(data_.outcome.units[k].column);
+      const Point at = view_.at(unit.position.x, unit.position.y);
+      if (const std::string nose = nose_of(unit); !nose.empty())
+        canvas.raw(fmt::format("<g transform=\"translate({} {})\">{}</g>\n", coordinate(at.x),
+                               coordinate(at.y), nose));
+      canvas.use(unit_symbol(unit), at, fmt::format("Unit {}: {}", k + 1, unit.id));
+      canvas.text(at, fmt::format("{}", k + 1), "num");
+    }
+  canvas.raw("</g>\n</defs></svg>\n");
+  return canvas.body();
+}
+
+std::string Maps::picture(const std::string& marks, const std::string& css_class,
+                          const std::string& description) const {
+  return "<div class=\"map\">" +
+         inline_svg(view_.width(), view_.height(), css_class, description,
+                    "<use href=\"#store-layer\"/>\n" + marks + "<use href=\"#unit-layer\"/>\n") +
+         "</div>\n";
+}
+
+std::string Maps::margin_map(std::size_t level_index) const {
+  const ShelfLevel& level = data_.levels[level_index];
+  const std::vector<Point> at = places(level);
+  // The least margin is drawn last and lies on top.
+  std::vector<std::size_t> order(level.labels.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+    return shown_signal(level.labels[a]) * data_.label(level.labels[b]).requirement >
+           shown_signal(level.labels[b]) * data_.label(level.labels[a]).requirement;
+  });
+  SvgCanvas canvas;
+  for (const std::size_t k : order) {
+    const std::uint32_t label = level.labels[k];
+    const double signal = shown_signal(label), requirement = data_.label(label).requirement;
+    const double margin = margin_db(signal, requirement);
+    const bool met = is_met(signal, requirement);
+    canvas.use(fmt::format("m{}", margin_class(margin, met)), at[k],
+               fmt::format("{}: {}, {}", data_.label(label).id, data_.unit.text(signal), decibels(margin)));
+    if (data_.outcome.labels[label].rests_on_flagged) canvas.use("hollow", at[k]);
+    if (data_.has_selection() && label == data_.outcome.by_margin.front()) canvas.use("worst", at[k]);
+  }
+  const std::string title =
+      fmt::format("Level {}: {} ({})", level_index + 1, level.heights(), grouped(level.labels.size()));
+  return fmt::format("<figure class=\"plan\"><figcaption>{}</figcaption>\n{}{}</figure>\n", escape(title),
+                     picture(canvas.body(), "m", "Floor plan. " + title + ", coloured by margin"),
+                     margin_legend(level));
+}
+
+std::string Maps::signal_maps(std::size_t level_index) const {
+  const ShelfLevel& level = data_.levels[level_index];
+  const std::vector<Point> at = places(level);
+  const auto marks = [&](double LabelOutcome::*signal) {
+    SvgCanvas canvas;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const std::uint32_t label = level.labels[k];
+      const double value = data_.outcome.labels[label].*signal;
+      canvas.use(value > 0 ? fmt::format("g{}", scale_.class_of(value)) : "gz", at[k],
+                 fmt::format("{}: {}", data_.label(label).id, data_.unit.text(value)));
+    }
+    return canvas.body();
+  };
+  std::string html = "<div class=\"pair\">\n";
+  const std::array<std::pair<const char*, double LabelOutcome::*>, 2> parts{
+      {{"Direct light only", &LabelOutcome::direct}, {"With all reflections", &LabelOutcome::signal}}};
+  for (const auto& [title, part] : parts)
+    html += fmt::format(
+        "<figure><figcaption>{}</figcaption>\n{}</figure>\n", title,
+        picture(marks(part), "m half", fmt::format("Floor plan, {}: {}", title, level.heights())));
+  return html + "</div>\n" + signal_legend();
+}
+
+std::string Maps::margin_legend(const ShelfLevel& level) const {
+  std::array<std::size_t, margin_classes.size()> counts{};
+  for (const std::uint32_t label : level.labels) {
+    const double signal = shown_signal(label), requirement = data_.label(label).requirement;
+    ++counts[margin_class(margin_db(signal, requirement), is_met(signal, requirement))];
+  }
+  std::string html = "<ul class=\"legend\">";
+  for (std::size_t k = 0; k < margin_classes.size(); ++k)
+    if (k > 1 || counts[k] > 0)
+      html += key(fmt::format("m{}", k), fmt::format("{}: {}", margin_classes[k].name, grouped(counts[k])));
+  const auto hollow = static_cast<std::size_t>(
+      std::count_if(level.labels.begin(), level.labels.end(),
+                    [&](std::uint32_t label) { return data_.outcome.labels[label].rests_on_flagged; }));
+  if (hollow > 0) html += key("hollow-key", "error not to be trusted: " + grouped(hollow));
+  if (data_.has_selection() &&
+      std::binary_search(level.labels.begin(), level.labels.end(), data_.outcome.by_margin.front()))
+    html += key("worst", "least margin of all");
+  return html + unit_legend() + "</ul>\n";
+}
+
+std::string Maps::unit_legend() const {
+  std::string html;
+  bool fresh = false, old = false, leans = false;
+  if (data_.has_selection())
+    for (const UnitOutcome& unit : data_.outcome.units) {
+      (data_.transceiver(unit.column).installed ? old : fresh) = true;
+      leans |= !nose_of(data_.transceiver(unit.column)).empty();
+    }
+  if (fresh) html += key("unit", "chosen unit");
+  if (old) html += key("unit-old", "chosen unit, already installed");
+  if (leans) html += key("unit-aim", "leans this way");
+  html += key("cross", data_.has_selection() ? "candidate, not chosen" : "candidate");
+  if (data_.input.placement.question.redundant)
+    html += "<li>signals without each label's strongest unit</li>";
+  return html;
+}
+
+std::string Maps::signal_legend() const {
+  std::string html = "<ul class=\"legend\">" + key("gz", "none");
+  for (std::size_t k = 0; k < scale_.classes(); ++k) {
+    const std::string upper = data_.unit.round_number(scale_.edges[k + 1]) + "\u00A0" + data_.unit.name;
+    html += key(
+        fmt::format("g{}", k),
+        k == 0 ? "below " + upper : fmt::format("{} to {}", data_.unit.round_number(scale_.edges[k]), upper));
+  }
+  return html + unit_legend() + "</ul>\n";
+}
+
+}  // namespace shelfbeam

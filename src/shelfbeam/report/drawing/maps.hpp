@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include "shelfbeam/report/chart/palette.hpp"
+#include "shelfbeam/report/data/report_data.hpp"
+#include "shelfbeam/report/drawing/plan_view.hpp"
+
+namespace shelfbeam {
+
+/// The plans of a report. The store, the candidates and the chosen units are written once into `definitions`
+/// and repeated by reference, so that a plan costs little more than its labels.
+class Maps {
+ public:
+  explicit Maps(const ReportData& data);
+
+  /// A hidden <svg> that must stand before the plans.
+  std::string definitions() const;
+  /// Labels of one level coloured by margin, as a <figure>; with every candidate on where nothing was chosen.
+  std::string margin_map(std::size_t level) const;
+  /// Direct and total signal of one level side by side in one colour scale.
+  std::string signal_maps(std::size_t level) const;
+  /// Colour variables of the signal scale for the page's style sheet.
+  std::string colours(bool dark) const { return signal_colours(scale_, dark); }
+  /// The level with most labels (the lowest of them).
+  std::size_t fullest_level() const { return fullest_; }
+
+ private:
+  double shown_signal(std::uint32_t label) const;
+  std::vector<Point> places(const ShelfLevel& level) const;
+  std::string picture(const std::string& marks, const std::string& css_class,
+                      const std::string& description) const;
+  std::string margin_legend(const ShelfLevel& level) const;
+  std::string signal_legend() const;
+  std::string unit_legend() const;
+
+  const ReportData& data_;
+  PlanView view_;
+  std::size_t fullest_ = 0;
+  SignalScale scale_;
+  double radius_;
+};
+
+}  // namespace shelfbeam

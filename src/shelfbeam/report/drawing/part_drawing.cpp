@@ -1,0 +1,114 @@
+#include "shelfbeam/report/drawing/part_drawing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace shelfbeam {
+
+namespace {
+
+struct Box {
+  double low_x = std::numeric_limits<double>::max(), low_y = low_x, high_x = -low_x, high_y = -low_x;
+
+  explicit Box(const Part& part) {
+    for (const auto& [x, y] : part.footprint) {
+      low_x = std::min(low_x, x);
+      high_x = std::max(high_x, x);
+      low_y = std::min(low_y, y);
+      high_y = std::max(high_y, y);
+    }
+  }
+  bool holds(const Box& other) const {
+    constexpr double slack = 1e-6;
+    return other.low_x > low_x - slack && other.high_x < high_x + slack && other.low_y > low_y - slack &&
+           other.high_y < high_y + slack;
+  }
+};
+
+}  // namespace
+
+std::string part_class(const Part& part) {
+  switch (part.kind) {
+    case PartKind::shell:
+      return "shell";
+    case PartKind::panel:
+      return "panel";
+    case PartKind::board:
+      return "board";
+    case PartKind::kick_plate:
+      return "kick";
+    case PartKind::goods: {
+      // From the place alone, so that the same product column has another colour on each shelf.
+      const auto& [x, y] = part.footprint.front();
+      const auto mixed =
+          static_cast<std::uint64_t>(std::llround(x * 100) * 73856093 ^ std::llround(y * 100) * 19349663 ^
+                                     std::llround(part.bottom * 100) * 83492791);
+      return fmt::format("goods c{}", (mixed >> 3) % 7);
+    }
+    case PartKind::tub:
+      return "tub";
+    case PartKind::casing:
+      return "casing";
+    case PartKind::door:
+      return "door";
+    case PartKind::solid:
+      return "solid";
+    case PartKind::mesh:
+      return "mesh";
+  }
+  return {};
+}
+
+std::vector<std::uint32_t> parts_seen_from_above(const Scene& scene) {
+  std::vector<std::vector<std::uint32_t>> boards(scene.fixtures.size());
+  std::vector<Box> boxes;
+  for (std::uint32_t k = 0; k < scene.parts.size(); ++k) {
+    const Part& part = scene.parts[k];
+    boxes.emplace_back(part);
+    if (part.kind == PartKind::board && part.fixture < boards.size()) boards[part.fixture].push_back(k);
+  }
+  const auto hidden = [&](std::uint32_t k) {
+    const Part& part = scene.parts[k];
+    if (part.fixture >= boards.size()) return false;
+    return std::any_of(boards[part.fixture].begin(), boards[part.fixture].end(), [&](std::uint32_t board) {
+      return board != k && scene.parts[board].bottom > part.top - 1e-6 && boxes[board].holds(boxes[k]);
+    });
+  };
+  std::vector<std::uint32_t> seen;
+  for (std::uint32_t k = 0; k < scene.parts.size(); ++k)
+    if (scene.parts[k].kind != PartKind::shell && scene.parts[k].footprint.size() > 2 && !hidden(k))
+      seen.push_back(k);
+  std::stable_sort(seen.begin(), seen.end(),
+                   [&](auto a, auto b) { return scene.parts[a].top < scene.parts[b].top; });
+  return seen;
+}
+
+std::string drawing_style() {
+  return R"(
+text{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","Liberation Sans",Arial,sans-serif;fill:#1b2228}
+.title{font-size:24px;font-weight:650}.sub{font-size:15px;fill:#57626d}
+.t{font-size:13px;fill:#57626d}.mid{text-anchor:middle}.end{text-anchor:end}
+.paper{fill:#fff}.floor{fill:#fbfbf8;stroke:#4b555e;stroke-width:2}
+.tick{stroke:#5d6973;stroke-width:1}.bar-full{fill:#5d6973;stroke:#5d6973}.bar-empty{fill:none;stroke:#5d6973}
+.panel{fill:#87919a}.board{fill:#d9dde0;stroke:#7d8790;stroke-width:.7}.kick{fill:#59636c}
+.goods{stroke:#4a4136;stroke-opacity:.45;stroke-width:.5}
+.c0{fill:#c98f6b}.c1{fill:#8fae8b}.c2{fill:#d8bf7a}.c3{fill:#8ba3bf}.c4{fill:#bf8f9c}.c5{fill:#b7a58c}.c6{fill:#9a9fb8}
+.tub{fill:#e3eef4;stroke:#6f8794;stroke-width:.8}.solid{fill:#9aa3ab;stroke:#59636c}.mesh{fill:#c3cad1;stroke:#59636c;stroke-width:1.6;stroke-linejoin:round;paint-order:stroke}
+.casing{fill:#87919a;fill-opacity:.15;stroke:#59636c;stroke-width:.7}.door{fill:none;stroke:#6fa8cf;stroke-width:1.2}
+.outline{fill:none;stroke:#4b555e;stroke-width:1.2}
+.halo{stroke:#fff;stroke-width:3.5px;stroke-opacity:.85;paint-order:stroke;stroke-linejoin:round}
+.fid{font-size:inherit;font-weight:700;stroke:#fff;stroke-width:.22em;stroke-opacity:.8;paint-order:stroke;stroke-linejoin:round}
+.label{stroke:#0a4d91;stroke-width:1.4;fill:none}.dot{fill:#0a4d91}
+.cand,.aim{stroke:#8a4b00;stroke-width:1;fill:none;stroke-opacity:.75}
+.old{fill:#14191e;stroke:#fff;stroke-width:1.5}
+.tag{fill:#fff;stroke:#0a4d91;stroke-width:1}
+.ground{stroke:#4b555e;stroke-width:2}.guide{stroke:#a9b2ba;stroke-width:.8;stroke-dasharray:3 3}
+)";
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,99 @@
+#include "shelfbeam/report/drawing/store_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/drawing/mesh_silhouette.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+const char* fixture_class(const FixtureOutline& fixture) {
+  if (fixture.type == "gondola") return "fx fx-g";
+  if (fixture.type == "freezer") return "fx fx-f";
+  if (fixture.type == "box") return "fx fx-b";
+  return "fx fx-m";
+}
+
+}  // namespace
+
+void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
+    const FixtureOutline& fixture = scene.fixtures[f];
+    if (fixture.footprint.size() < 3) continue;
+    const std::string title =
+        fmt::format("{} ({}, {} m high)", fixture.id, fixture.type, fixed(fixture.height, 2));
+    if (const std::string silhouette = mesh_silhouette(view, scene, f); !silhouette.empty())
+      canvas.path(silhouette, fixture_class(fixture), title);
+    else
+      canvas.polygon(view.outline(fixture.footprint), fixture_class(fixture), title);
+  }
+}
+
+void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> candidates,
+                      const std::vector<bool>& taken) {
+  const Places places = places_of(candidates);
+  std::vector<bool> done(places.count, false);
+  for (std::size_t j = 0; j < candidates.size(); ++j)
+    if (taken[j]) done[places.of[j]] = true;
+
+  const double arm = 4 * view.mark_share();
+  const std::string d = coordinate(arm), d2 = coordinate(2 * arm);
+  std::string data;
+  for (std::size_t j = 0; j < candidates.size(); ++j) {
+    if (done[places.of[j]]) continue;
+    done[places.of[j]] = true;
+    const Point p = view.at(candidates[j].x, candidates[j].y);
+    data += fmt::format("M{} {}h{}m-{} -{}v{}", coordinate(p.x - arm), coordinate(p.y), d2, d, d, d2);
+  }
+  if (!data.empty()) canvas.path(data, "cand");
+}
+
+std::string aim_line(const Point& at, const Vec3& axis) {
+  constexpr double longest = 20, least = 0.05;  // units; sine of the angle
+  if (std::hypot(axis.x, axis.y) < least) return {};
+  return fmt::format("M{} {}l{} {}", coordinate(at.x), coordinate(at.y), coordinate(longest * axis.x),
+                     coordinate(-longest * axis.y));
+}
+
+double label_mark_radius(const PlanView& view, std::span<const Vec3> positions) {
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < positions.size(); ++k) {
+    const Vec3 step = positions[k] - positions[k - 1];
+    if (std::abs(step.z) < 1e-6 && length(step) > 1e-6) steps.push_back(length(step));
+  }
+  double usual = 0.5;
+  if (!steps.empty()) {
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    usual = *middle;
+  }
+  return std::clamp(0.4 * usual * view.scale(), 2.0, 6.0);
+}
+
+std::vector<Point> label_mark_places(const PlanView& view, std::span<const Vec3> positions,
+                                     std::span<const Vec3> normals, double radius) {
+  std::map<std::tuple<long, long, long, long>, int> standing;
+  std::vector<Point> places;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    const Vec3& p = positions[k];
+    const Vec3 outward{normals[k].x, normals[k].y, 0};
+    const double flat = length(outward);
+    const double nx = flat > 1e-6 ? outward.x / flat : 0, ny = flat > 1e-6 ? outward.y / flat : -1;
+    const auto key =
+        std::tuple{std::lround(p.x * 50), std::lround(p.y * 50), std::lround(nx * 10), std::lround(ny * 10)};
+    const double out = radius * (1.15 + 2.3 * standing[key]++);
+    const Point at = view.at(p.x, p.y);
+    places.push_back({at.x + out * nx, at.y - out * ny});
+  }
+  return places;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,140 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/placement/io/words.hpp"
+#include "shelfbeam/report/page/headline.hpp"
+#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/page/sections.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+std::string card(const std::string& name, const std::string& value, const std::string& note,
+                 const std::string& css_class = "card") {
+  return fmt::format("<div class=\"{}\"><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n", css_class,
+                     escape(name), escape(value), escape(note));
+}
+
+std::string shortfall(const ReportData& data, const Unreachable& label) {
+  if (label.most <= 0)
+    return std::string(why_nothing(data.input.placement.question, data.is_heard(label.label)));
+  const double db = -margin_db(label.most, label.requirement);
+  return fixed(db, db < 0.095 ? 2 : 1) + "\u00A0dB";
+}
+
+std::string bound_note(const Placement& placement, bool has_selection) {
+  if (!has_selection) return "proven";
+  return count_gap(placement) == 0 ? "proven" : fmt::format("proven; gap {}", percent(count_gap(placement)));
+}
+
+// Of a certificate what its samples prove; the matrix's own bound is among the remarks and the facts then.
+std::string least_card(const ReportData& data) {
+  constexpr const char* name = "At least needed";
+  const Placement& placement = data.input.placement;
+  if (placement.status == Status::infeasible) return card(name, "–", "no number suffices");
+  if (const auto& certificate = placement.certificate; certificate && certificate->count_lower_bound > 0)
+    return card(name, grouped(std::min(certificate->count_lower_bound, placement.count())),
+                "on fresh samples");
+  return card(name, grouped(least_count(placement)),
+              placement.certificate ? "proven on the matrix" : bound_note(placement, data.has_selection()));
+}
+
+}  // namespace
+
+std::string answer_section(const ReportData& data) {
+  constexpr const char* tones[] = {"yes", "open", "no"};
+  constexpr const char* verdicts[] = {"Solved", "Open", "Not possible"};
+  constexpr const char* certified[] = {"Certified", "Open", "Labels missed"};
+  const Headline line = headline(data);
+  const auto tone = static_cast<std::size_t>(line.tone);
+  const bool has_certificate = data.input.placement.certificate.has_value();
+  std::string verdict = has_certificate ? certified[tone] : verdicts[tone];
+  // A proof on a matrix that other samples would change is less than the word alone promises.
+  if (line.tone == Headline::Tone::yes && data.uncertain > 0 && !has_certificate)
+    verdict += fmt::format(", {} uncertain", counted(data.uncertain, "label"));
+  const std::string& name = data.input.scene.name;
+  std::string html = fmt::format(
+      "<header class=\"{}\">\n<p class=\"kicker\">Transceiver placement <span "
+      "class=\"verdict\">{}</span></p>\n"
+      "<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
+      tones[tone], verdict, escape(name.empty() ? "Store" : name), escape(line.answer));
+  for (const std::string& remark : line.remarks) html += paragraph(remark, "remark");
+  return html + "</header>\n";
+}
+
+std::string key_figures(const ReportData& data) {
+  const Placement& placement = data.input.placement;
+  const std::size_t candidates = data.input.matrix.columns(), labels = data.outcome.labels.size();
+  const auto installed = std::count_if(placement.selected.begin(), placement.selected.end(),
+                                       [&](auto column) { return data.transceiver(column).installed; });
+  std::string html = "<dl class=\"cards\">\n";
+  html += card(
+      "Transceivers", data.has_selection() ? grouped(placement.count()) : "–",
+      fmt::format("of {}{}{}", counted(candidates, "candidate"),
+                  data.has_options() ? " at " + counted(data.mounting_points, "mounting point") : "",
+                  data.has_selection() && installed > 0 ? fmt::format("; {} installed", installed) : ""));
+  html += least_card(data);
+  if (data.has_selection()) {
+    html += placement.certificate
+                ? card("Labels reached", grouped(placement.certificate->count(Verdict::reached)),
+                       fmt::format("of {}, on fresh samples", grouped(labels)))
+                : card("Labels reached", grouped(data.outcome.met), "of " + grouped(labels));
+    const std::uint32_t weakest = data.outcome.by_margin.front();
+    html += card(
+        "Least margin", decibels(data.outcome.labels[weakest].margin()),
+        fmt::format("label {}{}", data.label(weakest).id, placement.certificate ? ", on the matrix" : ""));
+  } else if (placement.status == Status::infeasible && placement.unreachable.empty()) {
+    html += card("Labels", grouped(labels), "each alone could be reached");
+  } else if (placement.status == Status::infeasible) {
+    html += card("Labels out of reach", grouped(placement.unreachable.size()), "of " + grouped(labels));
+  } else {
+    html += card("Labels", grouped(labels), "");
+  }
+  const bool adds_up = placement.question.model == CommunicationModel::cooperative;
+  html += card("Model", model_name(placement.question.model),
+               adds_up ? "signals of all units add up" : "one unit alone must reach a label", "card word");
+  const std::string objective = objective_name(placement.question);
+  const std::size_t comma = objective.find(", ");
+  html += card("Objective", objective.substr(0, comma),
+               comma == std::string::npos ? "" : objective.substr(comma + 2), "card word");
+  return html + "</dl>\n";
+}
+
+std::string unreachable_section(const ReportData& data) {
+  const auto& unreachable = data.input.placement.unreachable;
+  if (unreachable.empty()) return {};
+  constexpr std::size_t most_rows = 100;
+  std::vector<Unreachable> worst = unreachable;
+  std::stable_sort(worst.begin(), worst.end(), [](const Unreachable& a, const Unreachable& b) {
+    return margin_db(a.most, a.requirement) < margin_db(b.most, b.requirement);
+  });
+  HtmlTable table({{"Label", false},
+                   {"x (m)"},
+                   {"y (m)"},
+                   {"Height (m)"},
+                   {fmt::format("Needs ({})", data.unit.name)},
+                   {fmt::format("Could get at most ({})", data.unit.name)},
+                   {"Short by", true, true}});
+  for (std::size_t k = 0; k < std::min(worst.size(), most_rows); ++k) {
+    const LabelRow& label = data.label(worst[k].label);
+    table.add_row({label.id, fixed(label.position.x, 2), fixed(label.position.y, 2),
+                   fixed(label.position.z, 2), data.unit.number(worst[k].requirement),
+                   data.unit.number(worst[k].most), shortfall(data, worst[k])});
+  }
+  std::string html = paragraph(
+      data.input.placement.question.model == CommunicationModel::cooperative
+          ? fmt::format("The most a label could get is its signal {}.", data.everything_on())
+          : fmt::format(
+                "The most a label could get is its signal from the best single candidate{}.",
+                data.input.placement.question.redundant ? " that is left when the strongest fails" : ""));
+  html += table.html();
+  if (worst.size() > most_rows)
+    html += paragraph(fmt::format("The {} that are furthest off; placement.json lists all {}.", most_rows,
+                                  grouped(worst.size())),
+                      "note");
+  return html_section("unreachable", "Labels out of reach", html);
+}
+
+}  // namespace shelfbeam

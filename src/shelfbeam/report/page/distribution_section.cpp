@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/chart/histogram_chart.hpp"
+#include "shelfbeam/report/data/distributions.hpp"
+#include "shelfbeam/report/data/scale.hpp"
+#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/page/sections.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+std::string excess_figure(const ReportData& data) {
+  const ExcessDistribution excess = excess_distribution(data.outcome);
+  const auto& [edges, counts, below, above] = excess.percent;
+  if (counts.empty()) return {};
+  HistogramChart chart;
+  chart.description = "Histogram of the excess signal of all labels";
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    chart.bars.push_back({edges[k], edges[k + 1], static_cast<double>(counts[k]),
+                          edges[k + 1] <= 0 ? "bar short" : "bar",
+                          fmt::format("{} to {}\u00A0%: {}", plain(edges[k]), plain(edges[k + 1]),
+                                      counted(counts[k], "label"))});
+  const double step = round_step((edges.back() - edges.front()) / 6);
+  for (const double value : multiples(edges.front(), edges.back(), step))
+    chart.ticks.push_back({value, plain(value)});
+  chart.lines.push_back({0, "requirement"});
+  chart.x_title = "excess signal (% of the requirement)";
+  chart.y_title = "labels";
+  std::string note =
+      fmt::format("Median {}\u00A0%, mean {}\u00A0%.", significant(excess.median), significant(excess.mean));
+  if (above > 0)
+    note += fmt::format(" {} above {}\u00A0% {} not drawn.", counted(above, "label"), plain(edges.back()),
+                        above == 1 ? "is" : "are");
+  return html_figure("Excess signal of the labels", histogram_svg(chart), note);
+}
+
+// One line for each requirement that occurs; first and last where there are many.
+std::vector<HistogramChart::Tick> requirement_lines(const ReportData& data) {
+  std::vector<double> values;
+  for (const LabelRow& label : data.input.matrix.labels)
+    if (label.requirement > 0) values.push_back(label.requirement);
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  std::vector<HistogramChart::Tick> lines;
+  lines.reserve(values.size());
+  for (const double value : values) lines.push_back({std::log10(value), ""});
+  if (lines.size() > 4) lines = {lines.front(), lines.back()};
+  if (!lines.empty()) lines.front().text = lines.size() > 1 ? "requirements" : "requirement";
+  return lines;
+}
+
+std::string matrix_figure(const ReportData& data) {
+  const SignalDistribution distribution = signal_distribution(data.input.matrix);
+  const auto& [edges, counts, below, above] = distribution.signal;
+  if (counts.empty()) return {};
+  HistogramChart chart;
+  chart.description = "Histogram of all entries of the signal matrix on a logarithmic scale";
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    chart.bars.push_back({std::log10(edges[k]), std::log10(edges[k + 1]), static_cast<double>(counts[k]),
+                          "bar",
+                          fmt::format("{} to {}: {}", data.unit.number(edges[k]),
+                                      data.unit.text(edges[k + 1]), counted(counts[k], "entry", "entries"))});
+  const double low = std::log10(edges.front()), high = std::log10(edges.back());
+  for (const double decade : multiples(low, high, high - low > 6 ? 2 : 1)) {
+    // Whole decades of the unit, not of W/m^2: its factor is a power of ten, so these are the same places.
+    chart.ticks.push_back({decade, plain(std::pow(10, decade) / data.unit.factor)});
+  }
+  chart.lines = requirement_lines(data);
+  chart.x_title = fmt::format("signal of one unit at one label ({})", data.unit.name);
+  chart.y_title = "entries";
+  std::string note =
+      fmt::format("{} of {} ({}) are zero or, through noise, negative, and are not drawn.",
+                  grouped(distribution.zeros), counted(distribution.entries, "entry", "entries"),
+                  percent(static_cast<double>(distribution.zeros) /
+                          static_cast<double>(std::max<std::uint64_t>(1, distribution.entries))));
+  if (below > 0)
+    note += fmt::format(" {} below {} {} not drawn.", counted(below, "entry", "entries"),
+                        data.unit.text(edges.front()), below == 1 ? "is" : "are");
+  return html_figure("Signal of every candidate at every label", histogram_svg(chart), note);
+}
+
+}  // namespace
+
+std::string distribution_section(const ReportData& data) {
+  const std::string figures = (data.has_selection() ? excess_figure(data) : "") + matrix_figure(data);
+  if (figures.empty()) return {};
+  return html_section("distributions", "How the signal is distributed",
+                      "<div class=\"pair\">\n" + figures + "</div>\n");
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "shelfbeam/placement/io/words.hpp"
+#include "shelfbeam/report/chart/tornado_chart.hpp"
+#include "shelfbeam/report/data/id_ranges.hpp"
+#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/page/sections.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr std::size_t most_bars = 12;
+constexpr double lowest_db = -30;  // less is drawn as this
+
+double drawn_db(const LeastMargin& least) {
+  return std::max(margin_db(least.ratio, 1), lowest_db);
+}
+
+// Two decimals: materials differ by less than a tenth.
+std::string margin(const LeastMargin& least) {
+  return decibels(margin_db(least.ratio, 1), 2);
+}
+
+std::string rounded(double reflectance) {
+  return plain(std::round(1000 * reflectance) / 1000);
+}
+
+std::string range_of(const MaterialSensitivity& one) {
+  return rounded(one.lower) + " to " + rounded(one.upper);
+}
+
+std::string signed_percent(double share) {
+  const std::string text = percent(share);
+  return (share > 0 && text != percent(0) ? "+" : "") + text;
+}
+
+std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
+  TornadoChart chart;
+  chart.description = "Smallest margin with reflectances at both ends of their ranges";
+  const auto add = [&](const std::string& name, const LeastMargin& low, const LeastMargin& high) {
+    chart.bars.push_back(
+        {name, drawn_db(low), drawn_db(high),
+         fmt::format("{}: {} at the low end (label {}), {} at the high end (label {})", name, margin(low),
+                     data.label(low.label).id, margin(high), data.label(high.label).id)});
+  };
+  add("all together", sensitivity.low.least, sensitivity.high.least);
+  for (std::size_t k = 0; k < std::min(most_bars, sensitivity.materials.size()); ++k) {
+    const MaterialSensitivity& one = sensitivity.materials[k];
+    add(one.material + ", " + range_of(one), one.at_lower.least, one.at_upper.least);
+  }
+  chart.middle = drawn_db(sensitivity.as_given);
+  chart.middle_text = "as in the store file";
+  chart.limit_text = "requirement";
+  chart.x_title = "smallest margin (dB)";
+  std::string note = "Orange: reflectances at the low end of their range, blue: at the high end.";
+  if (sensitivity.materials.size() > most_bars)
+    note += fmt::format(" The {} materials that matter most.", most_bars);
+  return html_figure("What reflectances do to the label with the smallest margin", tornado_svg(chart), note);
+}
+
+std::string material_table(const ReportData& data, const Sensitivity& sensitivity) {
+  HtmlTable table({{"Material", false},
+                   {"Reflectance", false},
+                   {"Smallest margin, low end"},
+                   {"At label", false},
+                   {"Change there, of its need"},
+                   {"Labels short, low end"},
+                   {"Light, low end"},
+                   {"Smallest margin, high end"},
+                   {"Light, high end"}});
+  for (const MaterialSensitivity& one : sensitivity.materials)
+    table.add_row(
+        {one.material,
+         fmt::format("{} ({}){}", rounded(one.reflectance), range_of(one), one.is_assumed ? " *" : ""),
+         margin(one.at_lower.least), data.label(one.at_lower.least.label).id,
+         fmt::format("{} (±\u00A0{})", signed_percent(one.at_lower.change),
+                     fixed(100 * one.at_lower.change_error, 2)),
+         grouped(one.at_lower.labels_short), signed_percent(one.at_lower.mean_change),
+         margin(one.at_upper.least), signed_percent(one.at_upper.mean_change)});
+  return table.html();
+}
+
+std::string labels(const ReportData& data, const std::vector<std::uint32_t>& rows, const char* what) {
+  if (rows.empty()) return {};
+  std::vector<std::string> ids;
+  ids.reserve(rows.size());
+  for (const std::uint32_t row : rows) ids.push_back(data.label(row).id);
+  std::string list;
+  for (const std::string& range : id_ranges(ids)) list += fmt::format("<li>{}</li> ", escape(range));
+  return fmt::format(
+      "<details>\n<summary>{} {} at the low end</summary>\n<div class=\"serves\"><ul>{}</ul></div>\n"
+      "</details>\n",
+      counted(ids.size(), "label"), what, list);
+}
+
+std::string notes(const ReportData& data, const Sensitivity& sensitivity) {
+  std::string text =
+      "One material after the other at the low and the high end of its range, all others as in the store "
+      "file; the material first whose low end leaves the least. Margins are of the chosen units, on fresh "
+      "samples. The change is of the signal at the label that has the least then, in percent of what this "
+      "label needs, with its standard error; light is what the labels get more or less of, on average. "
+      "These are estimates: the confidence is of all reflectances low, and all high.";
+  if (sensitivity.watched < data.outcome.labels.size())
+    text += fmt::format(" All rows are about the {} labels with the least margins at the low end of all.",
+                        grouped(sensitivity.watched));
+  if (std::any_of(sensitivity.materials.begin(), sensitivity.materials.end(),
+                  [](const MaterialSensitivity& one) { return one.is_assumed; }))
+    text += fmt::format(" * Nobody told this range: {} to both sides, by assumption, up to 0.99 at most.",
+                        percent(sensitivity.assumed_error, 0));
+  if (!sensitivity.kept.empty())
+    text += fmt::format(" Kept as they are, for their indices say what they reflect: {}.",
+                        fmt::join(sensitivity.kept, ", "));
+  return paragraph(text, "note");
+}
+
+}  // namespace
+
+std::string sensitivity_section(const ReportData& data) {
+  const auto& sensitivity = data.input.placement.sensitivity;
+  if (!sensitivity || !data.has_selection()) return {};
+  const std::string beside = notes(data, *sensitivity) + labels(data, sensitivity->low.missed, "missed") +
+                             labels(data, sensitivity->low.undecided, "undecided");
+  return html_section("sensitivity", "If surfaces reflect less or more",
+                      paragraph(with_joined_percent(statement(*sensitivity, data.outcome.labels.size()))) +
+                          fmt::format("<div class=\"pair\">\n{}<div>\n{}</div>\n</div>\n",
+                                      tornado(data, *sensitivity), beside) +
+                          material_table(data, *sensitivity));
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,230 @@
+#include "shelfbeam/report/viewer/page_signals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/report/data/sampling.hpp"
+#include "shelfbeam/report/viewer/page_data.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+/// The finest first. Where details would take the room of signals, only entries that matter have them.
+std::vector<Rounding> roundings() {
+  std::vector<Rounding> result;
+  for (const std::uint32_t n : {10000, 7000, 5000, 3000, 2000, 1500, 1000, 700, 500, 300, 200, 150, 100})
+    result.push_back({n, 0, 1.2, 0.01});
+  for (const std::uint32_t n : {70, 50, 40, 30, 20, 15, 10, 7, 5, 3, 2, 1})
+    result.push_back({n, relevant_share, 1.5, 0.05});
+  return result;
+}
+
+constexpr double most_code = 65535;
+
+// What a label's entries are measured by; of one that needs nothing as if it needed what another does.
+std::vector<double> needs_of(const SignalMatrix& matrix) {
+  double any = 0;
+  for (const LabelRow& label : matrix.labels) any = std::max(any, label.requirement);
+  std::vector<double> needs;
+  for (const LabelRow& label : matrix.labels)
+    needs.push_back(label.requirement > 0 ? label.requirement : any > 0 ? any : 1);
+  return needs;
+}
+
+std::uint32_t grains_of(double mean, double need, std::uint32_t grains_a_need) {
+  const double share = std::min(std::abs(mean) / need, 1e5);
+  const auto grains = static_cast<std::uint32_t>(share * grains_a_need);
+  if (mean < 0) return grains;
+  return is_met(mean, need) ? std::max(grains, grains_a_need) : std::min(grains, grains_a_need - 1);
+}
+
+// The columns of the two largest entries of the chosen units.
+std::array<std::uint32_t, 2> two_largest(std::span<const float> row,
+                                         const std::vector<std::uint32_t>& selected) {
+  std::array<std::uint32_t, 2> largest{~0U, ~0U};
+  const auto more = [&](std::uint32_t a, std::uint32_t b) { return b == ~0U || row[a] > row[b]; };
+  for (const std::uint32_t j : selected) {
+    if (more(j, largest[0]))
+      largest = {j, largest[0]};
+    else if (more(j, largest[1]))
+      largest[1] = j;
+  }
+  return largest;
+}
+
+// Of standard errors, of rounded entries in proportion to the mean, in a logarithmic scale from the least to
+// the largest that is above 0.
+void encode_errors(PageSignals& signals, const std::vector<float>& errors, double least_ratio) {
+  std::vector<double> values;
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const auto error = static_cast<double>(errors[k]);
+    values.push_back(!signals.is_detailed(k) ? 0
+                     : signals.grain > 0     ? error / std::abs(static_cast<double>(signals.mean[k]))
+                                             : error);
+    if (values.back() <= 0) continue;
+    low = std::min(low, values.back());
+    high = std::max(high, values.back());
+  }
+  if (high > 0) {
+    signals.least_error = low;
+    signals.error_step = std::max(std::log(high / low) / (most_code - 1), std::log(least_ratio));
+  }
+  const auto code = [&](double value) -> std::uint16_t {
+    if (value <= 0) return 0;
+    if (signals.error_step <= 0) return 1;
+    return static_cast<std::uint16_t>(1 + std::lround(std::log(value / low) / signals.error_step));
+  };
+  for (const double value : values) signals.error.push_back(code(value));
+}
+
+std::uint16_t share_code(double direct, double mean, double step) {
+  return mean > 0 ? static_cast<std::uint16_t>(std::lround(std::clamp(direct / mean, 0.0, 1.0) / step)) : 0;
+}
+
+// By how much the chosen units give a label more than their entries in the page, `row` columns apart.
+double rest_of(std::span<const float> row, std::span<const float> shown, const Placement& placement,
+               const std::vector<bool>& chosen) {
+  std::vector<SignalEntry> all, kept;
+  for (std::uint32_t j = 0; j < row.size(); ++j) {
+    if (!chosen[j]) continue;
+    all.push_back({j, static_cast<double>(row[j])});
+    kept.push_back({j, static_cast<double>(shown[j])});
+  }
+  return received_signal(all, chosen, placement.question) - received_signal(kept, chosen, placement.question);
+}
+
+// Entries that are kept with each rounding, apart from those that always are.
+std::vector<std::size_t> kept_entries(const SignalMatrix& matrix, const std::vector<Rounding>& roundings) {
+  const std::vector<double> needs = needs_of(matrix);
+  std::vector<std::size_t> kept(roundings.size(), 0);
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (const float mean : matrix.mean_row(i)) {
+      const double share = std::abs(static_cast<double>(mean)) / needs[i];
+      if (share * roundings.front().grains_a_need < 1) continue;
+      std::size_t k = 0;
+      while (k + 1 < kept.size() && share * roundings[k + 1].grains_a_need >= 1) ++k;
+      ++kept[k];
+    }
+  for (std::size_t k = kept.size() - 1; k > 0; --k) kept[k - 1] += kept[k];
+  return kept;
+}
+
+std::vector<std::uint16_t> details(const PageSignals& signals, const std::vector<std::uint16_t>& codes) {
+  std::vector<std::uint16_t> kept;
+  for (std::size_t k = 0; k < codes.size(); ++k)
+    if (signals.is_detailed(k)) kept.push_back(codes[k]);
+  return kept;
+}
+
+PackedSignals packed(PageSignals signals) {
+  const auto error = details(signals, signals.error), direct = details(signals, signals.direct);
+  PageData data;
+  data.add("row_size", std::span(signals.row_size));
+  data.add("gap", std::span(signals.gap));
+  if (signals.grain > 0)
+    data.add("grains", std::span(signals.grains));
+  else
+    data.add("mean", std::span(signals.mean));
+  data.add("negative", std::span(signals.negative));
+  data.add("error", std::span(error));
+  data.add("direct", std::span(direct));
+  data.add("rest", std::span(signals.rest));
+  std::string base64 = data.base64(fmt::format(
+      R"({{"grain":{},"detailsFrom":{},"leastError":{},"errorStep":{},"directStep":{}}})", signals.grain,
+      signals.details_from, signals.least_error, signals.error_step, signals.direct_step));
+  return {std::move(signals), std::move(base64)};
+}
+
+}  // namespace
+
+double PageSignals::error_of(std::size_t entry) const {
+  if (error[entry] == 0) return 0;
+  return least_error * std::exp((error[entry] - 1) * error_step) *
+         (grain > 0 ? std::abs(static_cast<double>(mean[entry])) : 1);
+}
+
+PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement, const Rounding& rounding) {
+  const std::uint32_t grains_a_need = rounding.grains_a_need;
+  PageSignals signals;
+  const bool is_rounded = grains_a_need > 0;
+  signals.grain = is_rounded ? 1.0 / grains_a_need : 0;
+  signals.details_from = static_cast<std::uint32_t>(std::lround(rounding.details_from * grains_a_need));
+  signals.direct_step = rounding.direct_step;
+  const bool has_error = matrix.standard_error.size() == matrix.mean.size();
+  const bool has_direct = matrix.direct.size() == matrix.mean.size();
+  const bool adds_up = placement.question.model == CommunicationModel::cooperative;
+  const std::vector<double> needs = needs_of(matrix);
+  std::vector<float> errors, shown(matrix.columns());
+  std::vector<bool> chosen(matrix.columns(), false);
+  for (const std::uint32_t j : placement.selected) chosen[j] = true;
+
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    const auto row = matrix.mean_row(i);
+    const auto largest = two_largest(row, placement.selected);
+    std::uint32_t size = 0, next = 0;
+    double effect = 0;
+    for (std::uint32_t j = 0; j < row.size(); ++j) {
+      shown[j] = 0;
+      if (row[j] == 0) continue;
+      const auto mean = static_cast<double>(row[j]);
+      const bool always = mean > 0 && (j == largest[0] || j == largest[1]);
+      const std::uint32_t grains = is_rounded ? grains_of(mean, needs[i], grains_a_need) : 1;
+      if (grains == 0 && !always) {
+        ++signals.left_out;
+      } else {
+        shown[j] = is_rounded
+                       ? static_cast<float>(std::copysign((grains + 0.5) * signals.grain * needs[i], mean))
+                       : row[j];
+        if (is_rounded && mean < 0)
+          signals.negative.push_back(static_cast<std::uint32_t>(signals.mean.size()));
+        ++size;
+        signals.gap.push_back(j - next);
+        next = j + 1;
+        signals.mean.push_back(shown[j]);
+        if (is_rounded) signals.grains.push_back(grains);
+        const std::size_t at = matrix.at(i, j);
+        if (has_error) errors.push_back(matrix.standard_error[at]);
+        if (has_direct)
+          signals.direct.push_back(
+              share_code(static_cast<double>(matrix.direct[at]), mean, signals.direct_step));
+      }
+      const double off = std::abs(mean - static_cast<double>(shown[j])) / needs[i];
+      signals.largest_error = std::max(signals.largest_error, off);
+      effect = adds_up ? effect + off : std::max(effect, off);
+    }
+    signals.row_size.push_back(size);
+    if (is_rounded) signals.rest.push_back(rest_of(row, shown, placement, chosen));
+    if (effect > signals.largest_effect) {
+      signals.largest_effect = effect;
+      signals.most_affected = static_cast<std::uint32_t>(i);
+    }
+  }
+  if (has_error) encode_errors(signals, errors, rounding.error_ratio);
+  return signals;
+}
+
+PackedSignals pack_signals(const SignalMatrix& matrix, const Placement& placement, std::size_t most_bytes) {
+  // An entry is never packed in less than a byte, one that is not rounded in less than four.
+  const auto zeros = static_cast<std::size_t>(std::count(matrix.mean.begin(), matrix.mean.end(), 0.0F));
+  if (matrix.mean.size() - zeros <= most_bytes / 4) {
+    PackedSignals exact = packed(page_signals(matrix, placement));
+    if (exact.base64.size() <= most_bytes) return exact;
+  }
+  const std::vector<Rounding> all = roundings();
+  const std::vector<std::size_t> kept = kept_entries(matrix, all);
+  for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+    if (kept[k] > most_bytes) continue;
+    PackedSignals rounded = packed(page_signals(matrix, placement, all[k]));
+    if (rounded.base64.size() <= most_bytes) return rounded;
+  }
+  return packed(page_signals(matrix, placement, all.back()));
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,185 @@
+#include "shelfbeam/report/viewer/page_store.hpp"
+
+#include <map>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/report/viewer/page_data.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Of one mesh; larger ones are drawn as the prism around them. About 1 MB in the page.
+constexpr std::uint32_t most_mesh_triangles = 30000;
+
+void append(std::vector<float>& values, const Vec3& v) {
+  for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<float>(v[axis]));
+}
+
+Json point(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+// How a part is drawn: the classes of its colours, in the order that the script knows.
+std::uint8_t look_of(PartKind kind) {
+  switch (kind) {
+    case PartKind::board:
+    case PartKind::tub:
+      return 1;
+    case PartKind::goods:
+      return 2;
+    case PartKind::door:
+      return 3;
+    default:
+      return 0;
+  }
+}
+
+void add_parts(PageData& page, const Scene& scene) {
+  std::vector<std::uint8_t> look, corner_count, mesh_look;
+  std::vector<float> corners, heights, mesh_vertices;
+  std::vector<std::uint32_t> mesh_triangles;
+  for (const Part& part : scene.parts) {
+    if (part.kind == PartKind::shell || part.footprint.empty()) continue;
+    if (part.kind == PartKind::mesh && part.triangle_count > 0 &&
+        part.triangle_count <= most_mesh_triangles) {
+      std::map<std::uint32_t, std::uint32_t> known;
+      for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
+        for (const std::uint32_t corner : scene.mesh.triangles[t]) {
+          const auto next = static_cast<std::uint32_t>(mesh_vertices.size() / 3);
+          const auto [found, is_new] = known.emplace(corner, next);
+          if (is_new) append(mesh_vertices, scene.mesh.vertices[corner]);
+          mesh_triangles.push_back(found->second);
+        }
+      continue;
+    }
+    look.push_back(look_of(part.kind));
+    corner_count.push_back(static_cast<std::uint8_t>(std::min<std::size_t>(part.footprint.size(), 255)));
+    for (std::size_t k = 0; k < corner_count.back(); ++k)
+      for (const double at : part.footprint[k]) corners.push_back(static_cast<float>(at));
+    heights.push_back(static_cast<float>(part.bottom));
+    heights.push_back(static_cast<float>(part.top));
+  }
+  page.add("part_look", std::span(look));
+  page.add("part_corners", std::span(corner_count));
+  page.add("part_outline", std::span(corners));
+  page.add("part_height", std::span(heights));
+  page.add("mesh_vertex", std::span(mesh_vertices));
+  page.add("mesh_triangle", std::span(mesh_triangles));
+}
+
+// Labels of one type that need the same: one threshold for them in the page.
+Json add_labels(PageData& page, const ReportData& data) {
+  std::vector<float> position, normal;
+  std::vector<std::uint16_t> kind, level(data.outcome.labels.size());
+  std::map<std::pair<std::string, double>, std::uint16_t> known;
+  Json kinds = Json::array(), ids = Json::array();
+  for (const LabelRow& label : data.input.matrix.labels) {
+    append(position, label.position);
+    append(normal, label.normal);
+    ids.push_back(label.id);
+    const auto [found, is_new] =
+        known.emplace(std::pair(label.type, label.requirement), static_cast<std::uint16_t>(known.size()));
+    if (is_new) kinds.push_back({{"type", label.type}, {"requirement", label.requirement}});
+    kind.push_back(found->second);
+  }
+  for (std::size_t k = 0; k < data.levels.size(); ++k)
+    for (const std::uint32_t label : data.levels[k].labels) level[label] = static_cast<std::uint16_t>(k);
+  page.add("label_position", std::span(position));
+  page.add("label_normal", std::span(normal));
+  page.add("label_kind", std::span(kind));
+  page.add("label_level", std::span(level));
+  return {{"ids", ids}, {"kinds", kinds}};
+}
+
+Json add_units(PageData& page, const ReportData& data) {
+  std::vector<float> position, axis;
+  Json ids = Json::array(), types = Json::array(), installed = Json::array();
+  const auto& units = data.input.matrix.transceivers;
+  for (std::uint32_t j = 0; j < units.size(); ++j) {
+    append(position, units[j].position);
+    append(axis, units[j].axis);
+    ids.push_back(units[j].id);
+    types.push_back(units[j].type);
+    if (units[j].installed) installed.push_back(j);
+  }
+  page.add("unit_position", std::span(position));
+  page.add("unit_axis", std::span(axis));
+  Json needed_by = Json::array();
+  for (const UnitOutcome& unit : data.outcome.units) needed_by.push_back(unit.needed_by);
+  return {{"ids", ids},
+          {"types", types},
+          {"installed", installed},
+          {"mounts", shared_mounts(data.input.matrix)},
+          {"selected", data.input.placement.selected},
+          {"neededBy", needed_by}};
+}
+
+// In the order of Verdict, as the script knows it; nothing without a certificate.
+Json add_certificate(PageData& page, const ReportData& data) {
+  const auto& certificate = data.input.placement.certificate;
+  std::vector<std::uint8_t> verdicts;
+  if (certificate)
+    for (const LabelVerdict& label : certificate->labels)
+      verdicts.push_back(static_cast<std::uint8_t>(label.verdict));
+  page.add("label_verdict", std::span(verdicts));
+  return certificate ? Json{{"confidence", certificate->confidence}} : Json();
+}
+
+Json levels_of(const ReportData& data) {
+  Json levels = Json::array();
+  for (const ShelfLevel& level : data.levels)
+    levels.push_back({{"heights", level.heights()}, {"labels", level.labels.size()}});
+  return levels;
+}
+
+Json margins() {
+  Json classes = Json::array();
+  for (const MarginClass& margin : margin_classes)
+    classes.push_back({{"from", margin.from}, {"name", margin.name}});
+  return classes;
+}
+
+Json fixtures_of(const Scene& scene) {
+  Json fixtures = Json::array();
+  for (const FixtureOutline& fixture : scene.fixtures) {
+    Vec3 centre{0, 0, fixture.height};
+    for (const auto& [x, y] : fixture.footprint) {
+      centre.x += x / static_cast<double>(fixture.footprint.size());
+      centre.y += y / static_cast<double>(fixture.footprint.size());
+    }
+    fixtures.push_back({{"id", fixture.id}, {"at", point(centre)}});
+  }
+  return fixtures;
+}
+
+}  // namespace
+
+std::string pack_store(const ReportData& data, const SignalScale& scale) {
+  const Scene& scene = data.input.scene;
+  const Question& question = data.input.placement.question;
+  PageData page;
+  add_parts(page, scene);
+  Json about;
+  about["lower"] = scene.room ? point({}) : point(scene.lower);
+  about["upper"] = scene.room ? point(*scene.room) : point(scene.upper);
+  about["cooperative"] = question.model == CommunicationModel::cooperative;
+  about["redundant"] = question.redundant;
+  about["tolerance"] = met_tolerance;
+  about["unit"] = {{"factor", data.unit.factor}, {"name", data.unit.name}};
+  about["margins"] = margins();
+  about["signals"] = scale.edges;
+  about["levels"] = levels_of(data);
+  about["fixtures"] = fixtures_of(scene);
+  about["labels"] = add_labels(page, data);
+  about["units"] = add_units(page, data);
+  about["certificate"] = add_certificate(page, data);
+  return page.base64(about.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace shelfbeam

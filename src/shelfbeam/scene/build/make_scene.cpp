@@ -1,0 +1,275 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/scene/build/fixture_geometry.hpp"
+#include "shelfbeam/scene/build/misplaced.hpp"
+#include "shelfbeam/scene/build/scene_size.hpp"
+#include "shelfbeam/scene/build/sound_mesh.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/scene/warning_list.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+class SceneMaker {
+ public:
+  explicit SceneMaker(const Store& store) : store_(store) {}
+
+  Scene make() {
+    scene_.name = store_.name;
+    scene_.wavelength_nm = store_.wavelength_nm;
+    scene_.materials = store_.materials;
+    scene_.label_types = store_.label_types;
+    scene_.transceiver_types = store_.transceiver_types;
+    expect_memory();
+    add_room();
+    add_fixtures();
+    if (scene_.mesh.triangles.empty()) fail("has neither a room nor fixtures", "add a room");
+    find_bounds();
+    add_labels();
+    add_transceivers();
+    mark_installed();
+    warn_of_bright_materials();
+    warn_of_misplaced(scene_, places_, warnings_);
+    scene_.warnings = warnings_.texts();
+    return std::move(scene_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
+    throw InputError(store_.file, problem, suggestion);
+  }
+
+  // Before anything is made.
+  void expect_memory() const {
+    std::size_t size = 0;
+    const auto add = [&](std::size_t more, const std::string& where) {
+      size += more;
+      if (size > store_.memory)
+        throw InputError(
+            where,
+            fmt::format("with this the store needs about {:.3g} GB of memory and may use {:.3g} GB",
+                        1e-9 * static_cast<double>(size), 1e-9 * static_cast<double>(store_.memory)),
+            "use wider spacings or simpler meshes, or allow more ('--memory')");
+    };
+    for (const auto& [fixture, where] : store_.fixtures) add(scene_size(fixture), where);
+    for (std::size_t g = 0; g < store_.grids.size(); ++g)
+      add(scene_size(store_.grids[g]), fmt::format("{}: transceivers.grids[{}]", store_.file, g));
+  }
+
+  void add_room() {
+    if (!store_.room) return;
+    const Vec3 s = store_.room->size;
+    scene_.room = s;
+    TriangleMesh& mesh = scene_.mesh;
+    for (int corner = 0; corner < 8; ++corner)
+      mesh.vertices.push_back(
+          {(corner & 1) != 0 ? s.x : 0, (corner & 2) != 0 ? s.y : 0, (corner & 4) != 0 ? s.z : 0});
+    constexpr std::array<std::array<std::uint32_t, 4>, 6> sides{
+        {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+      const auto& [a, b, c, d] = sides[side];
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({a, c, d});
+      mesh.materials.insert(mesh.materials.end(), 2, store_.room->materials[side]);
+    }
+  }
+
+  void add_fixtures() {
+    std::set<std::string> ids;
+    for (const auto& [fixture, where] : store_.fixtures) {
+      const std::string& id = std::visit([](const auto& f) -> const std::string& { return f.id; }, fixture);
+      if (!ids.insert(id).second)
+        throw InputError(where, fmt::format("the fixture id '{}' is used twice", id), "make ids unique");
+      expect_panes(fixture, where);
+      const std::size_t first_vertex = scene_.mesh.vertices.size();
+      const auto* mesh = std::get_if<MeshFixture>(&fixture);
+      if (mesh != nullptr)
+        add_fixture(scene_, sound_mesh(*mesh, store_, where, warnings_));
+      else
+        std::visit([&](const auto& f) { add_fixture(scene_, f); }, fixture);
+      const auto is_outside = [&](const Vec3& p) { return !beyond_room(scene_, p).empty(); };
+      if (std::any_of(scene_.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex),
+                      scene_.mesh.vertices.end(), is_outside))
+        warnings_.add("fixtures that reach outside the room",
+                      fmt::format("{}: fixture '{}' reaches outside the room; move it, or correct {}", where,
+                                  id, mesh != nullptr ? "its 'scale'" : "its size or the room's"));
+      places_.labels.resize(scene_.labels.size(), where);
+    }
+  }
+
+  void expect_panes(const Fixture& fixture, const std::string& where) const {
+    const auto* gondola = std::get_if<Gondola>(&fixture);
+    const auto* freezer = std::get_if<Freezer>(&fixture);
+    const auto doors = gondola != nullptr   ? gondola->doors
+                       : freezer != nullptr ? freezer->doors
+                                            : std::nullopt;
+    if (doors && std::holds_alternative<Dielectric>(store_.materials[doors->value].material))
+      throw InputError(where + ".doors",
+                       fmt::format("'{}' is a solid 'dielectric', but a door has no thickness",
+                                   store_.materials[doors->value].name),
+                       "use a 'thin_dielectric', which is a whole pane");
+  }
+
+  void find_bounds() {
+    scene_.lower = scene_.upper = scene_.mesh.vertices.front();
+    for (const Vec3& p : scene_.mesh.vertices) {
+      scene_.lower = {std::min(scene_.lower.x, p.x), std::min(scene_.lower.y, p.y),
+                      std::min(scene_.lower.z, p.z)};
+      scene_.upper = {std::max(scene_.upper.x, p.x), std::max(scene_.upper.y, p.y),
+                      std::max(scene_.upper.z, p.z)};
+    }
+  }
+
+  // Smooth mirrors and glass do not scatter: a chain over them ends by chance (follow_chain).
+  void warn_of_bright_materials() {
+    constexpr double usual = 0.97;
+    const std::vector<bool> used = scene_.used_materials();
+    for (std::size_t k = 0; k < used.size(); ++k) {
+      if (!used[k]) continue;
+      const NamedMaterial& named = scene_.materials[k];
+      const auto given = given_reflectance(named.material);
+      const bool is_rough_metal =
+          std::holds_alternative<Conductor>(named.material) && !has_only_specular(named.material);
+      const double reflectance = given            ? *given
+                                 : is_rough_metal ? albedo(named.material, normalized(Vec3{1, 0, 1}))
+                                                  : 0;
+      if (reflectance <= usual) continue;
+      warnings_.add(
+          "materials that reflect almost all light",
+          fmt::format("{0}: materials.{1}{2}: material '{1}' reflects {3:.3g} of the light, so that paths "
+                      "between such surfaces end late: simulation takes long, and its errors are less "
+                      "reliable; white paint has 0.8 to 0.9, rough metal 0.6 to 0.9",
+                      store_.file, named.name, given ? ".reflectance" : "", reflectance));
+    }
+  }
+
+  void expect_in_room(const std::string& id, const Vec3& p, const std::string& where,
+                      const char* what) const {
+    if (const std::string side = beyond_room(scene_, p); !side.empty())
+      throw InputError(
+          where,
+          fmt::format(
+              "{} '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside the room of {:.6g} x {:.6g} x {:.6g} m: {}",
+              what, id, p.x, p.y, p.z, scene_.room->x, scene_.room->y, scene_.room->z, side),
+          "move it inside, or correct the room's size");
+  }
+
+  void add_labels() {
+    for (const auto& [label, where] : store_.labels) {
+      scene_.labels.push_back(label);
+      places_.labels.push_back(where);
+    }
+    if (scene_.labels.empty()) fail("has no labels", "add 'labels', or 'labels' to a fixture");
+    std::unordered_map<std::string, std::string> seen;
+    for (std::size_t i = 0; i < scene_.labels.size(); ++i) {
+      const Label& label = scene_.labels[i];
+      if (label.id.empty()) throw InputError(places_.labels[i], "the label has no id", "give it one");
+      const auto [first, is_new] = seen.emplace(label.id, places_.labels[i]);
+      if (!is_new)
+        throw InputError(places_.labels[i],
+                         fmt::format("the label id '{}' is used twice, first in {}", label.id, first->second),
+                         "make ids unique");
+      expect_in_room(label.id, label.position, places_.labels[i], "label");
+    }
+  }
+
+  bool kept_out(const Vec3& p) const {
+    constexpr double slack = 1e-9;
+    return std::any_of(store_.keep_out.begin(), store_.keep_out.end(), [&](const KeepOut& area) {
+      return p.x >= area.min[0] - slack && p.x <= area.max[0] + slack && p.y >= area.min[1] - slack &&
+             p.y <= area.max[1] + slack;
+    });
+  }
+
+  void add_transceiver(const Transceiver& unit, const std::string& where) {
+    if (unit.id.empty()) throw InputError(where, "the transceiver has no id", "give it one");
+    if (kept_out(unit.position)) {
+      kept_out_ids_.insert(unit.id);
+      return;
+    }
+    expect_in_room(unit.id, unit.position, where, "transceiver");
+    if (!unit_index_.emplace(unit.id, scene_.transceivers.size()).second)
+      throw InputError(where, fmt::format("the transceiver id '{}' is used twice", unit.id),
+                       "make ids unique");
+    scene_.transceivers.push_back(unit);
+    places_.transceivers.push_back(where);
+  }
+
+  void add_transceivers() {
+    for (std::size_t g = 0; g < store_.grids.size(); ++g) {
+      const TransceiverGrid& grid = store_.grids[g];
+      const auto steps = [&](int axis) {
+        const double extent =
+            grid.max[static_cast<std::size_t>(axis)] - grid.min[static_cast<std::size_t>(axis)];
+        return extent > 0 ? std::max(1L, std::lround(extent / grid.spacing)) : 0L;
+      };
+      const auto coordinate = [&](std::size_t axis, long k, long n) {
+        return n == 0 ? grid.min[axis]
+                      : grid.min[axis] + (grid.max[axis] - grid.min[axis]) * static_cast<double>(k) /
+                                             static_cast<double>(n);
+      };
+      const long nx = steps(0), ny = steps(1);
+      for (long iy = 0; iy <= ny; ++iy)
+        for (long ix = 0; ix <= nx; ++ix) {
+          Transceiver unit;
+          unit.id = fmt::format("G{}-{}-{}", g + 1, ix + 1, iy + 1);
+          unit.position = {coordinate(0, ix, nx), coordinate(1, iy, ny), grid.z};
+          unit.axis = grid.axis;
+          unit.roll_deg = grid.roll_deg;
+          unit.type = grid.type;
+          add_transceiver(unit, fmt::format("{}: transceivers.grids[{}]", store_.file, g));
+        }
+    }
+    for (const auto& [unit, where] : store_.transceivers) add_transceiver(unit, where);
+    if (scene_.transceivers.empty())
+      fail("has no candidate transceivers", "add 'grids' or a 'list', or shrink 'keep_out'");
+  }
+
+  void mark_installed() {
+    for (const auto& [id, where] : store_.installed) {
+      const auto found = unit_index_.find(id);
+      if (found == unit_index_.end())
+        throw InputError(
+            where, fmt::format("there is no transceiver '{}'", id),
+            kept_out_ids_.count(id) != 0 ? "it lies in a 'keep_out' area" : "list it, or correct the id");
+      scene_.transceivers[found->second].installed = true;
+    }
+    expect_one_installed_at_a_point();
+  }
+
+  void expect_one_installed_at_a_point() const {
+    const Places places = places_of(positions_of(scene_.transceivers));
+    std::vector<const Transceiver*> at(places.count, nullptr);
+    for (const auto& [id, where] : store_.installed) {
+      const std::size_t index = unit_index_.at(id);
+      const Transceiver*& first = at[places.of[index]];
+      if (first != nullptr && first->id != id)
+        throw InputError(where, fmt::format("'{}' is installed at the mounting point of '{}'", id, first->id),
+                         "a point holds one unit: keep one of them, or correct a position");
+      first = &scene_.transceivers[index];
+    }
+  }
+
+  const Store& store_;
+  Scene scene_;
+  DevicePlaces places_;
+  WarningList warnings_;
+  std::unordered_map<std::string, std::size_t> unit_index_;
+  std::set<std::string> kept_out_ids_;
+};
+
+}  // namespace
+
+Scene make_scene(const Store& store) {
+  return SceneMaker(store).make();
+}
+
+}  // namespace shelfbeam

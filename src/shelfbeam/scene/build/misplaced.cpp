@@ -1,0 +1,283 @@
+#include "shelfbeam/scene/build/misplaced.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double rounding = 1e-6;  // m
+constexpr double too_near = 0.05;  // m before a label
+constexpr std::array<const char*, 6> room_sides{"behind the wall x0", "behind the wall x1",
+                                                "behind the wall y0", "behind the wall y1",
+                                                "below the floor",    "above the ceiling"};
+constexpr std::array<const char*, 6> room_surfaces{"the wall x0", "the wall x1", "the wall y0",
+                                                   "the wall y1", "the floor",   "the ceiling"};
+
+/// The stretch of a ray within something convex, in m from its origin.
+struct Stretch {
+  double begin = -std::numeric_limits<double>::infinity(), end = -begin;
+
+  /// Keeps what lies where `distance + t * slope` is positive.
+  void clip(double distance, double slope) {
+    if (std::abs(slope) < 1e-12)
+      end = distance > 1e-9 ? end : begin;
+    else if (slope > 0)
+      begin = std::max(begin, -distance / slope);
+    else
+      end = std::min(end, -distance / slope);
+  }
+  bool is_empty() const { return end - begin < rounding; }
+};
+
+/// Of a part with a convex footprint.
+Stretch stretch_within(const Part& part, const Vec3& p, const Vec3& direction) {
+  Stretch stretch;
+  for (std::size_t k = 0; k < part.footprint.size(); ++k) {
+    const auto &a = part.footprint[k], &b = part.footprint[(k + 1) % part.footprint.size()];
+    const double x = b[0] - a[0], y = b[1] - a[1], edge = std::hypot(x, y);
+    if (edge > 0)
+      stretch.clip((x * (p.y - a[1]) - y * (p.x - a[0])) / edge, (x * direction.y - y * direction.x) / edge);
+  }
+  stretch.clip(p.z - part.bottom, direction.z);
+  stretch.clip(part.top - p.z, -direction.z);
+  return stretch;
+}
+
+/// The blocks of a scene by fixture, so that a device is compared with those of near fixtures only.
+class Blocks {
+ public:
+  explicit Blocks(const Scene& scene) : scene_(scene), fixtures_(scene.fixtures.size()) {
+    for (const Part& part : scene.parts) {
+      if (part.kind == PartKind::mesh) continue;
+      Fixture& fixture = fixtures_[part.fixture];
+      Box box;
+      for (const auto& [x, y] : part.footprint) box.include({x, y});
+      fixture.box.include(box.low);
+      fixture.box.include(box.high);
+      fixture.parts.emplace_back(box, &part);
+    }
+  }
+
+  struct Hit {
+    const std::string* fixture;
+    double distance;  ///< m; negative from within
+    bool is_within() const { return distance < -rounding; }
+  };
+  /// The first block on the way, at most 5 cm ahead, or the one around the point.
+  std::optional<Hit> next(const Vec3& p, const Vec3& direction) const {
+    std::optional<Hit> nearest;
+    for (std::size_t f = 0; f < fixtures_.size(); ++f) {
+      const Fixture& fixture = fixtures_[f];
+      if (!fixture.box.is_near(p)) continue;
+      for (const auto& [box, part] : fixture.parts) {
+        if (!box.is_near(p)) continue;
+        if (p.z < part->bottom - too_near || p.z > part->top + too_near) continue;
+        const Stretch stretch = stretch_within(*part, p, direction);
+        if (stretch.is_empty() || stretch.end < rounding || stretch.begin > too_near) continue;
+        if (!nearest || stretch.begin < nearest->distance)
+          nearest = Hit{&scene_.fixtures[f].id, stretch.begin};
+      }
+    }
+    return nearest;
+  }
+
+ private:
+  struct Box {  // in plan
+    std::array<double, 2> low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+
+    void include(const std::array<double, 2>& q) {
+      low = {std::min(low[0], q[0]), std::min(low[1], q[1])};
+      high = {std::max(high[0], q[0]), std::max(high[1], q[1])};
+    }
+    bool is_near(const Vec3& p) const {
+      return p.x > low[0] - too_near && p.x < high[0] + too_near && p.y > low[1] - too_near &&
+             p.y < high[1] + too_near;
+    }
+  };
+  struct Fixture {
+    std::vector<std::pair<Box, const Part*>> parts;
+    Box box;
+  };
+  const Scene& scene_;
+  std::vector<Fixture> fixtures_;
+};
+
+/// The corners of a label that has a size.
+std::vector<Vec3> outline(const Scene& scene, const Label& label) {
+  const auto& [width, height] = scene.type_of(label).size;
+  if (width == 0) return {};
+  const Frame frame = Frame::of_surface(label.normal);
+  const Vec3 right = frame.x * (width / 2), up = frame.y * (height / 2);
+  const Vec3& p = label.position;
+  return {p - right - up, p + right - up, p + right + up, p - right + up};
+}
+
+/// Eight points on the edge of a disc.
+std::vector<Vec3> outline(const Scene& scene, const Transceiver& unit) {
+  const double radius = scene.type_of(unit).radius;
+  if (radius == 0) return {};
+  const Frame frame = Frame::about(unit.axis);
+  std::vector<Vec3> points(8);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double phi = static_cast<double>(k) * pi / 4;
+    points[k] = unit.position + frame.to_world({radius * std::cos(phi), radius * std::sin(phi), 0});
+  }
+  return points;
+}
+
+/// The fixture that a part of the device lies in.
+template <class Device>
+const std::string* around_a_part(const Scene& scene, const Blocks& blocks, const Device& device,
+                                 const Vec3& normal) {
+  for (const Vec3& p : outline(scene, device))
+    if (const auto hit = blocks.next(p, normal); hit && hit->is_within()) return hit->fixture;
+  return nullptr;
+}
+
+/// The surface of the room that the label looks at from less than 5 cm, and from how far.
+std::optional<std::pair<const char*, double>> room_surface_before(const Scene& scene, const Label& label) {
+  if (!scene.room) return std::nullopt;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double slope = label.normal[axis];
+    if (std::abs(slope) < rounding) continue;
+    const double distance = ((slope > 0 ? (*scene.room)[axis] : 0) - label.position[axis]) / slope;
+    if (distance < too_near)
+      return std::pair{room_surfaces[2 * static_cast<std::size_t>(axis) + (slope > 0 ? 1 : 0)],
+                       std::max(0.0, distance)};
+  }
+  return std::nullopt;
+}
+
+// A disc or a rectangle whose middle lies within the room, and whose rim goes `reach` further along each
+// axis.
+void warn_of_overhang(const Scene& scene, const std::string& place, const std::string& what,
+                      const Vec3& middle, const Vec3& reach, WarningList& warnings) {
+  std::string side = beyond_room(scene, middle - reach);
+  if (side.empty()) side = beyond_room(scene, middle + reach);
+  if (!side.empty())
+    warnings.add("devices that reach outside the room",
+                 fmt::format("{}: {} reaches {}, where no light goes in or out; move it inwards, or make it "
+                             "smaller",
+                             place, what, side));
+}
+
+Vec3 reach_of_label(const Vec3& normal, const std::array<double, 2>& size) {
+  const Frame frame = Frame::of_surface(normal);
+  const auto along = [&](int axis) {
+    return (std::abs(frame.x[axis]) * size[0] + std::abs(frame.y[axis]) * size[1]) / 2;
+  };
+  return {along(0), along(1), along(2)};
+}
+
+Vec3 reach_of_disc(const Vec3& axis, double radius) {
+  const auto along = [&](double a) { return radius * std::sqrt(std::max(0.0, 1 - a * a)); };
+  return {along(axis.x), along(axis.y), along(axis.z)};
+}
+
+void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& places,
+                    WarningList& warnings) {
+  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
+    const Label& label = scene.labels[i];
+    const auto looks_at = [&](const std::string& what, double distance) {
+      warnings.add(
+          "labels that look at a surface right in front of them",
+          fmt::format("{}: label '{}' looks at {}, {:.2g} cm in front of it; turn its normal round, or "
+                      "move it to where light reaches it",
+                      places[i], label.id, what, 100 * std::max(0.0, distance)));
+    };
+    const auto hit = blocks.next(label.position, label.normal);
+    if (hit && hit->is_within())
+      warnings.add("labels that lie inside a fixture",
+                   fmt::format("{}: label '{}' lies inside fixture '{}' and hears nothing; move one of them",
+                               places[i], label.id, *hit->fixture));
+    else if (hit)
+      looks_at(fmt::format("fixture '{}'", *hit->fixture), hit->distance);
+    else if (const auto surface = room_surface_before(scene, label))
+      looks_at(surface->first, surface->second);
+    else if (const std::string* fixture = around_a_part(scene, blocks, label, label.normal))
+      warnings.add(
+          "labels of which a part is hidden",
+          fmt::format(
+              "{}: part of label '{}' lies inside fixture '{}' and hears nothing; move it, turn it, or give "
+              "its type another 'size'",
+              places[i], label.id, *fixture));
+    else
+      warn_of_overhang(scene, places[i], fmt::format("label '{}'", label.id), label.position,
+                       reach_of_label(label.normal, scene.label_types[label.type.value].size), warnings);
+  }
+}
+
+bool is_within_bounds(const Scene& scene, const Vec3& p) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (p[axis] < scene.lower[axis] - rounding || p[axis] > scene.upper[axis] + rounding) return false;
+  return true;
+}
+
+void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& places,
+                          WarningList& warnings) {
+  const Vec3 &low = scene.lower, &high = scene.upper;
+  for (std::size_t j = 0; j < scene.transceivers.size(); ++j) {
+    const Transceiver& unit = scene.transceivers[j];
+    const Vec3& p = unit.position;
+    const auto hit = blocks.next(p, unit.axis);
+    if (hit && hit->is_within())
+      warnings.add(
+          "transceivers that lie inside a fixture",
+          fmt::format("{}: transceiver '{}' lies inside fixture '{}', which keeps its light; move it, or "
+                      "cover the place with 'keep_out'",
+                      places[j], unit.id, *hit->fixture));
+    else if (!scene.room && !is_within_bounds(scene, p))
+      warnings.add(
+          "transceivers that lie outside of all surfaces",
+          fmt::format("{}: transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside of all surfaces, which "
+                      "lie from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}); move it, or give "
+                      "the store a 'room'",
+                      places[j], unit.id, p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y, high.z));
+    else if (const std::string* fixture = around_a_part(scene, blocks, unit, unit.axis))
+      warnings.add(
+          "transceivers of which a part is hidden",
+          fmt::format(
+              "{}: part of transceiver '{}' lies inside fixture '{}', which keeps its light; move it, or "
+              "give its type another 'radius'",
+              places[j], unit.id, *fixture));
+    else
+      warn_of_overhang(scene, places[j], fmt::format("the disc of transceiver '{}'", unit.id), p,
+                       reach_of_disc(unit.axis, scene.transceiver_types[unit.type.value].radius), warnings);
+  }
+}
+
+}  // namespace
+
+std::string beyond_room(const Scene& scene, const Vec3& p) {
+  if (!scene.room) return {};
+  for (const int axis : {2, 0, 1}) {
+    const auto side = 2 * static_cast<std::size_t>(axis);
+    const double size = (*scene.room)[axis];
+    if (p[axis] < -rounding) return fmt::format("{} ({:.6g} m < 0 m)", room_sides[side], p[axis]);
+    if (p[axis] > size + rounding)
+      return fmt::format("{} ({:.6g} m > {:.6g} m)", room_sides[side + 1], p[axis], size);
+  }
+  return {};
+}
+
+void warn_of_misplaced(const Scene& scene, const DevicePlaces& places, WarningList& warnings) {
+  const Blocks blocks(scene);
+  warn_of_labels(scene, blocks, places.labels, warnings);
+  warn_of_transceivers(scene, blocks, places.transceivers, warnings);
+}
+
+}  // namespace shelfbeam

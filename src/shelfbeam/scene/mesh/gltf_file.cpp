@@ -1,0 +1,261 @@
+#include "shelfbeam/scene/mesh/gltf_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+enum ComponentType : std::int64_t {
+  signed_byte = 5120,
+  unsigned_byte = 5121,
+  signed_short = 5122,
+  unsigned_short = 5123,
+  unsigned_int = 5125,
+  real = 5126
+};
+
+constexpr std::int64_t most = std::int64_t{1} << 50;  // of bytes or numbers: beyond any file, and exact
+
+std::size_t bytes_of(std::int64_t component_type) {
+  return component_type == unsigned_int || component_type == real             ? 4
+         : component_type == signed_short || component_type == unsigned_short ? 2
+                                                                              : 1;
+}
+
+template <class T>
+T value_at(std::string_view bytes, std::size_t at) {
+  T value{};
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+struct Chunks {
+  std::string_view json, binary;
+};
+
+// A GLB file is a header of 12 bytes and chunks, each behind its length and its type; a .gltf file is the
+// JSON.
+Chunks chunks_of(std::string_view text, const std::string& name) {
+  if (!text.starts_with("glTF")) return {text, {}};
+  const auto fail = [&](const char* problem) {
+    throw InputError(name, problem, "it is truncated or damaged: export it again");
+  };
+  constexpr std::uint32_t json_type = 0x4E4F534A, binary_type = 0x004E4942;
+  if (text.size() < 20) fail("ends within its header");
+  if (value_at<std::uint32_t>(text, 4) != 2) fail("is of another version of glTF than 2");
+  if (value_at<std::uint32_t>(text, 8) != text.size()) fail("is not as long as its header says");
+  Chunks chunks;
+  for (std::size_t at = 12; text.size() - at >= 8;) {
+    const std::size_t length = value_at<std::uint32_t>(text, at);
+    const auto type = value_at<std::uint32_t>(text, at + 4);
+    at += 8;
+    if (length > text.size() - at) fail("ends before one of its chunks");
+    if (type == json_type && chunks.json.empty()) chunks.json = text.substr(at, length);
+    if (type == binary_type && chunks.binary.empty()) chunks.binary = text.substr(at, length);
+    at += length;
+  }
+  return chunks;
+}
+
+std::string from_base64(std::string_view text, const JsonCursor& place) {
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  std::uint32_t group = 0;
+  int bits = 0;
+  while (text.ends_with('=')) text.remove_suffix(1);
+  for (const char c : text) {
+    const int digit = c >= 'A' && c <= 'Z'   ? c - 'A'
+                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
+                      : c >= '0' && c <= '9' ? c - '0' + 52
+                      : c == '+'             ? 62
+                      : c == '/'             ? 63
+                                             : -1;
+    if (digit < 0) place.fail("is no base64", "export the file again");
+    group = group << 6 | static_cast<std::uint32_t>(digit);
+    if ((bits += 6) < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(group >> bits & 0xff);
+  }
+  return bytes;
+}
+
+// "a%20b.bin" -> "a b.bin"
+std::string without_percent(std::string_view uri) {
+  const auto digit = [](char c) {
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+  };
+  std::string name;
+  for (std::size_t k = 0; k < uri.size(); ++k) {
+    if (uri[k] == '%' && k + 2 < uri.size() && digit(uri[k + 1]) >= 0 && digit(uri[k + 2]) >= 0) {
+      name += static_cast<char>(digit(uri[k + 1]) * 16 + digit(uri[k + 2]));
+      k += 2;
+    } else {
+      name += uri[k];
+    }
+  }
+  return name;
+}
+
+std::size_t count_at(const JsonCursor& object, std::string_view key, std::int64_t otherwise) {
+  const auto found = object.find(key);
+  return static_cast<std::size_t>(found ? found->integer(0, most) : otherwise);
+}
+
+// What changes positions and is not read here.
+void expect_plain(const JsonCursor& root) {
+  if (const auto required = root.find("extensionsRequired"))
+    for (const JsonCursor& extension : required->elements()) {
+      const std::string name = extension.text();
+      for (const std::string_view harmless :
+           {"KHR_materials_", "KHR_texture_", "KHR_lights_", "KHR_mesh_quantization", "EXT_texture_"})
+        if (name.starts_with(harmless)) return;
+      extension.fail(fmt::format("needs '{}', which is not read", name), "export the file without it");
+    }
+}
+
+}  // namespace
+
+GltfFile::GltfFile(std::string_view text, std::filesystem::path name, const StoreFolder& folder)
+    : name_(std::move(name)), folder_(folder), root_([&] {
+        const auto [json, binary] = chunks_of(text, name_.string());
+        json_ = json;
+        binary_ = binary;
+        return JsonCursor::parse(json_, name_.string());
+      }()) {
+  const std::string version = root_["asset"]["version"].text();
+  if (!version.starts_with("2."))
+    root_["asset"].fail(fmt::format("is of version {}", version), "glTF 2.0 is read");
+  expect_plain(root_);
+}
+
+JsonCursor GltfFile::item(std::string_view list, const JsonCursor& number) const {
+  const auto found = root_.find(list);
+  const std::size_t count = found ? found->size() : 0;
+  const auto index = number.integer(0, most);
+  if (index >= static_cast<std::int64_t>(count))
+    number.fail(fmt::format("is {}, and there are {} {}", index, count, list), "export the file again");
+  return found->element(static_cast<std::size_t>(index));
+}
+
+double GltfFile::Numbers::at(std::size_t index, std::size_t component) const {
+  const std::size_t at = index * stride + component * bytes_of(type);
+  const auto scaled = [&](double value, double largest) {
+    return is_normalized ? std::max(value / largest, -1.0) : value;
+  };
+  switch (type) {
+    case signed_byte:
+      return scaled(value_at<std::int8_t>(bytes, at), 127);
+    case unsigned_byte:
+      return scaled(value_at<std::uint8_t>(bytes, at), 255);
+    case signed_short:
+      return scaled(value_at<std::int16_t>(bytes, at), 32767);
+    case unsigned_short:
+      return scaled(value_at<std::uint16_t>(bytes, at), 65535);
+    case unsigned_int:
+      return value_at<std::uint32_t>(bytes, at);
+    default:
+      return value_at<float>(bytes, at);
+  }
+}
+
+GltfFile::Numbers GltfFile::numbers(const JsonCursor& number, std::string_view type, std::size_t components) {
+  const JsonCursor accessor = item("accessors", number);
+  if (accessor.find("sparse")) accessor.fail("is sparse, which is not read", "export the file without it");
+  if (accessor["type"].text() != type)
+    accessor["type"].fail("is another", fmt::format("'{}' is expected", type));
+  Numbers numbers;
+  numbers.components = components;
+  numbers.type = accessor["componentType"].integer(signed_byte, real);
+  if (numbers.type == 5124) accessor["componentType"].fail("is 5124", "5120 to 5126 without it are known");
+  if (const auto normalized = accessor.find("normalized")) numbers.is_normalized = normalized->boolean();
+  numbers.count = static_cast<std::size_t>(accessor["count"].integer(1, most));
+
+  const JsonCursor view = item("bufferViews", accessor["bufferView"]);
+  const std::string& buffer = this->buffer(view["buffer"]);
+  const std::size_t begin = count_at(view, "byteOffset", 0), length = count_at(view, "byteLength", 0);
+  if (begin > buffer.size() || length > buffer.size() - begin)
+    view.fail("reaches beyond its buffer", "export the file again");
+  const std::size_t size = components * bytes_of(numbers.type);
+  numbers.stride = count_at(view, "byteStride", static_cast<std::int64_t>(size));
+  const std::size_t offset = count_at(accessor, "byteOffset", 0);
+  // Each number takes a place of its own, so the file is as large as what is read of it.
+  if (numbers.stride < size || offset > length || size > length - offset ||
+      (length - offset - size) / numbers.stride < numbers.count - 1)
+    accessor.fail("reaches beyond its view of a buffer", "export the file again");
+  numbers.bytes = std::string_view(buffer).substr(begin, length).substr(offset);
+  return numbers;
+}
+
+std::vector<Vec3> GltfFile::positions(const JsonCursor& accessor) {
+  const Numbers values = numbers(accessor, "VEC3", 3);
+  std::vector<Vec3> positions;
+  for (std::size_t k = 0; k < values.count; ++k) {
+    positions.push_back({values.at(k, 0), values.at(k, 1), values.at(k, 2)});
+    if (!is_finite(positions.back()))
+      accessor.fail(fmt::format("names positions of which vertex {} (counted from 0) is not finite", k),
+                    "repair the mesh in the program that wrote it");
+  }
+  return positions;
+}
+
+std::vector<std::uint32_t> GltfFile::indices(const JsonCursor& accessor, std::size_t vertices) {
+  Numbers values = numbers(accessor, "SCALAR", 1);
+  values.is_normalized = false;
+  std::vector<std::uint32_t> indices;
+  for (std::size_t k = 0; k < values.count; ++k) {
+    const double index = values.at(k, 0);
+    if (!(index >= 0 && index < static_cast<double>(vertices)) || index != std::floor(index))
+      accessor.fail(fmt::format("names the vertex {} of {}, counted from 0", index, vertices),
+                    "repair the mesh in the program that wrote it");
+    indices.push_back(static_cast<std::uint32_t>(index));
+  }
+  return indices;
+}
+
+const std::string& GltfFile::buffer(const JsonCursor& number) {
+  const JsonCursor buffer = item("buffers", number);
+  const auto index = number.integer(0, most);
+  const auto found = buffers_.find(index);
+  if (found != buffers_.end()) return found->second;
+  return buffers_.emplace(index, load(buffer, index == 0)).first->second;
+}
+
+std::string GltfFile::load(const JsonCursor& buffer, bool is_first) const {
+  const auto uri = buffer.find("uri");
+  std::string bytes;
+  if (!uri) {
+    if (!is_first || binary_.empty())
+      buffer.fail("has no 'uri', and no bytes follow in the file", "export it again");
+    bytes = binary_;
+  } else {
+    const std::string text = uri->text();
+    if (text.starts_with("data:")) {
+      constexpr std::string_view marker = ";base64,";
+      const auto begin = text.find(marker);
+      if (begin == std::string::npos) uri->fail("is no base64", "export the file again");
+      bytes = from_base64(std::string_view(text).substr(begin + marker.size()), *uri);
+    } else {
+      bytes = read_file(folder_.find(name_.parent_path() / without_percent(text), uri->where(), "buffer"));
+    }
+  }
+  const auto length = static_cast<std::size_t>(buffer["byteLength"].integer(0, most));
+  if (length > bytes.size())
+    buffer.fail(fmt::format("has {} bytes where it says {}", bytes.size(), length), "export the file again");
+  bytes.resize(length);
+  return bytes;
+}
+
+}  // namespace shelfbeam

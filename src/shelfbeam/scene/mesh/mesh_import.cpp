@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cstdint>
+#include <set>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/mesh/mesh_formats.hpp"
+#include "shelfbeam/scene/store/store_parts.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+std::string printable(std::string name) {
+  if (!is_utf8(name))
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) > 127; }, '?');
+  return name;
+}
+
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::optional<MaterialId> mapped(const std::string& name,
+                                 const std::vector<std::pair<std::string, MaterialId>>& materials) {
+  for (const auto& [pattern, material] : materials)
+    if (matches_glob(name, pattern)) return material;
+  return std::nullopt;
+}
+
+struct SamePlace {
+  bool operator()(const Vec3& a, const Vec3& b) const { return a.x == b.x && a.y == b.y && a.z == b.z; }
+};
+
+struct PlaceHash {
+  std::size_t operator()(const Vec3& p) const {
+    std::size_t hash = 0;
+    // Adding 0 makes one of the two zeros.
+    for (int axis = 0; axis < 3; ++axis)
+      hash = (hash ^ std::bit_cast<std::uint64_t>(p[axis] + 0.0)) * 0x9E3779B97F4A7C15U;
+    return hash ^ hash >> 32;
+  }
+};
+
+// Corners at the same place become one vertex.
+MeshPiece piece_of(const MeshTriangles::OfMaterial& part, bool y_is_up) {
+  MeshPiece piece;
+  piece.name = printable(part.name);
+  std::unordered_map<Vec3, std::uint32_t, PlaceHash, SamePlace> known;
+  for (const auto& triangle : part.triangles) {
+    auto& corners = piece.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = triangle[k];
+      const auto [found, is_new] = known.emplace(p, static_cast<std::uint32_t>(piece.vertices.size()));
+      if (is_new) piece.vertices.push_back(y_is_up ? Vec3{p.x, -p.z, p.y} : p);
+      corners[k] = found->second;
+    }
+  }
+  return piece;
+}
+
+[[noreturn]] void fail_unmatched(const std::set<std::string>& names, const std::filesystem::path& file,
+                                 const std::string& where) {
+  std::vector<std::string_view> list(names.begin(), names.end());
+  const bool has_unnamed = list.front().empty();
+  if (has_unnamed) list.erase(list.begin());
+  if (list.empty())
+    throw InputError(where, fmt::format("surfaces of '{}' name no material", file.string()),
+                     "give 'materials' an entry \"*\", which stands for all");
+  throw InputError(where,
+                   fmt::format("nothing in 'materials' matches these materials of '{}': {}{}", file.string(),
+                               join(list, ", "), has_unnamed ? ", nor the surfaces that name none" : ""),
+                   "add an entry for each, e.g. \"*\"");
+}
+
+}  // namespace
+
+std::vector<MeshPiece> import_mesh(const std::filesystem::path& name, const StoreFolder& folder,
+                                   std::optional<bool> y_is_up,
+                                   const std::vector<std::pair<std::string, MaterialId>>& materials,
+                                   const std::string& where) {
+  const std::filesystem::path file = folder.find(name, where, "mesh");
+  const std::string extension = extension_of(file);
+  const bool is_gltf = extension == ".gltf" || extension == ".glb";
+  if (!is_gltf && extension != ".obj" && extension != ".stl" && extension != ".ply")
+    throw InputError(where,
+                     fmt::format("the name of the mesh '{}' says of no format that is read", file.string()),
+                     "use glTF (.gltf, .glb), OBJ (.obj), STL (.stl) or PLY (.ply)");
+  const std::string content = read_file(file);
+  // Triangles stand twice in memory while they become a piece, and corners take more there.
+  MeshTriangles triangles(folder.memory() / 4);
+  MeshLines lines(content, file, where);
+  if (is_gltf) read_gltf(lines, name, folder, triangles);
+  if (extension == ".obj") read_obj(lines, triangles);
+  if (extension == ".stl") read_stl(lines, triangles);
+  if (extension == ".ply") read_ply(lines, triangles);
+
+  std::vector<MeshPiece> pieces;
+  std::set<std::string> unmatched;
+  for (const MeshTriangles::OfMaterial& part : triangles.all()) {
+    if (part.triangles.empty()) continue;
+    MeshPiece piece = piece_of(part, y_is_up.value_or(is_gltf));
+    if (const auto material = mapped(piece.name, materials)) {
+      piece.material = *material;
+      pieces.push_back(std::move(piece));
+    } else {
+      unmatched.insert(piece.name);
+    }
+  }
+  if (!unmatched.empty()) fail_unmatched(unmatched, file, where);
+  if (pieces.empty())
+    throw InputError(where, fmt::format("the mesh '{}' has no triangles", file.string()), "check it");
+  return pieces;
+}
+
+}  // namespace shelfbeam

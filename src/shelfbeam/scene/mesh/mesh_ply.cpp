@@ -1,0 +1,276 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/number.hpp"
+#include "shelfbeam/scene/mesh/mesh_formats.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double most_counted = 4294967295;  // uint is the widest type that counts
+
+enum class Kind { signed_integer, unsigned_integer, real };
+
+struct Type {
+  Kind kind;
+  std::size_t bytes;
+};
+
+std::optional<Type> type_of(std::string_view name) {
+  if (name == "char" || name == "int8") return Type{Kind::signed_integer, 1};
+  if (name == "uchar" || name == "uint8") return Type{Kind::unsigned_integer, 1};
+  if (name == "short" || name == "int16") return Type{Kind::signed_integer, 2};
+  if (name == "ushort" || name == "uint16") return Type{Kind::unsigned_integer, 2};
+  if (name == "int" || name == "int32") return Type{Kind::signed_integer, 4};
+  if (name == "uint" || name == "uint32") return Type{Kind::unsigned_integer, 4};
+  if (name == "float" || name == "float32") return Type{Kind::real, 4};
+  if (name == "double" || name == "float64") return Type{Kind::real, 8};
+  return std::nullopt;
+}
+
+struct Property {
+  Type type;
+  std::optional<Type> count = {};  ///< of a list
+  std::optional<std::size_t> axis = {};
+  bool is_corners = false;
+};
+
+struct Element {
+  std::uint64_t count;
+  bool is_vertex, is_face;
+  std::vector<Property> properties = {};
+
+  bool has_axis(std::size_t axis) const {
+    return std::any_of(properties.begin(), properties.end(),
+                       [&](const Property& p) { return p.axis == axis; });
+  }
+};
+
+struct Header {
+  std::string format;
+  std::vector<Element> elements;
+  double vertices = 0;
+};
+
+Type expect_type(const MeshLines& lines, std::string_view name) {
+  const auto type = type_of(name);
+  if (!type) lines.fail("the type of a property is not known");
+  return *type;
+}
+
+Property read_property(const MeshLines& lines, const Element& element) {
+  const auto& words = lines.words();
+  const std::string_view name = words.back();
+  if (words.size() == 5 && words[1] == "list") {
+    const Type count = expect_type(lines, words[2]);
+    if (count.kind == Kind::real) lines.fail("the length of a list is no whole number");
+    return {.type = expect_type(lines, words[3]),
+            .count = count,
+            .is_corners = element.is_face && (name == "vertex_index" || name == "vertex_indices")};
+  }
+  if (words.size() != 3) lines.fail("'property' and a type and a name are expected");
+  Property property{.type = expect_type(lines, words[1])};
+  constexpr std::string_view axes = "xyz";
+  if (const std::size_t axis = name.size() == 1 ? axes.find(name) : axes.npos;
+      element.is_vertex && axis != axes.npos)
+    property.axis = axis;
+  return property;
+}
+
+Header read_header(MeshLines& lines) {
+  Header header;
+  if (!lines.next() || (lines.words()[0] != "ply" && lines.words()[0] != "PLY"))
+    lines.fail_file("does not begin with 'ply': it is no PLY file");
+  while (lines.next()) {
+    const auto& words = lines.words();
+    if (words[0] == "end_header") break;
+    if (words[0] == "format") {
+      header.format = words.size() > 1 ? words[1] : "";
+    } else if (words[0] == "element") {
+      const auto count = words.size() == 3 ? to_number(words[2]) : std::nullopt;
+      if (!count || !(*count >= 0 && *count <= most_counted) || *count != std::floor(*count))
+        lines.fail("'element' and a name and a count are expected");
+      header.elements.push_back(
+          {static_cast<std::uint64_t>(*count), words[1] == "vertex", words[1] == "face"});
+      if (words[1] == "vertex") header.vertices += *count;
+    } else if (words[0] == "property") {
+      if (header.elements.empty()) lines.fail("a property belongs to no element");
+      header.elements.back().properties.push_back(read_property(lines, header.elements.back()));
+    }
+  }
+  if (lines.words().empty() || lines.words()[0] != "end_header")
+    lines.fail_file("ends before its 'end_header'");
+  for (const Element& element : header.elements) {
+    if (element.properties.empty() && element.count > 0) lines.fail_file("has an element without properties");
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (element.is_vertex && !element.has_axis(axis)) lines.fail_file("has vertices without x, y and z");
+  }
+  return header;
+}
+
+// Faces count their vertices from 0.
+std::string index_problem(double index, double vertices) {
+  return index >= 0 && index < vertices && index == std::floor(index)
+             ? ""
+             : fmt::format("a face names the vertex {} of {}, counted from 0", index, vertices);
+}
+
+bool is_length(double count) {
+  return count >= 0 && count <= most_counted && count == std::floor(count);
+}
+
+class PlyBytes {
+ public:
+  PlyBytes(std::string_view bytes, bool is_little) : bytes_(bytes), is_little_(is_little) {}
+
+  std::optional<double> next(Type type) {
+    if (type.bytes > bytes_.size()) return std::nullopt;
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < type.bytes; ++k) {
+      const std::size_t from = is_little_ ? type.bytes - 1 - k : k;
+      bits = bits << 8 | static_cast<unsigned char>(bytes_[from]);
+    }
+    bytes_.remove_prefix(type.bytes);
+    if (type.kind == Kind::real)
+      return type.bytes == 8 ? std::bit_cast<double>(bits)
+                             : std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    if (type.kind == Kind::unsigned_integer) return static_cast<double>(bits);
+    switch (type.bytes) {
+      case 1:
+        return static_cast<std::int8_t>(bits);
+      case 2:
+        return static_cast<std::int16_t>(bits);
+      default:
+        return static_cast<std::int32_t>(bits);
+    }
+  }
+
+ private:
+  std::string_view bytes_;
+  bool is_little_;
+};
+
+/// The numbers of an ASCII file, an element a line.
+class AsciiNumbers {
+ public:
+  explicit AsciiNumbers(MeshLines& lines) : lines_(lines) {}
+
+  void begin_element() {
+    if (!lines_.next()) lines_.fail_file("ends before the last of the elements that its header counts");
+    at_ = 0;
+  }
+  double coordinate(Type) { return lines_.coordinate(at_++); }
+  double next(Type) {
+    const auto value = at_ < lines_.words().size() ? to_number(lines_.words()[at_]) : std::nullopt;
+    if (!value) lines_.fail(fmt::format("a number is expected as value {}", at_ + 1));
+    ++at_;
+    return *value;
+  }
+  void bad_length() const { lines_.fail(fmt::format("value {} is no length of a list", at_)); }
+  void bad_index(const std::string& problem) const { lines_.fail(problem); }
+
+ private:
+  MeshLines& lines_;
+  std::size_t at_ = 0;
+};
+
+class BinaryNumbers {
+ public:
+  BinaryNumbers(const MeshLines& lines, bool is_little) : lines_(lines), bytes_(lines.rest(), is_little) {}
+
+  void begin_element() {}
+  double coordinate(Type type) { return next(type); }
+  double next(Type type) {
+    const auto value = bytes_.next(type);
+    if (!value) lines_.fail_file("ends before the last of the elements that its header counts");
+    return *value;
+  }
+  void bad_length() const { lines_.fail_file("is damaged: a list has a negative length"); }
+  void bad_index(const std::string& problem) const {
+    lines_.fail_file(fmt::format("is damaged: {}", problem));
+  }
+
+ private:
+  const MeshLines& lines_;
+  PlyBytes bytes_;
+};
+
+template <class Numbers>
+class PlyReader {
+ public:
+  PlyReader(const MeshLines& lines, const Header& header, Numbers numbers)
+      : lines_(lines), header_(header), numbers_(std::move(numbers)) {}
+
+  void read(MeshTriangles& triangles) {
+    for (const Element& element : header_.elements)
+      for (std::uint64_t k = 0; k < element.count; ++k) read_element(element);
+    // Faces may stand before the vertices that they name.
+    std::vector<Vec3> face;
+    for (std::size_t begin = 0; begin < corners_.size(); begin += 1 + corners_[begin]) {
+      face.clear();
+      for (std::size_t k = 1; k <= corners_[begin]; ++k) face.push_back(vertices_[corners_[begin + k]]);
+      lines_.expect_taken(triangles.add_face(face), face.size());
+    }
+  }
+
+ private:
+  void read_element(const Element& element) {
+    numbers_.begin_element();
+    Vec3 vertex{0, 0, 0};
+    for (const Property& property : element.properties) {
+      if (property.count) {
+        read_list(property);
+      } else if (property.axis) {
+        const double value = numbers_.coordinate(property.type);
+        (*property.axis == 0 ? vertex.x : *property.axis == 1 ? vertex.y : vertex.z) = value;
+      } else {
+        numbers_.next(property.type);
+      }
+    }
+    if (element.is_vertex) vertices_.push_back(lines_.finite(vertex, vertices_.size()));
+  }
+
+  void read_list(const Property& property) {
+    const double count = numbers_.next(*property.count);
+    if (!is_length(count)) numbers_.bad_length();
+    const std::size_t begin = corners_.size();
+    if (property.is_corners) corners_.push_back(0);
+    for (auto left = static_cast<std::uint64_t>(count); left > 0; --left) {
+      const double index = numbers_.next(property.type);
+      if (!property.is_corners) continue;
+      if (const auto problem = index_problem(index, header_.vertices); !problem.empty())
+        numbers_.bad_index(problem);
+      corners_.push_back(static_cast<std::uint32_t>(index));
+      ++corners_[begin];
+    }
+  }
+
+  const MeshLines& lines_;
+  const Header& header_;
+  Numbers numbers_;
+  std::vector<Vec3> vertices_;
+  std::vector<std::uint32_t> corners_;  ///< of each face their number, then the vertices
+};
+
+}  // namespace
+
+void read_ply(MeshLines& lines, MeshTriangles& triangles) {
+  const Header header = read_header(lines);
+  if (header.format == "ascii")
+    PlyReader(lines, header, AsciiNumbers(lines)).read(triangles);
+  else if (header.format == "binary_little_endian" || header.format == "binary_big_endian")
+    PlyReader(lines, header, BinaryNumbers(lines, header.format == "binary_little_endian")).read(triangles);
+  else
+    lines.fail_file(
+        "has a 'format' that is not known; ascii, binary_little_endian and binary_big_endian are");
+}
+
+}  // namespace shelfbeam

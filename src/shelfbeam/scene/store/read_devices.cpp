@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include "shelfbeam/scene/store/device_csv.hpp"
+#include "shelfbeam/scene/store/read_values.hpp"
+#include "shelfbeam/scene/store/store_parts.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+void expect_extent(const JsonCursor& cursor, const Vec2& low, const Vec2& high) {
+  if (high[0] < low[0] || high[1] < low[1]) cursor["max"].fail("is below 'min'", "exchange them");
+}
+
+TransceiverGrid read_grid(const JsonCursor& cursor, const StoreNames& names) {
+  cursor.expect_keys({"type", "min", "max", "spacing", "z", "axis", "roll_deg"});
+  TransceiverGrid grid;
+  grid.type = names.transceiver_type(cursor["type"]);
+  grid.min = read_plan_point(cursor["min"]);
+  grid.max = read_plan_point(cursor["max"]);
+  expect_extent(cursor, grid.min, grid.max);
+  grid.spacing = read_length(cursor["spacing"]);
+  grid.z = read_coordinate(cursor["z"]);
+  if (const auto axis = cursor.find("axis")) grid.axis = read_direction(*axis);
+  if (const auto roll = cursor.find("roll_deg")) grid.roll_deg = read_angle_deg(*roll);
+  const double count =
+      ((grid.max[0] - grid.min[0]) / grid.spacing + 1) * ((grid.max[1] - grid.min[1]) / grid.spacing + 1);
+  if (count > 1e6)
+    cursor["spacing"].fail(fmt::format("makes a grid of {:.0f} candidates", count), "use a wider spacing");
+  return grid;
+}
+
+Transceiver read_transceiver(const JsonCursor& cursor, const StoreNames& names) {
+  cursor.expect_keys({"id", "position", "axis", "roll_deg", "type"});
+  Transceiver unit;
+  unit.id = read_name(cursor["id"]);
+  unit.position = read_point(cursor["position"]);
+  if (const auto axis = cursor.find("axis")) unit.axis = read_direction(*axis);
+  if (const auto roll = cursor.find("roll_deg")) unit.roll_deg = read_angle_deg(*roll);
+  unit.type = names.transceiver_type(cursor["type"]);
+  return unit;
+}
+
+std::filesystem::path csv_path(const JsonCursor& section, const StoreFolder& folder) {
+  section.expect_keys({"csv"});
+  return folder.find(section["csv"]);
+}
+
+}  // namespace
+
+void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
+                 Store& store) {
+  if (section.is_object()) return read_labels_csv(csv_path(section, folder), names, store);
+  for (const JsonCursor& cursor : section.elements()) {
+    cursor.expect_keys({"id", "position", "normal", "type"});
+    Label label{read_name(cursor["id"]), read_point(cursor["position"]), read_direction(cursor["normal"]),
+                names.label_type(cursor["type"])};
+    store.labels.push_back({std::move(label), cursor.where()});
+  }
+}
+
+void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
+                       Store& store) {
+  section.expect_keys({"grids", "list", "keep_out", "installed"});
+  if (const auto grids = section.find("grids"))
+    for (const JsonCursor& cursor : grids->elements()) store.grids.push_back(read_grid(cursor, names));
+  if (const auto list = section.find("list")) {
+    if (list->is_object()) {
+      read_transceivers_csv(csv_path(*list, folder), names, store);
+    } else {
+      for (const JsonCursor& cursor : list->elements())
+        store.transceivers.push_back({read_transceiver(cursor, names), cursor.where()});
+    }
+  }
+  if (const auto areas = section.find("keep_out"))
+    for (const JsonCursor& cursor : areas->elements()) {
+      cursor.expect_keys({"min", "max"});
+      store.keep_out.push_back({read_plan_point(cursor["min"]), read_plan_point(cursor["max"])});
+      expect_extent(cursor, store.keep_out.back().min, store.keep_out.back().max);
+    }
+  if (const auto installed = section.find("installed"))
+    for (const JsonCursor& cursor : installed->elements())
+      store.installed.push_back({cursor.text(), cursor.where()});
+}
+
+}  // namespace shelfbeam

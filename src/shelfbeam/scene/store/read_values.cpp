@@ -1,0 +1,117 @@
+#include "shelfbeam/scene/store/read_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam {
+
+double check_coordinate(double value, const std::string& where) {
+  constexpr double farthest = 1e4;
+  if (!(std::abs(value) <= farthest))
+    throw InputError(where, fmt::format("is at {} m", value), "stay within 10 km of the origin");
+  return value;
+}
+
+double read_coordinate(const JsonCursor& cursor) {
+  return check_coordinate(cursor.number(), cursor.where());
+}
+
+Vec2 read_plan_point(const JsonCursor& cursor) {
+  cursor.numbers(2);
+  const auto v = cursor.elements();
+  return {read_coordinate(v[0]), read_coordinate(v[1])};
+}
+
+Vec3 read_point(const JsonCursor& cursor) {
+  cursor.numbers(3);
+  const auto v = cursor.elements();
+  return {read_coordinate(v[0]), read_coordinate(v[1]), read_coordinate(v[2])};
+}
+
+double read_length(const JsonCursor& cursor) {
+  cursor.positive();
+  return cursor.number(1e-3, 1e3);
+}
+
+double read_angle_deg(const JsonCursor& cursor) {
+  return cursor.number(-360, 360);
+}
+
+double read_extent(const JsonCursor& cursor, double least) {
+  constexpr double largest = 10;
+  const double value = cursor.non_negative();
+  if (value > 0 && (value < least || value > largest))
+    cursor.fail(fmt::format("is {}, which is outside {} to {} m", value, least, largest),
+                "use a value in that range, or 0 for a point");
+  return value;
+}
+
+double read_quantity(const JsonCursor& cursor) {
+  cursor.positive();
+  return cursor.number(least_quantity, largest_amount);
+}
+
+double read_amount(const JsonCursor& cursor) {
+  cursor.non_negative();
+  return cursor.number(0, largest_amount);
+}
+
+std::vector<double> read_amounts(const JsonCursor& row, std::size_t angles) {
+  std::vector<double> values;
+  for (const JsonCursor& value : row.elements()) values.push_back(read_amount(value));
+  if (values.size() != angles)
+    row.fail(fmt::format("has {} values for {} angles", values.size(), angles),
+             "give one value for each theta");
+  return values;
+}
+
+std::vector<double> read_angles(const JsonCursor& cursor, double last_deg) {
+  std::vector<double> angles;
+  for (const JsonCursor& element : cursor.elements()) {
+    const double angle = radians(element.number(0, last_deg));
+    // Compared as it is kept: two angles may become the same in radians.
+    if (!angles.empty() && angle <= angles.back()) cursor.fail("does not ascend", "sort the angles");
+    angles.push_back(angle);
+  }
+  if (angles.empty()) cursor.fail("is empty", "give some angles");
+  return angles;
+}
+
+std::vector<double> read_angles_from_zero(const JsonCursor& cursor, double last_deg) {
+  std::vector<double> angles = read_angles(cursor, last_deg);
+  if (angles.front() != 0) cursor.fail("does not begin at 0", "angles ascend from 0");
+  return angles;
+}
+
+Vec3 unit_direction(const Vec3& v, const std::string& where) {
+  // Scaled first, so that squares neither vanish nor overflow.
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0)) throw InputError(where, "the direction is zero", "give it a length");
+  return std::abs(length_squared(v) - 1) < 1e-12 ? v
+                                                 : normalized({v.x / largest, v.y / largest, v.z / largest});
+}
+
+Vec3 read_direction(const JsonCursor& cursor) {
+  const auto v = cursor.numbers(3);
+  return unit_direction({v[0], v[1], v[2]}, cursor.where());
+}
+
+std::string check_name(std::string name, const std::string& where) {
+  if (name.empty()) throw InputError(where, "is empty", "give it a name");
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (std::any_of(name.begin(), name.end(), is_control))
+    throw InputError(where, "has a control character in its name", "use letters, digits and signs");
+  return name;
+}
+
+std::string read_name(const JsonCursor& cursor) {
+  return check_name(cursor.text(), cursor.where());
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/format_version.hpp"
+#include "shelfbeam/scene/store/read_values.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/scene/store/store_parts.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+Room read_room(const JsonCursor& cursor, const StoreNames& names) {
+  cursor.expect_keys({"size", "floor", "ceiling", "walls"});
+  Room room;
+  cursor["size"].numbers(3);
+  const auto size = cursor["size"].elements();
+  room.size = {read_length(size[0]), read_length(size[1]), read_length(size[2])};
+  const JsonCursor walls = cursor["walls"];
+  if (walls.is_object()) {
+    walls.expect_keys({"x0", "x1", "y0", "y1"});
+    room.materials = {names.material(walls["x0"]), names.material(walls["x1"]), names.material(walls["y0"]),
+                      names.material(walls["y1"])};
+  } else {
+    room.materials.fill(names.material(walls));
+  }
+  room.materials[4] = names.material(cursor["floor"]);
+  room.materials[5] = names.material(cursor["ceiling"]);
+  return room;
+}
+
+}  // namespace
+
+Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& path,
+                  const StoreTrust& trust) {
+  const JsonCursor root = JsonCursor::parse(text, name);
+  if (const auto format = root.find("format"))
+    expect_format_version(root.where(), format->integer(0, most_versions), store_format_version);
+  root.expect_keys({"$schema", "format", "name", "wavelength_nm", "room", "materials", "label_types",
+                    "transceiver_types", "fixtures", "labels", "transceivers"});
+  const StoreFolder folder(path, trust);
+  Store store;
+  store.file = name;
+  store.memory = folder.memory();
+  if (const auto schema = root.find("$schema")) schema->text();
+  if (const auto title = root.find("name")) store.name = title->text();
+  if (const auto wavelength = root.find("wavelength_nm")) store.wavelength_nm = wavelength->number(100, 1e5);
+  read_materials(root["materials"], store);
+  read_transceiver_types(root["transceiver_types"], folder, store);
+  read_label_types(root["label_types"], store);
+
+  const StoreNames names(store);
+  if (const auto room = root.find("room")) store.room = read_room(*room, names);
+  if (const auto fixtures = root.find("fixtures")) read_fixtures(*fixtures, names, folder, store);
+  if (const auto labels = root.find("labels")) read_labels(*labels, names, folder, store);
+  read_transceivers(root["transceivers"], names, folder, store);
+  return store;
+}
+
+Store read_store(const std::filesystem::path& path, const StoreTrust& trust) {
+  return parse_store(read_file(path), path.string(), path.parent_path(), trust);
+}
+
+}  // namespace shelfbeam

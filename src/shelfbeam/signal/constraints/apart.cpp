@@ -1,0 +1,103 @@
+#include "shelfbeam/signal/constraints/apart.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/csv.hpp"
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/signal/text_file.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+void order(Pairs& pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+/// The mounting point of every column.
+std::vector<std::size_t> points_of(const SignalTable& table) {
+  std::vector<std::size_t> point(table.columns());
+  std::iota(point.begin(), point.end(), table.mounts.size());
+  for (std::size_t k = 0; k < table.mounts.size(); ++k)
+    for (const std::uint32_t j : table.mounts[k]) point[j] = k;
+  return point;
+}
+
+}  // namespace
+
+void keep_apart(SignalTable& table, double metres, const std::string& name) {
+  const auto& units = table.transceivers;
+  for (const SignalTable::Transceiver& unit : units)
+    if (!unit.position)
+      throw InputError(name, fmt::format("has no position of '{}', so no distance can be kept", unit.id),
+                       "use a signal file (HDF5), or name the pairs with --forbid");
+  const std::vector<std::size_t> point = points_of(table);
+  const double least = metres - place_tolerance;
+  // Sweeping along x leaves few pairs to look at where the distance is small beside the shop.
+  std::vector<std::uint32_t> along(table.columns());
+  std::iota(along.begin(), along.end(), 0U);
+  std::sort(along.begin(), along.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return units[a].position->x < units[b].position->x; });
+  for (std::size_t first = 0; first < along.size(); ++first)
+    for (std::size_t next = first + 1; next < along.size(); ++next) {
+      const std::uint32_t a = along[first], b = along[next];
+      const Vec3 between = *units[b].position - *units[a].position;
+      if (between.x >= least) break;
+      const bool hang = units[a].installed && units[b].installed;
+      if (length(between) < least && point[a] != point[b] && !hang)
+        table.apart.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  order(table.apart);
+  table.min_spacing = std::max(table.min_spacing, metres);
+}
+
+void forbid_pairs(SignalTable& table, const std::filesystem::path& path) {
+  const char* const expected = "the first line is 'a,b', every other line has two transceiver ids";
+  const std::string text = detail::read_text_file(path);
+  CsvReader csv(text, path.string());
+  if (!csv.next()) csv.fail("is empty", expected);
+  if (csv.fields().size() != 2 || csv.fields()[0] != "a" || csv.fields()[1] != "b")
+    csv.fail("is not the header of a file of pairs", expected);
+
+  std::vector<std::string_view> known;
+  std::unordered_map<std::string_view, std::uint32_t> column;
+  for (const SignalTable::Transceiver& unit : table.transceivers) {
+    column.emplace(unit.id, static_cast<std::uint32_t>(known.size()));
+    known.push_back(unit.id);
+  }
+  const auto read = [&](std::size_t field) {
+    const std::string id = csv.id(field);
+    const auto found = column.find(id);
+    if (found == column.end()) {
+      const std::string near = nearest(id, known);
+      csv.fail(field, fmt::format("the matrix has no transceiver '{}'", id),
+               near.empty() ? "correct the id or remove the line" : fmt::format("did you mean '{}'?", near));
+    }
+    return found->second;
+  };
+  while (csv.next()) {
+    if (csv.fields().size() != 2)
+      csv.fail(fmt::format("has {} fields where 2 are expected", csv.fields().size()), "correct the line");
+    const std::uint32_t a = read(0), b = read(1);
+    if (a == b) csv.fail(fmt::format("names '{}' twice", csv.id(0)), "name two transceivers");
+    if (table.transceivers[a].installed && table.transceivers[b].installed)
+      csv.fail(fmt::format("'{}' and '{}' are both installed already", csv.id(0), csv.id(1)),
+               "remove the line, or simulate without one of them");
+    table.apart.emplace_back(std::min(a, b), std::max(a, b));
+  }
+  order(table.apart);
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,113 @@
+#include "shelfbeam/signal/measured/measurements.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/csv.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/signal/text_file.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> columns = {"label", "transceiver", "signal", "error"};
+constexpr auto expected =
+    "the first line is 'label,transceiver,signal' or 'label,signal', 'error' may follow";
+
+using Fields = std::array<std::optional<std::size_t>, columns.size()>;
+
+/// Where each column stands.
+Fields read_header(CsvReader& csv) {
+  if (!csv.next()) csv.fail("is empty", expected);
+  Fields fields;
+  for (std::size_t k = 0; k < csv.fields().size(); ++k) {
+    const std::string_view name = csv.fields()[k];
+    const auto* known = std::find(columns.begin(), columns.end(), name);
+    if (known == columns.end()) {
+      const std::string near = nearest(name, columns);
+      csv.fail(k, fmt::format("'{}' is no column of a file of measurements", name.substr(0, 40)),
+               near.empty() ? expected : fmt::format("did you mean '{}'?", near));
+    }
+    auto& field = fields[static_cast<std::size_t>(known - columns.begin())];
+    if (field) csv.fail(k, fmt::format("has a second column '{}'", name), "remove one of them");
+    field = k;
+  }
+  if (!fields[0] || !fields[2]) csv.fail("lacks a column 'label' or 'signal'", expected);
+  return fields;
+}
+
+/// Ids of labels or transceivers.
+class Ids {
+ public:
+  template <class Items>
+  Ids(const Items& items, std::string_view kind) : kind_(kind) {
+    for (const auto& item : items) {
+      index_.emplace(item.id, static_cast<std::uint32_t>(known_.size()));
+      known_.push_back(item.id);
+    }
+  }
+  std::uint32_t read(const CsvReader& csv, std::size_t field) const {
+    const std::string id = csv.id(field);
+    const auto found = index_.find(id);
+    if (found != index_.end()) return found->second;
+    const std::string near = nearest(id, known_);
+    csv.fail(field, fmt::format("the matrix has no {} '{}'", kind_, id),
+             near.empty() ? "correct the id or remove the line" : fmt::format("did you mean '{}'?", near));
+  }
+
+ private:
+  std::string_view kind_;
+  std::vector<std::string_view> known_;
+  std::unordered_map<std::string_view, std::uint32_t> index_;
+};
+
+}  // namespace
+
+Measurements read_measurements(const std::filesystem::path& path, const SignalMatrix& matrix) {
+  const std::string text = detail::read_text_file(path);
+  CsvReader csv(text, path.string());
+  const auto [label, transceiver, signal, error] = read_header(csv);
+  const std::size_t width = csv.fields().size();
+  const Ids labels(matrix.labels, "label"), transceivers(matrix.transceivers, "transceiver");
+
+  Measurements result;
+  result.of_pairs = transceiver.has_value();
+  result.has_errors = error.has_value();
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
+  while (csv.next()) {
+    if (csv.fields().size() != width)
+      csv.fail(fmt::format("has {} fields where {} are expected", csv.fields().size(), width),
+               "correct the line");
+    Measurement one;
+    one.label = labels.read(csv, *label);
+    if (transceiver) one.transceiver = transceivers.read(csv, *transceiver);
+    one.signal = csv.number(*signal);
+    if (error) {
+      one.error = csv.number(*error);
+      if (*one.error <= 0)
+        csv.fail(
+            *error, "is not above 0",
+            "an error is the standard deviation of its signal; leave the column out where it is unknown");
+    }
+    const bool is_new = seen.emplace(one.label, one.transceiver.value_or(0)).second;
+    if (!is_new) {
+      const std::string pair =
+          transceiver ? fmt::format("label '{}' and transceiver '{}'", csv.id(*label), csv.id(*transceiver))
+                      : fmt::format("label '{}'", csv.id(*label));
+      csv.fail(fmt::format("names {} a second time", pair), "average what was measured more than once");
+    }
+    result.values.push_back(one);
+  }
+  if (result.values.empty()) csv.fail("has a header only", "add a line for every measured signal");
+  return result;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+// One reader a matrix format; docs/formats/matrices.md describes them. `name` stands for the file in errors.
+// To add a format: declare its reader here, recognise its content in read_signal_table.cpp.
+
+namespace shelfbeam::detail {
+
+SignalTable read_csv_table(std::string_view text, const std::string& name);
+SignalTable read_sparse_text(std::string_view text, const std::string& name);
+SignalTable read_or_library(std::string_view text, const std::string& name);
+SignalTable read_npy_table(const std::filesystem::path& path);
+
+/// Names the rows L1, L2, ... and the columns T1, T2, ... of a file that has no ids.
+void number_labels(SignalTable& table, std::size_t count);
+void number_transceivers(SignalTable& table, std::size_t count);
+
+/// Throws InputError when two labels or two transceivers have the same id.
+void check_unique_ids(const SignalTable& table, const std::string& name);
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,142 @@
+#include "shelfbeam/transport/cache/cell_light.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shelfbeam/math/sobol.hpp"
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/transport/cache/lane_kernels.hpp"
+#include "shelfbeam/transport/world/specular_chain.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr std::uint32_t gather_rays = 64;
+
+// Irradiance by the unit's true profile where the guide only has a mean.
+float true_irradiance(const World& world, std::uint32_t j, const SurfacePoint& at) {
+  const LightPoint light = world.emitters.point(j, 0.5, 0.5);
+  const Vec3 way = light.position - at.position;
+  const double squared = length_squared(way), distance = std::sqrt(squared);
+  return static_cast<float>(world.emitters.intensity(j, light, way / -distance) *
+                            std::max(0.0, dot(at.normal, way)) / (squared * distance));
+}
+
+// Of one lane, over the places asked.
+struct Asked {
+  float open = 0, arrived = 0;
+  std::uint8_t places = 0;
+
+  void operator+=(const Asked& other) {
+    open += other.open;
+    arrived += other.arrived;
+    places = static_cast<std::uint8_t>(places + other.places);
+  }
+};
+
+}  // namespace
+
+CellLight straight_light(const World& world, const UnitGroups& units, const SurfaceCells& cells,
+                         std::size_t cell, float least, std::uint64_t& rays) {
+  const std::size_t width = units.size() * lanes;
+  std::array<std::vector<Asked>, SurfaceCells::quadrants> asked;
+  for (auto& of_quadrant : asked) of_quadrant.resize(width);
+  std::vector<std::uint8_t> seen(width), hidden(width);
+  std::vector<std::size_t> which;
+  std::vector<float> open, shares;
+  std::vector<Vec3> targets;
+  const auto ask = [&](std::size_t quadrant, const SurfacePoint& place, bool is_first) {
+    const LanePoint point(place);
+    which.clear();
+    open.clear();
+    targets.clear();
+    for (std::size_t g = 0; g < units.size(); ++g) {
+      if (units.bound(g, point) < least) continue;
+      LaneValues e;
+      units.irradiance(g, point, e);
+      for (std::size_t lane = 0; lane < units.count(g); ++lane) {
+        const std::size_t k = g * lanes + lane;
+        if (e[lane] < 0.1F * least || (!is_first && seen[k] != hidden[k])) continue;
+        which.push_back(k);
+        open.push_back(e[lane]);
+        targets.push_back(world.scene.transceivers[units.column(g, lane)].position);
+      }
+    }
+    shares.resize(targets.size());
+    world.rays.shares(place, targets, shares);
+    rays += targets.size();
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+      const std::size_t g = which[t] / lanes;
+      (shares[t] > 0 ? seen : hidden)[which[t]] = 1;
+      const float value = shares[t] == 0 || !units.is_loose(g)
+                              ? open[t]
+                              : true_irradiance(world, units.column(g, which[t] % lanes), place);
+      asked[quadrant][which[t]] += {open[t], value * shares[t], 1};
+    }
+  };
+  for (std::size_t k = 0; k < SurfaceCells::most_places; ++k)
+    for (std::size_t q = 0; q < SurfaceCells::quadrants; ++q)
+      if (const auto places = cells.places(cell, q); places.size() > k) ask(q, places[k], k == 0);
+
+  CellLight light;
+  for (std::size_t g = 0; g < units.size(); ++g) {
+    std::array<Asked, lanes> whole{};
+    float most = 0;
+    for (std::size_t k = 0; k < lanes; ++k) {
+      for (const auto& of_quadrant : asked) whole[k] += of_quadrant[g * lanes + k];
+      most = std::max(most, whole[k].arrived);
+    }
+    if (most == 0) continue;
+    light.groups.push_back(static_cast<std::uint16_t>(g));
+    for (std::size_t k = 0; k < lanes; ++k) {
+      light.mean.push_back(
+          PackedLane::pack(whole[k].places > 0 ? whole[k].arrived / static_cast<float>(whole[k].places) : 0));
+      for (std::size_t q = 0; q < SurfaceCells::quadrants; ++q) {
+        // The whole cell's share counts like one place more.
+        const Asked& own = asked[q][g * lanes + k];
+        const float one = whole[k].places > 0 ? whole[k].open / static_cast<float>(whole[k].places) : 0;
+        const float share = whole[k].open > 0 ? whole[k].arrived / whole[k].open : 0;
+        light.share[q].push_back(
+            PackedLane::pack_share(one > 0 ? (own.arrived + one * share) / (own.open + one) : 0));
+      }
+    }
+  }
+  return light;
+}
+
+std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells, std::size_t cell,
+                                   const std::vector<SurfaceGuide>& guides, std::uint64_t seed,
+                                   std::uint64_t& rays) {
+  const auto places = cells.places(cell);
+  const std::uint64_t stream = mix_key(seed, cells.key(cell));
+  const ScrambledSobol square(stream);
+  std::vector<CellLink> links;
+  for (std::uint32_t r = 0; r < gather_rays; ++r) {
+    const SurfacePoint& at = places[r % places.size()];
+    const auto [u1, u2] = square.point(r);
+    RandomStream random(stream, r, 1, 0xCAC4E);
+    const auto end =
+        follow_chain(world, at, Frame::about(at.normal).to_world(sample_cosine_hemisphere(u1, u2)),
+                     Departure::scattered, random, rays, [](std::size_t, double) {});
+    if (!end) continue;
+    const std::uint32_t there = cells.find(end->point);
+    if (there == SurfaceCells::nowhere) continue;
+    links.push_back({there, static_cast<float>(end->throughput * pi) * guides[end->material.value].flat() /
+                                static_cast<float>(gather_rays)});
+  }
+  std::stable_sort(links.begin(), links.end(),
+                   [](const CellLink& a, const CellLink& b) { return a.cell < b.cell; });
+  std::size_t kept = 0;
+  for (const CellLink& link : links) {
+    if (kept > 0 && links[kept - 1].cell == link.cell)
+      links[kept - 1].weight += link.weight;
+    else
+      links[kept++] = link;
+  }
+  links.resize(kept);
+  links.shrink_to_fit();
+  return links;
+}
+
+}  // namespace shelfbeam::detail

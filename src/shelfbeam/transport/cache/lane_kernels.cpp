@@ -1,0 +1,323 @@
+#include "shelfbeam/transport/cache/lane_kernels.hpp"
+
+#include <cmath>
+
+#include "shelfbeam/base/cpu_vectors.hpp"
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// A unit nearer than this gives what it would from there: only a guide is wanted.
+constexpr float least_squared_distance = 1e-6F;
+
+enum class Shape { sine, isotropic, lambertian, table };
+
+// I(theta) cos / d^2 in one lane, with as few roots and divisions as each profile allows.
+template <Shape shape, class Group>
+SHELFBEAM_INLINE inline float in_lane(const Group& group, const float* table, int steps, const LanePoint& p,
+                                      std::size_t k) {
+  const float dx = group.x[k] - p.x, dy = group.y[k] - p.y, dz = group.z[k] - p.z;
+  const float whole = dx * dx + dy * dy + dz * dz;
+  const float squared = whole > least_squared_distance ? whole : least_squared_distance;
+  const float inverse = 1 / squared;
+  const float facing = p.nx * dx + p.ny * dy + p.nz * dz;  // distance times the cosine at the point,
+  const float at_point = (facing > 0 ? facing : 0) * group.scale[k];
+  const float along = -(group.ax[k] * dx + group.ay[k] * dy + group.az[k] * dz);  // and at the unit
+  const float at_unit = along > 0 ? along : 0;
+  if constexpr (shape == Shape::sine) {
+    const float across = squared - at_unit * at_unit;
+    return 2 * at_unit * at_point * std::sqrt((across > 0 ? across : 0) * inverse) * inverse * inverse;
+  } else if constexpr (shape == Shape::isotropic) {
+    return (along > 0 ? at_point : 0) * inverse * std::sqrt(inverse);
+  } else if constexpr (shape == Shape::lambertian) {
+    return at_unit * at_point * inverse * inverse;
+  } else {
+    const float root = std::sqrt(inverse);
+    const float cosine = along * root;
+    const float c = cosine < -1 ? -1 : cosine > 1 ? 1 : cosine;
+    const float place = (1 + c) / 2 * static_cast<float>(steps);
+    const int at = static_cast<int>(place);
+    const int below = at < steps ? at : steps - 1;
+    const float part = place - static_cast<float>(below);
+    return at_point * inverse * root * (table[below] + part * (table[below + 1] - table[below]));
+  }
+}
+
+template <Shape shape, class Group, class Use>
+SHELFBEAM_INLINE inline void in_lanes(const Group& group, const float* table, int steps, const LanePoint& p,
+                                      const Use& use) {
+  SHELFBEAM_VECTORIZE
+  for (std::size_t k = 0; k < lanes; ++k) use(k, in_lane<shape>(group, table, steps, p, k));
+}
+
+template <class Group, class Use>
+SHELFBEAM_INLINE inline void for_lanes(const Group& group, int profile, const float* table, int steps,
+                                       const LanePoint& p, const Use& use) {
+  switch (static_cast<Shape>(profile)) {
+    case Shape::sine:
+      in_lanes<Shape::sine>(group, table, steps, p, use);
+      break;
+    case Shape::isotropic:
+      in_lanes<Shape::isotropic>(group, table, steps, p, use);
+      break;
+    case Shape::lambertian:
+      in_lanes<Shape::lambertian>(group, table, steps, p, use);
+      break;
+    case Shape::table:
+      in_lanes<Shape::table>(group, table, steps, p, use);
+  }
+}
+
+// A LaneScatter in the registers and on the stack of one loop.
+struct Facets {
+  Facets() = default;
+  explicit Facets(const LaneScatter& s)
+      : ox(s.ox),
+        oy(s.oy),
+        oz(s.oz),
+        on(s.on),
+        base(s.base),
+        scale(s.highlight),
+        alpha2(s.alpha2),
+        tx(s.tx),
+        ty(s.ty),
+        tz(s.tz),
+        narrow(s.narrow),
+        skew(s.skew),
+        across2(s.across2),
+        more(s.more),
+        is_beckmann(s.is_beckmann) {
+    for (std::size_t k = 0; k < CosineCurve::nodes; ++k) {
+      entry[k] = s.entry->factor[k];
+      fresnel[k] = s.fresnel->factor[k];
+    }
+  }
+
+  float ox = 0, oy = 0, oz = 0, on = 0, base = 0, scale = 0, alpha2 = 1;
+  float tx = 0, ty = 0, tz = 0, narrow = 1, skew = 0, across2 = 1, more = 0;
+  bool is_beckmann = false;
+  float entry[CosineCurve::nodes] = {}, fresnel[CosineCurve::nodes] = {};
+};
+
+SHELFBEAM_INLINE inline float on_curve(const float* factor, float cosine) {
+  float value = factor[CosineCurve::nodes - 1];
+  for (std::size_t k = CosineCurve::nodes - 1; k-- > 0;)
+    value = value * (cosine - CosineCurve::at[k]) + factor[k];
+  return value;
+}
+
+// The direction l of a unit: its cosine at the point and its component along x of the surface; and o + l, its
+// square, which at grazing angles is small, and its component.
+struct Way {
+  float ln, lx, squared, hx;
+};
+
+template <class Group>
+SHELFBEAM_INLINE inline Way way_to(const Group& group, const LanePoint& p, const Facets& f, std::size_t k) {
+  const float dx = group.x[k] - p.x, dy = group.y[k] - p.y, dz = group.z[k] - p.z;
+  const float whole = dx * dx + dy * dy + dz * dz;
+  const float squared = whole > least_squared_distance ? whole : least_squared_distance;
+  const float inverse = 1 / std::sqrt(squared);
+  const float facing = (p.nx * dx + p.ny * dy + p.nz * dz) * inverse;
+  const float hx = f.ox + dx * inverse, hy = f.oy + dy * inverse, hz = f.oz + dz * inverse;
+  const float sum = hx * hx + hy * hy + hz * hz;
+  return {facing > 0 ? facing < 1 ? facing : 1 : 0, (f.tx * dx + f.ty * dy + f.tz * dz) * inverse,
+          sum > 1e-12F ? sum < 4 ? sum : 4 : 1e-12F, f.tx * hx + f.ty * hy + f.tz * hz};
+}
+
+// F D G / (4 cos cos) (2.23) of facets that may be rougher one way: GGX (2.29), (2.31), or Beckmann's, whose
+// exponential (2.24) is (1 + x / 64)^-64 here, high by 1 % where x is 1 and by 13 % where it is 4, and whose
+// masking is the rational approximation of (2.28).
+template <bool beckmann>
+SHELFBEAM_INLINE inline float highlight(const Facets& f, const Way& way) {
+  const float ln = way.ln;
+  const float facing = (f.on + ln) * (f.on + ln) / way.squared;  // cos^2 of the facets
+  const float across = facing < 1 ? 1 - facing : 0;
+  const float slope = f.narrow * across + f.skew * (way.hx * way.hx / way.squared);
+  const float side = f.more * way.lx * way.lx;
+  const float curve = on_curve(f.fresnel, std::sqrt(way.squared) / 2);
+  const float fresnel = curve > 0 ? curve : 0;
+  if constexpr (beckmann) {
+    const float level = 1 - across > 1e-3F ? 1 - across : 1e-3F;
+    float power = 1 + slope / (64 * f.alpha2 * level);
+    for (int square = 0; square < 6; ++square) power *= power;
+    const float root = std::sqrt(f.across2 * (1 - ln * ln) + side + 1e-12F);
+    const float a = ln / root;
+    const float seen = (3.535F + 2.181F * a) / ((1 + (2.276F + 2.577F * a) * a) * root);  // G1 / cos
+    const float g = a < 1.6F ? seen : 1 / ln;
+    return f.scale * g / (static_cast<float>(pi) * f.alpha2 * level * level * power) * fresnel;
+  } else {
+    const float d = slope + f.alpha2 * (1 - across);
+    const float g = ln + std::sqrt(f.across2 + (1 - f.across2) * ln * ln + side);
+    return f.scale * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) * fresnel;
+  }
+}
+
+// use(k, cosine at the point, highlight) in all lanes.
+template <class Group, class Use>
+SHELFBEAM_INLINE inline void for_highlights(const Group& group, const LanePoint& p, const Facets& f,
+                                            const Use& use) {
+  if (f.is_beckmann) {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const Way way = way_to(group, p, f, k);
+      use(k, way.ln, highlight<true>(f, way));
+    }
+  } else {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const Way way = way_to(group, p, f, k);
+      use(k, way.ln, highlight<false>(f, way));
+    }
+  }
+}
+
+// A loop of its own: loops that mix widths of numbers are turned into vectors of the smallest one's length.
+SHELFBEAM_INLINE inline void unpack(const std::uint8_t* share, float* part) {
+  SHELFBEAM_VECTORIZE
+  for (std::size_t k = 0; k < lanes; ++k) part[k] = PackedLane::share(share[k]);
+}
+
+}  // namespace
+
+SHELFBEAM_FOR_EACH_CPU
+void LaneKernels::irradiance(const UnitGroups& groups, std::size_t g, const LanePoint& point,
+                             LaneValues& result) {
+  const auto& group = groups.groups_[g];
+  const LanePoint p = point;
+  float* const to = result.data();
+  for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
+            UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE { to[k] = e; });
+}
+
+SHELFBEAM_FOR_EACH_CPU
+void LaneKernels::add_irradiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
+                                 const LanePoint& point, bool is_capped, float weight,
+                                 const std::uint8_t* share, const std::uint16_t* indirect, float* sums) {
+  const LanePoint p = point;
+  for (std::size_t c = 0; c < count; ++c) {
+    const auto& group = groups.groups_[list[c]];
+    float* const sum = sums + list[c] * lanes;
+    const std::uint8_t* const s = share + c * lanes;
+    const std::uint16_t* const d = indirect + c * lanes;
+    const float* const cap = is_capped ? group.cap.data() : groups.no_cap_.data();
+    alignas(64) float part[lanes], rest[lanes];
+    unpack(s, part);
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) rest[k] = PackedLane::value(d[k]);
+    for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
+              UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
+                sum[k] += weight * ((e < cap[k] ? e : cap[k]) * part[k] + rest[k]);
+              });
+  }
+}
+
+SHELFBEAM_FOR_EACH_CPU
+void LaneKernels::add_radiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
+                               const LanePoint& point, const LaneScatter& scatter, bool is_capped,
+                               float weight, float indirect_factor, const std::uint8_t* share,
+                               const std::uint16_t* indirect, float* sums) {
+  const LanePoint p = point;
+  const Facets facets(scatter);
+  for (std::size_t c = 0; c < count; ++c) {
+    const auto& group = groups.groups_[list[c]];
+    float* const sum = sums + list[c] * lanes;
+    const float* const cap = is_capped ? group.cap.data() : groups.no_cap_.data();
+    alignas(64) float part[lanes], rest[lanes], f[lanes];
+    unpack(share + c * lanes, part);
+    const std::uint16_t* const d = indirect + c * lanes;
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) rest[k] = indirect_factor * PackedLane::value(d[k]);
+    if (facets.scale > 0) {
+      for_highlights(group, p, facets, [&](std::size_t k, float ln, float highlight) SHELFBEAM_INLINE {
+        f[k] = facets.base * on_curve(facets.entry, ln) + highlight;
+      });
+    } else {
+      SHELFBEAM_VECTORIZE
+      for (std::size_t k = 0; k < lanes; ++k)
+        f[k] = facets.base * on_curve(facets.entry, way_to(group, p, facets, k).ln);
+    }
+    for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
+              UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
+                sum[k] += weight * ((e < cap[k] ? e : cap[k]) * part[k] * f[k] + rest[k]);
+              });
+  }
+}
+
+LaneKernels::Parts LaneKernels::parts(const UnitGroups& groups, std::size_t g, std::size_t lane,
+                                      const LanePoint& point, const LaneScatter& scatter) {
+  const Facets facets(scatter);
+  const Way way = way_to(groups.groups_[g], point, facets, lane);
+  return {on_curve(facets.entry, way.ln), scatter.highlight == 0 ? 0
+                                          : scatter.is_beckmann  ? highlight<true>(facets, way)
+                                                                 : highlight<false>(facets, way)};
+}
+
+SHELFBEAM_FOR_EACH_CPU
+float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
+                              const LanePoint& point, bool is_capped, const std::uint8_t* share, float floor,
+                              const LaneScatter* scatter, float* irradiance, float* importance) {
+  const LanePoint p = point;
+  const Facets facets = scatter != nullptr ? Facets(*scatter) : Facets();
+  alignas(64) float total[lanes] = {};
+  for (std::size_t c = 0; c < count; ++c) {
+    const auto& group = groups.groups_[list[c]];
+    const std::uint8_t* const s = share + c * lanes;
+    const float* const cap = is_capped ? group.cap.data() : groups.no_cap_.data();
+    float* const whole = irradiance + c * lanes;
+    float* const at_stake = importance + c * lanes;
+    const float least = floor > 0 ? floor * groups.bound(list[c], p) : 0;
+    alignas(64) float part[lanes], more[lanes];
+    unpack(s, part);
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) more[k] = 1;
+    if (facets.scale > 0)
+      for_highlights(group, p, facets, [&](std::size_t k, float, float highlight) SHELFBEAM_INLINE {
+        more[k] += static_cast<float>(pi) * highlight;
+      });
+    for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
+              UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
+                whole[k] = e;
+                const float used = e < cap[k] ? e : cap[k];
+                const float value =
+                    used * more[k] * (std::sqrt(std::abs(part[k] * (1 - part[k]))) + 0.05F) + least;
+                at_stake[k] = value;
+                total[k] += value;
+              });
+  }
+  float sum = 0;
+  for (std::size_t k = 0; k < lanes; ++k) sum += total[k];
+  return sum;
+}
+
+SHELFBEAM_FOR_EACH_CPU
+void LaneKernels::add_listed(const std::uint16_t* list, std::size_t count, float weight,
+                             const std::uint16_t* values, float* sums) {
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::uint16_t* const from = values + c * lanes;
+    float* const to = sums + list[c] * lanes;
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) to[k] += weight * PackedLane::value(from[k]);
+  }
+}
+
+SHELFBEAM_FOR_EACH_CPU
+void LaneKernels::add_packed(std::size_t count, float weight, const std::uint16_t* from, float* to) {
+  SHELFBEAM_VECTORIZE
+  for (std::size_t k = 0; k < count * lanes; ++k) to[k] += weight * PackedLane::value(from[k]);
+}
+
+SHELFBEAM_FOR_EACH_CPU
+void LaneKernels::add(const std::uint16_t* list, std::size_t count, float weight, const float* values,
+                      float* sums) {
+  for (std::size_t c = 0; c < count; ++c) {
+    const float* const from = values + list[c] * lanes;
+    float* const to = sums + list[c] * lanes;
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < lanes; ++k) to[k] += weight * from[k];
+  }
+}
+
+}  // namespace shelfbeam

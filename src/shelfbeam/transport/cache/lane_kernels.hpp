@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "shelfbeam/transport/cache/surface_guide.hpp"
+#include "shelfbeam/transport/cache/unit_groups.hpp"
+
+namespace shelfbeam {
+
+/// Shares in one byte and irradiances in two: a radiance cache has hundreds of millions.
+struct PackedLane {
+  static std::uint8_t pack_share(float share) {
+    return static_cast<std::uint8_t>(std::lround(std::min(share, 1.99F) * 128));
+  }
+  static float share(std::uint8_t packed) { return static_cast<float>(packed) * (1.0F / 128); }
+  /// The upper half of a float.
+  static std::uint16_t pack(float value) {
+    return static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(value) + 0x8000) >> 16);
+  }
+  static float value(std::uint16_t packed) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(packed) << 16);
+  }
+};
+
+/// The inner loops over lanes, compiled for several kinds of processor.
+struct LaneKernels {
+  /// UnitGroups::irradiance.
+  static void irradiance(const UnitGroups& groups, std::size_t g, const LanePoint& point, LaneValues& result);
+
+  /// sums[g][k] += weight (e_k share_k + indirect_k) for `count` groups, e being the irradiance, up to its
+  /// cap if asked; share and indirect have a row of lanes for each of them, sums one for each group of all.
+  static void add_irradiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
+                             const LanePoint& point, bool is_capped, float weight, const std::uint8_t* share,
+                             const std::uint16_t* indirect, float* sums);
+
+  /// The same of radiance: sums[g][k] += weight (f_k e_k share_k + indirect_factor indirect_k), f as
+  /// `scatter` has it.
+  static void add_radiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
+                           const LanePoint& point, const LaneScatter& scatter, bool is_capped, float weight,
+                           float indirect_factor, const std::uint8_t* share, const std::uint16_t* indirect,
+                           float* sums);
+
+  /// The parts of f for one unit: entry(cos l), and the highlight.
+  struct Parts {
+    float entry, highlight;
+  };
+  static Parts parts(const UnitGroups& groups, std::size_t g, std::size_t lane, const LanePoint& point,
+                     const LaneScatter& scatter);
+
+  /// How much the sampling of shadow rays should care for each lane of a row: e (sqrt |share (1 - share)| +
+  /// 0.05) + floor x bound, e up to its cap if asked. Keeps the whole e in `irradiance`, the result in
+  /// `importance`; returns its sum.
+  /// With `scatter`, e counts by as many times more as the highlight outshines white paint.
+  static float importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
+                          const LanePoint& point, bool is_capped, const std::uint8_t* share, float floor,
+                          const LaneScatter* scatter, float* irradiance, float* importance);
+
+  /// sums[list[c]][k] += weight values[c][k] for the packed rows of lanes of a list.
+  static void add_listed(const std::uint16_t* list, std::size_t count, float weight,
+                         const std::uint16_t* values, float* sums);
+
+  /// to[k] += weight from[k], for `count` packed rows of lanes.
+  static void add_packed(std::size_t count, float weight, const std::uint16_t* from, float* to);
+
+  /// sums[g][k] += weight values[g][k] for the listed groups.
+  static void add(const std::uint16_t* list, std::size_t count, float weight, const float* values,
+                  float* sums);
+};
+
+}  // namespace shelfbeam

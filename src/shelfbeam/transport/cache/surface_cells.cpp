@@ -1,0 +1,194 @@
+#include "shelfbeam/transport/cache/surface_cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <tuple>
+
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/transport/world/specular_chain.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr double cell_size = 0.5;  // m
+// Cells do not end where shelves and floors do, so that rounding does not throw points into the next.
+constexpr double cell_shift = 0.1370;
+
+using Cell = std::array<std::int64_t, 3>;
+
+Vec3 in_cells(const Vec3& p) {
+  return {(p.x + cell_shift) / cell_size, (p.y + cell_shift) / cell_size, (p.z + cell_shift) / cell_size};
+}
+
+Cell cell_of(const Vec3& scaled) {
+  return {static_cast<std::int64_t>(std::floor(scaled.x)), static_cast<std::int64_t>(std::floor(scaled.y)),
+          static_cast<std::int64_t>(std::floor(scaled.z))};
+}
+
+std::uint64_t key_of(const Cell& cell, const Vec3& n) {
+  const auto bits = [](std::int64_t c) { return static_cast<std::uint64_t>(c & 0xFFFFF); };
+  const double ax = std::abs(n.x), ay = std::abs(n.y), az = std::abs(n.z);
+  const std::uint64_t facing = az >= ax && az >= ay ? (n.z > 0 ? 0U : 1U)
+                               : ax >= ay           ? (n.x > 0 ? 2U : 3U)
+                                                    : (n.y > 0 ? 4U : 5U);
+  return (bits(cell[0]) << 43) | (bits(cell[1]) << 23) | (bits(cell[2]) << 3) | facing;
+}
+
+std::uint64_t key_of(const SurfacePoint& point) {
+  return key_of(cell_of(in_cells(point.position)), point.normal);
+}
+
+std::size_t hash(std::uint64_t key) {
+  return mix_key(key, 0x5EED);
+}
+
+// A point that a walk has met, and a random rank among those of its cell.
+struct Found {
+  std::uint64_t key;
+  std::uint32_t quadrant, rank;
+  SurfacePoint point;
+
+  bool operator<(const Found& other) const {
+    return std::tie(key, quadrant, rank) < std::tie(other.key, other.quadrant, other.rank);
+  }
+};
+
+// Walks from a label that scatter like white paint.
+std::vector<Found> explore(const World& world, std::size_t i, std::uint32_t walks, std::uint64_t seed,
+                           std::uint64_t& rays) {
+  constexpr std::uint32_t bounces = 4;
+  std::vector<Found> found;
+  const std::uint64_t stream = mix_key(seed, hash64(world.scene.labels[i].id));
+  for (std::uint32_t w = 0; w < walks; ++w) {
+    RandomStream random(stream, w, 0, 0xCAC4E);
+    const double u1 = random.unit(), u2 = random.unit();
+    SurfacePoint from = world.receivers.point(i, u1, u2);
+    const double u3 = random.unit(), u4 = random.unit();
+    const auto first = sample(world.receivers.responsivity(i), u3, u4);
+    if (!first) continue;
+    Vec3 direction = world.receivers.frame(i).to_world(first->direction);
+    for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
+      const auto end = follow_chain(world, from, direction, Departure::scattered, random, rays,
+                                    [](std::size_t, double) {});
+      if (!end) break;
+      found.push_back({key_of(end->point), static_cast<std::uint32_t>(SurfaceCells::quadrant(end->point)),
+                       random.bits(), end->point});
+      from = end->point;
+      const double v1 = random.unit(), v2 = random.unit();
+      direction = Frame::about(from.normal).to_world(sample_cosine_hemisphere(v1, v2));
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+SurfaceCells::SurfaceCells(const World& world, std::uint64_t seed, const RunControl& control) {
+  const std::size_t m = world.receivers.size();
+  const auto walks =
+      static_cast<std::uint32_t>(std::clamp<std::size_t>(100000 / std::max<std::size_t>(1, m), 8, 128));
+  std::vector<std::vector<Found>> by_label(m);
+  std::atomic<std::uint64_t> rays{0};
+  for_parts(m, [&](std::size_t first, std::size_t last) {
+    std::uint64_t traced = 0;
+    for (std::size_t i = first; i < last && !control.cancelled(); ++i)
+      by_label[i] = explore(world, i, walks, seed, traced);
+    rays.fetch_add(traced, std::memory_order_relaxed);
+  });
+  rays_ = rays;
+  std::vector<Found> all;
+  for (std::vector<Found>& some : by_label) {
+    all.insert(all.end(), some.begin(), some.end());
+    std::vector<Found>().swap(some);
+  }
+  std::sort(all.begin(), all.end());
+
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    if (f == 0 || all[f].key != all[f - 1].key) {
+      keys_.push_back(all[f].key);
+      first_.resize(quadrants * keys_.size(), places_.size());
+    }
+    std::size_t* const first = first_.data() + quadrants * (keys_.size() - 1);
+    if (places_.size() - first[all[f].quadrant] >= most_places) continue;
+    places_.push_back(all[f].point);
+    for (std::size_t q = all[f].quadrant + 1; q < quadrants; ++q) first[q] = places_.size();
+  }
+  first_.push_back(places_.size());
+  std::size_t slots = 16;
+  while (slots < 3 * keys_.size()) slots *= 2;
+  slots_.assign(slots, nowhere);
+  for (std::uint32_t cell = 0; cell < keys_.size(); ++cell) {
+    std::size_t slot = hash(keys_[cell]) & (slots - 1);
+    while (slots_[slot] != nowhere) slot = (slot + 1) & (slots - 1);
+    slots_[slot] = cell;
+  }
+}
+
+std::span<const SurfacePoint> SurfaceCells::places(std::size_t cell, std::size_t quadrant) const {
+  const std::size_t* const first = first_.data() + quadrants * cell + quadrant;
+  return std::span(places_).subspan(first[0], first[1] - first[0]);
+}
+
+std::span<const SurfacePoint> SurfaceCells::places(std::size_t cell) const {
+  const std::size_t* const first = first_.data() + quadrants * cell;
+  return std::span(places_).subspan(first[0], first[quadrants] - first[0]);
+}
+
+std::size_t SurfaceCells::quadrant(const SurfacePoint& point) {
+  const Vec3 scaled = in_cells(point.position), &n = point.normal;
+  const double ax = std::abs(n.x), ay = std::abs(n.y), az = std::abs(n.z);
+  const auto upper = [](double c) { return c - std::floor(c) < 0.5 ? std::size_t{0} : std::size_t{1}; };
+  if (az >= ax && az >= ay) return 2 * upper(scaled.x) + upper(scaled.y);
+  return 2 * upper(ax >= ay ? scaled.y : scaled.x) + upper(scaled.z);
+}
+
+void SurfaceCells::forget_places() {
+  std::vector<SurfacePoint>().swap(places_);
+  std::vector<std::size_t>().swap(first_);
+}
+
+std::uint32_t SurfaceCells::find_key(std::uint64_t key) const {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t slot = hash(key) & mask;
+  while (slots_[slot] != nowhere && keys_[slots_[slot]] != key) slot = (slot + 1) & mask;
+  return slots_[slot];
+}
+
+std::uint32_t SurfaceCells::find(const SurfacePoint& point) const {
+  return find_key(key_of(point));
+}
+
+std::uint32_t SurfaceCells::find_near(const SurfacePoint& point) const {
+  const Vec3 scaled = in_cells(point.position);
+  Cell at = cell_of(scaled);
+  std::uint32_t cell = find_key(key_of(at, point.normal));
+  for (int tries = 0; tries < 2 && cell == nowhere; ++tries) {
+    double least = 1;
+    int nearest = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double within = scaled[axis] - static_cast<double>(at[static_cast<std::size_t>(axis)]);
+      const double border = std::min(within, 1 - within);
+      if (within >= 0 && within < 1 && border < least && std::abs(point.normal[axis]) < 0.5) {
+        least = border;
+        nearest = axis;
+      }
+    }
+    if (nearest < 0) break;
+    const auto axis = static_cast<std::size_t>(nearest);
+    at[axis] += scaled[nearest] - static_cast<double>(at[axis]) < 0.5 ? -1 : 1;
+    cell = find_key(key_of(at, point.normal));
+  }
+  return cell;
+}
+
+std::size_t SurfaceCells::bytes() const {
+  return keys_.size() * sizeof(keys_[0]) + slots_.size() * sizeof(slots_[0]) +
+         places_.size() * sizeof(places_[0]) + first_.size() * sizeof(first_[0]);
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,92 @@
+#include "shelfbeam/transport/cache/surface_guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double smoothest = 0.03;
+
+// Other masking is not written as vectors, and smoother facets are too much for floats.
+bool is_plain(const Microfacets& facets) {
+  return facets.masking != Masking::cook_torrance && std::min(facets.alpha_x, facets.alpha_y) >= smoothest;
+}
+
+}  // namespace
+
+SurfaceGuide::SurfaceGuide(const Material& material) : plastic_(std::get_if<Plastic>(&material)) {
+  if (has_only_specular(material)) return;
+  const Vec3 from = normalized({1, 0, 1});
+  flat_ =
+      static_cast<float>(std::max(0.0, albedo(material, from) - specular_reflectance(material, from)) / pi);
+  if (const auto* lambertian = std::get_if<Lambertian>(&material)) {
+    has_base_ = true;
+    base_albedo_ = lambertian->reflectance;
+    base_ = lambertian->reflectance / pi;
+    return;
+  }
+  const auto* conductor = std::get_if<Conductor>(&material);
+  const Microfacets* facets = nullptr;
+  if (plastic_ != nullptr && plastic_->facets) facets = &*plastic_->facets;
+  if (conductor != nullptr && conductor->facets) facets = &*conductor->facets;
+  has_highlight_ = plastic_ == nullptr || facets != nullptr;
+  if (facets != nullptr) {  // others are taken for plain ones
+    is_beckmann_ = facets->distribution == FacetDistribution::beckmann;
+    alpha_x_ = std::max(smoothest, facets->alpha_x);
+    alpha_y_ = std::max(smoothest, facets->alpha_y);
+  }
+  is_loose_ = has_highlight_ && (facets == nullptr || !is_plain(*facets));
+  if (plastic_ != nullptr) {
+    has_base_ = is_detailed_ = true;
+    base_albedo_ = plastic_->base_albedo;
+    base_ = plastic_->base_scale / pi;
+    entry_ = CosineCurve::through([&](double cosine) { return plastic_->transmission(cosine); });
+    fresnel_ = CosineCurve::through([&](double cosine) { return fresnel_dielectric(cosine, plastic_->ior); });
+  } else if (alpha_x_ > 0) {
+    is_detailed_ = true;
+    fresnel_ = CosineCurve::through(
+        [&](double cosine) { return fresnel_conductor(cosine, conductor->eta, conductor->k); });
+  }
+}
+
+LaneScatter SurfaceGuide::towards(const Vec3& outgoing, const Vec3& normal, double exit) const {
+  constexpr double least_cosine = 1e-4;
+  LaneScatter scatter;
+  const double c = std::clamp(dot(normal, outgoing), least_cosine, 1.0);
+  scatter.ox = static_cast<float>(outgoing.x);
+  scatter.oy = static_cast<float>(outgoing.y);
+  scatter.oz = static_cast<float>(outgoing.z);
+  scatter.on = static_cast<float>(c);
+  if (has_base_) scatter.base = static_cast<float>(base_ * exit);
+  scatter.entry = &entry_;
+  scatter.fresnel = &fresnel_;
+  if (alpha_x_ > 0) {
+    Vec3 local{std::sqrt(1 - c * c), 0, c};  // azimuths are all the same but where facets are brushed
+    if (alpha_x_ != alpha_y_) {
+      const Frame frame = Frame::of_surface(normal);
+      local = frame.to_local(outgoing);
+      local.z = c;
+      scatter.tx = static_cast<float>(frame.x.x);
+      scatter.ty = static_cast<float>(frame.x.y);
+      scatter.tz = static_cast<float>(frame.x.z);
+    }
+    const Microfacets facets{is_beckmann_ ? FacetDistribution::beckmann : FacetDistribution::ggx, alpha_x_,
+                             alpha_y_};
+    scatter.is_beckmann = is_beckmann_;
+    scatter.alpha2 = static_cast<float>(alpha_x_ * alpha_y_);
+    scatter.narrow = static_cast<float>(alpha_x_ / alpha_y_);
+    scatter.skew = static_cast<float>(alpha_y_ / alpha_x_ - alpha_x_ / alpha_y_);
+    scatter.across2 = static_cast<float>(alpha_y_ * alpha_y_);
+    scatter.more = static_cast<float>(alpha_x_ * alpha_x_ - alpha_y_ * alpha_y_);
+    scatter.highlight = static_cast<float>(facets.masking_of(local, {0, 0, 1}) / (4 * c));
+  }
+  return scatter;
+}
+
+}  // namespace shelfbeam

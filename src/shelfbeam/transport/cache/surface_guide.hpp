@@ -1,0 +1,63 @@
+#pragma once
+
+#include "shelfbeam/material/material.hpp"
+#include "shelfbeam/transport/cache/cosine_curve.hpp"
+
+namespace shelfbeam {
+
+/// How a point of a surface scatters light towards one direction o: radiance per irradiance from a unit in
+/// direction l is base x entry(cos l), and the highlight of facets (2.23).
+struct LaneScatter {
+  float ox = 0, oy = 0, oz = 0, on = 0;  ///< o, and its cosine
+  float base = 0;
+  float highlight = 0;  ///< G1(o) / (4 cos o), 0 without one
+  float alpha2 = 1;     ///< product of the roughness along the surface's x, alpha_x, and across, alpha_y
+  float tx = 0, ty = 0, tz = 0;  ///< x of the surface (Frame::of_surface) where they differ, and then
+  float narrow = 1, skew = 0;    ///< alpha_x / alpha_y, and alpha_y / alpha_x less that,
+  float across2 = 1, more = 0;   ///< alpha_y^2, and alpha_x^2 less that
+  bool is_beckmann = false;      ///< D is Beckmann's, else that of GGX
+  const CosineCurve* entry = nullptr;
+  const CosineCurve* fresnel = nullptr;
+};
+
+/// What the control variate of the reuse estimator takes a material to do. The light of a base (Lambertian,
+/// under a coat or not) looks the same from everywhere but for the share exit(cos) that leaves: all who see a
+/// point can use it. The rest, a highlight, goes one way.
+class SurfaceGuide {
+ public:
+  /// `material` must outlive the guide.
+  explicit SurfaceGuide(const Material& material);
+
+  /// Radiance per irradiance, the same in every direction: all there is to know unless `is_detailed`.
+  float flat() const { return flat_; }
+  bool has_base() const { return has_base_; }
+  bool is_detailed() const { return is_detailed_; }
+  /// Whether a unit's light may leave otherwise than by the base.
+  bool has_highlight() const { return has_highlight_; }
+  /// Whether a unit's light can leave in ways of which the guide says nothing.
+  bool is_loose() const { return is_loose_; }
+
+  /// Share of the base's light that leaves in a direction with this cosine.
+  double exit(double cosine) const { return plastic_ == nullptr ? 1 : plastic_->transmission(cosine); }
+  /// f_r of the base without its exit (1/sr), for light that arrives with this cosine.
+  double base(double cosine) const {
+    return plastic_ == nullptr ? base_ : base_ * plastic_->transmission(cosine);
+  }
+  /// The same without either.
+  double bare_base() const { return base_; }
+  /// Share of the irradiance that leaves by the base, without the exit.
+  double base_albedo() const { return base_albedo_; }
+  /// `exit` is that of the direction.
+  LaneScatter towards(const Vec3& outgoing, const Vec3& normal, double exit) const;
+
+ private:
+  const Plastic* plastic_;
+  float flat_ = 0;
+  bool has_base_ = false, is_detailed_ = false, has_highlight_ = false, is_loose_ = false;
+  double base_ = 0, base_albedo_ = 0;
+  double alpha_x_ = 0, alpha_y_ = 0;  ///< of facets as LaneScatter has them; 0: none
+  bool is_beckmann_ = false;
+  CosineCurve entry_, fresnel_;
+};
+
+}  // namespace shelfbeam

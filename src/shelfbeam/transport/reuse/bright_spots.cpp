@@ -1,0 +1,196 @@
+#include "shelfbeam/transport/reuse/bright_spots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/math/sobol.hpp"
+#include "shelfbeam/transport/world/random_stream.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr std::uint32_t side = 16;  // strata of a unit's rays, each way
+// The share of a unit's rays that are sent where the first look has found nothing, too.
+constexpr double everywhere = 0.1;
+constexpr double least_chance = 0.02;
+
+// The distance from every unit at which its light is capped, by how many others are around (SpotRule).
+std::vector<double> cap_distances(const std::vector<Transceiver>& units, const SpotRule& rule) {
+  constexpr double around = 5, few = 16;
+  std::vector<double> distances(units.size());
+  for_parts(units.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t j = first; j < last; ++j) {
+      const auto near = std::count_if(units.begin(), units.end(), [&](const Transceiver& unit) {
+        return length_squared(unit.position - units[j].position) <= around * around;
+      });
+      distances[j] =
+          std::max(rule.cap_at, rule.cap_at_most * std::sqrt(std::min(1.0, few / static_cast<double>(near))));
+    }
+  });
+  return distances;
+}
+
+// Where light that leaves a unit arrives in a straight line, if above the cap; `power` is that of the ray.
+std::optional<SpotLight> shine(const World& world, const UnitGroups& units, std::uint32_t j, double u1,
+                               double u2, RandomStream& random, std::uint64_t& rays) {
+  const double u3 = random.unit(), u4 = random.unit();
+  const auto emitted = world.emitters.emit(j, {u1, u2, u3, u4});
+  if (!emitted) return std::nullopt;
+  SurfacePoint from{emitted->from.position, emitted->from.normal};
+  double flux = emitted->flux;
+  for (;;) {
+    const auto hit = world.rays.intersect(from, emitted->direction);
+    ++rays;
+    if (!hit) return std::nullopt;
+    const Material& material = world.material(*hit);
+    if (const auto* pane = std::get_if<ThinDielectric>(&material)) {
+      flux *= pane_transmittance(*pane, dot(hit->point.normal, emitted->direction));
+      from = hit->point;
+      if (!(flux > 0)) return std::nullopt;
+      continue;
+    }
+    if (has_only_specular(material)) return std::nullopt;
+    SpotLight light;
+    light.place = units.place(j);
+    light.point = hit->point;
+    light.frame = Frame::of_surface(hit->point.normal);
+    light.incoming = light.frame.to_local(-emitted->direction);
+    light.material = hit->material;
+    if (dot(light.point.normal, emitted->direction) > 0) light.point.normal = -light.point.normal;
+    const std::size_t g = light.place / lanes, lane = light.place % lanes;
+    LaneValues e;
+    units.irradiance(g, LanePoint(light.point), e);
+    if (!(e[lane] > units.cap(g, lane))) return std::nullopt;
+    light.power = flux;
+    light.capped = static_cast<double>(units.cap(g, lane) / e[lane]);
+    return light;
+  }
+}
+
+std::size_t stratum(std::size_t x, std::size_t y) {
+  return x * side + y;
+}
+
+// The chances of the strata, as running sums: by the flux found there and beside them.
+std::vector<double> running_chances(const std::vector<double>& flux) {
+  std::vector<double> chances(flux.size());
+  double total = 0;
+  for (std::size_t x = 0; x < side; ++x)
+    for (std::size_t y = 0; y < side; ++y) {
+      double near = 0;
+      for (std::size_t nx = x == 0 ? 0 : x - 1; nx <= std::min<std::size_t>(x + 1, side - 1); ++nx)
+        for (std::size_t ny = y == 0 ? 0 : y - 1; ny <= std::min<std::size_t>(y + 1, side - 1); ++ny)
+          near = std::max(near, flux[stratum(nx, ny)]);
+      chances[stratum(x, y)] = flux[stratum(x, y)] + 0.5 * near;
+      total += chances[stratum(x, y)];
+    }
+  double sum = 0;
+  for (double& chance : chances) {
+    sum += (1 - everywhere) * chance / total + everywhere / (side * side);
+    chance = sum;
+  }
+  return chances;
+}
+
+}  // namespace
+
+double SpotLight::intensity(const Scene& scene, const Vec3& direction) const {
+  const double cosine = dot(direction, point.normal);
+  if (cosine <= 0) return 0;
+  return power * cosine * eval(scene.materials[material.value].material, frame.to_local(direction), incoming);
+}
+
+BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t seed, const SpotRule& rule)
+    : world_(world), units_(units), rule_(rule) {
+  const std::vector<double> distances = cap_distances(world.scene.transceivers, rule);
+  std::vector<double> found(std::size_t{side} * side);
+  for (std::uint32_t j = 0; j < world.scene.transceivers.size(); ++j) {
+    const std::uint64_t key = mix_key(seed, hash64(world.scene.transceivers[j].id));
+    const ScrambledSobol square(key);
+    units.set_cap(j, units.peak(units.place(j) / lanes) / static_cast<float>(distances[j] * distances[j]));
+    double flux = 0;
+    std::uint64_t rays = 0;
+    std::fill(found.begin(), found.end(), 0.0);
+    for (std::uint32_t r = 0; r < side * side; ++r) {
+      const auto [u1, u2] = square.point(r);
+      RandomStream random(key, r, 0, 0);
+      const auto light = shine(world, units, j, u1, u2, random, rays);
+      if (!light) continue;
+      const double part = light->power * (1 - light->capped) / (side * side);
+      found[stratum(static_cast<std::size_t>(u1 * side), static_cast<std::size_t>(u2 * side))] += part;
+      flux += part;
+    }
+    if (flux > 0)
+      spots_.push_back({j, flux, running_chances(found)});
+    else
+      units.set_cap(j, std::numeric_limits<float>::max());
+  }
+  for (const Spot& spot : spots_)
+    groups_.push_back(static_cast<std::uint16_t>(units.place(spot.unit) / lanes));
+  std::sort(groups_.begin(), groups_.end());
+  groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
+}
+
+void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, const Key& key,
+                       std::vector<SpotLight>& lights, std::uint64_t& rays) const {
+  lights.clear();
+  for (const Spot& spot : spots_) {
+    const Vec3& from = world_.scene.transceivers[spot.unit].position;
+    double sum = 0;
+    for (const Vec3& point : points) sum += 1 / std::max(1.0, length_squared(point - from));
+    const double much = spot.flux / pi * sum / static_cast<double>(points.size()) / effort.relevant;
+    const double chance = std::clamp(much, least_chance, 1.0);
+    RandomStream random(mix_key(key.stream, spot.unit), key.batch, 0, 0x5B07);
+    if (random.unit() >= chance) continue;
+    const auto count =
+        static_cast<std::uint32_t>(std::clamp(much * much, 1.0, static_cast<double>(effort.most)));
+    const ScrambledSobol square(mix_key(mix_key(key.stream, spot.unit), key.batch));
+    for (std::uint32_t r = 0; r < count; ++r) {
+      const auto [u1, u2] = square.point(r);
+      const auto found = std::upper_bound(spot.chances.begin(), spot.chances.end() - 1, u1);
+      const auto s = static_cast<std::uint32_t>(found - spot.chances.begin());
+      const double below = s == 0 ? 0 : spot.chances[s - 1], own = spot.chances[s] - below;
+      const double v1 = std::clamp((u1 - below) / own, 0.0, 1.0);
+      const std::uint32_t row = s / side, column = s % side;
+      auto light = shine(world_, units_, spot.unit, (row + v1) / side, (column + u2) / side, random, rays);
+      if (!light) continue;
+      light->power /= count * chance * own * side * side;
+      lights.push_back(*light);
+    }
+  }
+}
+
+void BrightSpots::add_near(const PathVertex& vertex, double p, double weight, RandomStream& random,
+                           LaneRow& row, std::uint64_t& rays) const {
+  const double rise = rule_.near * rule_.near * pi * p;
+  if (!(rise > 1)) return;
+  const LanePoint point(vertex.end.point);
+  const auto farthest = static_cast<float>(std::max(rule_.cap_at, rule_.cap_at_most));
+  for (const std::uint16_t g : groups_) {
+    if (units_.distance(g, point) > farthest) continue;
+    LaneValues e;
+    units_.irradiance(g, point, e);
+    for (std::size_t k = 0; k < units_.count(g); ++k) {
+      if (!(e[k] > units_.cap(g, k))) continue;
+      const double whole = static_cast<double>(e[k]), cap = static_cast<double>(units_.cap(g, k));
+      const double share = (std::min(whole, cap * rise) - cap) / whole;
+      const std::uint32_t j = units_.column(g, k);
+      const double u1 = random.unit(), u2 = random.unit();
+      const LightPoint light = world_.emitters.point(j, u1, u2);
+      const DirectSignal signal = light_from(
+          world_, j, light, vertex.end.point, false,
+          [&](const Vec3& to_source) { return vertex.reflected(to_source).whole; },
+          [&] { return world_.rays.passage(vertex.end.point, light.position).share; });
+      rays += signal.rays;
+      if (signal.straight > 0)
+        row.add(static_cast<std::uint32_t>(g * lanes + k), weight * share * signal.straight);
+    }
+  }
+}
+
+}  // namespace shelfbeam

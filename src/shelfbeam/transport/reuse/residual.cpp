@@ -1,0 +1,252 @@
+#include "shelfbeam/transport/reuse/residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shelfbeam/math/sobol.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double most_survival = 0.99;
+
+// Share of the light of a vertex that does not leave by its base, as far as rays should care. Where others
+// share the base, some of them see more of it than the path at hand.
+double share_otherwise(const PathVertex& vertex) {
+  constexpr double least = 0.1;
+  const SurfaceGuide& guide = *vertex.guide;
+  if (!guide.has_base()) return 1;
+  if (!guide.is_detailed()) return 0;
+  if (guide.base_albedo() == 0) return 1;
+  const double base = (vertex.end.is_straight ? guide.exit(1) : vertex.exit) * guide.base_albedo();
+  const double coat = 1 - vertex.exit;
+  return std::clamp(coat / (coat + base), least, 1 - least);
+}
+
+// Of so many rays; one is enough for a mirror, and none for nothing.
+std::uint32_t tails_otherwise(const PathVertex& vertex, double share, std::uint32_t tails) {
+  if (share == 0) return 0;
+  if (!vertex.guide->has_highlight()) return 1;
+  if (share == 1) return tails;
+  return std::max(1U, static_cast<std::uint32_t>(std::lround(share * tails)));
+}
+
+}  // namespace
+
+// A ray's end, and the weight of the radiance from there.
+struct Residual::Found {
+  PathVertex vertex;
+  double weight;
+};
+
+// Where a point sees many hundreds of units, shadow rays would take most of the time.
+Residual::Residual(const World& world, const UnitGroups& units, const RadianceCache& cache,
+                   const BrightSpots& spots, double requirement, const ReuseEffort& effort)
+    : world_(world),
+      units_(units),
+      cache_(cache),
+      spots_(spots),
+      requirement_(requirement),
+      reach_(static_cast<float>(0.05 * requirement)),
+      effort_(effort),
+      any_loose_(units.any_loose()),
+      crowd_(std::clamp(cache.units_a_cell() / 300, 1.0, 4.0)) {}
+
+// What bright spots send straight to the bases.
+void Residual::add_spots(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
+                         Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const {
+  if (spots_.size() == 0 || !spots_.rule().for_vertices) return;
+  std::vector<std::uint32_t>& with_base = scratch.sharers;
+  with_base.clear();
+  scratch.targets.clear();
+  for (std::uint32_t a = 0; a < vertices.size(); ++a) {
+    if (!vertices[a].has_base()) continue;
+    with_base.push_back(a);
+    scratch.targets.push_back(vertices[a].end.point.position);
+  }
+  const std::uint64_t stream = mix_key(key.stream, (std::uint64_t{key.group} << 32) | generation);
+  const auto receive = [&](std::uint32_t k, const Vec3& from) {
+    const PathVertex& vertex = vertices[with_base[k]];
+    const double cosine = dot(from, vertex.end.point.normal);
+    if (!(cosine > 0)) return SpotReceiver{};
+    return SpotReceiver{cosine * vertex.guide->base(cosine), cosine / pi};
+  };
+  spots_.light_up(
+      scratch.targets, {0.05 * requirement_, effort_.spot_rays}, {mix_key(stream, 0x5B075), key.batch},
+      scratch.spots, rays, receive,
+      [&](std::uint32_t k, std::uint32_t place, double value) { rows[with_base[k]].base.add(place, value); });
+}
+
+// What the cache has to leave the vertex over further bounces.
+void Residual::subtract_indirect(const PathVertex& vertex, ResidualRows& rows) const {
+  const auto subtract = [&](LaneRow& row, double albedo) {
+    if (!(albedo > 0)) return;
+    row.use(vertex.row.groups, vertex.row.count);
+    LaneKernels::add_listed(vertex.row.groups, vertex.row.count, static_cast<float>(-albedo / pi),
+                            vertex.row.indirect, row.mutable_values());
+  };
+  if (vertex.has_base()) subtract(rows.base, vertex.guide->base_albedo());
+  subtract(rows.own, vertex.own_albedo);
+}
+
+// Looks the cache up with rays that leave by the base or otherwise; returns where the first of them has
+// ended.
+std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool by_base, std::uint32_t tails,
+                                                std::uint64_t points, RandomStream& random, LaneRow& row,
+                                                std::uint64_t& rays) const {
+  std::optional<Found> first, last;
+  const ScrambledSobol square(points);
+  // A row of the cache is used one ray later, when it has come from memory.
+  const auto use = [&](const Found& found) {
+    found.vertex.look_up(units_, static_cast<float>(found.weight / tails), row);
+    if (!found.vertex.is_capped) return;
+    const Vec3 way = found.vertex.end.point.position - vertex.end.point.position;
+    const double squared = length_squared(way);
+    if (!(squared > 0)) return;
+    const double cosines = dot(way, vertex.end.point.normal) * -dot(way, found.vertex.end.point.normal);
+    spots_.add_near(found.vertex, cosines / (pi * squared * squared), found.weight / tails, random, row,
+                    rays);
+  };
+  for (std::uint32_t t = 0; t < tails; ++t) {
+    const auto [u1, u2] = square.point(t);
+    const auto scattered =
+        by_base ? vertex.scatter_by_base(u1, u2) : vertex.scatter_otherwise(random.unit(), u1, u2);
+    if (!scattered) continue;
+    const double weight = scattered->weight;
+    const auto end =
+        follow_chain(world_, vertex.end.point, scattered->direction, scattered->departure, random, rays,
+                     [&](std::size_t j, double value) { row.add(units_.place(j), weight * value / tails); });
+    if (!end) continue;
+    Found found{PathVertex(world_, cache_, *end), weight * end->throughput};
+    found.vertex.is_capped = by_base && end->is_straight && spots_.rule().for_vertices;
+    found.vertex.row.prefetch();
+    if (last) use(*last);
+    last.emplace(found);
+    if (t == 0) first.emplace(found);
+  }
+  if (last) use(*last);
+  return first;
+}
+
+// Generation by generation until no path goes on, then back: a path between white walls is too long for a
+// call of each.
+void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, Scratch& scratch,
+                        std::span<ResidualRows> rows, std::uint64_t& rays) const {
+  struct Level {
+    std::span<const PathVertex> vertices;
+    std::span<ResidualRows> rows;
+  };
+  std::vector<Level> levels{{vertices, rows}};
+  for (;;) {
+    const auto generation = static_cast<std::uint32_t>(levels.size() - 1);
+    if (scratch.generations.size() <= generation) scratch.generations.emplace_back();
+    Scratch::Generation& next = scratch.generations[generation];
+    extend(levels.back().vertices, key, generation, scratch, levels.back().rows, next, rays);
+    const std::size_t count = next.vertices.size();
+    if (count == 0) break;
+    while (next.rows.size() < count) next.rows.emplace_back(units_.size());
+    levels.push_back({next.vertices, std::span(next.rows).first(count)});
+    for (ResidualRows& row : levels.back().rows) row.clear();
+  }
+  for (std::size_t g = levels.size() - 1; g-- > 0;) {
+    const Scratch::Generation& next = scratch.generations[g];
+    for (std::size_t b = 0; b < next.vertices.size(); ++b)
+      share(levels[g].vertices, next.chances, next.continuations[b], next.vertices[b], next.rows[b], scratch,
+            levels[g].rows, rays);
+  }
+}
+
+// What vertices get but by the paths that go on, and where these go.
+void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
+                      Scratch& scratch, std::span<ResidualRows> rows, Scratch::Generation& next,
+                      std::uint64_t& rays) const {
+  next.vertices.clear();
+  next.continuations.clear();
+  next.chances.assign(vertices.size(), 0);
+  const std::uint32_t tails = generation == 0 ? effort_.tails : effort_.later_tails;
+  const double stake = generation == 0 ? effort_.stake : effort_.later_stake;
+
+  add_spots(vertices, key, generation, scratch, rows, rays);
+  for (std::size_t a = 0; a < vertices.size(); ++a) {
+    const PathVertex& vertex = vertices[a];
+    const auto place = static_cast<std::uint32_t>(a);
+    RandomStream random(key.stream, key.batch, key.group, (generation << 16) + place);
+    const std::uint64_t points = mix_key(mix_key(key.stream, (std::uint64_t{key.batch} << 32) | key.group),
+                                         (generation << 16) + place);
+    add_direct(vertex, stake, random, scratch, rows[a], rays);
+    add_far(vertex, random, rows[a], rays);
+    subtract_indirect(vertex, rows[a]);
+
+    const double otherwise = share_otherwise(vertex);
+    const std::uint32_t others = tails_otherwise(vertex, otherwise, tails);
+    const std::uint32_t of_base = otherwise == 1 ? 0 : std::max(others + 1, tails) - others;
+    const auto by_base = gather(vertex, true, of_base, points, random, rows[a].base, rays);
+    const auto by_other = gather(vertex, false, others, mix_key(points, 0x0FF), random, rows[a].own, rays);
+
+    // As bright as the surface, the chance keeps the variance finite: a generation multiplies it by albedo^2
+    // over the chance.
+    const double survival = std::clamp(vertex.albedo, effort_.survival, most_survival);
+    next.chances[a] = survival * (1 - otherwise);
+    const double u = random.unit();
+    if (u >= survival) continue;
+    const bool goes_by_base = u < next.chances[a];
+    const std::optional<Found>& found = goes_by_base ? by_base : by_other;
+    if (!found) continue;
+    const ChainEnd& end = found->vertex.end;
+    next.vertices.push_back(found->vertex);
+    next.continuations.push_back(
+        {a,
+         found->weight / (goes_by_base ? next.chances[a] : survival - next.chances[a]),
+         goes_by_base,
+         goes_by_base && end.is_straight && found->vertex.has_base(),
+         {end.throughput * end.probability, end.probability}});
+  }
+}
+
+// What a new vertex sends to its parent and, by its base, to all of the group that see it.
+void Residual::share(std::span<const PathVertex> vertices, const std::vector<double>& chances,
+                     const Continuation& from, const PathVertex& found, const ResidualRows& carried,
+                     Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const {
+  LaneRow& to_parent = from.by_base ? rows[from.parent].base : rows[from.parent].own;
+  to_parent.add(carried.own, from.weight);
+  if (!from.is_shared) {
+    to_parent.add(carried.base, found.exit * from.weight);
+    return;
+  }
+  const SurfacePoint& there = found.end.point;
+  scratch.sharers.clear();
+  scratch.targets.clear();
+  scratch.density.resize(vertices.size());
+  for (std::size_t c = 0; c < vertices.size(); ++c) {
+    if (!(chances[c] > 0)) continue;
+    const Vec3 way = there.position - vertices[c].end.point.position;
+    const double squared = length_squared(way);
+    const double cosines =
+        std::max(0.0, dot(way, vertices[c].end.point.normal)) * std::max(0.0, -dot(way, there.normal));
+    scratch.density[c] = squared > 0 ? cosines / (squared * squared) : 0;
+    if (c == from.parent || !(scratch.density[c] > 0)) continue;
+    scratch.sharers.push_back(static_cast<std::uint32_t>(c));
+    scratch.targets.push_back(vertices[c].end.point.position);
+  }
+  scratch.passages.resize(scratch.targets.size());
+  world_.rays.passages(there, scratch.targets, scratch.passages);
+  rays += scratch.targets.size();
+  scratch.sharers.push_back(static_cast<std::uint32_t>(from.parent));
+  scratch.passages.push_back(from.passage);
+  double sum = 0;
+  for (std::size_t t = 0; t < scratch.sharers.size(); ++t)
+    sum +=
+        chances[scratch.sharers[t]] * scratch.density[scratch.sharers[t]] * scratch.passages[t].probability;
+  if (!(sum > 0)) return;
+  for (std::size_t t = 0; t < scratch.sharers.size(); ++t) {
+    const std::uint32_t c = scratch.sharers[t];
+    if (scratch.passages[t].share == 0) continue;
+    const SurfacePoint& here = vertices[c].end.point;
+    const double cosine = dot(here.normal, normalized(there.position - here.position));
+    rows[c].base.add(carried.base, pi * vertices[c].guide->base(cosine) * found.exit_towards(here.position) *
+                                       scratch.density[c] * scratch.passages[t].share / sum);
+  }
+}
+
+}  // namespace shelfbeam

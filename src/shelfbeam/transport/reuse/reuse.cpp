@@ -1,0 +1,345 @@
+#include "shelfbeam/transport/reuse/reuse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/math/sobol.hpp"
+#include "shelfbeam/transport/reuse/bright_spots.hpp"
+#include "shelfbeam/transport/world/direct.hpp"
+#include "shelfbeam/transport/world/label_clusters.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr std::size_t largest_cluster = 96;
+// The cache keeps what is above this share of the smallest requirement.
+constexpr double least_share = 0.005;
+
+double smallest_requirement(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Label& label : scene.labels) {
+    const double requirement = scene.type_of(label).requirement();
+    if (requirement > 0) smallest = std::min(smallest, requirement);
+  }
+  return std::isfinite(smallest) ? smallest : 1e-3;
+}
+
+}  // namespace
+
+struct ReuseEstimator::Impl {
+  struct Workspace {
+    Residual::Scratch residual;
+    std::vector<LaneRow> labels;
+    std::vector<ResidualRows> points;
+    std::vector<SurfacePoint> at;
+    std::vector<PathVertex> vertices;
+    std::vector<std::uint32_t> owner;
+    std::vector<double> weight;
+    std::vector<bool> is_shared;
+    std::vector<double> density;
+    std::vector<std::uint32_t> sharers;
+    std::vector<Vec3> targets;
+    std::vector<Passage> passages;
+    std::vector<double> direct;
+  };
+
+  Impl(const World& w, std::uint64_t s, const ReuseEffort& e, const RunControl& control)
+      : world(w),
+        requirement(smallest_requirement(w.scene)),
+        effort(e),
+        units(w),
+        spots(w, units, mix_key(s, hash64("bright spots")), e.spots),
+        cache(w, units, static_cast<float>(least_share * requirement), mix_key(s, hash64("radiance cache")),
+              control),
+        residual(w, units, cache, spots, requirement, e) {
+    std::vector<std::uint32_t> columns(w.emitters.size());
+    std::iota(columns.begin(), columns.end(), 0U);
+    for (LabelCluster& cluster : cluster_labels(w, largest_cluster)) {
+      // A cluster is known by its first label.
+      keys.push_back(mix_key(s, hash64(w.scene.labels[cluster.front()].id)));
+      blocks.push_back({std::move(cluster), columns});
+    }
+  }
+
+  void look_up(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
+               std::uint64_t& rays) const;
+  void add_spots(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
+                 std::uint64_t& rays) const;
+  void add_residual(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
+                    std::uint64_t& rays) const;
+  void share_points(const Block& block, Workspace& work, std::uint64_t& rays) const;
+  bool looks_large(std::size_t i, std::size_t j) const;
+  double direct_chance(std::size_t i, std::size_t j) const;
+  double pdf_of(std::uint32_t label, const SurfacePoint& at, const SurfacePoint& there) const;
+
+  const World& world;
+  const PathRules rules{.strategy = Strategy::nee, .samples_direct = false};
+  double requirement;
+  ReuseEffort effort;
+  UnitGroups units;
+  BrightSpots spots;
+  RadianceCache cache;
+  Residual residual;
+  std::vector<Block> blocks;
+  std::vector<std::uint64_t> keys;
+  mutable tbb::enumerable_thread_specific<Workspace> workspaces;
+};
+
+// The cache's light on every label, by many rays that only look it up, and that of sources which they meet
+// over mirrors.
+void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::uint32_t batch,
+                                   Workspace& work, std::uint64_t& rays) const {
+  for (std::size_t c = 0; c < block.rows.size(); ++c) {
+    const std::uint32_t i = block.rows[c];
+    LaneRow& row = work.labels[c];
+    const Responsivity& responsivity = world.receivers.responsivity(i);
+    const double weight = integral(responsivity) / effort.lookups;
+    RandomStream random(key, batch, static_cast<std::uint32_t>(c), 1);
+    const ScrambledSobol square(mix_key(mix_key(key, batch), 2 * c));
+    const bool is_point = world.receivers.is_point(i);
+    // A row of the cache is used one ray later, when it has come from memory.
+    struct Found {
+      PathVertex vertex;
+      float weight;
+      double density;  ///< of the ray, per area
+    };
+    std::optional<Found> last;
+    const auto use = [&](const Found& found) {
+      found.vertex.look_up(units, found.weight, row);
+      if (found.vertex.is_capped)
+        spots.add_near(found.vertex, found.density, static_cast<double>(found.weight), random, row, rays);
+    };
+    for (std::uint32_t s = 0; s < effort.lookups; ++s) {
+      const auto [u1, u2] = square.point(s);
+      const auto drawn = shelfbeam::sample(responsivity, u1, u2);
+      if (!drawn) continue;
+      SurfacePoint from = work.at[c];
+      if (!is_point) {
+        const double u3 = random.unit(), u4 = random.unit();
+        from = world.receivers.point(i, u3, u4);
+      }
+      const auto end = follow_chain(
+          world, from, world.receivers.frame(i).to_world(drawn->direction), Departure::scattered, random,
+          rays, [&](std::size_t j, double value) { row.add(units.place(j), weight * value); });
+      if (!end) continue;
+      Found found{PathVertex(world, cache, *end), static_cast<float>(weight * end->throughput), 0};
+      found.vertex.is_capped = end->is_straight;
+      if (end->is_straight) found.density = pdf_of(i, from, end->point);
+      found.vertex.row.prefetch();
+      if (last) use(*last);
+      last.emplace(found);
+    }
+    if (last) use(*last);
+  }
+}
+
+// Whether a label or source is large for its distance, so that a batch's direct light takes several samples.
+bool ReuseEstimator::Impl::looks_large(std::size_t i, std::size_t j) const {
+  constexpr double much = 0.1;
+  if (j >= world.scene.transceivers.size()) return true;
+  const auto& size = world.scene.type_of(world.scene.labels[i]).size;
+  const Transceiver& unit = world.scene.transceivers[j];
+  const double extent = size[0] + size[1] + 2 * world.scene.type_of(unit).radius;
+  return extent > much * length(unit.position - world.scene.labels[i].position);
+}
+
+// Units too far or too weak to matter are asked for their direct light in some batches only.
+double ReuseEstimator::Impl::direct_chance(std::size_t i, std::size_t j) const {
+  constexpr double seldom = 0.125, little = 0.01;
+  if (j >= world.scene.transceivers.size()) return 1;
+  const double away = length(world.scene.transceivers[j].position - world.scene.labels[i].position);
+  const double most = static_cast<double>(units.peak(units.place(j) / lanes)) / (away * away);
+  return most > little * world.scene.type_of(world.scene.labels[i]).requirement() ? 1 : seldom;
+}
+
+// Density per area with which a label's rays hit a point, but for what stands between.
+double ReuseEstimator::Impl::pdf_of(std::uint32_t label, const SurfacePoint& at,
+                                    const SurfacePoint& there) const {
+  const Vec3 way = there.position - at.position;
+  const double squared = length_squared(way);
+  if (!(squared > 0)) return 0;
+  const Vec3 direction = way / std::sqrt(squared);
+  const double facing = -dot(direction, there.normal);
+  if (facing <= 0) return 0;
+  return pdf(world.receivers.responsivity(label), world.receivers.frame(label).to_local(direction)) * facing /
+         squared;
+}
+
+// What bright spots send straight to the labels.
+void ReuseEstimator::Impl::add_spots(const Block& block, std::uint64_t key, std::uint32_t batch,
+                                     Workspace& work, std::uint64_t& rays) const {
+  work.targets.clear();
+  for (const SurfacePoint& point : work.at) work.targets.push_back(point.position);
+  const auto receive = [&](std::uint32_t c, const Vec3& from) {
+    const double response = world.receivers.response(block.rows[c], from);
+    return SpotReceiver{response, response / integral(world.receivers.responsivity(block.rows[c]))};
+  };
+  spots.light_up(work.targets, {0.05 * requirement, effort.spot_rays}, {mix_key(key, 0x5B075), batch},
+                 work.residual.spots, rays, receive, [&](std::uint32_t c, std::uint32_t place, double value) {
+                   work.labels[c].add(place, value);
+                 });
+}
+
+// What the cache misses, at some points for each label.
+void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, std::uint32_t batch,
+                                        Workspace& work, std::uint64_t& rays) const {
+  std::uint32_t group = 0;
+  const auto flush = [&] {
+    if (work.vertices.empty()) return;
+    while (work.points.size() < work.vertices.size()) work.points.emplace_back(units.size());
+    for (ResidualRows& row : work.points) row.clear();
+    residual.estimate(work.vertices, {mix_key(key, 0x9E51D), batch, group++}, work.residual,
+                      std::span(work.points).first(work.vertices.size()), rays);
+    share_points(block, work, rays);
+    work.vertices.clear();
+    work.owner.clear();
+    work.weight.clear();
+    work.is_shared.clear();
+  };
+  for (std::uint32_t s = 0; s < effort.points; ++s)
+    for (std::size_t c = 0; c < block.rows.size(); ++c) {
+      const std::uint32_t i = block.rows[c];
+      const Responsivity& responsivity = world.receivers.responsivity(i);
+      const auto [u1, u2] = ScrambledSobol(mix_key(mix_key(key, batch), 2 * c + 1)).point(s);
+      RandomStream random(key, batch, static_cast<std::uint32_t>(c), 2 + s);
+      const auto drawn = shelfbeam::sample(responsivity, u1, u2);
+      if (!drawn) continue;
+      const double weight = integral(responsivity) / effort.points;
+      const auto end = follow_chain(world, work.at[c], world.receivers.frame(i).to_world(drawn->direction),
+                                    Departure::scattered, random, rays, [](std::size_t, double) {});
+      if (!end) continue;
+      work.vertices.emplace_back(world, cache, *end);
+      work.vertices.back().is_capped = end->is_straight;
+      work.owner.push_back(static_cast<std::uint32_t>(c));
+      work.weight.push_back(weight * end->throughput);
+      work.is_shared.push_back(end->is_straight && work.vertices.back().has_base());
+      if (work.vertices.size() == effort.group) flush();
+    }
+  flush();
+}
+
+// Every label of the cluster takes every point that it sees, weighted by the densities with which all of them
+// would have found it (equation and proof in docs/methods/reuse.md).
+void ReuseEstimator::Impl::share_points(const Block& block, Workspace& work, std::uint64_t& rays) const {
+  work.density.resize(block.rows.size());
+  for (std::size_t b = 0; b < work.vertices.size(); ++b) {
+    const std::uint32_t owner = work.owner[b];
+    const PathVertex& vertex = work.vertices[b];
+    work.labels[owner].add(work.points[b].own, work.weight[b]);
+    if (!work.is_shared[b]) {
+      work.labels[owner].add(work.points[b].base, vertex.exit * work.weight[b]);
+      continue;
+    }
+    const ChainEnd& end = vertex.end;
+    work.sharers.clear();
+    work.targets.clear();
+    for (std::uint32_t c = 0; c < block.rows.size(); ++c) {
+      work.density[c] = pdf_of(block.rows[c], work.at[c], end.point);
+      if (c == owner || !(work.density[c] > 0)) continue;
+      work.sharers.push_back(c);
+      work.targets.push_back(work.at[c].position);
+    }
+    work.passages.resize(work.targets.size());
+    world.rays.passages(end.point, work.targets, work.passages);
+    rays += work.targets.size();
+    work.sharers.push_back(owner);
+    work.passages.push_back({end.throughput * end.probability, end.probability});
+    double sum = 0;
+    for (std::size_t t = 0; t < work.sharers.size(); ++t)
+      sum += work.density[work.sharers[t]] * work.passages[t].probability;
+    if (!(sum > 0)) continue;
+    for (std::size_t t = 0; t < work.sharers.size(); ++t) {
+      const std::uint32_t c = work.sharers[t];
+      if (work.passages[t].share == 0) continue;
+      work.labels[c].add(work.points[b].base, integral(world.receivers.responsivity(block.rows[c])) /
+                                                  effort.points * vertex.exit_towards(work.at[c].position) *
+                                                  work.density[c] * work.passages[t].share / sum);
+    }
+  }
+}
+
+ReuseEstimator::ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort,
+                               const RunControl& control)
+    : impl_(std::make_unique<Impl>(world, seed, effort, control)) {}
+ReuseEstimator::~ReuseEstimator() = default;
+
+std::size_t ReuseEstimator::items() const {
+  return impl_->blocks.size();
+}
+const Estimator::Block& ReuseEstimator::block(std::size_t item) const {
+  return impl_->blocks[item];
+}
+std::uint64_t ReuseEstimator::samples_per_batch() const {
+  return impl_->effort.lookups + impl_->effort.points;
+}
+std::string ReuseEstimator::name() const {
+  return fmt::format("reuse, {} + {} first rays a batch", impl_->effort.lookups, impl_->effort.points);
+}
+std::size_t ReuseEstimator::bytes() const {
+  return impl_->cache.bytes();
+}
+const RadianceCache& ReuseEstimator::cache() const {
+  return impl_->cache;
+}
+
+bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
+                            BatchValues& values) const {
+  const Block& block = impl_->blocks[item];
+  const std::uint64_t key = impl_->keys[item];
+  const World& world = impl_->world;
+  Impl::Workspace& work = impl_->workspaces.local();
+  while (work.labels.size() < block.rows.size()) work.labels.emplace_back(impl_->units.size());
+  for (LaneRow& row : work.labels) row.clear();
+  work.at.clear();
+  for (std::size_t c = 0; c < block.rows.size(); ++c) {
+    RandomStream random(key, batch, static_cast<std::uint32_t>(c), 0);
+    const double u1 = random.unit(), u2 = random.unit();
+    work.at.push_back(world.receivers.point(block.rows[c], u1, u2));
+  }
+  impl_->look_up(block, key, batch, work, values.rays);
+  if (cancel != nullptr && cancel->requested()) return false;
+  impl_->add_spots(block, key, batch, work, values.rays);
+  impl_->add_residual(block, key, batch, work, values.rays);
+  if (cancel != nullptr && cancel->requested()) return false;
+
+  const std::size_t n = block.columns.size();
+  for (std::size_t c = 0; c < block.rows.size(); ++c) {
+    const std::uint32_t i = block.rows[c];
+    LaneRow& row = work.labels[c];
+    const bool has_areas = !world.receivers.is_point(i) || impl_->units.any_loose() ||
+                           world.emitters.size() > world.scene.transceivers.size();
+    work.direct.assign(has_areas ? n : 0, 0);
+    for (std::size_t j = 0; j < work.direct.size(); ++j) {
+      if (is_point_to_point(world, i, j)) continue;
+      const PathKey path{mix_key(mix_key(key, i), j), batch, 0};
+      const double chance = impl_->direct_chance(i, j);
+      if (to_unit(path.draw(0, 1)[0]) >= chance) continue;
+      const DirectSignal signal =
+          sample_direct(world, i, j, path, impl_->looks_large(i, j) ? 3 : 1, impl_->rules);
+      values.rays += signal.rays;
+      if (signal.straight + signal.mirrored == 0) continue;
+      work.direct[j] = signal.straight / chance;
+      row.add(impl_->units.place(j), (signal.straight + signal.mirrored) / chance);
+    }
+    for (const std::uint16_t g : row.groups())
+      for (std::size_t k = 0; k < impl_->units.count(g); ++k) {
+        const float value = row.values()[g * lanes + k];
+        if (value == 0) continue;
+        const std::uint32_t j = impl_->units.column(g, k);
+        values.values.push_back({static_cast<std::uint32_t>(c * n + j), static_cast<double>(value),
+                                 has_areas ? work.direct[j] : 0});
+      }
+  }
+  return true;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "shelfbeam/transport/reuse/residual.hpp"
+#include "shelfbeam/transport/tally/estimator.hpp"
+
+namespace shelfbeam {
+
+/// Path reuse over clusters of labels with a radiance cache as control variate; docs/methods/reuse.md has the
+/// mathematics. An item is a cluster.
+class ReuseEstimator : public Estimator {
+ public:
+  /// Builds the cache: some seconds for a large store. `world` must outlive the estimator.
+  /// Throws Interrupted when cancelled.
+  ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort = {},
+                 const RunControl& control = {});
+  ~ReuseEstimator() override;
+
+  std::size_t items() const override;
+  const Block& block(std::size_t item) const override;
+  std::uint64_t samples_per_batch() const override;
+  bool samples_direct() const override { return false; }
+  std::string name() const override;
+  std::size_t bytes() const override;
+  bool sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
+              BatchValues& values) const override;
+
+  const RadianceCache& cache() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace shelfbeam

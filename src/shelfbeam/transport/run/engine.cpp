@@ -1,0 +1,294 @@
+#include "shelfbeam/transport/run/engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/transport/run/make_estimator.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+std::size_t entries(const Estimator::Block& block) {
+  return block.rows.size() * block.columns.size();
+}
+
+// Whether an item's batches have direct light: the estimator's own, or that of ends with an area.
+bool has_direct(const World& world, const Estimator& estimator, std::size_t item) {
+  const auto& block = estimator.block(item);
+  return estimator.samples_direct() ||
+         !std::all_of(block.rows.begin(), block.rows.end(),
+                      [&](std::uint32_t i) { return world.receivers.is_point(i); }) ||
+         !std::all_of(block.columns.begin(), block.columns.end(),
+                      [&](std::uint32_t j) { return world.emitters.is_point(j); });
+}
+
+}  // namespace
+
+std::size_t Engine::bytes(const World& world, const Estimator& estimator, const SimulationOptions& options) {
+  std::size_t total = 0;
+  for (std::size_t item = 0; item < estimator.items(); ++item)
+    total += sizeof(ItemSums) + sizeof(double) * ItemSums::size(entries(estimator.block(item)),
+                                                                has_direct(world, estimator, item),
+                                                                options.layers());
+  return total;
+}
+
+Engine::Engine(const World& world, const Estimator& estimator, const SimulationOptions& options,
+               const std::string& store_hash, const RunControl& control)
+    : world_(world),
+      estimator_(estimator),
+      options_(options),
+      control_(control),
+      known_(world, options.rules(), control),
+      limit_(batches_for(estimator, options)),
+      survey_(world, estimator, sums_, known_),
+      paused_(estimator.items()),
+      precision_(estimator.items()) {
+  sums_.reserve(estimator.items());
+  for (std::size_t item = 0; item < estimator.items(); ++item)
+    sums_.emplace_back(entries(estimator.block(item)), has_direct(world, estimator, item), options.layers());
+  if (!options.checkpoint.path.empty())
+    checkpoint_.emplace(options.checkpoint.path, identity(store_hash),
+                        static_cast<std::uint32_t>(estimator.items()));
+}
+
+CheckpointIdentity Engine::identity(const std::string& store_hash) const {
+  std::string stop = fmt::format("--samples {}", options_.samples);
+  if (options_.relative_error)
+    stop = fmt::format("--relative-error {} --above {} --max-samples {}", options_.relative_error->error,
+                       options_.relative_error->above, options_.relative_error->most_samples);
+  else if (options_.time_s)
+    stop = "--time";
+  return {{"program version", std::string(program_version())},
+          {"store hash", store_hash},
+          {"seed", fmt::format("{}", options_.seed)},
+          {"estimator", estimator_.name()},
+          {"stopping rule", stop},
+          {"samples a batch", fmt::format("{}", estimator_.samples_per_batch())},
+          {"number of bounce layers", fmt::format("{}", options_.bounce_layers())},
+          {"lengths of paths",
+           fmt::format("{} steps of {} m", options_.by_length.count, options_.by_length.step)},
+          {"labels", fmt::format("{}", world_.receivers.size())},
+          {"sources", fmt::format("{}", world_.emitters.size())},
+          {"items", fmt::format("{}", estimator_.items())}};
+}
+
+bool Engine::run() {
+  resume();
+  started_ = Clock::now();
+  std::vector<std::uint32_t> todo;
+  for (;;) {
+    std::uint32_t round = std::numeric_limits<std::uint32_t>::max();
+    todo.clear();
+    for (std::uint32_t item = 0; item < sums_.size(); ++item) {
+      if (!is_running(item) || sums_[item].batches > round) continue;
+      if (sums_[item].batches < round) todo.clear();
+      round = sums_[item].batches;
+      todo.push_back(item);
+    }
+    if (todo.empty() || is_done(round)) return true;
+    const double begun = seconds();
+    if (!control_.cancelled()) sample(todo, round);
+    last_batch_s_ = seconds() - begun;
+    if (control_.cancelled()) {
+      save_checkpoint();
+      return false;
+    }
+    foresee();
+    save_checkpoint_if_due();
+  }
+}
+
+// Whether the running items, all of which have `round` batches or more, need no more.
+bool Engine::is_done(std::uint32_t round) {
+  if (round < least_batches || round < most_batches()) return false;
+  if (control_.cancelled()) return false;
+  if (options_.time_s) return seconds() + last_batch_s_ > *options_.time_s;
+  if (!options_.relative_error || !is_stopping_point(round)) return false;
+  Precision all;
+  for (const Precision& of_item : precision_) all += of_item;
+  return all.is_enough() || (round >= judged_batches && all.is_hopeless());
+}
+
+// Few items take several batches between two barriers, so that threads need not wait for the largest.
+// Nor do they overtake those that are ahead of them after an interruption, for all are judged together.
+std::uint32_t Engine::batches_at_once(std::size_t items, std::uint32_t round) const {
+  constexpr std::size_t enough_tasks = 16;
+  const auto wanted = static_cast<std::uint32_t>(std::max<std::size_t>(1, enough_tasks / items));
+  std::uint32_t end = round < least_batches ? least_batches : limit_;
+  for (std::size_t item = 0; item < sums_.size(); ++item)
+    if (is_running(item) && sums_[item].batches > round) end = std::min(end, sums_[item].batches);
+  return std::min(wanted, end - round);
+}
+
+// The next batches of items, each added to its item's sums after those before it, whichever thread was first.
+// Batches that come after the end have been in vain.
+void Engine::sample(const std::vector<std::uint32_t>& items, std::uint32_t round) {
+  const std::uint32_t batches = batches_at_once(items.size(), round);
+  std::vector<BatchValues> waiting(batches > 1 ? items.size() * batches : 0);
+  std::vector<char> is_complete(waiting.size());
+  for_parts(items.size() * batches, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last && !control_.cancelled(); ++k) {
+      const std::uint32_t item = items[k % items.size()];
+      const auto batch = round + static_cast<std::uint32_t>(k / items.size());
+      BatchValues& values = waiting.empty() ? values_.local() : waiting[k];
+      if (!sample(item, batch, values)) return;
+      if (waiting.empty())
+        sums_[item].add(values);
+      else
+        is_complete[k] = 1;
+    }
+  });
+  for (std::uint32_t b = 0; b < batches; ++b) {
+    for (std::size_t k = b * items.size(); k < std::min(waiting.size(), (b + 1) * items.size()); ++k) {
+      const std::uint32_t item = items[k % items.size()];
+      if (is_complete[k] != 0 && is_running(item) && sums_[item].batches == round + b)
+        sums_[item].add(waiting[k]);
+    }
+    judge(items, round + b + 1);
+    // Time does not undo what is done; an interruption leaves all items within one batch of each other.
+    if ((!options_.time_s && is_done(round + b + 1)) || control_.cancelled()) return;
+  }
+}
+
+bool Engine::sample(std::uint32_t item, std::uint32_t batch, BatchValues& values) {
+  values.clear();
+  values.rays = 0;
+  values.shadow_rays = {};
+  if (!estimator_.sample(item, batch, control_.cancel, values)) return false;
+  expect_numbers(world_.scene, estimator_.block(item), values);
+  rays_.fetch_add(values.rays, std::memory_order_relaxed);
+  {
+    const std::scoped_lock lock(shadow_rays_mutex_);
+    shadow_rays_ += values.shadow_rays;
+  }
+  done_.fetch_add(1, std::memory_order_relaxed);
+  report();
+  return true;
+}
+
+// Pauses the items that are precise enough after so many batches, or never will be, if this is a point to
+// look at it.
+void Engine::judge(const std::vector<std::uint32_t>& items, std::uint32_t round) {
+  if (!options_.relative_error || !is_stopping_point(round)) return;
+  for_parts(items.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const std::uint32_t item = items[k];
+      if (sums_[item].batches != round || paused_[item] != 0) continue;
+      precision_[item] = survey_.precision(item, *options_.relative_error);
+      paused_[item] =
+          precision_[item].is_enough() || (round >= judged_batches && precision_[item].is_decided());
+    }
+  });
+}
+
+std::uint32_t Engine::fewest_batches() const {
+  std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
+  for (const ItemSums& sums : sums_) fewest = std::min(fewest, sums.batches);
+  return fewest;
+}
+
+std::uint32_t Engine::most_batches() const {
+  std::uint32_t most = 0;
+  for (const ItemSums& sums : sums_) most = std::max(most, sums.batches);
+  return most;
+}
+
+std::uint64_t Engine::batches() const {
+  std::uint64_t all = 0;
+  for (const ItemSums& sums : sums_) all += sums.batches;
+  return all;
+}
+
+double Engine::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - started_).count();
+}
+
+// Errors fall with the square root of the batches.
+double Engine::seconds_to_halve() const {
+  const auto now = static_cast<double>(done_), all = now + static_cast<double>(done_before_);
+  return now > 0 ? seconds() / now * 3 * all : 0;
+}
+
+void Engine::resume() {
+  if (!checkpoint_ || !options_.checkpoint.resume) return;
+  checkpoint_->load([&](std::uint32_t item, const CheckpointState& state) {
+    ItemSums& sums = sums_[item];
+    if (state.values.size() != sums.values.size() || state.batches > limit_)
+      throw InputError(checkpoint_->path().string(), "does not fit the simulation",
+                       "delete it, or run without '--resume', to begin anew");
+    std::copy(state.values.begin(), state.values.end(), sums.values.begin());
+    sums.batches = state.batches;
+  });
+  std::map<std::uint32_t, std::vector<std::uint32_t>> by_batches;
+  for (std::uint32_t item = 0; item < sums_.size(); ++item) {
+    done_before_ += sums_[item].batches;
+    by_batches[sums_[item].batches].push_back(item);
+  }
+  for (const auto& [batches, items] : by_batches) judge(items, batches);
+}
+
+void Engine::save_checkpoint() {
+  if (!checkpoint_) return;
+  const double begun = seconds();
+  checkpoint_->save([&](std::uint32_t item) {
+    return CheckpointState{sums_[item].batches, sums_[item].values};
+  });
+  saved_at_ = seconds();
+  save_took_ = saved_at_ - begun;
+}
+
+void Engine::try_to_save() noexcept {
+  try {
+    save_checkpoint();
+  } catch (const std::exception&) {  // the file still has what it had
+  }
+}
+
+// Writing takes at most a twentieth of the time.
+void Engine::save_checkpoint_if_due() {
+  const double interval = options_.checkpoint.interval_s;
+  if (interval == 0 || seconds() - saved_at_ > std::max(interval, 20 * save_took_)) save_checkpoint();
+}
+
+// How much work there will be in all, as far as the errors so far tell; for those who watch only.
+void Engine::foresee() {
+  if (control_.progress == nullptr) return;
+  const std::uint32_t most = most_batches();
+  const auto all = static_cast<double>(done_before_ + done_);
+  if (most >= next_look_) {
+    next_look_ = most < least_batches ? 2 * most : most + most / 16;
+    const double share = options_.relative_error ? options_.relative_error->above : 0.3;
+    const double error = survey_.errors(share).relative.quantile(0.99);
+    const std::scoped_lock lock(report_mutex_);
+    error_text_ = fmt::format(", error {:.1f} %", 100 * error);
+    if (options_.relative_error)
+      predicted_ = std::max(all, all * std::pow(error / options_.relative_error->error, 2));
+  }
+  if (options_.has_fixed_samples())
+    predicted_ = static_cast<double>(limit_) * static_cast<double>(sums_.size());
+  if (options_.time_s) predicted_ = all * std::max(1.0, *options_.time_s / seconds());
+}
+
+void Engine::report() {
+  if (control_.progress == nullptr) return;
+  const std::unique_lock lock(report_mutex_, std::try_to_lock);
+  if (!lock.owns_lock()) return;
+  const auto all = static_cast<double>(done_before_ + done_);
+  double total = predicted_;
+  if (options_.has_fixed_samples()) total = static_cast<double>(limit_) * static_cast<double>(sums_.size());
+  const double fraction = total > 0 ? std::min(1.0, all / total) : -1;
+  control_.report(
+      "simulating", fraction,
+      fmt::format("{:.2f} million rays/s{}", static_cast<double>(rays_) / seconds() / 1e6, error_text_));
+}
+
+}  // namespace shelfbeam::detail

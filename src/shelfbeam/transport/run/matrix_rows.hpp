@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/signal/signal_rows.hpp"
+#include "shelfbeam/transport/tally/estimator.hpp"
+#include "shelfbeam/transport/tally/item_sums.hpp"
+#include "shelfbeam/transport/tally/known_light.hpp"
+
+namespace shelfbeam::detail {
+
+/// The signal matrix as the items' sums and the light known in closed form have it.
+class MatrixRows : public SignalRows {
+ public:
+  MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums, const KnownLight& known,
+             std::size_t rows, std::size_t bounce_layers, std::size_t length_layers);
+
+  void fill(Quantity quantity, std::size_t row, std::span<float> values) const override;
+  void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
+                  std::span<float> values) const override;
+  bool has_flags() const override { return true; }
+  void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override;
+  std::size_t bounce_layers() const override { return bounce_layers_; }
+  std::size_t length_layers() const override { return length_layers_; }
+
+  /// The batches behind a row: the fewest of the items that it has entries of.
+  std::uint32_t batches(std::size_t row) const;
+
+ private:
+  struct Part {
+    std::uint32_t item, row;  ///< of the item's block
+  };
+
+  // Calls use(item, row within its block) for the items of a row.
+  template <class Use>
+  void each_item(std::size_t row, Use use) const {
+    for (const std::uint32_t item : tall_) use(item, row);
+    for (std::size_t p = starts_[row]; p < starts_[row + 1]; ++p) use(parts_[p].item, parts_[p].row);
+  }
+
+  const Estimator& estimator_;
+  const std::vector<ItemSums>& sums_;
+  const KnownLight& known_;
+  std::size_t bounce_layers_, length_layers_;
+  std::vector<std::uint32_t> tall_;  ///< items that have all rows
+  std::vector<std::size_t> starts_;  ///< of each row in `parts_`
+  std::vector<Part> parts_;          ///< of the other items
+};
+
+}  // namespace shelfbeam::detail

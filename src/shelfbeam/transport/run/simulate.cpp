@@ -1,0 +1,127 @@
+#include "shelfbeam/transport/run/simulate.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <utility>
+
+#include <tbb/task_arena.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/transport/run/engine.hpp"
+#include "shelfbeam/transport/run/make_estimator.hpp"
+#include "shelfbeam/transport/run/matrix_head.hpp"
+#include "shelfbeam/transport/run/matrix_rows.hpp"
+#include "shelfbeam/transport/run/memory.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// How many entries a summary names that have not reached the error asked for.
+constexpr std::size_t named_entries = 10;
+
+void find_unmet(const RelativeError& wanted, const detail::Engine& engine, SimulationSummary& summary) {
+  auto found = engine.survey().shortfall(wanted, named_entries);
+  if (found.precision.is_enough()) return;
+  summary.unmet_error = wanted.error;
+  summary.unmet = found.precision.relevant - found.precision.precise;
+  summary.out_of_reach = found.precision.hopeless;
+  summary.worst_unmet = std::move(found.worst);
+}
+
+SimulationSummary summarise(const SignalMatrix& head, const detail::Engine& engine) {
+  SimulationSummary summary;
+  summary.labels = head.rows();
+  summary.candidates = head.columns();
+  const auto by_batches = [](const LabelRow& a, const LabelRow& b) { return a.batches < b.batches; };
+  const auto [least, most] = std::minmax_element(head.labels.begin(), head.labels.end(), by_batches);
+  summary.least_samples = least->samples;
+  summary.least_batches = least->batches;
+  summary.most_samples = most->samples;
+  summary.most_batches = most->batches;
+  summary.batches = engine.batches();
+  summary.resumed_batches = engine.resumed_batches();
+  summary.has_checkpoint = engine.has_checkpoint();
+  summary.rays = engine.rays();
+  summary.shadow_rays = engine.shadow_rays();
+  summary.seconds_to_halve = engine.seconds_to_halve();
+  for (ErrorQuantiles& errors : summary.errors) {
+    const auto [histogram, flagged] = engine.survey().errors(errors.above);
+    errors.entries = histogram.count();
+    errors.flagged = flagged;
+    errors.median = histogram.quantile(0.5);
+    errors.p90 = histogram.quantile(0.9);
+    errors.p99 = histogram.quantile(0.99);
+  }
+  return summary;
+}
+
+// Runs a simulation and calls use(head, rows): the matrix but for its entries, and these.
+template <class Use>
+SimulationSummary run(const Scene& scene, const std::string& store_hash, const SimulationOptions& options,
+                      bool keeps_matrix, const RunControl& control, Use use) {
+  const auto start = std::chrono::steady_clock::now();
+  const int threads = control.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(control.threads);
+  tbb::task_arena arena(threads);
+  const ThreadsAllowed allowed(control.threads);
+  SimulationSummary summary;
+  arena.execute([&] {
+    detail::expect_room(scene, options, keeps_matrix);
+    const World world(scene);
+    const auto estimator = make_estimator(world, options, control);
+    detail::expect_room(world, *estimator, options, keeps_matrix);
+    detail::Engine engine(world, *estimator, options, store_hash, control);
+    try {
+      const bool complete = engine.run();
+      if (engine.fewest_batches() < 2 || !engine.known().is_complete())
+        throw Interrupted(std::string("the simulation was stopped before it had two batches of samples") +
+                          (engine.has_checkpoint() ? "; the same command with '--resume' goes on" : ""));
+      SignalMatrix head = detail::matrix_head(scene, store_hash, options.seed, estimator->name());
+      head.length_step = options.by_length.step;
+      const detail::MatrixRows rows(*estimator, engine.sums(), engine.known(), head.rows(),
+                                    options.bounce_layers(), options.length_layers());
+      for (std::size_t i = 0; i < head.rows(); ++i) {
+        head.labels[i].batches = rows.batches(i);
+        head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator->samples_per_batch();
+      }
+      summary = summarise(head, engine);
+      summary.complete = complete;
+      if (complete && options.relative_error) find_unmet(*options.relative_error, engine, summary);
+      if (options.has_fixed_samples()) summary.asked_samples = options.samples;
+      use(std::move(head), rows);
+    } catch (const OutputError& error) {
+      engine.try_to_save();
+      if (!engine.has_checkpoint()) throw;
+      throw OutputError(error, checkpoint_remains);
+    }
+  });
+  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return summary;
+}
+
+}  // namespace
+
+SimulationResult simulate(const Scene& scene, const std::string& store_hash, const SimulationOptions& options,
+                          const RunControl& control) {
+  SimulationResult result;
+  result.summary =
+      run(scene, store_hash, options, true, control, [&](SignalMatrix head, const detail::MatrixRows& rows) {
+        result.matrix = detail::filled(std::move(head), rows);
+      });
+  return result;
+}
+
+SimulationSummary simulate_to_file(const Scene& scene, const std::string& store_hash,
+                                   const SimulationOptions& options, const std::filesystem::path& output,
+                                   const RunControl& control) {
+  const SimulationSummary summary =
+      run(scene, store_hash, options, false, control,
+          [&](const SignalMatrix& head, const auto& rows) { write_signal_file(head, rows, output); });
+  if (summary.complete && !options.checkpoint.path.empty()) remove_checkpoint(options.checkpoint.path);
+  return summary;
+}
+
+}  // namespace shelfbeam

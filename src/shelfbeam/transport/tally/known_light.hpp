@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/transport/world/path_rules.hpp"
+#include "shelfbeam/transport/world/world.hpp"
+
+namespace shelfbeam::detail {
+
+/// The light between point labels and point sources in closed form, for estimators that leave it out.
+class KnownLight {
+ public:
+  /// Bytes for a world of so many entries.
+  static std::size_t bytes(const World& world, const PathRules& rules);
+
+  /// All of it, on the threads of the present arena; nothing where `rules` sample it. May end early when
+  /// cancelled.
+  KnownLight(const World& world, const PathRules& rules, const RunControl& control);
+
+  double straight(std::size_t i, std::size_t j) const { return at(straight_, i, j); }
+  double mirrored(std::size_t i, std::size_t j) const { return at(mirrored_, i, j); }
+  std::uint64_t rays() const { return rays_; }
+  bool is_complete() const { return complete_; }
+
+ private:
+  double at(const std::vector<float>& values, std::size_t i, std::size_t j) const {
+    return values.empty() ? 0 : static_cast<double>(values[i * columns_ + j]);
+  }
+
+  std::uint64_t fill_row(const World& world, std::size_t i);
+
+  std::size_t columns_;
+  std::vector<float> straight_, mirrored_;  ///< empty: all 0
+  std::uint64_t rays_ = 0;
+  bool complete_ = true;
+};
+
+}  // namespace shelfbeam::detail

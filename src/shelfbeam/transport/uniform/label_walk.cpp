@@ -1,0 +1,209 @@
+#include "shelfbeam/transport/uniform/label_walk.hpp"
+
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "shelfbeam/math/frame.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+class LabelWalk {
+ public:
+  LabelWalk(const World& world, std::size_t i, const PathKey& key, const PathRules& rules, Tally& tally)
+      : world_(world),
+        label_(i),
+        key_(key),
+        rules_(rules),
+        tally_(tally),
+        n_(static_cast<std::uint32_t>(world.emitters.size())) {}
+
+  void run() {
+    if (!leave_label()) return;
+    for (std::uint32_t step = 1;; ++step) {
+      const auto hit = world_.rays.intersect(from_, direction_);
+      ++tally_.rays;
+      score_sources(hit);
+      if (!hit || !scatter(*hit, step)) return;
+    }
+  }
+
+ private:
+  bool leave_label() {
+    const Receivers& receivers = world_.receivers;
+    const auto random = key_.draw(0);
+    from_ = {};
+    if (receivers.is_point(label_)) {
+      from_ = receivers.point(label_, 0, 0);
+    } else {
+      const auto place = key_.draw(0, 1);
+      from_ = receivers.point(label_, to_unit(place[2]), to_unit(place[3]));
+    }
+    vertex_ = from_.position;
+    if (rules_.samples_direct && rules_.strategy != Strategy::walk)
+      connect(
+          from_, random[0], 0, [&](const Vec3& to_source) { return receivers.response(label_, to_source); },
+          [&](const Vec3& to_source) {
+            return pdf(receivers.responsivity(label_), receivers.frame(label_).to_local(to_source));
+          });
+    const auto drawn = sample(receivers.responsivity(label_), to_unit(random[1]), to_unit(random[2]));
+    if (!drawn) return false;
+    direction_ = receivers.frame(label_).to_world(drawn->direction);
+    weight_at_label_ = throughput_ =
+        integral(receivers.responsivity(label_));  // R / p, pi for a cosine label
+    pdf_ = drawn->pdf;
+    return true;
+  }
+
+  // Scores the connection and goes on; false where the walk ends.
+  bool scatter(const Hit& hit, std::uint32_t step) {
+    const Material& material = world_.material(hit);
+    const bool is_pane = std::holds_alternative<ThinDielectric>(material);
+    if (bounces_ == rules_.max_bounces && !is_pane) return false;
+    const Frame frame = Frame::of_surface(hit.point.normal);
+    const Vec3 outgoing = frame.to_local(-direction_);
+    const auto random = key_.draw(step);
+
+    if (rules_.strategy != Strategy::walk && !has_only_specular(material))
+      connect(
+          hit.point, random[0], step,
+          [&](const Vec3& to_source) {
+            const Vec3 incoming = frame.to_local(to_source);
+            return eval(material, outgoing, incoming) * std::abs(incoming.z);
+          },
+          [&](const Vec3& to_source) { return pdf(material, outgoing, frame.to_local(to_source)); });
+
+    // The number that chose the source may choose the lobe, too: connection and continuation are terms of a
+    // sum.
+    const auto next = sample(material, outgoing, to_unit(random[0]), to_unit(random[1]), to_unit(random[2]));
+    if (!next) return false;
+    throughput_ *= next->weight;
+    from_ = hit.point;
+    if (is_pane && next->direction.z * outgoing.z < 0) {
+      passed_ = hit.distance(vertex_, direction_);
+      pdf_ *= next->pdf;
+    } else {
+      if (bounces_ == rules_.max_bounces) return false;
+      ++bounces_;
+      travelled_ += hit.distance(vertex_, direction_);
+      vertex_ = hit.point.position;
+      direction_ = frame.to_world(next->direction);
+      passed_ = 0;
+      pdf_ = next->pdf;
+      departure_ = next->specular ? after_specular(departure_, next->direction.z * outgoing.z > 0 &&
+                                                                   world_.mirrors.contains(hit.triangle))
+                                  : Departure::scattered;
+    }
+    const double survival = survival_probability(throughput_ / weight_at_label_);
+    if (to_unit(random[3]) >= survival) return false;
+    throughput_ /= survival;
+    return true;
+  }
+
+  // Next event estimation with one source, and over the mirrors: at a surface the path has one more bounce
+  // than the walk has made so far. For a direction `scatter` gives f |cos|, at the label R, and `density`
+  // that with which the walk would have gone there.
+  template <class Scatter, class Density>
+  void connect(const SurfacePoint& at, std::uint32_t choice, std::uint32_t step, const Scatter& scatter,
+               const Density& density) {
+    const double travelled = travelled_ + length(at.position - vertex_);
+    const std::uint32_t bounces = step == 0 ? 0 : bounces_ + 1;
+    if (bounces > rules_.max_bounces) return;
+    const Emitters& emitters = world_.emitters;
+    const std::uint32_t j = to_index(choice, n_);
+    const bool is_point = emitters.is_point(j);
+    LightPoint light;
+    if (is_point) {
+      light = emitters.point(j, 0, 0);
+    } else {
+      const auto place = key_.draw(step, 1);
+      light = emitters.point(j, to_unit(place[0]), to_unit(place[1]));
+    }
+    const double weight = n_ * (step == 0 ? 1 : throughput_);
+    ++tally_.shadow_rays.connections;
+
+    const Vec3 way = light.position - at.position;
+    const double squared = length_squared(way);
+    if (squared > 0) {
+      const Vec3 to_source = way / std::sqrt(squared);
+      const double scattered = scatter(to_source);
+      const double value =
+          scattered > 0 ? weight * scattered * emitters.intensity(j, light, -to_source) / squared : 0;
+      if (value > 0) {
+        const Passage passage = world_.rays.passage(at, light.position);
+        ++tally_.rays;
+        ++tally_.shadow_rays.traced;
+        if (passage.share == 0) ++tally_.shadow_rays.occluded;
+        const bool shared = rules_.strategy == Strategy::mis && !is_point;
+        if (passage.share > 0)
+          tally_.add(bounces, j,
+                     value * passage.share *
+                         (shared ? mis_weight(rules_.heuristic, light_pdf(light, at.position) / n_,
+                                              density(to_source) * passage.probability)
+                                 : 1),
+                     travelled + std::sqrt(squared));
+      }
+    }
+    if (!rules_.uses_images(world_.receivers.is_point(label_), emitters.is_transceiver(j)) ||
+        bounces == rules_.max_bounces)
+      return;
+    for (std::size_t g = 0; g < world_.mirrors.size(); ++g) {
+      const auto bend = world_.mirrors.bend(g, at.position, light.position);
+      if (!bend) continue;
+      const double value = weight * scatter(bend->from_first) *
+                           emitters.intensity(j, light, bend->from_second) / bend->length_squared;
+      if (!(value > 0)) continue;
+      tally_.rays += 2;
+      tally_.add(bounces + 1, j, value * world_.mirrors.share(g, *bend, at, light.position, world_.rays),
+                 travelled + std::sqrt(bend->length_squared));
+    }
+  }
+
+  // Sources that the walk meets on its way to the next surface, and that surface itself where it shines.
+  void score_sources(const std::optional<Hit>& hit) {
+    if (rules_.strategy == Strategy::nee && departure_ == Departure::scattered) return;
+    if (bounces_ == 0 && !rules_.samples_direct) return;
+    const double farthest =
+        hit ? hit->distance(vertex_, direction_) : std::numeric_limits<double>::infinity();
+    const bool shared = rules_.strategy == Strategy::mis && departure_ == Departure::scattered;
+    const auto score = [&](std::size_t j, const LightPoint& light, double radiance) {
+      const double weight = shared ? mis_weight(rules_.heuristic, pdf_, light_pdf(light, vertex_) / n_) : 1;
+      tally_.add(bounces_, j, throughput_ * radiance * weight, travelled_ + length(light.position - vertex_));
+    };
+    if (departure_ != Departure::mirrored || rules_.strategy == Strategy::walk)
+      world_.emitters.each_disc(world_.rays, vertex_, direction_, passed_, farthest, score);
+    if (!hit) return;
+    if (const auto j = world_.emitters.surface_of(hit->material))
+      score(*j, {hit->point.position, hit->point.normal, world_.emitters.area(*j)},
+            world_.emitters.radiance(*j));
+  }
+
+  const World& world_;
+  const std::size_t label_;
+  const PathKey& key_;
+  const PathRules& rules_;
+  Tally& tally_;
+  const std::uint32_t n_;
+
+  SurfacePoint from_;      // where the next ray starts
+  Vec3 direction_;         // where it goes
+  double throughput_ = 1;  // beta (2.20), with the weight at the label
+  double weight_at_label_ = 1;
+  std::uint32_t bounces_ = 0;
+  Vec3 vertex_;           // the last vertex that is not a pane gone straight through,
+  double passed_ = 0;     // how far from it the ray starts,
+  double travelled_ = 0;  // the length of the path up to it,
+  double pdf_ = 0;        // the density of the direction drawn there times the chance to pass the panes,
+  Departure departure_ = Departure::scattered;  // and which lobe gave it
+};
+
+}  // namespace
+
+void walk_from_label(const World& world, std::size_t i, const PathKey& key, const PathRules& rules,
+                     Tally& tally) {
+  LabelWalk(world, i, key, rules, tally).run();
+}
+
+}  // namespace shelfbeam

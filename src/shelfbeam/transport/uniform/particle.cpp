@@ -1,0 +1,149 @@
+#include "shelfbeam/transport/uniform/particle.hpp"
+
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "shelfbeam/math/frame.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+class Particle {
+ public:
+  Particle(const World& world, std::size_t j, const PathKey& key, const PathRules& rules, Tally& tally)
+      : world_(world), source_(j), key_(key), rules_(rules), tally_(tally) {}
+
+  void run() {
+    if (!leave_source()) return;
+    for (std::uint32_t step = 1;; ++step) {
+      const auto hit = world_.rays.intersect(from_, direction_);
+      ++tally_.rays;
+      score_labels(hit);
+      if (!hit || !scatter(*hit, step)) return;
+    }
+  }
+
+ private:
+  bool leave_source() {
+    const auto random = key_.draw(0);
+    const auto emitted = world_.emitters.emit(
+        source_, {to_unit(random[0]), to_unit(random[1]), to_unit(random[2]), to_unit(random[3])});
+    if (!emitted) return false;
+    from_ = {emitted->from.position, emitted->from.normal};
+    if (rules_.samples_direct)
+      connect(from_, 1, 0, [&](const Vec3& to_label) {
+        return world_.emitters.intensity(source_, emitted->from, to_label);
+      });
+    vertex_ = from_.position;
+    direction_ = emitted->direction;
+    initial_flux_ = flux_ = emitted->flux;
+    return true;
+  }
+
+  // Connects to the labels and goes on; false where the particle ends.
+  bool scatter(const Hit& hit, std::uint32_t step) {
+    const Material& material = world_.material(hit);
+    const bool is_pane = std::holds_alternative<ThinDielectric>(material);
+    if (bounces_ == rules_.max_bounces && !is_pane) return false;
+    const Frame frame = Frame::of_surface(hit.point.normal);
+    const Vec3 incoming = frame.to_local(-direction_);
+    if (!has_only_specular(material))
+      connect(hit.point, flux_, step, [&](const Vec3& to_label) {
+        const Vec3 outgoing = frame.to_local(to_label);
+        return eval(material, incoming, outgoing) * std::abs(outgoing.z);
+      });
+
+    const auto random = key_.draw(step);
+    const auto next = sample(material, incoming, to_unit(random[0]), to_unit(random[1]), to_unit(random[2]));
+    if (!next) return false;
+    flux_ *= next->weight;
+    from_ = hit.point;
+    if (is_pane && next->direction.z * incoming.z < 0) {
+      passed_ = hit.distance(vertex_, direction_);
+    } else {
+      if (bounces_ == rules_.max_bounces) return false;
+      ++bounces_;
+      vertex_ = hit.point.position;
+      direction_ = frame.to_world(next->direction);
+      passed_ = 0;
+      specular_ = next->specular;
+    }
+    const double survival = survival_probability(flux_ / initial_flux_);
+    if (to_unit(random[3]) >= survival) return false;
+    flux_ /= survival;
+    return true;
+  }
+
+  // Joins the particle to every label, straight and over the mirrors. `scatter` gives 1/sr towards a
+  // direction (W/sr at the source).
+  template <class Scatter>
+  void connect(const SurfacePoint& at, double flux, std::uint32_t step, const Scatter& scatter) {
+    const std::uint32_t bounces = step == 0 ? 0 : bounces_ + 1;
+    const Receivers& receivers = world_.receivers;
+    const auto place = key_.draw(step, 1);
+    const double u1 = to_unit(place[0]), u2 = to_unit(place[1]);
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+      const Vec3 label = receivers.point(i, u1, u2).position;
+      const Vec3 way = label - at.position;
+      const double squared = length_squared(way);
+      if (!(squared > 0)) continue;
+      const Vec3 to_label = way / std::sqrt(squared);
+      const double response = receivers.response(i, -to_label);
+      const double value = response > 0 ? flux * scatter(to_label) * response / squared : 0;
+      if (value > 0) {
+        ++tally_.rays;
+        tally_.add(bounces, i, value * world_.rays.passage(at, label).share);
+      }
+    }
+    if (bounces == rules_.max_bounces) return;
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+      if (!rules_.uses_images(receivers.is_point(i), world_.emitters.is_transceiver(source_))) continue;
+      const Vec3 label = receivers.point(i, 0, 0).position;
+      for (std::size_t g = 0; g < world_.mirrors.size(); ++g) {
+        const auto bend = world_.mirrors.bend(g, at.position, label);
+        if (!bend) continue;
+        const double value = flux * scatter(bend->from_first) * receivers.response(i, bend->from_second) /
+                             bend->length_squared;
+        if (!(value > 0)) continue;
+        tally_.rays += 2;
+        tally_.add(bounces + 1, i, value * world_.mirrors.share(g, *bend, at, label, world_.rays));
+      }
+    }
+  }
+
+  // Rectangles that the particle meets after a mirror or refraction, which no connection can reach.
+  void score_labels(const std::optional<Hit>& hit) {
+    if (!specular_) return;
+    const double farthest =
+        hit ? hit->distance(vertex_, direction_) : std::numeric_limits<double>::infinity();
+    world_.receivers.each_rectangle(
+        world_.rays, vertex_, direction_, passed_, farthest,
+        [&](std::size_t i, double signal_per_watt) { tally_.add(bounces_, i, flux_ * signal_per_watt); });
+  }
+
+  const World& world_;
+  const std::size_t source_;
+  const PathKey& key_;
+  const PathRules& rules_;
+  Tally& tally_;
+
+  SurfacePoint from_;        // where the next ray starts
+  Vec3 direction_;           // where it goes
+  double flux_ = 0;          // W
+  double initial_flux_ = 0;  // W
+  std::uint32_t bounces_ = 0;
+  Vec3 vertex_;            // the last vertex that is not a pane gone straight through,
+  double passed_ = 0;      // how far from it the ray starts,
+  bool specular_ = false;  // and whether a specular lobe gave its direction
+};
+
+}  // namespace
+
+void follow_particle(const World& world, std::size_t j, const PathKey& key, const PathRules& rules,
+                     Tally& tally) {
+  Particle(world, j, key, rules, tally).run();
+}
+
+}  // namespace shelfbeam

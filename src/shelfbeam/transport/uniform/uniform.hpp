@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/transport/tally/estimator.hpp"
+#include "shelfbeam/transport/tally/tally.hpp"
+#include "shelfbeam/transport/world/path_rules.hpp"
+#include "shelfbeam/transport/world/world.hpp"
+
+namespace shelfbeam {
+
+/// The paper's estimator, and the strategies that it is compared with: every label has walks of its own (for
+/// particles every source its own particles), and a connection tries one uniformly chosen source.
+class UniformEstimator : public Estimator {
+ public:
+  /// With `by_bounce` batches tell the bounces apart, for which `rules` must limit them; with `by_length` the
+  /// lengths of the paths, for which these must be walks that sample direct light, too.
+  UniformEstimator(const World& world, const PathRules& rules, std::uint64_t seed,
+                   std::uint64_t samples_per_batch, bool by_bounce = false,
+                   const LengthSteps& by_length = {});
+
+  std::size_t items() const override { return blocks_.size(); }
+  const Block& block(std::size_t item) const override { return blocks_[item]; }
+  std::uint64_t samples_per_batch() const override { return per_batch_; }
+  bool samples_direct() const override { return rules_.samples_direct; }
+  std::string name() const override;
+  std::size_t bytes() const override;
+  bool sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
+              BatchValues& values) const override;
+
+ private:
+  std::size_t label_of(std::size_t item, std::size_t k) const { return by_source_ ? k : item; }
+  std::size_t source_of(std::size_t item, std::size_t k) const { return by_source_ ? item : k; }
+  void sample_direct_light(std::size_t item, std::uint32_t batch, Tally& tally) const;
+
+  const World& world_;
+  PathRules rules_;
+  std::uint64_t seed_;
+  std::uint32_t per_batch_;
+  bool by_bounce_, by_source_;
+  std::size_t width_;   ///< entries of an item
+  std::size_t levels_;  ///< of the sums over paths: direct and reflected, or one for each number of bounces
+  LengthSteps by_length_;
+  std::vector<Block> blocks_;
+  std::vector<std::uint64_t> label_keys_, source_keys_;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,64 @@
+#include "shelfbeam/transport/world/enlarged.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double large_enough = 1;  // m
+constexpr int exponent_wanted = 2;  // 4 to 8 m
+
+struct TimesIntensity {
+  double factor;
+
+  Emission operator()(SinTwoTheta e) const { return SinTwoTheta{factor * e.peak}; }
+  Emission operator()(IsotropicHemisphere e) const { return IsotropicHemisphere{factor * e.intensity}; }
+  Emission operator()(GeneralizedLambertian e) const {
+    return GeneralizedLambertian{e.order, factor * e.flux};
+  }
+  Emission operator()(const EmissionTable& e) const {
+    const double integral = e.intensity.integral();
+    return integral > 0 ? EmissionTable{e.intensity.with_integral(factor * integral)} : e;
+  }
+};
+
+double largest_extent(const Scene& scene) {
+  Vec3 lower = scene.lower, upper = scene.upper;
+  const auto hold = [&](const Vec3& p) {
+    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+  };
+  for (const Label& label : scene.labels) hold(label.position);
+  for (const Transceiver& unit : scene.transceivers) hold(unit.position);
+  const Vec3 size = upper - lower;
+  return std::max({size.x, size.y, size.z});
+}
+
+}  // namespace
+
+std::optional<Scene> enlarged(const Scene& scene) {
+  const double extent = largest_extent(scene);
+  if (!(extent > 0) || extent >= large_enough) return std::nullopt;
+  const double factor = std::ldexp(1.0, exponent_wanted - std::ilogb(extent));
+  Scene large = scene;
+  large.lower = large.lower * factor;
+  large.upper = large.upper * factor;
+  if (large.room) large.room = *large.room * factor;
+  for (Vec3& vertex : large.mesh.vertices) vertex = vertex * factor;
+  for (Label& label : large.labels) label.position = label.position * factor;
+  for (LabelType& type : large.label_types)
+    for (double& side : type.size) side *= factor;
+  for (Transceiver& unit : large.transceivers) unit.position = unit.position * factor;
+  for (TransceiverType& type : large.transceiver_types) {
+    type.radius *= factor;
+    type.emission = std::visit(TimesIntensity{factor * factor}, type.emission);
+  }
+  large.fixtures.clear();  // for drawings only
+  large.parts.clear();
+  return large;
+}
+
+}  // namespace shelfbeam

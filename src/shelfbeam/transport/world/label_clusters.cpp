@@ -1,0 +1,78 @@
+#include "shelfbeam/transport/world/label_clusters.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <variant>
+
+namespace shelfbeam {
+
+namespace {
+
+// What a label looks upon lies before it: its point for all comparisons stands this far out, in metres.
+constexpr double step_out = 0.8;
+// How many times as many neighbours are asked as a cluster holds.
+constexpr std::size_t candidates = 4;
+
+// How far it is to what stands opposite, panes apart.
+double room_before(const World& world, const SurfacePoint& at) {
+  SurfacePoint from = at;
+  for (;;) {
+    const auto hit = world.rays.intersect(from, at.normal);
+    if (!hit) return std::numeric_limits<double>::infinity();
+    if (!std::holds_alternative<ThinDielectric>(world.material(*hit)))
+      return hit->distance(at.position, at.normal);
+    from = hit->point;
+  }
+}
+
+}  // namespace
+
+std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most) {
+  const std::size_t m = world.receivers.size();
+  std::vector<Vec3> eyes(m);
+  for (std::size_t i = 0; i < m; ++i) {
+    const SurfacePoint at = world.receivers.point(i, 0.5, 0.5);
+    // No farther than half way to what stands opposite.
+    eyes[i] = at.position + at.normal * std::min(step_out, room_before(world, at) / 2);
+  }
+
+  // From one end of the store to the other: the nearest labels that the first one left sees, from eye to eye.
+  std::vector<std::uint32_t> left(m);
+  std::iota(left.begin(), left.end(), 0U);
+  std::stable_sort(left.begin(), left.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return eyes[a].x + eyes[a].y < eyes[b].x + eyes[b].y;
+  });
+  std::vector<LabelCluster> clusters;
+  std::vector<std::pair<double, std::uint32_t>> near;
+  std::vector<Vec3> targets;
+  std::vector<float> seen;
+  std::vector<bool> is_taken(m);
+  while (!left.empty()) {
+    const std::uint32_t first = left.front();
+    near.clear();
+    for (const std::uint32_t i : left)
+      if (i != first) near.emplace_back(length_squared(eyes[i] - eyes[first]), i);
+    const std::size_t asked = std::min(near.size(), candidates * most);
+    std::nth_element(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(asked), near.end());
+    near.resize(asked);
+    std::sort(near.begin(), near.end());
+    targets.clear();
+    for (const auto& [distance, i] : near) targets.push_back(eyes[i]);
+    seen.assign(asked, 0);
+    // In open air no side of a point matters.
+    world.rays.shares({eyes[first], world.receivers.frame(first).z}, targets, seen);
+    LabelCluster cluster{first};
+    for (std::size_t k = 0; k < asked && cluster.size() < most; ++k)
+      if (seen[k] > 0) cluster.push_back(near[k].second);
+    for (const std::uint32_t i : cluster) is_taken[i] = true;
+    left.erase(std::remove_if(left.begin(), left.end(), [&](std::uint32_t i) { return is_taken[i]; }),
+               left.end());
+    std::sort(cluster.begin(), cluster.end());
+    clusters.push_back(std::move(cluster));
+  }
+  return clusters;
+}
+
+}  // namespace shelfbeam

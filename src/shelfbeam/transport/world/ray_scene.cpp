@@ -1,0 +1,294 @@
+#include "shelfbeam/transport/world/ray_scene.hpp"
+
+#if SHELFBEAM_EMBREE_MAJOR == 3
+#include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace shelfbeam {
+
+namespace {
+
+struct Release {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
+using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
+
+// What single precision loses of a coordinate, relative to the largest one.
+constexpr double rounding = 1.0 / (1 << 24);
+// Rays start this many such losses off a surface, and end four times as far before a point, where a surface
+// that it touches may be met at a flat angle. A quarter of either is enough for all that tests have found.
+constexpr double steps = 16, end_steps = 64;
+
+struct Float3 {
+  float x, y, z;
+};
+
+Float3 to_float(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+double largest_coordinate(const Scene& scene) {
+  double largest = 0;
+  const auto include = [&](const Vec3& p) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  };
+  for (const Vec3& vertex : scene.mesh.vertices) include(vertex);
+  for (const Label& label : scene.labels) include(label.position);
+  for (const Transceiver& unit : scene.transceivers) include(unit.position);
+  return largest;
+}
+
+#if SHELFBEAM_EMBREE_MAJOR == 3
+void trace(RTCScene scene, RTCRayHit& ray) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &ray);
+}
+void trace(RTCScene scene, RTCRay& ray) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, &ray);
+}
+void trace(RTCScene scene, const int* valid, RTCRay16& rays) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcOccluded16(valid, scene, &context, &rays);
+}
+#else
+void trace(RTCScene scene, RTCRayHit& ray) {
+  rtcIntersect1(scene, &ray);
+}
+void trace(RTCScene scene, RTCRay& ray) {
+  rtcOccluded1(scene, &ray);
+}
+void trace(RTCScene scene, const int* valid, RTCRay16& rays) {
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcOccluded16(valid, scene, &rays, &arguments);
+}
+#endif
+
+void aim(RTCRay& ray, const Float3& origin, const Float3& direction, float end) {
+  ray.org_x = origin.x;
+  ray.org_y = origin.y;
+  ray.org_z = origin.z;
+  ray.dir_x = direction.x;
+  ray.dir_y = direction.y;
+  ray.dir_z = direction.z;
+  ray.tfar = end;
+  ray.mask = std::numeric_limits<unsigned>::max();
+}
+
+struct Triangle {
+  Vec3 corner, edge1, edge2;
+  MaterialId material;
+  std::uint32_t number;  // in the mesh
+
+  // From the barycentric coordinates the point lies in the triangle's plane to rounding, however long the
+  // ray.
+  SurfacePoint point(double u, double v) const {
+    return {corner + edge1 * u + edge2 * v, normalized(cross(edge1, edge2))};
+  }
+};
+
+// Triangles of one kind, in their own Embree scene: Embree's ray masks, which could tell kinds apart, are not
+// built into every package of it.
+struct TriangleSet {
+  std::vector<Triangle> triangles;  // by Embree's number
+  EmbreeScene scene;
+
+  void add(const TriangleMesh& mesh, std::uint32_t number) {
+    const auto& [a, b, c] = mesh.triangles[number];
+    const Vec3 corner = mesh.vertices[a];
+    triangles.push_back(
+        {corner, mesh.vertices[b] - corner, mesh.vertices[c] - corner, mesh.materials[number], number});
+  }
+
+  const Triangle& hit_by(const RTCRayHit& ray) const { return triangles[ray.hit.primID]; }
+
+  // Whether the ray hits one of them; it ends there then.
+  bool cut(RTCRayHit& ray) const {
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    trace(scene.get(), ray);
+    return ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+  }
+};
+
+EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const std::vector<Triangle>& chosen) {
+  EmbreeScene scene(rtcNewScene(device));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
+  if (chosen.empty()) {
+    rtcCommitScene(scene.get());
+    return scene;
+  }
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
+  for (const Vec3& vertex : mesh.vertices) {
+    const Float3 v = to_float(vertex);
+    *vertices++ = v.x;
+    *vertices++ = v.y;
+    *vertices++ = v.z;
+  }
+  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), chosen.size()));
+  for (const Triangle& triangle : chosen)
+    for (const std::uint32_t corner : mesh.triangles[triangle.number]) *indices++ = corner;
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene.get(), geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene.get());
+  if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
+    throw std::runtime_error(
+        fmt::format("Embree could not build the scene (error {})", static_cast<int>(error)));
+  return scene;
+}
+
+}  // namespace
+
+struct RayScene::Impl {
+  Device device;
+  std::vector<std::optional<ThinDielectric>> pane;  // by material
+  TriangleSet opaque, panes;                        // `panes` has no scene where there are none
+  double step = 0;                                  // m, how far from a surface rays start
+
+  Float3 leave(const SurfacePoint& from, const Vec3& direction) const {
+    return to_float(from.position + from.normal * std::copysign(step, dot(from.normal, direction)));
+  }
+};
+
+RayScene::RayScene(const Scene& scene) {
+  auto impl = std::make_unique<Impl>();
+  const double unit = rounding * largest_coordinate(scene);
+  impl->step = steps * unit;
+  end_ = end_steps * unit;
+  for (const NamedMaterial& named : scene.materials) {
+    const auto* pane = std::get_if<ThinDielectric>(&named.material);
+    impl->pane.push_back(pane != nullptr ? std::optional(*pane) : std::nullopt);
+  }
+  impl->device.reset(rtcNewDevice(nullptr));
+  if (!impl->device) throw std::runtime_error("Embree could not start a device");
+  for (std::uint32_t t = 0; t < scene.mesh.triangles.size(); ++t)
+    (impl->pane[scene.mesh.materials[t].value] ? impl->panes : impl->opaque).add(scene.mesh, t);
+  impl->opaque.scene = build(impl->device.get(), scene.mesh, impl->opaque.triangles);
+  if (!impl->panes.triangles.empty())
+    impl->panes.scene = build(impl->device.get(), scene.mesh, impl->panes.triangles);
+  impl_ = std::move(impl);
+}
+
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+std::optional<Hit> RayScene::intersect(const SurfacePoint& from, const Vec3& direction) const {
+  RTCRayHit ray{};
+  aim(ray.ray, impl_->leave(from, direction), to_float(direction), std::numeric_limits<float>::infinity());
+  const Triangle* triangle = impl_->opaque.cut(ray) ? &impl_->opaque.hit_by(ray) : nullptr;
+  float u = ray.hit.u, v = ray.hit.v;
+  if (impl_->panes.scene && impl_->panes.cut(ray)) {
+    triangle = &impl_->panes.hit_by(ray);
+    u = ray.hit.u;
+    v = ray.hit.v;
+  }
+  if (triangle == nullptr) return std::nullopt;
+  return Hit{triangle->point(static_cast<double>(u), static_cast<double>(v)), triangle->material,
+             triangle->number};
+}
+
+Passage RayScene::passage(const SurfacePoint& from, const Vec3& to) const {
+  const Float3 target = to_float(to);
+  const Vec3 way = to - from.position;
+  const Float3 origin = impl_->leave(from, way);
+  RTCRay shadow{};
+  aim(shadow, origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
+      static_cast<float>(std::max(0.0, 1 - end_ / length(way))));
+  trace(impl_->opaque.scene.get(), shadow);
+  if (shadow.tfar < 0) return {0, 0};
+  return impl_->panes.scene ? through_panes(from, to) : Passage{};
+}
+
+void RayScene::passages(const SurfacePoint& from, std::span<const Vec3> to, std::span<Passage> result) const {
+  each_passage(from, to, [&](std::size_t k, const Passage& passage) { result[k] = passage; });
+}
+
+void RayScene::shares(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const {
+  each_passage(from, to,
+               [&](std::size_t k, const Passage& passage) { result[k] = static_cast<float>(passage.share); });
+}
+
+template <class Use>
+void RayScene::each_passage(const SurfacePoint& from, std::span<const Vec3> to, const Use& use) const {
+  constexpr std::size_t width = 16;
+  for (std::size_t first = 0; first < to.size(); first += width) {
+    const std::size_t count = std::min(width, to.size() - first);
+    alignas(64) RTCRay16 rays{};
+    alignas(64) int valid[width];
+    for (std::size_t k = 0; k < width; ++k) {
+      valid[k] = k < count ? -1 : 0;
+      const Vec3& end = to[first + std::min(k, count - 1)];
+      const Float3 target = to_float(end);
+      const Vec3 way = end - from.position;
+      const Float3 origin = impl_->leave(from, way);
+      rays.org_x[k] = origin.x;
+      rays.org_y[k] = origin.y;
+      rays.org_z[k] = origin.z;
+      rays.dir_x[k] = target.x - origin.x;
+      rays.dir_y[k] = target.y - origin.y;
+      rays.dir_z[k] = target.z - origin.z;
+      rays.tfar[k] = static_cast<float>(std::max(0.0, 1 - end_ / length(way)));
+      rays.mask[k] = std::numeric_limits<unsigned>::max();
+    }
+    trace(impl_->opaque.scene.get(), valid, rays);
+    bool is_blocked[width];
+    for (std::size_t k = 0; k < count; ++k) {
+      is_blocked[k] = rays.tfar[k] < 0;
+      if (is_blocked[k]) valid[k] = 0;
+    }
+    if (impl_->panes.scene) trace(impl_->panes.scene.get(), valid, rays);
+    for (std::size_t k = 0; k < count; ++k)
+      use(first + k, is_blocked[k]      ? Passage{0, 0}
+                     : rays.tfar[k] < 0 ? through_panes(from, to[first + k])
+                                        : Passage{});
+  }
+}
+
+Passage RayScene::through_panes(const SurfacePoint& from, const Vec3& to) const {
+  const Float3 target = to_float(to);
+  const Vec3 direction = normalized(to - from.position);
+  Passage passage;
+  for (SurfacePoint at = from; passage.share > 0;) {
+    const Vec3 way = to - at.position;
+    const Float3 origin = impl_->leave(at, way);
+    RTCRayHit ray{};
+    aim(ray.ray, origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
+        static_cast<float>(std::max(0.0, 1 - end_ / length(way))));
+    if (!impl_->panes.cut(ray)) break;
+    const Triangle& pane = impl_->panes.hit_by(ray);
+    at = pane.point(static_cast<double>(ray.hit.u), static_cast<double>(ray.hit.v));
+    if (dot(to - at.position, direction) <= 0) break;
+    const auto [reflected, transmitted] =
+        pane_shares(*impl_->pane[pane.material.value], dot(at.normal, direction));
+    passage.share *= transmitted;
+    passage.probability *= transmitted > 0 ? transmitted / (reflected + transmitted) : 0;
+  }
+  return passage;
+}
+
+}  // namespace shelfbeam

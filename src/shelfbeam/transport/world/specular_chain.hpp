@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "shelfbeam/transport/world/path_rules.hpp"
+#include "shelfbeam/transport/world/random_stream.hpp"
+#include "shelfbeam/transport/world/world.hpp"
+
+namespace shelfbeam {
+
+/// Where a ray ends that is led on by mirrors, panes and smooth glass: at the first surface that scatters.
+struct ChainEnd {
+  SurfacePoint point;  ///< its normal on the side from which the ray came
+  Vec3 outside;        ///< the triangle's own normal, which materials go by
+  Vec3 outgoing;       ///< unit, back along the ray
+  MaterialId material;
+  bool is_imaged = false;                    ///< on a plane mirror that counts
+  Departure arrived = Departure::scattered;  ///< of the ray's last part
+  double throughput = 1;
+  bool is_straight = true;  ///< nothing was met on the way but panes, straight through; this had the
+  double probability = 1;   ///< chance that Passage has
+};
+
+/// Follows a ray from `from`. Sources that it meets are scored, use(j, throughput x radiance), where no
+/// connection could have found them (Departure). Straight on through panes does not count: connections pass
+/// them, too.
+template <class Use>
+std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3 direction,
+                                     Departure departure, RandomStream& random, std::uint64_t& rays,
+                                     const Use& use) {
+  Vec3 vertex = from.position;  // the last point that is not a pane gone straight through,
+  double passed = 0;            // and how far from it the ray starts
+  ChainEnd end;
+  for (int step = 0;; ++step) {
+    const auto hit = world.rays.intersect(from, direction);
+    ++rays;
+    if (departure != Departure::scattered) {
+      const double farthest =
+          hit ? hit->distance(vertex, direction) : std::numeric_limits<double>::infinity();
+      if (departure == Departure::specular)
+        world.emitters.each_disc(
+            world.rays, vertex, direction, passed, farthest,
+            [&](std::size_t j, const LightPoint&, double radiance) { use(j, end.throughput * radiance); });
+      if (hit)
+        if (const auto j = world.emitters.surface_of(hit->material))
+          use(*j, end.throughput * world.emitters.radiance(*j));
+    }
+    if (!hit) return std::nullopt;
+    const Material& material = world.material(*hit);
+    if (!has_only_specular(material)) {
+      end.point = hit->point;
+      end.outside = hit->point.normal;
+      if (dot(end.point.normal, direction) > 0) end.point.normal = -end.point.normal;
+      end.outgoing = -direction;
+      end.material = hit->material;
+      end.is_imaged = world.mirrors.contains(hit->triangle);
+      end.arrived = departure;
+      return end;
+    }
+    const Frame frame = Frame::of_surface(hit->point.normal);
+    const Vec3 outgoing = frame.to_local(-direction);
+    const double u_lobe = random.unit(), u1 = random.unit(), u2 = random.unit();
+    const auto next = sample(material, outgoing, u_lobe, u1, u2);
+    if (!next) return std::nullopt;
+    end.throughput *= next->weight;
+    from = hit->point;
+    const auto* const pane = std::get_if<ThinDielectric>(&material);
+    if (pane != nullptr && next->direction.z * outgoing.z < 0) {
+      passed = hit->distance(vertex, direction);
+      end.probability *= next->pdf;
+    } else {
+      end.is_straight = false;
+      vertex = hit->point.position;
+      passed = 0;
+      direction = frame.to_world(next->direction);
+      departure = after_specular(departure,
+                                 next->direction.z * outgoing.z > 0 && world.mirrors.contains(hit->triangle));
+    }
+    // Between two mirrors a ray would never end. No roulette makes it heavier than it was at first.
+    if (step >= 8 && !end.is_straight) {
+      const double survival = std::clamp(end.throughput, 0.05, 0.95);
+      if (random.unit() >= survival) return std::nullopt;
+      end.throughput /= survival;
+    }
+  }
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,149 @@
+// State and what follows from it, for all that shows it.
+
+import { classesOf, type Classes } from "../scene/classes";
+import { Coverage } from "../scene/coverage";
+import { changedUnits, initialState, switchUnit, type Selection, type State } from "./state";
+import { verdicts, type Signals, type Store } from "./store";
+
+/** What of a link between label and unit the matrix tells. */
+export interface Contribution {
+  label: number;
+  unit: number;
+  mean: number;
+  error: number | null;
+  directShare: number | null;
+}
+
+const known = (value: number | undefined) => (value === undefined || Number.isNaN(value) ? null : value);
+
+export class Model {
+  state: State;
+  readonly coverage: Coverage;
+  /** Labels that the plan reaches under the thresholds it was made for. */
+  readonly plannedReached: number;
+  private readonly numbers = new Map<number, number>();
+  private readonly installed: Set<number>;
+  private readonly listeners: (() => void)[] = [];
+
+  constructor(
+    readonly store: Store,
+    readonly signals: Signals,
+  ) {
+    this.state = initialState(store);
+    this.coverage = new Coverage(store, signals);
+    this.coverage.update(this.state.on, this.state.requirements);
+    this.plannedReached = this.coverage.reached;
+    store.units.selected.forEach((unit, k) => this.numbers.set(unit, k + 1));
+    this.installed = new Set(store.units.installed);
+  }
+
+  onChange(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  /** Something else than units and thresholds is shown differently. */
+  changed(): void {
+    for (const listener of this.listeners) listener();
+  }
+
+  /** Units or thresholds are others. */
+  recount(): void {
+    this.coverage.update(this.state.on, this.state.requirements);
+    this.changed();
+  }
+
+  replace(state: State): void {
+    this.state = state;
+    this.recount();
+  }
+
+  switchUnit(unit: number, on: boolean): void {
+    switchUnit(this.store, this.state, unit, on);
+    this.recount();
+  }
+
+  select(selection: Selection): void {
+    this.state.selection = selection;
+    this.changed();
+  }
+
+  get classes(): Classes {
+    return classesOf(this.store, this.coverage, this.state.mode, this.isAsPlanned());
+  }
+
+  /** What the certificate says of a label; nothing where there is none, or none for what is on now. */
+  verdict(label: number): (typeof verdicts)[number] | null {
+    return this.store.certificate && this.isAsPlanned() ? verdicts[this.store.label.verdict[label]] : null;
+  }
+
+  /** Number of a unit of the plan in the report's table; nothing for others. */
+  numberOf(unit: number): number | undefined {
+    return this.numbers.get(unit);
+  }
+
+  isInstalled(unit: number): boolean {
+    return this.installed.has(unit);
+  }
+
+  unitsOn(): number[] {
+    return Array.from(this.state.on.keys()).filter((unit) => this.state.on[unit]);
+  }
+
+  isAsPlanned(): boolean {
+    const { added, removed } = changedUnits(this.store, this.state);
+    return added.length === 0 && removed.length === 0 && this.hasPlannedThresholds();
+  }
+
+  hasPlannedThresholds(): boolean {
+    return this.state.requirements.every((value, kind) => value === this.store.labels.kinds[kind].requirement);
+  }
+
+  private contribution(label: number, at: number): Contribution {
+    const { column, mean, error, directShare } = this.signals;
+    return {
+      label,
+      unit: column[at],
+      mean: mean[at],
+      error: known(error[at]),
+      directShare: known(directShare[at]),
+    };
+  }
+
+  /** What the units that are on give to a label, the strongest first. */
+  contributions(label: number): Contribution[] {
+    const { begin, column } = this.signals;
+    const found: Contribution[] = [];
+    for (let at = begin[label]; at < begin[label + 1]; ++at)
+      if (this.state.on[column[at]]) found.push(this.contribution(label, at));
+    return found.sort((a, b) => b.mean - a.mean || a.unit - b.unit);
+  }
+
+  /** What one unit gives to every label that has a signal from it. */
+  reachOf(unit: number): Contribution[] {
+    const { begin, column } = this.signals;
+    const found: Contribution[] = [];
+    for (let label = 0; label + 1 < begin.length; ++label)
+      for (let low = begin[label], high = begin[label + 1]; low < high; ) {
+        const middle = (low + high) >> 1;
+        if (column[middle] === unit) {
+          found.push(this.contribution(label, middle));
+          break;
+        }
+        if (column[middle] < unit) low = middle + 1;
+        else high = middle;
+      }
+    return found;
+  }
+
+  /** Met labels and all labels, of those that `counts` names. */
+  share(counts: (label: number) => boolean): { met: number; all: number } {
+    let met = 0;
+    let all = 0;
+    this.coverage.met.forEach((isMet, label) => {
+      if (!counts(label)) return;
+      ++all;
+      met += isMet;
+    });
+    return { met, all };
+  }
+}

@@ -1,0 +1,139 @@
+// Units and labels as lists with a search: whatever can be clicked in the picture can be reached here, too.
+
+import { button, element, replaceChildren } from "./dom";
+import { counted, decibels, grouped } from "../data/format";
+import type { Model } from "../data/model";
+
+const mostRows = 60;
+
+abstract class SearchList {
+  readonly root = element("div", { class: "v3-search" });
+  private readonly search: HTMLInputElement;
+  private readonly list = element("ul", { class: "v3-list" });
+  private readonly note = element("p", { class: "v3-note" });
+
+  constructor(
+    protected readonly model: Model,
+    kind: string,
+    lead: string,
+  ) {
+    this.search = element("input", {
+      type: "search",
+      placeholder: `Search ${kind} by id`,
+      "aria-label": `Search ${kind} by id`,
+      on: { input: () => this.update() },
+    });
+    this.root.append(element("p", { class: "v3-note", text: lead }), this.search, this.list, this.note);
+  }
+
+  protected abstract order(): number[];
+  protected abstract id(index: number): string;
+  protected abstract row(index: number): HTMLElement;
+
+  update(): void {
+    if (this.root.hidden) return;
+    const wanted = this.search.value.trim().toLowerCase();
+    const found = this.order().filter((index) => this.id(index).toLowerCase().includes(wanted));
+    replaceChildren(
+      this.list,
+      found.slice(0, mostRows).map((index) => this.row(index)),
+    );
+    this.note.textContent =
+      found.length === 0
+        ? "Nothing has this id."
+        : found.length > mostRows
+          ? `${grouped(found.length - mostRows)} more: search to find them.`
+          : "";
+  }
+}
+
+export class UnitList extends SearchList {
+  constructor(model: Model) {
+    super(
+      model,
+      "units",
+      "Switch any candidate on or off, and all numbers follow. The plan comes first, then what reaches most labels alone.",
+    );
+  }
+
+  protected order(): number[] {
+    const { reach } = this.model.coverage;
+    const rank = (unit: number) => this.model.numberOf(unit) ?? Infinity;
+    return [...reach.keys()].sort((a, b) =>
+      rank(a) === rank(b) ? reach[b] - reach[a] || a - b : rank(a) - rank(b),
+    );
+  }
+
+  protected id(unit: number): string {
+    return this.model.store.units.ids[unit];
+  }
+
+  protected row(unit: number): HTMLElement {
+    const { coverage, state, store } = this.model;
+    const on = state.on[unit] !== 0;
+    const number = this.model.numberOf(unit);
+    const decides = coverage.decides[unit];
+    const effect = store.redundant && on ? "" : on ? `, ${grouped(decides)} only with it` : `, would add ${grouped(decides)}`;
+    const box = element("input", {
+      type: "checkbox",
+      "data-key": `on${unit}`,
+      "aria-label": `${this.id(unit)} is on`,
+      on: { change: (event) => this.model.switchUnit(unit, (event.target as HTMLInputElement).checked) },
+    });
+    box.checked = on;
+    const selected = state.selection?.kind === "unit" && state.selection.index === unit;
+    return element(
+      "li",
+      { class: selected ? "selected" : "", "data-unit": unit },
+      box,
+      element("span", { class: on ? "v3-badge" : "v3-badge off", text: number === undefined ? (on ? "+" : "·") : String(number) }),
+      element(
+        "div",
+        {},
+        button(this.id(unit), () => this.model.select({ kind: "unit", index: unit }), {
+          class: "v3-link",
+          "data-key": `unit${unit}`,
+        }),
+        element("small", { text: `${counted(coverage.reach[unit], "label")} alone${effect}` }),
+      ),
+    );
+  }
+}
+
+export class LabelList extends SearchList {
+  constructor(
+    model: Model,
+    private readonly show: (label: number) => void,
+  ) {
+    super(model, "labels", "Choose a label to see what reaches it. The least margin comes first.");
+  }
+
+  protected order(): number[] {
+    const { coverage } = this.model;
+    const margins = Float64Array.from(coverage.signal, (_, label) => coverage.margin(label));
+    return [...margins.keys()].sort((a, b) => margins[a] - margins[b] || a - b);
+  }
+
+  protected id(label: number): string {
+    return this.model.store.labels.ids[label];
+  }
+
+  protected row(label: number): HTMLElement {
+    const { coverage, state } = this.model;
+    const selected = state.selection?.kind === "label" && state.selection.index === label;
+    return element(
+      "li",
+      { class: selected ? "selected" : "", "data-label": label },
+      element("span", { class: coverage.met[label] ? "v3-dot" : "v3-dot unmet", "aria-hidden": "true" }),
+      element(
+        "div",
+        {},
+        button(this.id(label), () => this.show(label), {
+          class: "v3-link",
+          "data-key": `label${label}`,
+        }),
+        element("small", { text: decibels(coverage.margin(label)) + (coverage.met[label] ? "" : ", not reached") }),
+      ),
+    );
+  }
+}

@@ -1,0 +1,118 @@
+// Classes of labels that are drawn alike, with the colours of the static plans.
+
+import type { Coverage } from "./coverage";
+import { percentage, plain } from "../data/format";
+import { verdicts, type Store } from "../data/store";
+
+export type Mode = "margin" | "signal" | "serving" | "certificate";
+const modes: { mode: Mode; name: string }[] = [
+  { mode: "margin", name: "Margin" },
+  { mode: "signal", name: "Signal" },
+  { mode: "serving", name: "Serving units" },
+  { mode: "certificate", name: "Certificate" },
+];
+
+/** Those for which the store has what they show. */
+export function modesOf(store: Store): { mode: Mode; name: string }[] {
+  return modes.filter(({ mode }) => mode !== "certificate" || store.certificate);
+}
+
+export interface LabelClass {
+  name: string;
+  /** CSS variable. */
+  colour: string;
+  /** Of all labels in the class; otherwise they are triangles where they are not met, and discs. */
+  shape?: "disc" | "triangle" | "square";
+}
+
+/** Which of the classes a label belongs to. */
+export interface Classes {
+  title: string;
+  list: LabelClass[];
+  of: (label: number) => number;
+}
+
+const failed = (store: Store) => (store.redundant ? ", its strongest unit failed" : "");
+
+function marginClasses(store: Store, coverage: Coverage): Classes {
+  const { margins } = store;
+  return {
+    title: `Signal above what a label needs${failed(store)}:`,
+    list: margins.map(({ name }, k) => ({ name, colour: `--m${k}`, shape: k < 2 ? "triangle" : "disc" })),
+    of: (label) => {
+      const margin = coverage.margin(label);
+      let k = margins.length - 1;
+      while (k > 0 && margin < margins[k].from) --k;
+      return coverage.met[label] ? Math.max(k, 2) : Math.min(k, 1);
+    },
+  };
+}
+
+function signalClasses(store: Store, coverage: Coverage): Classes {
+  const { signals: edges, unit } = store;
+  const text = (edge: number) => plain(edge / unit.factor);
+  const list: LabelClass[] = [{ name: "none", colour: "--floor" }];
+  for (let k = 0; k + 1 < edges.length; ++k) {
+    const upper = `${text(edges[k + 1])}\u00a0${unit.name}`;
+    list.push({ name: k === 0 ? `below ${upper}` : `${text(edges[k])} to ${upper}`, colour: `--g${k}` });
+  }
+  return {
+    title: `Signal${failed(store)}:`,
+    list,
+    of: (label) => {
+      const signal = coverage.signal[label];
+      if (!(signal > 0)) return 0;
+      let k = 0;
+      while (k + 2 < edges.length && signal >= edges[k + 1]) ++k;
+      return k + 1;
+    },
+  };
+}
+
+function servingClasses(coverage: Coverage): Classes {
+  const colours = ["--m2", "--m3", "--m4", "--m5", "--m6"];
+  const names = ["none", "1", "2", "3", "4 or more"];
+  return {
+    title: "Units that reach a label alone:",
+    list: colours.map((colour, k) => ({ name: names[k], colour })),
+    of: (label) => Math.min(coverage.serving[label], colours.length - 1),
+  };
+}
+
+/** Verdicts are of the plan as it was made; of anything else nothing is certified. */
+function certificateClasses(store: Store, isAsPlanned: boolean): Classes {
+  if (!store.certificate || !isAsPlanned)
+    return {
+      title: "The certificate is of the plan as it was made, not of what is on now:",
+      list: [{ name: "without a verdict", colour: "--floor" }],
+      of: () => 0,
+    };
+  const [reached, missed, undecided] = verdicts;
+  return {
+    title: `On fresh samples, with joint confidence ${percentage(store.certificate.confidence)}:`,
+    list: [
+      { name: reached, colour: "--m5", shape: "disc" },
+      { name: missed, colour: "--m0", shape: "triangle" },
+      { name: undecided, colour: "--m2", shape: "square" },
+    ],
+    of: (label) => store.label.verdict[label],
+  };
+}
+
+export function classesOf(store: Store, coverage: Coverage, mode: Mode, isAsPlanned: boolean): Classes {
+  if (mode === "margin") return marginClasses(store, coverage);
+  if (mode === "certificate") return certificateClasses(store, isAsPlanned);
+  return mode === "signal" ? signalClasses(store, coverage) : servingClasses(coverage);
+}
+
+/** What one unit gives to a label, in proportion to what the label needs. */
+export const reachClasses: LabelClass[] = [
+  { name: "below 1 %", colour: "--m3", shape: "disc" },
+  { name: "1 to 10 %", colour: "--m4", shape: "disc" },
+  { name: "10 to 100 %", colour: "--m5", shape: "disc" },
+  { name: "all, alone", colour: "--m6", shape: "disc" },
+];
+
+export function reachClass(share: number, alone: boolean): number {
+  return alone ? 3 : share >= 0.1 ? 2 : share >= 0.01 ? 1 : 0;
+}

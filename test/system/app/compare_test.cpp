@@ -1,0 +1,115 @@
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/csv.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+
+#include "system/app/program.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::expect_refused;
+using test::expect_silent;
+using test::Json;
+
+/// A simulated kiosk and what somebody measured there in millivolts: 250 per W/m^2, up to 0.3 dB off.
+class Compare : public testing::Test {
+ protected:
+  Compare() {
+    folder.write("store.json", test::small_store().dump());
+    expect_silent({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "4000"});
+    matrix = read_signal_file(folder / "signal.h5");
+  }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+  double noise(std::size_t k) const {
+    return std::pow(10, 0.03 * std::sin(12.9898 * static_cast<double>(k)));
+  }
+
+  std::string pairs() const {
+    std::string csv = "label,transceiver,signal,error\n";
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+      for (std::size_t j = 0; j < matrix.columns(); ++j) {
+        const double value = 250 * static_cast<double>(matrix.mean[matrix.at(i, j)]) * noise(matrix.at(i, j));
+        csv += fmt::format("{},{},{},{}\n", csv_field(matrix.labels[i].id), matrix.transceivers[j].id, value,
+                           0.06 * value + 0.01);
+      }
+    return csv;
+  }
+
+  test::TempFolder folder;
+  SignalMatrix matrix;
+};
+
+TEST_F(Compare, FindsTheFactorOfPairs) {
+  folder.write("m.csv", pairs());
+  const std::string text = expect_silent({"compare", path("signal.h5"), path("m.csv"), "-o", path("out")});
+  for (const char* part : {"One unit of simulated signal", "errors explain the differences",
+                           "No pair is an outlier.", "comparison.csv", "comparison.html"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
+  EXPECT_EQ(test::names(folder / "out"), (std::set<std::string>{"comparison.csv", "comparison.html"}));
+  const Json json = Json::parse(expect_silent({"compare", path("signal.h5"), path("m.csv"), "--json"}));
+  EXPECT_EQ(json["pairs"], matrix.rows() * matrix.columns());
+  EXPECT_LT(json["factor_low"], 250);
+  EXPECT_GT(json["factor_high"], 250);
+  EXPECT_NEAR(json["factor"].get<double>(), 250, 5);
+  EXPECT_EQ(json["one_factor"], true);
+  EXPECT_EQ(json["outliers"].size(), 0u);
+  // One label hangs where another was written down.
+  std::string wrong = pairs();
+  const std::size_t line = wrong.find("\ndoor,");
+  wrong.insert(wrong.find(',', wrong.find(',', line + 1) + 1) + 1, "9");
+  folder.write("wrong.csv", wrong);
+  const Json told = Json::parse(expect_silent({"compare", path("signal.h5"), path("wrong.csv"), "--json"}));
+  ASSERT_EQ(told["outliers"].size(), 1u) << told;
+  EXPECT_EQ(told["outliers"][0]["label"], "door");
+  EXPECT_EQ(told["one_factor"], false);
+}
+
+TEST_F(Compare, FindsTheFactorOfAPlacement) {
+  expect_silent({"place", path("signal.h5"), "-o", path("placement.json")});
+  const Json placement = Json::parse(read_file(folder / "placement.json"));
+  std::string csv = "label,signal\n";
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    double sum = 0;
+    for (std::size_t j = 0; j < matrix.columns(); ++j)
+      for (const Json& id : placement["selected"])
+        if (id == matrix.transceivers[j].id) sum += static_cast<double>(matrix.mean[matrix.at(i, j)]);
+    csv += fmt::format("{},{}\n", csv_field(matrix.labels[i].id), 8 * sum * noise(i));
+  }
+  folder.write("m.csv", csv);
+  const Json json = Json::parse(expect_silent({"compare", path("signal.h5"), path("m.csv"), "--placement",
+                                               path("placement.json"), "--json", "-o", path("c.html")}));
+  EXPECT_EQ(json["report"], path("c.html"));
+  EXPECT_TRUE(read_file(folder / "c.html").starts_with("<!DOCTYPE html>"));
+  EXPECT_LT(json["factor_low"], 8);
+  EXPECT_GT(json["factor_high"], 8);
+  EXPECT_TRUE(json["p_value"].is_null());
+  EXPECT_EQ(json["worst"][0]["transceiver"], nullptr);
+}
+
+TEST_F(Compare, RefusesWhatItCannotCompare) {
+  const auto refused = [&](const std::string& csv, std::vector<std::string> more,
+                           const std::vector<std::string>& parts) {
+    folder.write("m.csv", csv);
+    more.insert(more.begin(), {"compare", path("signal.h5"), path("m.csv")});
+    expect_refused(folder, more, parts);
+  };
+  const std::string good = pairs();
+  folder.write("placement.json", "{}");
+  refused("label,signal\ndoor,1\n", {}, {"m.csv", "--placement"});
+  refused("label,transceiver,signal\ndor,G1-1-1,1\n", {}, {"m.csv: line 2", "did you mean 'door'"});
+  refused("label,transceiver,signal\ndoor,G1-1-1,1\n", {}, {"m.csv", "three at least"});
+  refused(good, {"--placement", path("placement.json")}, {"leave --placement out"});
+  refused(good, {"-o", path("m.csv")}, {"is the input"});
+  refused(good, {"-o", path("page.txt")}, {".csv or .html"});
+  refused(good, {"-o", path("missing/page.html")}, {"missing"});
+  refused(good, {"--confidence", "1"}, {"--confidence"});
+}
+
+}  // namespace
+}  // namespace shelfbeam

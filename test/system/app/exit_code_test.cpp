@@ -1,0 +1,218 @@
+#include <chrono>
+#include <csignal>
+#include <random>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+
+#include "system/app/program.hpp"
+
+// 0 and 2 are in workflow_test.cpp and bad_input_test.cpp.
+
+namespace shelfbeam {
+namespace {
+
+using test::expect_silent;
+using test::Json;
+using test::names;
+using test::small_store;
+using test::TempFolder;
+
+class ExitCode : public testing::Test {
+ protected:
+  ExitCode() { folder.write("store.json", small_store().dump()); }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+  Json json(const std::string& name) const { return Json::parse(read_file(folder / name)); }
+  TempFolder folder;
+};
+
+TEST_F(ExitCode, OneWhereTheAnswerIsNo) {
+  Json store = small_store();
+  store["label_types"]["standard"]["threshold"] = 100;
+  folder.write("greedy.json", store.dump());
+  const std::string out =
+      expect_silent({"plan", path("greedy.json"), "-o", path("plan"), "--samples", "320"}, 1);
+  EXPECT_NE(out.find("17 cannot be reached even by all candidates together"), std::string::npos) << out;
+  EXPECT_NE(out.find("needs 100"), std::string::npos) << out;
+  EXPECT_NE(out.find("certificate: No selection reaches all 17 labels, with joint confidence 99 %"),
+            std::string::npos)
+      << out;
+  EXPECT_EQ(names(folder / "plan").size(), 7u);
+  const std::string report = read_file(folder / "plan/report.html");
+  EXPECT_NE(report.find("No selection reaches all 17 labels"), std::string::npos);
+  expect_silent({"report", path("plan")});
+  EXPECT_EQ(read_file(folder / "plan/report.html"), report);
+  expect_silent({"place", path("plan/signal.h5"), "-o", path("placement.json"), "--model", "non-cooperative"},
+                1);
+  const Json placement = json("placement.json");
+  EXPECT_EQ(placement["status"], "infeasible");
+  EXPECT_EQ(placement["unreachable"].size(), 17u);
+  EXPECT_GT(placement["unreachable"][0]["most"], 0.0);
+  expect_silent({"place", path("plan/signal.h5"), "--threshold", "1e-9"});
+}
+
+// Two spots at one point, and a label that only one of them reaches on either side.
+TEST_F(ExitCode, OneWhereOptionsExcludeOneAnother) {
+  folder.write("spots.json", R"({
+    "room": { "size": [8, 6, 3], "floor": "m", "ceiling": "m", "walls": "m" },
+    "materials": { "m": { "type": "lambertian", "reflectance": 0 } },
+    "label_types": { "standard": { "threshold": 0.3 } },
+    "transceiver_types": { "spot": { "emission": { "type": "lambertian", "order": 20, "flux": 5 } } },
+    "labels": [ { "id": "west", "position": [0.1, 3, 1.5], "normal": [1, 0, 0], "type": "standard" },
+                { "id": "east", "position": [7.9, 3, 1.5], "normal": [-1, 0, 0], "type": "standard" } ],
+    "transceivers": { "list": [
+      { "id": "to west", "position": [4, 3, 2.9], "axis": [-1, 0, -0.36], "type": "spot" },
+      { "id": "to east", "position": [4, 3, 2.9], "axis": [1, 0, -0.36], "type": "spot" } ] }
+  })");
+  std::string out = expect_silent(
+      {"plan", path("spots.json"), "-o", path("plan"), "--samples", "320", "--curve", "--sensitivity"}, 1);
+  for (const char* missing : {"no curve without a placement", "no sensitivity without a placement"})
+    EXPECT_NE(out.find(missing), std::string::npos) << out;
+  EXPECT_NE(out.find("each could be reached, but not all of them at once"), std::string::npos) << out;
+  EXPECT_EQ(json("plan/placement.json")["status"], "infeasible");
+  EXPECT_TRUE(json("plan/placement.json")["unreachable"].empty());
+  EXPECT_NE(read_file(folder / "plan/report.html").find("a mounting point holds one unit"),
+            std::string::npos);
+  expect_silent({"report", path("plan")});
+  // Greedy cannot tell.
+  out = expect_silent({"place", path("plan/signal.h5"), "-o", path("p.json"), "--solver", "greedy"}, 3);
+  EXPECT_NE(out.find("'--solver mip' searches for one"), std::string::npos) << out;
+  EXPECT_EQ(json("p.json")["status"], "stopped");
+  expect_silent({"plan", path("spots.json"), "-o", path("plan"), "--samples", "320", "--solver", "greedy"},
+                3);
+  EXPECT_NE(read_file(folder / "plan/report.html").find("The greedy method found no selection"),
+            std::string::npos);
+}
+
+// A random cover of 300 labels by 200 units: far more than a millisecond's work for any exact solver.
+std::string hard_matrix() {
+  std::mt19937 random(1);
+  std::string csv;
+  for (int i = 0; i < 300; ++i) {
+    for (int j = 0; j < 200; ++j)
+      csv += fmt::format("{}{}", j == 0 ? "" : ",", random() % 16 == 0 ? random() % 9 : 0);
+    csv += '\n';
+  }
+  return csv;
+}
+
+TEST_F(ExitCode, ThreeAtTheTimeLimit) {
+  folder.write("hard.csv", hard_matrix());
+  for (const milp::Backend& backend : milp::backends()) {
+    const std::string out =
+        expect_silent({"place", path("hard.csv"), "--threshold", "6", "-o", path("p.json"), "--time-limit",
+                       "0.001", "--backend", std::string(backend.name)},
+                      3);
+    EXPECT_NE(out.find("\n  stopped: value "), std::string::npos) << out;
+    EXPECT_NE(out.find("gap"), std::string::npos) << out;
+    const Json placement = json("p.json");
+    EXPECT_EQ(placement["status"], "stopped");
+    EXPECT_GT(placement["count"], 0);
+    EXPECT_GT(placement["count_lower_bound"], 0);
+    EXPECT_LT(placement["count_lower_bound"], placement["count"]);
+    EXPECT_GT(placement["gap"], 0.0);
+  }
+}
+
+TEST_F(ExitCode, ThreeWhereOnlyTheCurveWasCutShort) {
+  folder.write("hard.csv", hard_matrix());
+  const std::string out = expect_silent({"place", path("hard.csv"), "--threshold", "6", "--solver", "greedy",
+                                         "--curve", "-o", path("p.json"), "--time-limit", "1e-6"},
+                                        3);
+  EXPECT_NE(out.find("the curve was stopped early"), std::string::npos) << out;
+  EXPECT_EQ(json("p.json")["status"], "feasible");
+  EXPECT_EQ(json("p.json")["curve_complete"], false);
+}
+
+using Clock = std::chrono::steady_clock;
+
+// Sends SIGINT `delay` seconds after the start; the program must end within a few seconds from then, where
+// the work asked for takes hours.
+test::Outcome interrupted(std::vector<std::string> arguments, double delay) {
+  test::Process process(test::command(std::move(arguments)));
+  std::this_thread::sleep_for(std::chrono::duration<double>(delay));
+  const auto sent = Clock::now();
+  process.send(SIGINT);
+  test::Outcome outcome = process.wait();
+  EXPECT_LT(std::chrono::duration<double>(Clock::now() - sent).count(), 30);
+  return outcome;
+}
+
+// Interrupts once the program listens; before that SIGINT ends it as it ends any.
+test::Outcome interrupted_at_work(const std::vector<std::string>& arguments) {
+  test::Outcome outcome;
+  double delay = 0.3;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    outcome = interrupted(arguments, delay);
+    if (outcome.exit_code != 128 + SIGINT) break;
+    delay *= 2;
+  }
+  return outcome;
+}
+
+TEST_F(ExitCode, ThreeWhenASimulationIsInterrupted) {
+  // Right between two batches of 32 and the end: the delay is corrected until it falls there, so the speed of
+  // the machine does not matter.
+  double delay = 0.4;
+  test::Outcome outcome;
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    outcome = interrupted({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "400000",
+                           "--estimator", "uniform", "--threads", "1", "--json"},
+                          delay);
+    if (outcome.exit_code == 3 && std::filesystem::exists(folder / "signal.h5")) break;
+    ASSERT_TRUE(outcome.exit_code == 3 || outcome.exit_code == 0 || outcome.exit_code == 128 + SIGINT)
+        << outcome.exit_code << outcome.err;
+    delay *= outcome.exit_code == 0 ? 0.5 : 1.7;
+    std::filesystem::remove(folder / "signal.h5");
+    std::filesystem::remove(folder / "signal.h5.checkpoint");
+  }
+  ASSERT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(Json::parse(outcome.out)["complete"], false);
+  EXPECT_EQ(names(folder.path()), (std::set<std::string>{"signal.h5", "signal.h5.checkpoint", "store.json"}));
+  const SignalMatrix matrix = read_signal_file(folder / "signal.h5");
+  std::uint32_t fewest = 32;
+  for (const LabelRow& label : matrix.labels) {
+    EXPECT_GE(label.batches, 2u);
+    EXPECT_LE(label.batches, 32u);
+    EXPECT_EQ(label.samples, label.batches * std::uint64_t{12500});
+    fewest = std::min(fewest, label.batches);
+  }
+  EXPECT_LT(fewest, 32u);
+  expect_silent({"place", path("signal.h5"), "-o", path("placement.json")});
+  EXPECT_EQ(json("placement.json")["status"], "optimal");
+}
+
+TEST_F(ExitCode, ThreeWithoutAFileBeforeThereIsAnything) {
+  folder.write("signal.h5", "old");
+  for (const char* verb : {"simulate", "plan"}) {
+    const std::string output = path(std::string(verb) == "plan" ? "plan" : "signal.h5");
+    const auto before = test::contents(folder.path());
+    // A batch of 2 billion samples a label never ends.
+    const test::Outcome outcome = interrupted_at_work(
+        {verb, path("store.json"), "-o", output, "--samples", "60000000000", "--estimator", "uniform"});
+    EXPECT_EQ(outcome.exit_code, 3) << verb;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, "stopped: the simulation was stopped before it had two batches of samples\n");
+    std::filesystem::remove(folder / "plan");  // empty
+    EXPECT_TRUE(test::contents(folder.path()) == before);
+  }
+}
+
+TEST_F(ExitCode, ThreeWhenAPlacementIsInterrupted) {
+  folder.write("hard.csv", hard_matrix());
+  const test::Outcome outcome = interrupted_at_work(
+      {"place", path("hard.csv"), "--threshold", "6", "-o", path("p.json"), "--time-limit", "7200"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(json("p.json")["status"], "stopped");
+  EXPECT_GT(json("p.json")["count"], 0);
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,147 @@
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+#include "support/sanitizers.hpp"
+#include "support/temp_folder.hpp"
+
+// Files that ask for far more than they hold: refused (exit code 2) by a program that has half a gigabyte of
+// addresses and a few seconds, each with what would need many times as much.
+
+namespace shelfbeam {
+namespace {
+
+using test::Outcome;
+using test::TempFolder;
+
+std::string repeated(const std::string& text, int count) {
+  std::string result;
+  for (int k = 0; k < count; ++k) result += text;
+  return result;
+}
+
+class HostileFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!test::memory_can_be_limited) GTEST_SKIP() << "the sanitizer needs all addresses";
+  }
+};
+
+Outcome run_small(const std::string& arguments) {
+  return test::run(
+      {"/bin/sh", "-c", "ulimit -v 500000; ulimit -t 20; exec " SHELFBEAM_BINARY " " + arguments});
+}
+
+// So many gondolas of a million labels each.
+std::string store_of(int gondolas) {
+  std::string fixtures;
+  for (int k = 0; k < gondolas; ++k)
+    fixtures += (k > 0 ? "," : "") + std::string(R"({"type":"gondola","id":"G)") + std::to_string(k) +
+                R"(","at":[1,1],"length":900,"depth":1,"height":2,"material":"m","shelves":[0.5],
+                "labels":{"type":"l","spacing":0.002}})";
+  return R"({"room":{"size":[1000,9,3],"floor":"m","ceiling":"m","walls":"m"},
+    "materials":{"m":{"type":"lambertian","reflectance":0.5}},"label_types":{"l":{"threshold":0.02}},
+    "transceiver_types":{"t":{"emission":{"type":"isotropic","intensity":1}}},
+    "transceivers":{"list":[{"id":"T","position":[5,5,2],"type":"t"}]},"fixtures":[)" +
+         fixtures + "]}";
+}
+
+std::string mesh_store(const std::string& file) {
+  return R"({"materials":{"m":{"type":"lambertian","reflectance":0.5}},"label_types":{"l":{"threshold":0.02}},
+    "transceiver_types":{"t":{"emission":{"type":"isotropic","intensity":1}}},
+    "transceivers":{"list":[{"id":"T","position":[5,5,2],"type":"t"}]},
+    "fixtures":[{"type":"mesh","id":"M","at":[0,0,0],"file":")" +
+         file + R"(","materials":{"*":"m"}}]})";
+}
+
+std::string npy(const std::string& shape) {
+  std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': " + shape + ", }\n";
+  return "\x93NUMPY\x01" + std::string(1, '\0') + static_cast<char>(header.size()) + std::string(1, '\0') +
+         header + "1234";
+}
+
+void expect_refused(const std::string& arguments, const std::string& message) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome outcome = run_small(arguments);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(outcome.exit_code, 2) << arguments << ": " << outcome.err;
+  EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+  EXPECT_LT(taken.count(), 20) << arguments;
+}
+
+TEST_F(HostileFiles, StoresThatMultiply) {
+  const TempFolder folder;
+  const std::string store = folder.write("store.json", store_of(100));
+  const std::string rest = " -o " + (folder / "signal.h5").string() + " --memory ";
+  expect_refused("simulate " + store + rest + "300M", "use wider spacings or simpler meshes");
+  // The control: with more allowed than there is, the memory does end.
+  EXPECT_EQ(run_small("simulate " + store + rest + "500G").exit_code, 4);
+}
+
+TEST_F(HostileFiles, BracketsWithinBrackets) {
+  const TempFolder folder;
+  const std::string store = folder.write("store.json", std::string(3'000'000, '['));
+  expect_refused("inspect " + store, "has more than 100 brackets within each other");
+  const std::string objects = folder.write("objects.json", repeated("{\"a\":", 500'000));
+  expect_refused("inspect " + objects, "has more than 100 brackets within each other");
+}
+
+TEST_F(HostileFiles, MeshesThatClaimMore) {
+  const TempFolder folder;
+  folder.write("a.ply",
+               "ply\nformat binary_little_endian 1.0\nelement vertex 4294967295\nproperty float x\nproperty "
+               "float y\nproperty float z\nend_header\n1234");
+  folder.write("a.gltf",
+               R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":4000000000,"type":"VEC3"}],
+    "bufferViews":[{"buffer":0,"byteLength":3}],"buffers":[{"byteLength":3,"uri":"data:;base64,AAAA"}]})");
+  expect_refused("inspect " + folder.write("ply.json", mesh_store("a.ply")).string(), "ends before the last");
+  expect_refused("inspect " + folder.write("gltf.json", mesh_store("a.gltf")).string(),
+                 "reaches beyond its view of a buffer");
+}
+
+// A mesh of few bytes, which many nodes put into the scene.
+TEST_F(HostileFiles, MeshesThatMultiply) {
+  const TempFolder folder;
+  constexpr int nodes = 20'000;
+  constexpr std::size_t triangles = 2'000;
+  std::string numbers, objects;
+  for (int k = 0; k < nodes; ++k) {
+    numbers += (k > 0 ? "," : "") + std::to_string(k);
+    objects += std::string(k > 0 ? "," : "") + "{\"mesh\":0}";
+  }
+  // Triangles are in base64, 48 characters each, the places of all of them 0.
+  folder.write("a.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[)" + numbers + R"(]}],"nodes":[)" +
+                             objects +
+                             R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":)" +
+                             std::to_string(3 * triangles) +
+                             R"(,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":)" +
+                             std::to_string(36 * triangles) + R"(}],"buffers":[{"byteLength":)" +
+                             std::to_string(36 * triangles) + R"(,"uri":"data:;base64,)" +
+                             std::string(48 * triangles, 'A') + R"("}]})");
+  const std::string store = folder.write("store.json", mesh_store("a.gltf"));
+  expect_refused("simulate " + store + " -o " + (folder / "signal.h5").string() + " --memory 300M",
+                 "has more triangles than the memory holds");
+}
+
+TEST_F(HostileFiles, MatricesThatClaimMore) {
+  const TempFolder folder;
+  const auto place = [&](const std::string& file) {
+    return "place " + file + " -o " + (folder / "placement.json").string() + " --threshold 1";
+  };
+  const std::string data = SHELFBEAM_SOURCE_DIR "/test/data/signal/";
+  expect_refused(place(folder.write("a.npy", npy("(4294967294, 4294967294)"))), "where its shape");
+  expect_refused(place(folder.write("a.txt", "4000000000 4000000000 1\n0\n")), "more than a file");
+  expect_refused(place(folder.write("b.txt", "4000000000 4000000000\n1 1\n")), "more than a file");
+  for (const char* name :
+       {"claims_chunk.h5", "claims_entries.h5", "claims_labels.h5", "claims_text_length.h5"})
+    expect_refused(place(data + name), name);
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,146 @@
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "system/app/program.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::expect_silent;
+using test::Json;
+using test::TempFolder;
+
+// A shop with a material of every kind, a cabinet with glass doors, several types and tilts, a mesh, and a
+// label that looks the wrong way.
+Json shop() {
+  Json store = test::small_store();
+  store["materials"]["steel"] = {
+      {"type", "conductor"}, {"distribution", "ggx"}, {"roughness", 0.5}, {"eta", 1.4}, {"k", 8.0}};
+  store["materials"]["mirror"] = {{"type", "conductor"}, {"eta", 0.1}, {"k", 6.0}};
+  store["materials"]["pane"] = {{"type", "thin_dielectric"}, {"ior", 1.5}, {"thickness", 0.006}};
+  store["materials"]["jar"] = {{"type", "dielectric"}, {"ior", 1.5}};
+  store["materials"]["frosted"] = {
+      {"type", "dielectric"}, {"ior", 1.5}, {"distribution", "ggx"}, {"roughness", 0.2}};
+  store["label_types"]["wide"] = {{"responsivity", {{"type", "cosine_power"}, {"exponent", 2}}},
+                                  {"size", {0.1, 0.05}},
+                                  {"threshold", 0.01},
+                                  {"safety_factor", 2}};
+  store["transceiver_types"]["spot"] = {
+      {"emission", {{"type", "lambertian"}, {"order", 20}, {"flux", 3}}}, {"radius", 0.05}, {"cost", 2.5}};
+  store["fixtures"][0]["doors"] = "pane";
+  store["fixtures"].push_back({{"type", "mesh"},
+                               {"id", "lens"},
+                               {"file", "lens.stl"},
+                               {"at", {1, 1, 1}},
+                               {"scale", 0.001},
+                               {"materials", {{"*", "jar"}}}});
+  store["labels"].push_back(
+      {{"id", "wrong"}, {"position", {0.02, 2, 1}}, {"normal", {-1, 0, 0}}, {"type", "wide"}});
+  const auto unit = [](const char* id, const Json& position, const Json& axis) {
+    return Json{{"id", id}, {"position", position}, {"axis", axis}, {"type", "spot"}};
+  };
+  store["transceivers"]["list"] = {unit("S1", {1, 1, 2.9}, {0, 0, -1}), unit("S2", {1, 1, 2.9}, {1, 0, -1}),
+                                   unit("S3", {4, 2, 2.9}, {2, 0, -2}), unit("S4", {4, 2, 2.9}, {0, 1, -1})};
+  return store;
+}
+
+class Inspect : public testing::Test {
+ protected:
+  Inspect() {
+    folder.write("store.json", shop().dump());
+    // A corner block of 100 mm, closed.
+    std::string stl = "solid lens\n";
+    for (const char* corners : {"0 0 0,0 100 0,100 0 0", "0 0 0,100 0 0,0 0 100", "0 0 0,0 0 100,0 100 0",
+                                "100 0 0,0 100 0,0 0 100", "100 0 0,50 50 0,0 100 0"}) {
+      stl += "facet normal 0 0 0\nouter loop\nvertex ";
+      for (const char* c = corners; *c != '\0'; ++c)
+        stl += *c == ',' ? std::string("\nvertex ") : std::string(1, *c);
+      stl += "\nendloop\nendfacet\n";
+    }
+    folder.write("lens.stl", stl + "endsolid lens\n");
+  }
+  std::string path(const char* name) const { return (folder / name).string(); }
+  TempFolder folder;
+};
+
+TEST_F(Inspect, ToldAsJson) {
+  const Json json = Json::parse(expect_silent({"inspect", path("store.json"), "--json"}));
+  const Json& materials = json["materials"];
+  const auto number = [&](const char* material, const char* key) {
+    return materials[material][key].get<double>();
+  };
+  EXPECT_EQ(number("m", "reflectance"), 0.3);
+  EXPECT_EQ(number("m", "mean_reflectance"), 0.3);
+  EXPECT_FALSE(materials["m"].contains("transmittance"));
+  EXPECT_NEAR(number("jar", "area_m2"), 0.01 * (1.5 + std::sqrt(3) / 2), 1e-8);
+  EXPECT_EQ(materials["jar"]["triangles"], 4);
+  EXPECT_EQ(materials["pane"]["triangles"], 4);
+  EXPECT_NEAR(number("pane", "area_m2"), 2 * 4 * (1.78 - 0.12), 1e-9);
+
+  // Fresnel at n = 1.5 and normal incidence: F = 0.04; a pane reflects 2 F / (1 + F). From all directions the
+  // surface reflects 0.0918 (closed form of Walsh); eight points give it to 1e-4. F itself would be refused.
+  EXPECT_NEAR(number("jar", "reflectance"), 0.04, 1e-12);
+  EXPECT_NEAR(number("pane", "reflectance"), 0.08 / 1.04, 1e-12);
+  EXPECT_NEAR(number("pane", "transmittance"), 0.96 / 1.04, 1e-12);
+  EXPECT_NEAR(number("jar", "mean_reflectance"), 0.0918, 1e-4);
+  for (const char* glass : {"jar", "pane"})
+    EXPECT_NEAR(number(glass, "mean_reflectance") + number(glass, "mean_transmittance"), 1, 1e-9) << glass;
+  // Rough glass reflects about as much as smooth; what its single bounces lose is the rest.
+  EXPECT_NEAR(number("frosted", "reflectance"), 0.04, 0.004);
+  EXPECT_GT(number("frosted", "reflectance") + number("frosted", "transmittance"), 0.97);
+  EXPECT_LE(number("frosted", "mean_reflectance") + number("frosted", "mean_transmittance"), 1);
+  // A smooth metal at normal incidence: ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2).
+  EXPECT_NEAR(number("mirror", "reflectance"), (0.81 + 36) / (1.21 + 36), 1e-12);
+  EXPECT_LT(number("steel", "reflectance"), (0.16 + 64) / (5.76 + 64) * 0.75) << "rough metal loses light";
+  EXPECT_NE(number("steel", "mean_reflectance"), number("steel", "reflectance"));
+  EXPECT_NEAR(number("steel", "mean_reflectance"), number("steel", "reflectance"), 0.05);
+
+  EXPECT_EQ(json["label_types"]["standard"]["responsivity"], "cosine");
+  EXPECT_EQ(
+      json["label_types"]["wide"],
+      Json::parse(
+          R"({"responsivity": "cosine_power", "size_m": [0.1, 0.05], "labels": 1, "requirement": 0.02})"));
+  const Json& spot = json["transceiver_types"]["spot"];
+  EXPECT_EQ(spot["emission"], "lambertian");
+  EXPECT_EQ(spot["radius_m"], 0.05);
+  EXPECT_EQ(spot["flux_w"], 3.0);
+  EXPECT_NEAR(spot["peak_w_per_sr"].get<double>(), 3 * 21 / (2 * std::acos(-1.0)), 1e-12);
+  EXPECT_EQ(spot["transceivers"], 4);
+  EXPECT_EQ(spot["axes"], 3) << "S2 and S3 look the same way";
+  EXPECT_EQ(spot["cost"], 2.5);
+  EXPECT_DOUBLE_EQ(json["transceiver_types"]["ceiling"]["peak_w_per_sr"].get<double>(), 1);
+  // The grid's 4 x 3 with one at S1 and S2; S3 and S4 hang where none is.
+  EXPECT_EQ(json["transceivers"], 16);
+  EXPECT_EQ(json["mounting_points"], 13);
+  EXPECT_EQ(json["mounting_points_with_several_options"], 2);
+
+  ASSERT_EQ(json["warnings"].size(), 2u) << json["warnings"].dump(1);
+  EXPECT_EQ(json["warnings"][0].get<std::string>(),
+            path("store.json") + ": fixtures[1]: mesh 'lens': dropped 1 of 5 triangles without area");
+  EXPECT_TRUE(json["warnings"][1].get<std::string>().starts_with(
+      path("store.json") + ": labels[1]: label 'wrong' looks at the wall x0, 2 cm in front of it;"));
+}
+
+TEST_F(Inspect, ToldAsText) {
+  const std::string text = expect_silent({"inspect", path("store.json"), "-o", path("plan.svg")});
+  for (const char* part :
+       {"\n  8.00 x 6.00 x 3.00 m, 940 nm, ", "\n  2 fixtures, 18 labels, 16 candidate transceivers at ",
+        " at 13 mounting points, 2 of them with several options\n", "  reflectance  ", "  transmittance  ",
+        "\n  pane      thin_dielectric     13.28          4        0.077  0.155          0.923  0.845\n",
+        "\n  wide        cosine_power  100 x 50       1         0.02\n",
+        "\n  spot              lambertian      0.05       3      10.03      4     3   2.5\n", "\nwarning: "})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
+  EXPECT_TRUE(read_file(folder / "plan.svg").find("class=\"door\"") != std::string::npos);
+}
+
+TEST_F(Inspect, WithoutGlassSaysNothingOfTransmittance) {
+  folder.write("plain.json", test::small_store().dump());
+  const std::string text = expect_silent({"inspect", path("plain.json")});
+  EXPECT_EQ(text.find("transmittance"), std::string::npos);
+  EXPECT_EQ(text.find("warning"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace shelfbeam

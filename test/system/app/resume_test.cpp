@@ -1,0 +1,104 @@
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "system/app/program.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::expect_silent;
+using test::names;
+using test::small_store;
+using test::TempFolder;
+
+class Killed : public testing::Test {
+ protected:
+  Killed() { folder.write("store.json", small_store().dump()); }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+  std::vector<std::string> arguments(const std::string& output, const std::vector<std::string>& more) const {
+    std::vector<std::string> all{"simulate",   path("store.json"),      "-o",
+                                 path(output), "--checkpoint-interval", "0"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  TempFolder folder;
+};
+
+// Kills the program again and again, each time a little later, until a run comes to its end.
+TEST_F(Killed, ARunGoesOnToTheSameBytes) {
+  const std::vector<std::vector<std::string>> rules{
+      {"--samples", "20000"}, {"--relative-error", "0.1", "--direct", "exact", "--quiet"}};
+  for (const auto& rule : rules) {
+    expect_silent(arguments("whole.h5", rule));
+    auto resumed = rule;
+    resumed.push_back("--resume");
+    double delay = 0.005;
+    int kills = 0, with_checkpoint = 0;
+    for (;; delay *= 1.08) {
+      test::Process process(test::command(arguments("signal.h5", resumed)));
+      std::this_thread::sleep_for(std::chrono::duration<double>(delay));
+      process.send(SIGKILL);
+      const test::Outcome outcome = process.wait();
+      if (outcome.exit_code == 0) break;
+      ASSERT_EQ(outcome.exit_code, 128 + SIGKILL) << outcome.err;
+      ++kills;
+      with_checkpoint += std::filesystem::exists(path("signal.h5.checkpoint")) ? 1 : 0;
+    }
+    EXPECT_GT(kills, 3);
+    EXPECT_GT(with_checkpoint, 0);
+    EXPECT_TRUE(read_file(folder / "signal.h5") == read_file(folder / "whole.h5"));
+    EXPECT_FALSE(std::filesystem::exists(path("signal.h5.checkpoint")));
+    std::filesystem::remove(folder / "signal.h5");
+  }
+}
+
+TEST_F(Killed, ACheckpointIsForItsOwnSimulationOnly) {
+  const auto killed = [&] {
+    for (double delay = 0.1; !std::filesystem::exists(path("signal.h5.checkpoint")); delay *= 1.5) {
+      test::Process process(test::command(arguments("signal.h5", {"--samples", "400000"})));
+      std::this_thread::sleep_for(std::chrono::duration<double>(delay));
+      process.send(SIGKILL);
+      process.wait();
+    }
+  };
+  killed();
+  test::expect_refused(folder, arguments("signal.h5", {"--samples", "400000", "--seed", "2", "--resume"}),
+                       {"signal.h5.checkpoint: is of another simulation: its seed is '1', here it is '2'",
+                        "run without '--resume'"});
+  test::Json other = small_store();
+  other["materials"]["m"]["reflectance"] = 0.31;
+  folder.write("store.json", other.dump());
+  test::expect_refused(folder, arguments("signal.h5", {"--samples", "400000", "--resume"}),
+                       {"signal.h5.checkpoint", "its store hash is '"});
+  // Without --resume it is replaced, and removed in the end.
+  expect_silent(arguments("signal.h5", {"--samples", "64"}));
+  EXPECT_EQ(names(folder.path()), (std::set<std::string>{"signal.h5", "store.json"}));
+}
+
+TEST_F(Killed, APlanGoesOnToo) {
+  const std::vector<std::string> plan{"plan", path("store.json"), "--samples", "20000"};
+  const auto into = [&](const std::string& output, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> all = plan;
+    all.insert(all.end(), {"-o", path(output)});
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  expect_silent(into("whole"));
+  for (double delay = 0.1; !std::filesystem::exists(path("plan/signal.h5.checkpoint")); delay *= 1.2) {
+    test::Process process(test::command(into("plan", {"--checkpoint-interval", "0"})));
+    std::this_thread::sleep_for(std::chrono::duration<double>(delay));
+    process.send(SIGKILL);
+    process.wait();
+    ASSERT_LT(delay, 20);
+  }
+  expect_silent(into("plan", {"--resume"}));
+  EXPECT_TRUE(read_file(folder / "plan/signal.h5") == read_file(folder / "whole/signal.h5"));
+  EXPECT_FALSE(std::filesystem::exists(path("plan/signal.h5.checkpoint")));
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,68 @@
+// large_report STORE FOLDER: the report of a large store with signals that are made up from distance and
+// angle, as a simulation would take hours here. Prints what the page must show, as JSON.
+
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/report/data/outcome.hpp"
+#include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+
+namespace {
+
+using namespace shelfbeam;
+
+constexpr std::size_t kept_candidates = 4;  // one in so many
+constexpr double farthest = 32;             // m
+
+SignalMatrix made_up(const Scene& scene) {
+  SignalMatrix matrix;
+  for (const Label& label : scene.labels) {
+    const LabelType& type = scene.type_of(label);
+    matrix.labels.push_back(
+        {label.id, type.name, label.position, label.normal, type.requirement(), 0, 0, 8, 1000});
+  }
+  for (const Transceiver& t : scene.transceivers)
+    matrix.transceivers.push_back({t.id, scene.type_of(t).name, t.position, t.axis, 1, t.installed});
+  std::uint32_t at = 0;
+  for (const Label& label : scene.labels)
+    for (const Transceiver& t : scene.transceivers) {
+      const Vec3 way = t.position - label.position;
+      const double r = std::sqrt(length_squared(way)), noise = to_unit(philox({at++, 0, 0, 0}, 3)[0]);
+      const double direct = std::max(0.0, dot(way, label.normal) / r) * way.z / r / (r * r);
+      const double reflected = r > farthest ? 0 : 0.03 * std::exp(-r / 4) * (0.7 + 0.6 * noise);
+      const double mean = r > farthest ? 0 : direct + reflected;
+      matrix.mean.push_back(static_cast<float>(mean));
+      matrix.direct.push_back(static_cast<float>(mean > 0 ? direct : 0));
+      matrix.standard_error.push_back(static_cast<float>(0.03 * mean * (0.5 + noise)));
+    }
+  return matrix;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 3) return 2;
+  Scene scene = make_scene(read_store(arguments[1]));
+  std::vector<Transceiver> candidates;
+  for (std::size_t j = 0; j < scene.transceivers.size(); j += kept_candidates)
+    candidates.push_back(scene.transceivers[j]);
+  scene.transceivers = candidates;
+  const SignalMatrix matrix = made_up(scene);
+  Placement placement;
+  placement.status = Status::feasible;
+  for (std::uint32_t j = 3; j < matrix.columns(); j += 8) placement.selected.push_back(j);
+  placement.objective_value = placement.count_lower_bound = static_cast<double>(placement.count());
+  const ReportInput input{scene, matrix, placement};
+  const std::filesystem::path folder = arguments[2];
+  const std::string html = report_html(input);
+  write_file(folder / "report.html", html);
+  write_file(folder / "labels.csv", labels_csv(input));
+  write_file(folder / "placement.csv", placement_csv(input));
+  fmt::print("{{\"labels\":{},\"candidates\":{},\"units\":{},\"reached\":{},\"bytes\":{}}}\n", matrix.rows(),
+             matrix.columns(), placement.count(), outcome_of(matrix, placement).met, html.size());
+}

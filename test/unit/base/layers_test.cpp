@@ -1,0 +1,126 @@
+#include <cstdio>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "support/temp_folder.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::TempFolder;
+using testing::HasSubstr;
+
+struct Outcome {
+  int exit_code = -1;
+  std::string output;
+};
+
+Outcome check_layers(const std::filesystem::path& root) {
+  const std::string command =
+      "python3 '" SHELFBEAM_SOURCE_DIR "/scripts/check/layers' '" + root.string() + "' 2>&1";
+  Outcome outcome;
+  FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return outcome;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) outcome.output += static_cast<char>(c);
+  const int status = ::pclose(pipe);
+  if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
+  return outcome;
+}
+
+TEST(Layers, OfThisRepositoryAreKept) {
+  const Outcome outcome = check_layers(SHELFBEAM_SOURCE_DIR);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(outcome.output, "");
+}
+
+class LayersOfATree : public testing::Test {
+ protected:
+  LayersOfATree() {
+    tree.write("src/shelfbeam/math/vec3.hpp", "#include \"shelfbeam/base/error.hpp\"\n#include <cmath>\n");
+    tree.write("src/shelfbeam/plan/plan.cpp", "#include \"shelfbeam/device/emission.hpp\"\n");
+    tree.write("src/app/main.cpp", "#include \"shelfbeam/report/data/report.hpp\"\n");
+    tree.write("test/unit/scene/a_test.cpp", "#include \"shelfbeam/scene/mesh/gltf_file.hpp\"\n");
+    tree.write("test/physics/a_test.cpp", "#include \"shelfbeam/transport/reuse/reuse.hpp\"\n");
+  }
+  void expect_refused(const std::string& message) {
+    const Outcome outcome = check_layers(tree.path());
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.output, HasSubstr(message));
+  }
+  TempFolder tree;
+};
+
+TEST_F(LayersOfATree, AreKept) {
+  const Outcome outcome = check_layers(tree.path());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+}
+
+TEST_F(LayersOfATree, UpwardIncludeIsRefused) {
+  tree.write("src/shelfbeam/math/frame.hpp", "#pragma once\n\n#  include \"shelfbeam/scene/scene.hpp\"\n");
+  expect_refused("src/shelfbeam/math/frame.hpp:3: 'shelfbeam/scene/scene.hpp' is not for 'math'");
+  tree.write("src/shelfbeam/scene/scene.hpp", "#include \"shelfbeam/scene/build/make_scene.hpp\"\n");
+  expect_refused(
+      "src/shelfbeam/scene/scene.hpp:1: 'shelfbeam/scene/build/make_scene.hpp' is not for 'scene'");
+}
+
+TEST_F(LayersOfATree, SidewaysIncludeIsRefused) {
+  tree.write("src/shelfbeam/milp/model.cpp", "#include \"shelfbeam/signal/signal_matrix.hpp\"\n");
+  expect_refused("src/shelfbeam/milp/model.cpp:1: 'shelfbeam/signal/signal_matrix.hpp' is not for 'milp'");
+}
+
+TEST_F(LayersOfATree, UpwardIncludeOfATestIsRefused) {
+  tree.write("test/unit/base/b_test.cpp",
+             "#include \"shelfbeam/stats/hypothesis.hpp\"\n#include <shelfbeam/math/vec3.hpp>\n");
+  expect_refused("test/unit/base/b_test.cpp:2: 'shelfbeam/math/vec3.hpp' is not for tests of 'base'");
+}
+
+TEST_F(LayersOfATree, InnerRoomOfAnotherLayerIsRefused) {
+  tree.write("src/app/verbs.cpp", "#include \"shelfbeam/transport/reuse/reuse.hpp\"\n");
+  expect_refused("src/app/verbs.cpp:1: 'shelfbeam/transport/reuse/reuse.hpp' is for 'transport' alone");
+  tree.write("src/shelfbeam/plan/rounds.cpp", "#include \"shelfbeam/placement/tree/proof.hpp\"\n");
+  expect_refused(
+      "src/shelfbeam/plan/rounds.cpp:1: 'shelfbeam/placement/tree/proof.hpp' is for 'placement' alone");
+}
+
+TEST_F(LayersOfATree, LargeFilesAndFoldersAreRefused) {
+  tree.write("src/shelfbeam/math/long.cpp", std::string(400, '\n'));
+  for (char name = 'a'; name < 'a' + 13; ++name) {
+    tree.write(std::string("src/shelfbeam/math/") + name + ".cpp", "");
+    tree.write(std::string("src/shelfbeam/math/") + name + ".hpp", "");
+  }
+  EXPECT_EQ(check_layers(tree.path()).exit_code, 0);
+  tree.write("src/shelfbeam/math/long.cpp", std::string(401, '\n'));
+  expect_refused("src/shelfbeam/math/long.cpp: has 401 lines, more than 400");
+  tree.write("src/shelfbeam/math/n.cpp", "");
+  expect_refused("src/shelfbeam/math: has 16 modules, more than 15");
+}
+
+TEST_F(LayersOfATree, RelativePathIsRefused) {
+  tree.write("src/shelfbeam/math/frame.hpp", "#include \"../scene/scene.hpp\"\n");
+  expect_refused("src/shelfbeam/math/frame.hpp:1: includes \"../scene/scene.hpp\" by a relative path");
+}
+
+TEST_F(LayersOfATree, UnknownFolderIsRefused) {
+  tree.write("src/shelfbeam/misc/a.cpp", "#include <vector>\n");
+  expect_refused("src/shelfbeam/misc/a.cpp: its folder is not in the table");
+}
+
+TEST_F(LayersOfATree, HeavyDependencyStaysInOneSource) {
+  tree.write("src/shelfbeam/signal/a.cpp", "#include <hdf5.h>\n");
+  EXPECT_EQ(check_layers(tree.path()).exit_code, 0);
+  tree.write("src/shelfbeam/signal/b.cpp", "#include <hdf5.h>\n");
+  expect_refused(
+      "HDF5 is included by more than one file: src/shelfbeam/signal/a.cpp, src/shelfbeam/signal/b.cpp");
+  tree.write("src/shelfbeam/milp/highs.hpp", "#include <Highs.h>\n");
+  expect_refused("src/shelfbeam/milp/highs.hpp:1: a header includes HiGHS");
+}
+
+TEST_F(LayersOfATree, FolderWithoutSourcesIsAnError) {
+  EXPECT_EQ(check_layers(tree / "test").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/error.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "unit/device/photometry_files.hpp"
+
+namespace shelfbeam {
+namespace {
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  const auto at = text.find(from);
+  if (at == std::string::npos) ADD_FAILURE() << "'" << from << "' is not in the text";
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+std::string with_line_ends(const std::string& text, std::string_view end) {
+  std::string result;
+  for (const char c : text)
+    if (c == '\n')
+      result += end;
+    else
+      result += c;
+  return result;
+}
+
+void expect_same(const DirectionTable& a, const DirectionTable& b, const std::string& what) {
+  EXPECT_EQ(a.theta(), b.theta()) << what;
+  EXPECT_EQ(a.phi(), b.phi()) << what;
+  EXPECT_EQ(a.values(), b.values()) << what;
+}
+
+TEST(PhotometryTorture, LineEndsMarksAndTrailingBlanksDoNotMatter) {
+  for (const auto& file : test::corpus()) {
+    const bool ies = test::is_ies(file);
+    const std::string text = read_file(file), name = file.filename().string();
+    const DirectionTable expected = test::parse_photometry(ies, text, name);
+    const auto check = [&](const std::string& variant, const std::string& what) {
+      expect_same(test::parse_photometry(ies, variant, name), expected, fmt::format("{} {}", name, what));
+    };
+    check(with_line_ends(text, "\r\n"), "CR LF");
+    check(with_line_ends(text, "\r"), "CR");
+    check(with_line_ends(text, " \t\n"), "trailing blanks");
+    check("\xEF\xBB\xBF" + text, "byte order mark");
+    check(text + "\n\n  \n", "blank lines at the end");
+    check(text + "END\r\n", "END");
+    check(text + "\x1A", "control-Z");
+    check(text.substr(0, text.size() - 1), "last line without an end");
+  }
+}
+
+// Every line but the last of a file is needed, and so is the last.
+TEST(PhotometryTorture, TruncationAtAnyLineIsOneClearError) {
+  for (const auto& file : test::corpus()) {
+    const std::string text = read_file(file), name = file.filename().string();
+    for (std::size_t end = text.rfind('\n', text.size() - 2); end != std::string::npos;
+         end = end == 0 ? std::string::npos : text.rfind('\n', end - 1)) {
+      const std::string message =
+          test::input_error([&] { test::parse_photometry(test::is_ies(file), text.substr(0, end), name); });
+      EXPECT_TRUE(message.starts_with(name)) << message;
+      EXPECT_TRUE(message.find("truncated") != std::string::npos ||
+                  message.find("more than") != std::string::npos)
+          << name << " up to character " << end << ": " << message;
+    }
+    EXPECT_FALSE(test::input_error([&] { test::parse_photometry(test::is_ies(file), "", name); }).empty());
+  }
+}
+
+// Whatever stands in the place of any word: a profile that emits, or an InputError that names the file.
+void expect_profile_or_error(bool ies, const std::string& text, const std::string& what) {
+  try {
+    const DirectionTable table = test::parse_photometry(ies, text, "file");
+    EXPECT_GT(table.integral(), 0) << what;
+    EXPECT_NEAR(table.with_integral(1).integral(), 1, 1e-9) << what;
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string_view(error.what()).starts_with("file")) << what << ": " << error.what();
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << what << ": another exception: " << error.what();
+  }
+}
+
+TEST(PhotometryTorture, TruncationAtAnyCharacterIsAProfileOrAnError) {
+  for (const auto& file : test::corpus()) {
+    const std::string text = read_file(file);
+    for (std::size_t end = 0; end < text.size(); ++end)
+      expect_profile_or_error(test::is_ies(file), text.substr(0, end),
+                              file.filename().string() + " cut at " + std::to_string(end));
+  }
+}
+
+TEST(PhotometryTorture, AnyWordMayBeWrong) {
+  constexpr std::string_view blanks = " \t\r\n,";
+  const std::vector<std::string> wrong{"",
+                                       "-1",
+                                       "0",
+                                       "0.5",
+                                       "7",
+                                       "90",
+                                       "1e9",
+                                       "4294967297",
+                                       "nan",
+                                       "-inf",
+                                       "x",
+                                       "1,5",
+                                       "360",
+                                       "1e300",
+                                       "1e-300",
+                                       "99999999999999999999",
+                                       std::string(1, '\0')};
+  for (const auto& file : test::corpus()) {
+    const std::string text = read_file(file);
+    for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string::npos;) {
+      const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+      for (const std::string& word : wrong)
+        expect_profile_or_error(test::is_ies(file), text.substr(0, begin) + word + text.substr(end),
+                                file.filename().string() + ": '" + word + "' at " + std::to_string(begin));
+      begin = text.find_first_not_of(blanks, end);
+    }
+  }
+}
+
+struct Mistake {
+  std::string file, from, to;
+  std::vector<std::string> said;
+};
+
+// Each mistake is made in a file that is right without it (the tests above read them all).
+TEST(PhotometryTorture, MistakesAreNamedWithTheirLine) {
+  const std::string quadrant = "1991_quadrant_tilt.ies", full = "2019_full_sphere.ies",
+                    floodlight = "b_full.ies", half = "symmetry_2_24_planes.ldt", open = "symmetry_0.ldt",
+                    three = "symmetry_3.ldt";
+  const std::vector<Mistake> mistakes{
+      {quadrant, "4 3 1 2", "4 3 3 2", {"line 9", "type A", "convert"}},
+      {quadrant, "4 3 1 2", "4 3 4 2", {"line 9", "photometric type is 4"}},
+      {quadrant, "4 3 1 2", "4 3 1 3", {"line 9", "type of units"}},
+      {quadrant, "4 3 1 2", "4000000000 3 1 2", {"line 9", "vertical angles is 4000000000"}},
+      {quadrant, "4 3 1 2", "100 100 1 2", {"line 9", "more than the file can hold"}},
+      {quadrant, "4 3 1 2", "1 3 1 2", {"line 9", "one vertical angle"}},
+      {quadrant, "4 3 1 2", "4 0 1 2", {"line 9", "horizontal angles is 0"}},
+      {quadrant, "4 3 1 2", "4 2.5 1 2", {"line 9", "2.5", "whole number"}},
+      {quadrant, "4 3 1 2", "3 3 1 2", {"line 11", "more numbers than the 3"}},
+      {quadrant, "4 3 1 2", "4 2 1 2", {"line 12", "more numbers than the 2"}},
+      {quadrant, "1 1000 1 4", "1 1000,5 1,0 4", {"line 9", "decimals need a point"}},
+      {quadrant, "1 1000 1 4", "1 1000 0 4", {"multiplier 0"}},
+      {quadrant, "1 1 40", "-1 1 40", {"line 10", "ballast"}},
+      {quadrant, "1 1 40", "1 1", {"line 11", "more numbers than the 3"}},
+      {quadrant, "0 30 60 90", "0 30 90 60", {"line 11", "60 follows 90"}},
+      {quadrant, "0 30 60 90", "0 30 60 80", {"line 11", "from 0 to 80", "0 to 90"}},
+      {quadrant, "0 30 60 90", "-90 0 60 90", {"line 11", "from -90 to 90"}},
+      {quadrant, "\n0 45 90\n10", "\n0 45 80\n10", {"line 12", "from 0 to 80"}},
+      {quadrant, "\n0 45 90\n10", "\n30 45 90\n10", {"line 12", "from 30 to 90"}},
+      {quadrant, "20 21", "20 -21", {"line 14", "-21", "not negative"}},
+      {quadrant, "20 21", "20 2l", {"line 14", "'2l' is no number", "horizontal angle 45"}},
+      {quadrant, "20 21", "20 nan", {"line 14", "'nan'"}},
+      {quadrant, "20 21", "20,5 21", {"line 14", "more numbers than the 4", "point"}},
+      {quadrant, "33", "33\n40 41 42 43", {"line 16", "goes on", "40 41 42 43"}},
+      {quadrant, "TILT=INCLUDE", "TILT=NONE", {"line 9", "more numbers than the 10"}},
+      {quadrant, "TILT=INCLUDE", "TILT=lamp.tlt", {"line 4", "lamp.tlt", "TILT=NONE"}},
+      {quadrant, "TILT=INCLUDE\n1", "TILT=INCLUDE\n4", {"line 5", "lamp-to-luminaire"}},
+      {quadrant, "\n3\n0 45 90", "\n900000000\n0 45 90", {"line 6", "tilt angles is 900000000"}},
+      {quadrant, "\n3\n0 45 90", "\n3\n0 90 45", {"line 7", "tilt angles do not ascend"}},
+      {quadrant, "IESNA91", "IESNA:LM-63-2031", {"line 1", "no known edition"}},
+      {full, "0 90 180 270 360", "0 90 180 270 340", {}},  // closed over a gap that is no wider than a step
+      {full, "0 90 180 270 360", "0 20 40 60 250", {}},
+      {full, "0 90 180 270 360", "0 60 120 150 181", {"line 8", "from 0 to 181"}},
+      {full, "0 90 180 270 360", "0 90 180 270 365", {"line 8", "from 0 to 365"}},
+      {"upwards.ies", "\n0\n", "\n5\n", {"line 6", "from 5 to 5"}},
+      {"upwards.ies", "10 11 12 13", "0 0 0 0", {"emits nothing"}},
+      {floodlight, "-90 -45 0 45 90", "-80 -45 0 45 90", {"line 6", "from -80 to 90", "type B"}},
+
+      {half, "corpus", "corpus\nline", {"line"}},
+      {half, "\n24\n", "\n25\n", {"C-angle 0 follows 345"}},
+      {half, "\n24\n", "\n2400000000\n", {"line 4", "C-planes is 2400000000"}},
+      {half, "\n15\n4\n", "\n15\n1\n", {"one gamma angle"}},
+      {half, "\n2\n24", "\n5\n24", {"line 3", "symmetry is 5"}},
+      {half, "\n2\n24", "\n0\n24", {"the file ends", "C-plane 195"}},
+      {half, "\n2\n24", "\n4\n24", {"goes on after its last intensity with '80'"}},
+      {half, "\n180\n", "\n181\n", {"symmetry 2 needs a C-plane at 180"}},
+      {half, "\n13\n20", "\n-13\n20", {"an intensity is -13"}},
+      {half, "\n13\n20", "\n1.3.0\n20", {"'1.3.0' is no number", "C-plane 0"}},
+      {half, "\n13\n20", "\n\n20", {"'' is no number"}},
+      {half, "80.5\n1\n", "80.5\n0\n", {"line 24", "conversion factor is 0"}},
+      {half, "80.5\n1\n0\n1\n", "80.5\n1\n0\n1000000000\n", {"line 26", "sets of lamps is 1000000000"}},
+      {open, "\n315\n", "\n365\n", {"C-angle is 365"}},
+      {open, "0\n45\n90\n135\n180\n225\n270\n315", "0\n5\n10\n15\n20\n25\n30\n35", {"C-angles end at 35"}},
+      {three, "\n270\n", "\n271\n", {"symmetry 3 needs a C-plane at 270"}},
+  };
+  for (const Mistake& mistake : mistakes) {
+    const auto file = test::corpus_folder / mistake.file;
+    const std::string text = replaced(read_file(file), mistake.from, mistake.to);
+    const auto parse = [&] { test::parse_photometry(test::is_ies(file), text, mistake.file); };
+    if (mistake.said.empty()) {
+      EXPECT_NO_THROW(parse()) << mistake.to;
+      continue;
+    }
+    const std::string message = test::input_error(parse);
+    EXPECT_TRUE(message.starts_with(mistake.file + ":")) << message;
+    for (const std::string& part : mistake.said)
+      EXPECT_NE(message.find(part), std::string::npos)
+          << mistake.to << ": '" << part << "' is not in: " << message;
+  }
+}
+
+TEST(PhotometryTorture, TheOtherFormatIsRecognised) {
+  test::expect_input_error([] { read_ies(test::corpus_folder / "symmetry_0.ldt"); }, "no line TILT",
+                           "eulumdat");
+  test::expect_input_error([] { read_eulumdat(test::corpus_folder / "b_full.ies"); }, "b_full.ies: line 3",
+                           "symmetry");
+  test::expect_input_error([] { read_ies(test::corpus_folder / "none.ies"); }, "none.ies");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,194 @@
+#include "shelfbeam/milp/solver.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "unit/milp/example_models.hpp"
+
+namespace shelfbeam::milp {
+namespace {
+
+class MilpSolver : public testing::TestWithParam<Backend> {
+ protected:
+  static Result solve(const Model& model, const SolveOptions& options = {}, const RunControl& control = {}) {
+    return GetParam().solve(model, options, control);
+  }
+};
+
+std::string name(const testing::TestParamInfo<Backend>& info) {
+  return std::string(info.param.name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, MilpSolver, testing::ValuesIn(backends().begin(), backends().end()), name);
+
+TEST(MilpBackends, HaveNamesAndVersions) {
+  ASSERT_FALSE(backends().empty());
+  for (const Backend& backend : backends()) {
+    EXPECT_FALSE(backend.name.empty());
+    EXPECT_NE(backend.version.find('.'), std::string_view::npos);
+  }
+}
+
+// Exact data and small numbers: solvers must agree with enumeration up to their relative gap of 1e-6.
+TEST_P(MilpSolver, EqualsEnumerationOnRandomModels) {
+  std::mt19937_64 random(7);
+  int infeasible = 0;
+  int control = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Model model = test::random_model(random);
+    const double expected = test::try_everything(model);
+    const Result result = solve(model);
+    if (expected == infinity) {
+      ++infeasible;
+      EXPECT_EQ(result.termination, Termination::infeasible) << k;
+      continue;
+    }
+    ASSERT_EQ(result.termination, Termination::optimal) << k;
+    EXPECT_NEAR(result.primal_bound, expected, 1e-6 * std::max(1.0, std::abs(expected))) << k;
+    EXPECT_NEAR(result.dual_bound, expected, 1e-5 * std::max(1.0, std::abs(expected))) << k;
+    // Negative control: without its last row a model must have another optimum now and then.
+    Model relaxed = model;
+    if (!relaxed.rows.empty()) relaxed.rows.pop_back();
+    if (test::try_everything(relaxed) < expected - 1e-3) ++control;
+  }
+  EXPECT_GT(infeasible, 20);
+  EXPECT_GT(control, 20);
+}
+
+TEST_P(MilpSolver, ProvesTheTriangle) {
+  const Result result = solve(test::triangle());
+  EXPECT_EQ(result.termination, Termination::optimal);
+  EXPECT_EQ(result.primal_bound, 2);
+  EXPECT_EQ(result.dual_bound, 2);
+}
+
+TEST_P(MilpSolver, SolvesPlainLinearModels) {
+  Model model = test::triangle();
+  for (Column& column : model.columns) column.integer = false;
+  const Result result = solve(model);
+  EXPECT_EQ(result.termination, Termination::optimal);
+  EXPECT_NEAR(result.primal_bound, 1.5, 1e-9);
+  EXPECT_NEAR(result.dual_bound, 1.5, 1e-9);
+}
+
+TEST_P(MilpSolver, AcceptsModelsWithoutRows) {
+  Model model;
+  model.columns = {{2, 0, 1, true, "a"}, {-3, 0, 1, true, "b"}, {1, 1, 1, true, "c"}};
+  const Result result = solve(model);
+  EXPECT_EQ(result.termination, Termination::optimal);
+  EXPECT_EQ(result.solution, (std::vector<double>{0, 1, 1}));
+  EXPECT_EQ(result.primal_bound, -2);
+  EXPECT_EQ(result.dual_bound, -2);
+}
+
+TEST_P(MilpSolver, AcceptsModelsWithoutColumns) {
+  EXPECT_EQ(solve({}).termination, Termination::optimal);
+  Model impossible;
+  impossible.rows.push_back({1.0, infinity, {}, "label"});
+  EXPECT_EQ(solve(impossible).termination, Termination::infeasible);
+}
+
+TEST_P(MilpSolver, SeesThatAnEmptyRowCannotBeMet) {
+  Model model = test::triangle();
+  model.rows.push_back({1.0, infinity, {}, "nobody reaches it"});
+  const Result result = solve(model);
+  EXPECT_EQ(result.termination, Termination::infeasible);
+  EXPECT_TRUE(result.solution.empty());
+}
+
+TEST_P(MilpSolver, KeepsFixedColumns) {
+  Model model = test::triangle();
+  model.columns[0].cost = 100;
+  model.columns[0].lower = 1;
+  EXPECT_EQ(solve(model).primal_bound, 101);
+}
+
+// Absolute tolerances of solvers lie between 1e-5 and 1e-10; costs must be told apart far below and above.
+TEST_P(MilpSolver, TellsCostsApartInAnyUnit) {
+  for (const double unit : {1e-12, 1e-6, 1.0, 1e7, 1e12}) {
+    Model model = test::triangle();
+    model.columns[0].cost = 1.25 * unit;
+    model.columns[1].cost = 1.251 * unit;
+    model.columns[2].cost = 1.252 * unit;
+    const Result result = solve(model);
+    EXPECT_EQ(result.termination, Termination::optimal) << unit;
+    EXPECT_EQ(result.solution, (std::vector<double>{1, 1, 0})) << unit;
+    EXPECT_NEAR(result.primal_bound / unit, 2.501, 1e-9) << unit;
+    EXPECT_NEAR(result.dual_bound / unit, 2.501, 1e-5) << unit;
+  }
+}
+
+// A81 cannot be proven in this time; its optimum, 61, must lie between the bounds.
+TEST_P(MilpSolver, StopsAtTheTimeLimitWithHonestBounds) {
+  const auto start = std::chrono::steady_clock::now();
+  const Result result = solve(test::steiner_81(), {.time_limit_s = 1});
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_EQ(result.termination, Termination::limit);
+  EXPECT_LT(seconds, 20.0);
+  EXPECT_GE(result.primal_bound, 61);
+  EXPECT_LE(result.dual_bound, 61);
+  EXPECT_GE(result.dual_bound, 27);  // the LP bound, 81 / 3
+}
+
+TEST_P(MilpSolver, AcceptsNoTimeAtAll) {
+  for (const double limit : {0.0, -1.0, 1e-9}) {
+    const Result result = solve(test::steiner_81(), {.time_limit_s = limit});
+    EXPECT_EQ(result.termination, Termination::limit);
+    EXPECT_LE(result.dual_bound, 61);
+  }
+}
+
+class CancelOnReport final : public ProgressSink {
+ public:
+  void report(std::string_view, double, std::string_view detail) override {
+    ++reports;
+    last = detail;
+    if (reports == 2) token.request();
+  }
+  CancelToken token;
+  std::atomic<int> reports{0};
+  std::string last;
+};
+
+TEST_P(MilpSolver, ReportsBoundsAndCanBeCancelled) {
+  CancelOnReport sink;
+  const RunControl control{.threads = 1, .cancel = &sink.token, .progress = &sink};
+  const Result result = solve(test::steiner_81(), {.time_limit_s = 60}, control);
+  EXPECT_EQ(result.termination, Termination::interrupted);
+  EXPECT_GE(sink.reports, 2);
+  EXPECT_NE(sink.last.find("bound"), std::string::npos) << sink.last;
+  EXPECT_GE(result.primal_bound, 61);
+  EXPECT_LE(result.dual_bound, 61);
+}
+
+TEST_P(MilpSolver, DoesNothingOnceCancelled) {
+  CancelToken token;
+  token.request();
+  const Result result = solve(test::triangle(), {}, {.cancel = &token});
+  EXPECT_EQ(result.termination, Termination::interrupted);
+  EXPECT_TRUE(result.solution.empty());
+}
+
+TEST_P(MilpSolver, IsSilent) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  solve(test::triangle());
+  solve(test::steiner_81(), {.time_limit_s = 0.2});
+  Model impossible = test::triangle();
+  impossible.rows.push_back({5.0, infinity, {{0, 1.0}}, {}});
+  solve(impossible);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST_P(MilpSolver, AcceptsAnotherNumberOfThreadsEachTime) {
+  for (const unsigned threads : {1U, 2U, 1U, 3U})
+    EXPECT_EQ(solve(test::triangle(), {.threads = threads}).primal_bound, 2) << threads;
+}
+
+}  // namespace
+}  // namespace shelfbeam::milp

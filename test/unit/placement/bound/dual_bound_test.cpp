@@ -1,0 +1,275 @@
+#include "shelfbeam/placement/bound/dual_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/mip/export_model.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using detail::BoundRow;
+using detail::DualBound;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// In these answers some unit gives a label so much of what it requires; anything does where it is 0.
+struct Strongest {
+  std::uint32_t label = 0;
+  double share = 0;
+
+  bool holds(const SignalTable& table, const Question& question,
+             const std::vector<std::uint32_t>& selected) const {
+    if (share == 0) return true;
+    const double requirement = requirement_of(table.labels[label], question.model);
+    for (const SignalEntry& entry : table.row(label)) {
+      const bool is_chosen = std::count(selected.begin(), selected.end(), entry.transceiver) > 0;
+      const bool is_enough = question.model == CommunicationModel::cooperative
+                                 ? entry.signal / requirement >= share
+                                 : is_met(entry.signal, requirement);
+      if (is_chosen && is_enough) return true;
+    }
+    return false;
+  }
+};
+
+/// The least cost of such an answer; of those with, and of those without every column.
+struct Least {
+  double cost = infinite;
+  std::vector<double> with, without;
+
+  Least(const SignalTable& table, const Question& question, const std::vector<double>& costs,
+        const detail::AnswerSet& answers, const Strongest& strongest = {})
+      : with(table.columns(), infinite), without(table.columns(), infinite) {
+    for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
+      std::vector<std::uint32_t> selected;
+      double sum = 0;
+      bool holds_installed = true;
+      for (std::uint32_t j = 0; j < table.columns(); ++j) {
+        const bool in = (set >> j & 1U) != 0;
+        if (in) selected.push_back(j), sum += costs[j];
+        holds_installed = holds_installed && (in || !table.transceivers[j].installed);
+      }
+      if (!holds_installed || selected.size() < answers.least || selected.size() > answers.most) continue;
+      const auto is_out = [&](std::uint32_t j) {
+        return std::count(answers.without.begin(), answers.without.end(), j) > 0;
+      };
+      if (std::any_of(selected.begin(), selected.end(), is_out)) continue;
+      if (!strongest.holds(table, question, selected)) continue;
+      if (!check_selection(table, question, selected).met()) continue;
+      cost = std::min(cost, sum);
+      for (std::uint32_t j = 0; j < table.columns(); ++j) {
+        double& least = (set >> j & 1U) != 0 ? with[j] : without[j];
+        least = std::min(least, sum);
+      }
+    }
+  }
+};
+
+/// Every label's row, with random A and, for answers of limited size, with random shares.
+std::vector<BoundRow> random_rows(const SignalTable& table, std::size_t most_units,
+                                  test::RandomTables& random) {
+  std::vector<BoundRow> rows;
+  for (std::uint32_t i = 0; i < table.rows(); ++i) {
+    rows.push_back({i, {}});
+    for (int k = 0; k < 2; ++k) {
+      BoundRow cut{i, {}};
+      for (std::uint32_t j = 0; j < table.columns(); ++j)
+        if (random.chance(0.2)) cut.taken.push_back(j);
+      rows.push_back(cut);
+    }
+    for (int k = 0; k < 2; ++k)
+      rows.push_back(
+          {i, {}, random.real(0, 1.1) / static_cast<double>(std::max<std::size_t>(most_units, 1))});
+  }
+  return rows;
+}
+
+double rounding(double value) {
+  return 1e-9 * std::max(1.0, std::abs(value));
+}
+
+// Multipliers from anywhere: most prove little, none may prove too much.
+TEST(DualBound, HoldsForAnyMultipliers) {
+  test::RandomTables random(17, {.labels = 6, .transceivers = 8, .mounts = true});
+  int tight = 0, forced_in = 0, forced_out = 0, too_much = 0;
+  for (int k = 0; k < 1500; ++k) {
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    std::vector<double> cost = first_objective(table, question);
+    if (random.chance(0.2))
+      for (double& c : cost) c *= random.real(-1, 1);
+    const auto units = [&](int least) {
+      return static_cast<std::size_t>(random.whole(least, static_cast<int>(table.columns())));
+    };
+    detail::AnswerSet answers{.most = units(0)};
+    if (random.chance(0.3)) answers.least = answers.most;
+    if (random.chance(0.1)) answers = {.least = units(0)};
+    if (random.chance(0.3))
+      for (std::uint32_t j = 0; j < table.columns(); ++j)
+        if (!table.transceivers[j].installed && random.chance(0.2)) answers.without.push_back(j);
+    Strongest strongest;
+    if (table.rows() > 0 && random.chance(0.3))
+      strongest = {static_cast<std::uint32_t>(random.whole(0, static_cast<int>(table.rows()) - 1)),
+                   random.real(0.05, 1)};
+    const Least least(table, question, cost, answers, strongest);
+    const Least least_of_all(table, question, cost, {});
+    std::vector<BoundRow> rows = random_rows(table, std::min(answers.most, table.columns()), random);
+    if (strongest.share > 0) rows.push_back({.label = strongest.label, .strongest = strongest.share});
+    const double largest = cost.empty() ? 1 : *std::max_element(cost.begin(), cost.end());
+    for (int l = 0; l < 8; ++l) {
+      std::vector<double> y;
+      const double size = largest * std::pow(2.0, -l);
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        y.push_back(random.chance(0.3) ? random.real(0, size) : 0);
+      const DualBound dual = dual_bound(table, question, rows, y, cost, answers);
+      ASSERT_LE(dual.bound, least.cost + rounding(least.cost)) << k;
+      if (dual.bound > 0.7 * least.cost && least.cost > 0 && least.cost < infinite) ++tight;
+      for (std::size_t j = 0; j < table.columns(); ++j) {
+        ASSERT_LE(dual.if_chosen[j], least.with[j] + rounding(least.with[j])) << k;
+        ASSERT_LE(dual.if_left_out[j], least.without[j] + rounding(least.without[j])) << k;
+        ASSERT_GE(std::max(dual.if_chosen[j], dual.if_left_out[j]), dual.bound);
+      }
+
+      // Negative control: for all answers the same rows prove too much now and then.
+      if (dual.bound > least_of_all.cost + 1e-3 * largest) ++too_much;
+
+      // No answer that is worth it is lost by fixing columns.
+      const double worth = least.cost;
+      if (worth == infinite) continue;
+      const detail::FixedColumns fixed = fix_columns(dual, worth + rounding(worth));
+      for (const std::uint32_t j : fixed.chosen) {
+        EXPECT_GT(least.without[j], worth);
+        if (!table.transceivers[j].installed) ++forced_in;
+      }
+      for (const std::uint32_t j : fixed.left_out) {
+        EXPECT_GT(least.with[j], worth);
+        ++forced_out;
+      }
+    }
+  }
+  EXPECT_GT(tight, 200);
+  EXPECT_GT(too_much, 20);
+  EXPECT_GT(forced_in, 50);
+  EXPECT_GT(forced_out, 500);
+}
+
+// The triangle: LP bound 1.5, every column reduced to nothing.
+TEST(DualBound, IsTheLpBoundAtItsMultipliers) {
+  const SignalTable table = test::make_table({{1, 1, 0}, {0, 1, 1}, {1, 0, 1}}, 3);
+  const std::vector<BoundRow> rows = {{0, {}}, {1, {}}, {2, {}}};
+  const Question question{.model = CommunicationModel::non_cooperative};
+  const std::vector<double> cost(3, 1.0);
+  const DualBound dual = dual_bound(table, question, rows, std::vector<double>(3, 0.5), cost);
+  EXPECT_NEAR(dual.bound, 1.5, 1e-12);
+  EXPECT_LT(dual.bound, 1.5);
+  for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(dual.reduced_cost[j], 0, 1e-12);
+
+  // The same multipliers with a sign lost, of unknown worth or too large prove less, not more.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double wrong : {-0.5, nan, infinite, 100.0, 1e300, 1e308})
+    EXPECT_LT(dual_bound(table, question, rows, std::vector<double>{0.5, 0.5, wrong}, cost).bound, 1.5);
+}
+
+TEST(DualBound, KnowsKnapsackCovers) {
+  // 0.9 x + 0.4 y + 0.4 z >= 1: the row allows x = 1 and y = 1/4, the inequality of A = {x} does not.
+  const SignalTable table = test::make_table({{0.9, 0.4, 0.4}}, 3);
+  const std::vector<double> cost = {0, 1, 1};
+  const DualBound row = dual_bound(table, {}, std::vector<BoundRow>{{0, {}}}, std::vector<double>{2.5}, cost);
+  EXPECT_NEAR(row.bound, 0.25, 1e-6);
+  const std::vector<BoundRow> cut = {{0, {0}}};
+  EXPECT_NEAR(dual_bound(table, {}, cut, std::vector<double>{1.0}, cost).bound, 1, 1e-6);
+  // Where A is enough alone, the inequality says nothing.
+  const std::vector<BoundRow> nothing = {{0, {0, 1}}};
+  EXPECT_NEAR(dual_bound(table, {}, nothing, std::vector<double>{1.0}, cost).bound, 0, 1e-9);
+}
+
+TEST(DualBound, KnowsHowManyUnitsThereAre) {
+  SignalTable table = test::make_table({{1, 1, 1, 1}}, 4);
+  const std::vector<double> cost = {5, 2, 3, 1};
+  const auto bound = [&](const detail::AnswerSet& count) {
+    return dual_bound(table, {}, {}, {}, cost, count);
+  };
+  EXPECT_NEAR(bound({}).bound, 0, 1e-12);
+  const DualBound two = bound({.least = 2, .most = 2});
+  EXPECT_NEAR(two.bound, 3, 1e-12);           // units 1 and 3
+  EXPECT_NEAR(two.if_chosen[0], 6, 1e-12);    // with 3
+  EXPECT_NEAR(two.if_left_out[3], 5, 1e-12);  // 1 and 2
+  table.mounts = {{1, 3}};
+  EXPECT_NEAR(bound({.least = 2, .most = 2}).bound, 4, 1e-12);
+  table.transceivers[0].installed = true;
+  const DualBound installed = bound({.least = 2, .most = 2});
+  EXPECT_NEAR(installed.bound, 6, 1e-12);
+  EXPECT_NEAR(installed.if_chosen[2], 8, 1e-12);
+  EXPECT_EQ(bound({.most = 1}).if_chosen[2], infinite);
+}
+
+TEST(DualBound, KnowsThePigeonholePrinciple) {
+  // Three units are enough, but of two one must give a half.
+  const SignalTable table = test::make_table({{0.6, 0.45, 0.45, 0.45}}, 4);
+  const std::vector<double> cost = {1, 0, 0, 0};
+  const auto bound = [&](double share, std::size_t most_units) {
+    const std::vector<BoundRow> rows = {{0, {}, share}};
+    return dual_bound(table, {}, rows, std::vector<double>{1.0}, cost, {.most = most_units}).bound;
+  };
+  EXPECT_NEAR(bound(0.46, 2), 1, 1e-9);
+  EXPECT_LE(bound(0.3, 3), 0);
+  // Where all units together give as much below the share as the label needs, it says nothing.
+  EXPECT_NEAR(bound(0.5, 2), 0, 1e-9);
+  EXPECT_NEAR(bound(0.46, 3), 0, 1e-9);
+  EXPECT_NEAR(bound(0.46, detail::AnswerSet().most), 0, 1e-9);
+}
+
+// Two units of which one gives the label all it needs and the other half: where a unit gives it all, or where
+// the strong one is out, one unit or nothing is left.
+TEST(DualBound, KnowsTheCasesOfALabel) {
+  const SignalTable table = test::make_table({{1, 0.5}}, 2);
+  const std::vector<double> price{1, 1};
+  const BoundRow strong{.label = 0, .strongest = 1}, half{.label = 0, .strongest = 0.5}, plain{0};
+  const auto bound = [&](const BoundRow& row, double y, const std::vector<std::uint32_t>& without) {
+    return dual_bound(table, {}, std::vector{row}, std::vector{y}, price, {.without = without});
+  };
+  EXPECT_NEAR(bound(strong, 1, {}).bound, 1, 1e-9);
+  EXPECT_NEAR(bound(strong, 1, {}).if_chosen[1], 2, 1e-9) << "the strong one and this one";
+  EXPECT_NEAR(bound(half, 1, {}).if_chosen[1], 1, 1e-9) << "at the share itself";
+  EXPECT_NEAR(bound(plain, 2, {}).bound, 1, 1e-8);
+  EXPECT_NEAR(bound(plain, 2, {0}).bound, 2, 1e-8);
+  EXPECT_EQ(bound(plain, 2, {0}).if_chosen[0], infinite);
+  SignalTable shared = table;
+  shared.mounts = {{0, 1}};
+  EXPECT_NEAR(dual_bound(shared, {}, std::vector{plain}, std::vector{2.0}, price, {.without = {0, 1}}).bound,
+              2, 1e-8)
+      << "nothing is left of the point";
+}
+
+TEST(DualBound, CountsOneUnitAMountingPoint) {
+  // Label 0 is met by units 0 and 1, label 1 by 2 and 3; 1 and 2 are options of one point.
+  SignalTable table = test::make_table({{1, 1, 0, 0}, {0, 0, 1, 1}}, 4);
+  table.mounts = {{1, 2}};
+  const std::vector<double> cost = {3, 1, 1, 3};
+  const std::vector<BoundRow> rows = {{0, {}}, {1, {}}};
+  const Question question{.model = CommunicationModel::non_cooperative};
+  // With 3 a label: 6 - 2 (one of the two options) = 4, which is the optimum; 2 without the point.
+  EXPECT_NEAR(dual_bound(table, question, rows, std::vector<double>{3, 3}, cost).bound, 4, 1e-9);
+  table.mounts.clear();
+  EXPECT_NEAR(dual_bound(table, question, rows, std::vector<double>{3, 3}, cost).bound, 2, 1e-9);
+
+  table.mounts = {{1, 2}};
+  table.transceivers[2].installed = true;
+  const DualBound installed = dual_bound(table, question, rows, std::vector<double>{3, 1}, cost);
+  EXPECT_NEAR(installed.bound, 4, 1e-9);
+  EXPECT_EQ(installed.if_chosen[1], infinite);
+  EXPECT_EQ(installed.if_left_out[2], infinite);
+  const detail::FixedColumns fixed = fix_columns(installed, 4);
+  EXPECT_EQ(fixed.chosen, (std::vector<std::uint32_t>{2}));
+  EXPECT_EQ(fixed.left_out, (std::vector<std::uint32_t>{1, 3}));
+}
+
+}  // namespace
+}  // namespace shelfbeam

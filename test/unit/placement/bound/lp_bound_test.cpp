@@ -1,0 +1,222 @@
+#include "shelfbeam/placement/bound/lp_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/mip/export_model.hpp"
+
+#include "unit/placement/brute_force.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using detail::LpBound;
+
+class LpBounds : public testing::TestWithParam<milp::Backend> {
+ protected:
+  static LpBound bound(const SignalTable& table, const Question& question, const std::vector<double>& cost,
+                       const detail::LpBoundOptions& options = {}, const RunControl& control = {}) {
+    return lp_bound(table, question, cost, GetParam(), options, control);
+  }
+};
+
+std::string name(const testing::TestParamInfo<milp::Backend>& info) {
+  return std::string(info.param.name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, LpBounds, testing::ValuesIn(milp::backends().begin(), milp::backends().end()),
+                         name);
+
+/// The relaxation with all its rows at once; infinite where it has no solution.
+double relaxation(const milp::Backend& backend, const SignalTable& table, const Question& question) {
+  milp::Model model = placement_model(table, question);
+  for (milp::Column& column : model.columns) column.integer = false;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    for (milp::Entry& entry : model.rows[i].entries) entry.value = std::min(entry.value, 1.0);
+  return backend.solve(model, {}, {}).primal_bound;
+}
+
+double rounding(double value) {
+  return 1e-9 * std::max(1.0, std::abs(value));
+}
+
+// Never above the optimum, and the relaxation's own value but for the cuts.
+TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
+  test::RandomTables random(29, {.labels = 12, .transceivers = 10, .mounts = true});
+  int compared = 0, above_relaxation = 0, above_half = 0, wrong_above = 0;
+  for (int k = 0; k < 600; ++k) {
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    const test::BruteForce truth(table, question);
+    if (!truth.feasible) continue;
+    const double best = question.combination == Combination::lexicographic ? static_cast<double>(truth.fewest)
+                                                                           : truth.best_sum;
+    const std::vector<double> cost = first_objective(table, question);
+    const LpBound plain = bound(table, question, cost, {.cuts = false});
+    const LpBound cut = bound(table, question, cost);
+    const double relaxed = relaxation(GetParam(), table, question);
+    EXPECT_LE(plain.dual.bound, best + rounding(best)) << k;
+    EXPECT_LE(cut.dual.bound, best + rounding(best)) << k;
+    EXPECT_LE(plain.dual.bound, relaxed + 1e-6 * std::max(1.0, relaxed)) << k;
+    EXPECT_GE(plain.dual.bound, relaxed - 1e-5 * std::max(1.0, relaxed)) << k;
+    EXPECT_GE(cut.dual.bound, plain.dual.bound - 1e-6 * std::max(1.0, relaxed)) << k;
+    EXPECT_TRUE(plain.complete) << k;
+    ++compared;
+    if (cut.dual.bound > relaxed + 1e-3 * best) ++above_relaxation;
+
+    // What is returned says what it says: the bound is that of these rows and multipliers.
+    ASSERT_EQ(cut.y.size(), cut.rows.size());
+    EXPECT_EQ(dual_bound(table, question, cut.rows, cut.y, cost).bound, cut.dual.bound);
+    // Negative controls: where labels asked for more, the bound would be wrong; and with half of every
+    // multiplier something is lost.
+    SignalTable wrong = table;
+    for (auto& label : wrong.labels) label.requirement *= 1.6, label.single_requirement *= 1.6;
+    if (dual_bound(wrong, question, cut.rows, cut.y, cost).bound > best + 1e-3 * best) ++wrong_above;
+    std::vector<double> half = cut.y;
+    for (double& y : half) y /= 2;
+    if (dual_bound(table, question, cut.rows, half, cost).bound < cut.dual.bound - 1e-3 * best) ++above_half;
+  }
+  EXPECT_GT(compared, 150);
+  EXPECT_GT(above_relaxation, 10);
+  EXPECT_GT(above_half, 75);
+  EXPECT_GT(wrong_above, 10);
+}
+
+/// Labels that need two or three units of many.
+SignalTable a_few_together(test::RandomTables& random) {
+  std::vector<std::vector<double>> matrix(10, std::vector<double>(11, 0.0));
+  for (auto& row : matrix)
+    for (double& entry : row) entry = std::pow(random.real(0, 1), 2) * 0.8;
+  return test::make_table(matrix, 11);
+}
+
+TEST_P(LpBounds, OfTheCountHoldAndAreBetterThanTheRelaxation) {
+  test::RandomTables random(31, {.labels = 12, .transceivers = 11, .mounts = true});
+  int better = 0, exact = 0;
+  for (int k = 0; k < 400; ++k) {
+    const SignalTable table = random.chance(0.3) ? random.next() : a_few_together(random);
+    const Question question{.model = random.chance(0.8) ? CommunicationModel::cooperative
+                                                        : CommunicationModel::non_cooperative};
+    const test::BruteForce truth(table, question);
+    if (!truth.feasible) continue;
+    const detail::CountBound found = detail::count_bound(table, question, GetParam(), 60, {});
+    ASSERT_LE(found.count, truth.fewest) << k;
+    ASSERT_GE(static_cast<double>(found.count), found.relaxation.dual.bound) << k;
+    EXPECT_TRUE(found.complete) << k;
+    if (static_cast<double>(found.count) >= found.relaxation.dual.bound + 1) ++better;
+    if (found.count == truth.fewest) ++exact;
+  }
+  EXPECT_GT(better, 0);
+  EXPECT_GT(exact, 75);
+}
+
+// The second objective at the fewest units: the count is part of the LP and of its bound.
+TEST_P(LpBounds, OfTheSecondObjectiveKnowTheCount) {
+  test::RandomTables random(37, {.labels = 12, .transceivers = 10, .mounts = true});
+  int compared = 0, better = 0;
+  for (int k = 0; k < 800; ++k) {
+    const SignalTable table = random.next();
+    Question question = random.next_question();
+    question.combination = Combination::lexicographic;
+    const test::BruteForce truth(table, question);
+    if (!truth.feasible || truth.best_at_fewest == 0) continue;
+    const std::vector<double> cost = objective_coefficients(table, question);
+    const LpBound with = bound(table, question, cost, {.answers = {truth.fewest, truth.fewest}});
+    const LpBound without = bound(table, question, cost);
+    EXPECT_LE(with.dual.bound, truth.best_at_fewest + rounding(truth.best_at_fewest)) << k;
+    EXPECT_GE(with.dual.bound, without.dual.bound - 1e-6 * truth.best_at_fewest) << k;
+    ++compared;
+    if (with.dual.bound > without.dual.bound + 0.01 * truth.best_at_fewest) ++better;
+  }
+  EXPECT_GT(compared, 50);
+  EXPECT_GT(better, 20);
+}
+
+// By cases more is shown than by one linear program, and never that the fewest units are too few.
+TEST_P(LpBounds, OfTheCountAreRaisedByCases) {
+  test::RandomTables random(43, {.labels = 12, .transceivers = 11, .mounts = true});
+  CancelToken cancelled;
+  cancelled.request();
+  int open = 0, closed = 0;
+  for (int k = 0; k < 400; ++k) {
+    const SignalTable table = random.chance(0.3) ? random.next() : a_few_together(random);
+    const Question question{.redundant = random.chance(0.2)};
+    const test::BruteForce truth(table, question);
+    if (!truth.feasible) continue;
+    const std::vector<double> ones(table.columns(), 1.0);
+    for (const std::size_t most : {truth.fewest - std::min<std::size_t>(truth.fewest, 1), truth.fewest}) {
+      const LpBound limited = bound(table, question, ones, {.answers = {.most = most}});
+      const bool shown = needs_more(table, question, GetParam(), most, limited, 60, {});
+      if (most == truth.fewest) {
+        ASSERT_FALSE(shown) << k;
+      } else if (limited.dual.bound < static_cast<double>(most) + 1e-6) {
+        ++open;
+        if (!shown) continue;
+        ++closed;
+        EXPECT_FALSE(needs_more(table, question, GetParam(), most, limited, 0, {})) << "no time";
+        EXPECT_FALSE(needs_more(table, question, GetParam(), most, limited, 60, {.cancel = &cancelled}));
+      }
+    }
+  }
+  EXPECT_GT(open, 50);
+  EXPECT_GT(closed, open / 3);
+}
+
+// Two units each give 0.8 to one label and 0.2 to the four others: the relaxation is 3.125, and four units
+// leave some label 0.8.
+TEST_P(LpBounds, OfTheCountAskWhetherFewAreEnough) {
+  std::vector<std::vector<double>> matrix(5, std::vector<double>(10, 0.2));
+  for (std::size_t i = 0; i < 5; ++i) matrix[i][2 * i] = matrix[i][2 * i + 1] = 0.8;
+  const detail::CountBound found = detail::count_bound(test::make_table(matrix, 10), {}, GetParam(), 60, {});
+  EXPECT_LT(found.relaxation.dual.bound, 4);
+  EXPECT_EQ(found.count, 5U);
+  EXPECT_TRUE(found.complete);
+}
+
+TEST_P(LpBounds, EndWithoutTimeOrWhenCancelled) {
+  SignalTable table = test::make_table({{1, 1, 0}, {0, 1, 1}, {1, 0, 1}}, 3);
+  const Question question{.model = CommunicationModel::non_cooperative};
+  const std::vector<double> cost(3, 1.0);
+  table.transceivers[0].installed = true;
+  const LpBound timeless = bound(table, question, cost, {.time_limit_s = 0});
+  EXPECT_FALSE(timeless.complete);
+  EXPECT_NEAR(timeless.dual.bound, 1, 1e-9);  // the installed unit
+  EXPECT_EQ(timeless.y.size(), timeless.rows.size());
+  CancelToken token;
+  token.request();
+  EXPECT_NEAR(bound(table, question, cost, {}, {.cancel = &token}).dual.bound, 1, 1e-9);
+  EXPECT_NEAR(bound(table, question, cost).dual.bound, 2, 1e-9);
+}
+
+TEST_P(LpBounds, DoNotDependOnThreads) {
+  const SignalTable table =
+      read_signal_table(SHELFBEAM_SOURCE_DIR "/test/data/instances/thesis_s1_e0.txt.gz");
+  const std::vector<double> cost(table.columns(), 1.0);
+  const LpBound one = bound(table, {}, cost, {}, {.threads = 1});
+  const LpBound two = bound(table, {}, cost, {}, {.threads = 2});
+  EXPECT_EQ(one.rows, two.rows);
+  EXPECT_EQ(one.dual.bound, two.dual.bound);
+  EXPECT_TRUE(one.complete);
+  EXPECT_GT(one.dual.bound, 3);
+  EXPECT_LE(one.dual.bound, 5);
+}
+
+#ifdef SHELFBEAM_LARGE_INSTANCES
+// 5,000 x 600; a few hundred rows are enough.
+TEST_P(LpBounds, OfTheSupermarketNeedFewRows) {
+  const SignalTable table = read_signal_table(SHELFBEAM_LARGE_INSTANCES "/super_s1_e0.txt.gz");
+  const LpBound found = bound(table, {}, std::vector<double>(table.columns(), 1.0));
+  EXPECT_TRUE(found.complete);
+  EXPECT_GT(found.dual.bound, 21.3);
+  EXPECT_LE(found.dual.bound, 26);
+  EXPECT_LT(found.labels.size(), 1000U);
+}
+#endif
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,243 @@
+#include "shelfbeam/placement/coverage/budget.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "unit/placement/brute_force.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::BruteForce;
+using test::Omission;
+constexpr auto coop = CommunicationModel::cooperative;
+constexpr auto alone = CommunicationModel::non_cooperative;
+
+constexpr test::RandomTableLimits everything{
+    .labels = 8, .transceivers = 10, .mounts = true, .apart = true, .redundant = true};
+constexpr test::RandomTableLimits pairs_only{
+    .labels = 8, .transceivers = 10, .apart = true, .redundant = true};
+
+std::size_t installed(const SignalTable& table) {
+  return static_cast<std::size_t>(std::count_if(table.transceivers.begin(), table.transceivers.end(),
+                                                [](const auto& unit) { return unit.installed; }));
+}
+
+/// A number of units that may be asked for; 0 is among them.
+std::size_t some_units(test::RandomTables& tables, const SignalTable& table) {
+  return static_cast<std::size_t>(
+      tables.whole(static_cast<int>(installed(table)),
+                   std::max(static_cast<int>(installed(table)), static_cast<int>(table.columns()) / 2)));
+}
+
+void expect_consistent(const SignalTable& table, const Question& question, std::size_t units,
+                       const Reach& reach) {
+  const Check check = check_selection(table, question, reach.selected);
+  EXPECT_TRUE(check.allowed());
+  EXPECT_EQ(check.unmet, reach.missed);
+  EXPECT_EQ(table.rows() - check.unmet.size(), reach.reached);
+  EXPECT_LE(reach.selected.size(), units);
+  EXPECT_TRUE(std::is_sorted(reach.selected.begin(), reach.selected.end()));
+  for (std::uint32_t j = 0; j < table.columns(); ++j)
+    EXPECT_TRUE(!table.transceivers[j].installed ||
+                std::binary_search(reach.selected.begin(), reach.selected.end(), j));
+}
+
+struct Controls {
+  int last_label = 0, installed = 0, mounts = 0, apart = 0, failure = 0, one_more = 0;
+};
+
+void run(const milp::Backend& backend, std::uint64_t seed, int cases, Controls* controls = nullptr) {
+  test::RandomTables with_all(seed, everything), with_pairs(seed + 1000, pairs_only);
+  int stopped = 0;
+  for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    test::RandomTables& tables = k % 8 < 4 ? with_all : with_pairs;
+    const SignalTable table = tables.next();
+    const Question question = tables.next_question();
+    const std::size_t units = some_units(tables, table);
+    const auto brute = BruteForce::budgets(table, question);
+    const BruteForce::Budget best = brute[std::min(units, table.columns())].value();
+    const Reach reach =
+        reach_most(table, question, units, {.backend = std::string(backend.name)}, {.threads = 1});
+    expect_consistent(table, question, units, reach);
+    EXPECT_LE(reach.reached, best.reached);
+    EXPECT_GE(reach.upper_bound, best.reached);
+    if (reach.status == Status::optimal) {
+      EXPECT_EQ(reach.reached, best.reached);
+      EXPECT_EQ(reach.upper_bound, best.reached);
+      EXPECT_EQ(reach.selected.size(), best.units);
+    } else {
+      ++stopped;
+    }
+    if (controls == nullptr) continue;
+    const auto differs = [&](Omission omission) {
+      const auto wrong = BruteForce::budgets(table, question, omission)[units].value();
+      return wrong.reached != best.reached || wrong.units != best.units;
+    };
+    controls->last_label += differs(Omission::last_label);
+    controls->installed += differs(Omission::installed);
+    controls->mounts += differs(Omission::mounts);
+    controls->apart += differs(Omission::apart);
+    controls->failure += differs(Omission::failure);
+    controls->one_more += units < table.columns() && brute[units + 1]->reached != best.reached;
+  }
+  EXPECT_LE(stopped, cases / 500);  // solvers give up now and then on tables that are made to mislead them
+}
+
+class PlacementBudget : public testing::TestWithParam<milp::Backend> {};
+class PlacementBudgetSlow : public testing::TestWithParam<milp::Backend> {};
+
+std::string name(const testing::TestParamInfo<milp::Backend>& info) {
+  return std::string(info.param.name);
+}
+const auto every_backend = testing::ValuesIn(milp::backends().begin(), milp::backends().end());
+INSTANTIATE_TEST_SUITE_P(Every, PlacementBudget, every_backend, name);
+INSTANTIATE_TEST_SUITE_P(Every, PlacementBudgetSlow, every_backend, name);
+
+TEST_P(PlacementBudget, EqualsEnumeration) {
+  Controls controls;
+  run(GetParam(), 71, 800, &controls);
+  EXPECT_GT(controls.last_label, 100);
+  EXPECT_GT(controls.installed, 40);
+  EXPECT_GT(controls.mounts, 10);
+  EXPECT_GT(controls.apart, 10);
+  EXPECT_GT(controls.failure, 100);
+  EXPECT_GT(controls.one_more, 200);
+}
+
+TEST_P(PlacementBudgetSlow, EqualsEnumerationOnManyMore) {
+  run(GetParam(), 72, 20000);
+}
+
+// Without an exact solver: never more than is possible, never a bound that is less, and often both are met.
+TEST(Budget, GreedyAndItsBoundEncloseTheBest) {
+  test::RandomTables tables(73, everything);
+  int met = 0, tight = 0, below = 0, loose = 0, cases = 3000;
+  for (int k = 0; k < cases; ++k) {
+    const SignalTable table = tables.next();
+    const Question question = tables.next_question();
+    const std::size_t units = some_units(tables, table);
+    const std::size_t best = BruteForce::budgets(table, question)[units].value().reached;
+    const Reach reach = reach_most(table, question, units, {.solver = SolverChoice::greedy});
+    expect_consistent(table, question, units, reach);
+    ASSERT_LE(reach.reached, best) << k;
+    ASSERT_GE(reach.upper_bound, best) << k;
+    EXPECT_EQ(reach.status, reach.reached == reach.upper_bound ? Status::optimal : Status::feasible);
+    met += reach.reached == best;
+    tight += reach.upper_bound == best;
+    below += reach.reached < best;      // negative controls: it is not always the best,
+    loose += reach.upper_bound > best;  // and the bound not always it
+  }
+  EXPECT_GT(met, cases * 9 / 10);
+  EXPECT_GT(tight, cases / 2);
+  EXPECT_GT(below, 5);
+  EXPECT_GT(loose, 50);
+}
+
+// Unit 2 is the greedy choice, and 0 with 1 reach one label more.
+TEST(Budget, ByHand) {
+  const SignalTable table =
+      test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
+  for (const auto model : {coop, alone}) {
+    Reach reach = reach_most(table, {model}, 1, {});
+    EXPECT_EQ(reach.selected, std::vector<std::uint32_t>{2});
+    EXPECT_EQ(reach.reached, 4U);
+    EXPECT_EQ(reach.upper_bound, 4U);
+    EXPECT_EQ(reach.missed, (std::vector<std::uint32_t>{2, 5}));
+    for (const std::size_t units : {std::size_t{2}, std::size_t{3}, std::size_t{50}, std::size_t{1} << 32,
+                                    std::numeric_limits<std::size_t>::max()}) {
+      reach = reach_most(table, {model}, units, {});
+      EXPECT_EQ(reach.selected, (std::vector<std::uint32_t>{0, 1})) << "fewest units that reach all";
+      EXPECT_EQ(reach.status, Status::optimal);
+    }
+    EXPECT_EQ(reach_most(table, {.model = model, .redundant = true}, 1, {}).upper_bound, 0U);
+    EXPECT_EQ(reach_most(table, {.model = model, .redundant = true}, 3, {}).reached, 4U);
+  }
+}
+
+// Signals that are worth an eighth of the requirement on average.
+SignalTable dense_table(std::size_t labels, std::size_t units) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(0, 0.25);
+  std::vector<std::vector<double>> matrix(labels, std::vector<double>(units));
+  for (auto& row : matrix)
+    for (double& entry : row) entry = uniform(random);
+  return test::make_table(matrix, units);
+}
+
+// Nothing was cut short, so nothing was stopped.
+TEST(Budget, TellsWhereTheTableIsTooLarge) {
+  const SignalTable table = dense_table(900, 450);  // 405,000 entries
+  const Reach reach = reach_most(table, {}, 6, {});
+  EXPECT_TRUE(reach.too_large);
+  EXPECT_EQ(reach.status, Status::feasible);
+  EXPECT_EQ(reach.solver, "greedy");
+  EXPECT_EQ(reach.bound_proof, BoundProof::dual);
+  EXPECT_GT(reach.gap(), 0);
+  EXPECT_LT(reach.gap(), 1);
+  EXPECT_FALSE(reach_most(dense_table(20, 10), {}, 3, {}).too_large);
+}
+
+// Without the limit this takes some ten seconds of search, and as much for the bound.
+TEST(Budget, KeepsToTheTimeLimit) {
+  const SignalTable table = dense_table(4000, 1000);
+  const Reach reach = reach_most(table, {}, 7, {.time_limit_s = 0.5});
+  EXPECT_LT(reach.seconds, 4);
+  EXPECT_EQ(reach.status, Status::stopped);
+  EXPECT_LT(reach.reached, reach.upper_bound);
+  const Reach small = reach_most(dense_table(200, 100), {}, 7, {.time_limit_s = 0.5});
+  EXPECT_LT(small.seconds, 4);
+  EXPECT_EQ(small.status, Status::stopped);
+}
+
+TEST(Budget, WritesItsAnswer) {
+  const SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
+  Reach reach = reach_most(table, {}, 1, {});
+  reach.seconds = 0.5;
+  reach.solver = "highs";
+  EXPECT_EQ(reach_json(reach, table), R"({
+  "format": 1,
+  "model": "cooperative",
+  "survives_failure": false,
+  "at_most": 1,
+  "selected": [
+    "T0"
+  ],
+  "count": 1,
+  "labels": 2,
+  "reached": 1,
+  "reached_upper_bound": 1,
+  "gap": 0.0,
+  "bound_proof": "dual",
+  "status": "optimal",
+  "too_large": false,
+  "solver": "highs",
+  "seconds": 0.5,
+  "missed": [
+    "L1"
+  ]
+}
+)");
+}
+
+TEST(Budget, RejectsWhatItCannotAnswer) {
+  SignalTable table = test::make_table({{1, 1}}, 2);
+  test::expect_input_error([&] { reach_most(table, {}, 1, {.backend = "cplex"}); }, "cplex");
+  table.transceivers[0].installed = table.transceivers[1].installed = true;
+  test::expect_input_error([&] { reach_most(table, {}, 1, {}); }, "--at-most", "2 units are installed");
+  table.labels[0].requirement = 0;
+  test::expect_input_error([&] { reach_most(table, {}, 2, {}); }, "L0", "--threshold");
+}
+
+}  // namespace
+}  // namespace shelfbeam

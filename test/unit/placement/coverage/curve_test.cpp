@@ -1,0 +1,286 @@
+#include "shelfbeam/placement/coverage/curve.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/coverage/reach_bound.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/critical.hpp"
+
+#include "unit/placement/brute_force.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::BruteForce;
+
+constexpr test::RandomTableLimits everything{
+    .labels = 8, .transceivers = 10, .mounts = true, .apart = true, .redundant = true};
+
+// What single units reach bounds what two reach: 4 and 3 of 6 labels, though 7 together.
+TEST(ReachBound, ByHand) {
+  const SignalTable table =
+      test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
+  const Question question{CommunicationModel::non_cooperative};
+  ReachBound bound(table, question, 2);
+  EXPECT_EQ(bound.labels(1), 6U) << "nothing is known yet";
+  bound.improve(1, 4, 1, {});
+  EXPECT_EQ(bound.labels(1), 4U) << "one step with all multipliers 1";
+  EXPECT_EQ(bound.labels(2), 6U);
+}
+
+// Valid for every number of units after any number of steps towards any of them; tight often, not always.
+TEST(ReachBound, HoldsWhateverTheStepsWere) {
+  test::RandomTables tables(81, everything);
+  int tight = 0, loose = 0, all = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const SignalTable table = tables.next();
+    const Question question = tables.next_question();
+    const auto best = BruteForce::budgets(table, question);
+    ReachBound bound(table, question, table.columns());
+    for (int times = tables.whole(1, 3); times > 0; --times) {
+      const auto units = static_cast<std::size_t>(tables.whole(0, static_cast<int>(table.columns())));
+      if (!best[units]) continue;
+      bound.improve(units, tables.chance(0.5) ? best[units]->reached : 0,
+                    static_cast<std::size_t>(tables.whole(0, 60)), {});
+    }
+    for (std::size_t units = 0; units < best.size(); ++units) {
+      if (!best[units]) continue;
+      ASSERT_GE(bound.labels(units), best[units]->reached) << k << " with " << units;
+      ++all;
+      tight += bound.labels(units) == best[units]->reached;
+      loose += bound.labels(units) > best[units]->reached;
+    }
+  }
+  EXPECT_GT(tight, all / 2);
+  EXPECT_GT(loose, all / 100);
+}
+
+TEST(PlacementCurve, EnclosesTheBestForEveryNumber) {
+  test::RandomTables tables(82, everything);
+  int points = 0, lower_is_best = 0, upper_is_best = 0, below = 0;
+  for (int k = 0; k < 6000; ++k) {
+    const SignalTable table = tables.next();
+    const Question question = tables.next_question();
+    const BruteForce brute(table, question);
+    if (!brute.feasible) continue;
+    std::vector<std::uint32_t> selected;
+    std::size_t first = 0;
+    for (std::uint32_t j = 0; j < table.columns(); ++j) {
+      if ((brute.set_at_fewest >> j & 1U) != 0) selected.push_back(j);
+      first += table.transceivers[j].installed ? 1 : 0;
+    }
+    const auto best = BruteForce::budgets(table, question);
+    const ReachCurve found = reach_curve(table, question, selected);
+    EXPECT_TRUE(found.is_complete);
+    EXPECT_EQ(found.selected, selected) << "fewer units do not exist";
+    const std::vector<CurvePoint>& curve = found.points;
+    first = std::max<std::size_t>(1, first);
+    ASSERT_EQ(curve.size(), selected.size() < first ? 0 : selected.size() - first + 1);
+    for (std::size_t p = 0; p < curve.size(); ++p) {
+      ASSERT_EQ(curve[p].units, first + p);
+      const std::size_t reached = best[curve[p].units]->reached;
+      ASSERT_LE(curve[p].at_least, reached) << k;
+      ASSERT_GE(curve[p].at_most, reached) << k;
+      ASSERT_TRUE(p == 0 ||
+                  (curve[p].at_least >= curve[p - 1].at_least && curve[p].at_most >= curve[p - 1].at_most));
+      ++points;
+      lower_is_best += curve[p].at_least == reached;
+      upper_is_best += curve[p].at_most == reached;
+      below += curve[p].at_least < reached;
+    }
+    if (!curve.empty()) {
+      ASSERT_EQ(curve.back().at_least, table.rows());
+    }
+  }
+  EXPECT_GT(points, 2000);
+  EXPECT_GT(lower_is_best, points * 9 / 10);
+  EXPECT_GT(upper_is_best, points / 2);
+  EXPECT_GT(below, 0);
+}
+
+// Against leaving out one unit after the other.
+TEST(Critical, AreTheLabelsThatHangOnOneUnit) {
+  test::RandomTables tables(83, {.redundant = true});
+  int some = 0, none_where_one_may_fail = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const SignalTable table = tables.next();
+    const Question question = tables.next_question();
+    std::vector<std::uint32_t> selected;
+    for (std::uint32_t j = 0; j < table.columns(); ++j)
+      if (tables.chance(0.5)) selected.push_back(j);
+    Question nothing_fails = question;
+    nothing_fails.redundant = false;
+    const Check with_all = check_selection(table, nothing_fails, selected);
+    const auto critical = critical_units(table, question, selected);
+    ASSERT_EQ(critical.size(), selected.size());
+    std::size_t labels = 0;
+    for (std::size_t s = 0; s < selected.size(); ++s) {
+      std::vector<std::uint32_t> others = selected, expected;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(s));
+      const Check without = check_selection(table, nothing_fails, others);
+      std::set_difference(without.unmet.begin(), without.unmet.end(), with_all.unmet.begin(),
+                          with_all.unmet.end(), std::back_inserter(expected));
+      EXPECT_EQ(critical[s].unit, selected[s]);
+      ASSERT_EQ(critical[s].labels, expected) << k;
+      labels += expected.size();
+    }
+    some += labels > 0;
+    if (question.redundant && check_selection(table, question, selected).met()) {
+      EXPECT_EQ(labels, 0U);
+      ++none_where_one_may_fail;
+    }
+  }
+  EXPECT_GT(some, 1000);
+  EXPECT_GT(none_where_one_may_fail, 100);
+}
+
+ReachCurve curve_of(std::vector<CurvePoint> points, std::vector<std::uint32_t> selected) {
+  return {std::move(points), std::move(selected)};
+}
+
+TEST(PlacementCurve, AgreesWithItsPlacement) {
+  const SignalTable table = test::make_table({{1, 0, 1}, {1, 0, 0}, {0, 1, 1}}, 3);
+  Placement stopped;
+  stopped.selected = {0, 1, 2};
+  stopped.objective_value = 3;
+  stopped.count_lower_bound = stopped.lower_bound = 1;
+  stopped.ties_settled = true;
+
+  // Two units do, which the curve has seen, and it has proven that one does not.
+  Placement placement = stopped;
+  ReachCurve curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
+  agree(placement, curve, table);
+  EXPECT_EQ(placement.selected, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(placement.objective_value, 2);
+  EXPECT_EQ(placement.count_lower_bound, 2);
+  EXPECT_EQ(placement.lower_bound, 2);
+  EXPECT_EQ(placement.bound_proof, BoundProof::dual);
+  EXPECT_EQ(placement.status, Status::optimal);
+  EXPECT_FALSE(placement.ties_settled);
+  EXPECT_EQ(curve.points.size(), 2U);
+
+  // What the placement has proven: fewer than two miss a label.
+  placement = stopped;
+  placement.count_lower_bound = placement.lower_bound = 2;
+  placement.bound_proof = BoundProof::log;
+  curve = curve_of({{1, 2, 3}, {2, 2, 3}, {3, 3, 3}}, placement.selected);
+  agree(placement, curve, table);
+  EXPECT_EQ(curve.points[0].at_most, 2U);
+  EXPECT_EQ(curve.points[1].at_most, 3U);
+  EXPECT_EQ(placement.bound_proof, BoundProof::log);
+  EXPECT_EQ(placement.count(), 3U);
+  EXPECT_EQ(placement.status, Status::stopped);
+
+  // A second objective: the number's bound rises, that of the objective stays, and prices are no count.
+  placement = stopped;
+  placement.question = {CommunicationModel::non_cooperative, Objective::links};
+  placement.objective_value = 99;
+  curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
+  agree(placement, curve, table);
+  EXPECT_EQ(placement.objective_value, 3);
+  EXPECT_EQ(placement.count_lower_bound, 2);
+  EXPECT_EQ(placement.lower_bound, 1);
+  EXPECT_EQ(placement.status, Status::stopped);
+  placement = stopped;
+  placement.question.combination = Combination::weighted;
+  curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
+  agree(placement, curve, table);
+  EXPECT_EQ(placement.count(), 3U);
+  EXPECT_EQ(placement.lower_bound, 1);
+}
+
+// The greedy method's placement and bound are often not the best, and the curve often knows better.
+TEST(PlacementCurve, ContradictsNoPlacement) {
+  test::RandomTables tables(84, everything);
+  int fewer = 0, raised = 0, capped = 0;
+  for (int k = 0; k < 9000; ++k) {
+    const SignalTable table = tables.next();
+    const Question question = tables.next_question();
+    Placement placement = place(table, question, {.solver = SolverChoice::greedy});
+    if (!placement.has_selection()) continue;
+    const Placement before = placement;
+    ReachCurve curve = reach_curve(table, question, placement.selected);
+    const std::vector<CurvePoint> alone = curve.points;
+    agree(placement, curve, table);
+    const BruteForce brute(table, question);
+    ASSERT_TRUE(check_selection(table, question, placement.selected).met());
+    ASSERT_LE(placement.count_lower_bound, static_cast<double>(brute.fewest));
+    ASSERT_LE(placement.lower_bound, placement.objective_value * (1 + 1e-12));
+    for (const CurvePoint& point : curve.points) {
+      const bool is_enough = static_cast<double>(point.units) >= placement.count_lower_bound;
+      ASSERT_EQ(point.at_most == table.rows(), is_enough || table.rows() == 0) << k;
+      ASSERT_LE(point.at_least, point.at_most) << k;
+      ASSERT_TRUE(point.at_least < table.rows() || point.units >= placement.count() ||
+                  question.combination == Combination::weighted);
+    }
+    fewer += placement.count() < before.count();
+    raised += placement.count_lower_bound > before.count_lower_bound;
+    for (std::size_t p = 0; p < curve.points.size(); ++p)
+      capped += curve.points[p].at_most < alone[p].at_most;
+  }
+  EXPECT_GT(fewer, 10);
+  EXPECT_GT(raised, 100);
+  EXPECT_GT(capped, 5);
+}
+
+// Without the limit this takes some ten seconds.
+TEST(PlacementCurve, SaysThatItWasCutShort) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(0, 0.25);
+  std::vector<std::vector<double>> matrix(3000, std::vector<double>(800));
+  for (auto& row : matrix)
+    for (double& entry : row) entry = uniform(random);
+  const SignalTable table = test::make_table(matrix, 800);
+  const Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
+  const auto start = std::chrono::steady_clock::now();
+  const ReachCurve curve =
+      reach_curve(table, {}, greedy.selected, {}, start + std::chrono::milliseconds(300));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(4));
+  EXPECT_FALSE(curve.is_complete);
+  EXPECT_EQ(curve.points.size(), greedy.count());
+  EXPECT_EQ(curve.points.back().at_least, table.rows());
+  EXPECT_NE(placement_json(greedy, table, curve).find("\"curve_complete\": false"), std::string::npos);
+}
+
+// What fresh samples have certified is not exchanged for something that they have not seen.
+TEST(PlacementCurve, LeavesACertifiedSelection) {
+  const SignalTable table =
+      test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
+  Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
+  ASSERT_EQ(greedy.count(), 3U);
+  Placement certified = greedy;
+  certified.certificate.emplace();
+  add_curve(greedy, table, 60);
+  const ReachCurve curve = add_curve(certified, table, 60);
+  EXPECT_EQ(greedy.count(), 2U);
+  EXPECT_EQ(certified.count(), 3U);
+  EXPECT_EQ(certified.count_lower_bound, greedy.count_lower_bound);
+  ASSERT_EQ(curve.points.size(), 3U);
+  EXPECT_EQ(curve.points[1].at_least, table.rows()) << "but it is told";
+}
+
+TEST(PlacementCurve, IsWritten) {
+  const SignalTable table = test::make_table({{1, 0}, {1, 0}, {0, 1}}, 2);
+  const Placement found = place(table, {}, {});
+  const std::string json = placement_json(found, table, reach_curve(table, {}, found.selected));
+  const auto expect = [&](const std::string& part) {
+    std::string flat = json;
+    std::erase_if(flat, [](char c) { return c == ' ' || c == '\n'; });
+    EXPECT_NE(flat.find(part), std::string::npos) << part << flat;
+  };
+  expect(
+      R"("curve":[{"units":1,"at_least":2,"at_most":2},{"units":2,"at_least":3,"at_most":3}],"curve_complete":true)");
+  expect(
+      R"("critical":[{"unit":"T0","count":2,"labels":["L0","L1"]},{"unit":"T1","count":1,"labels":["L2"]}])");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,74 @@
+#include "shelfbeam/placement/heuristic/cover_search.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/problem/checker.hpp"
+
+#include "unit/placement/formula_instances.hpp"
+
+namespace shelfbeam {
+namespace {
+
+constexpr Question alone{.model = CommunicationModel::non_cooperative};
+
+std::optional<std::vector<std::uint32_t>> search(const SignalTable& table, const Question& question,
+                                                 const std::vector<std::uint32_t>& start,
+                                                 const detail::SearchEffort& effort) {
+  const std::vector<double> ones(table.columns(), 1.0);
+  return detail::cover_search(table, question, detail::reduce_cover(table, alone, ones), start, effort, {});
+}
+
+std::vector<std::uint32_t> everything(const SignalTable& table) {
+  std::vector<std::uint32_t> all(table.columns());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
+
+// Starting from all columns, two walks reach the best value that is known, whichever of these seeds they
+// have.
+TEST(CoverSearch, FindsTheKnownOptima) {
+  const struct {
+    SignalTable table;
+    std::size_t fewest;
+  } known[] = {{test::affine_lines(3), 18}, {test::affine_lines(4), 61}, {test::cube_cycles(5), 24}};
+  for (const auto& [table, fewest] : known)
+    for (const std::uint32_t seed : {1U, 7U}) {
+      const auto found = search(table, alone, everything(table), {.moves = 50000, .walks = 2, .seed = seed});
+      ASSERT_TRUE(found);
+      EXPECT_TRUE(check_selection(table, alone, *found).met());
+      EXPECT_EQ(found->size(), fewest);
+    }
+}
+
+// Installed units stay, the same seed gives the same selection, and what is no better is not returned.
+TEST(CoverSearch, KeepsWhatIsInstalledAndClaimsNothing) {
+  SignalTable table = test::affine_lines(3);
+  table.transceivers[5].installed = table.transceivers[6].installed = true;
+  const detail::SearchEffort effort{.moves = 20000};
+  const auto found = search(table, alone, everything(table), effort);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(std::count(found->begin(), found->end(), 5U) == 1 &&
+              std::count(found->begin(), found->end(), 6U) == 1);
+  EXPECT_TRUE(check_selection(table, alone, *found).met());
+  EXPECT_EQ(search(table, alone, everything(table), effort), found);
+  EXPECT_FALSE(search(table, alone, *found, effort) &&
+               search(table, alone, *found, effort)->size() >= found->size());
+}
+
+TEST(CoverSearch, LeavesOtherQuestionsAlone) {
+  SignalTable table = test::affine_lines(2);
+  const auto all = everything(table);
+  EXPECT_FALSE(search(table, {}, all, {}));
+  EXPECT_FALSE(search(table, {.model = alone.model, .redundant = true}, all, {}));
+  table.apart = {{0, 1}};
+  EXPECT_FALSE(search(table, alone, all, {}));
+}
+
+}  // namespace
+}  // namespace shelfbeam

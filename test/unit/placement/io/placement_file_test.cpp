@@ -1,0 +1,333 @@
+#include "shelfbeam/placement/io/placement_file.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
+#include "shelfbeam/signal/constraints/apart.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+SignalTable example() {
+  return test::make_table({{0.5, 0.75}, {0.25, 0.5}}, 2);
+}
+
+Placement solved() {
+  Placement placement;
+  placement.question = {CommunicationModel::non_cooperative, Objective::effective_links,
+                        Combination::weighted, 0.5};
+  placement.status = Status::stopped;
+  placement.selected = {0, 1};
+  placement.count_lower_bound = 1;
+  placement.objective_value = 4;
+  placement.lower_bound = 3.5;
+  placement.bound_proof = BoundProof::log;
+  placement.ties_settled = true;
+  placement.unit_costs = true;
+  placement.solver = "highs 1.10.0";
+  placement.seconds = 0.25;
+  return placement;
+}
+
+TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
+  EXPECT_EQ(placement_json(solved(), example()), R"({
+  "format": 1,
+  "model": "non-cooperative",
+  "objective": "effective-links",
+  "combination": "weighted",
+  "share": 0.5,
+  "survives_failure": false,
+  "min_spacing": null,
+  "forbidden_pairs": 0,
+  "labels": 2,
+  "selected": [
+    "T0",
+    "T1"
+  ],
+  "count": 2,
+  "count_lower_bound": 1,
+  "objective_value": 4.0,
+  "lower_bound": 3.5,
+  "gap": 0.125,
+  "bound_proof": "log",
+  "ties_settled": true,
+  "unit_costs": true,
+  "redundant_share": 0.0,
+  "status": "stopped",
+  "solver": "highs 1.10.0",
+  "seconds": 0.25,
+  "unreachable": [],
+  "scenarios": [],
+  "critical": [
+    {
+      "unit": "T0",
+      "count": 0,
+      "labels": []
+    },
+    {
+      "unit": "T1",
+      "count": 0,
+      "labels": []
+    }
+  ]
+}
+)");
+}
+
+// One of two labels is reached by both units; on paper, not by the checker.
+TEST(PlacementFile, TellsTheShareOfRedundantLabels) {
+  const std::string json = placement_json(solved(), test::make_table({{3, 3}, {3, 0.5}}, 2));
+  EXPECT_NE(json.find("\"redundant_share\": 0.5,"), std::string::npos) << json;
+}
+
+TEST(PlacementFile, IsReadBack) {
+  const test::TempFolder folder;
+  const auto path = folder.write("placement.json", placement_json(solved(), example()));
+  const Placement read = read_placement(path, example());
+  EXPECT_EQ(placement_json(read, example()), placement_json(solved(), example()));
+  EXPECT_EQ(read.selected, solved().selected);
+}
+
+TEST(PlacementFile, StatesWhatWasKeptApart) {
+  const test::TempFolder folder;
+  SignalTable table = test::make_table({{1, 0, 1}, {0, 1, 1}}, 3);
+  table.transceivers[0].position = {0, 0, 3};
+  table.transceivers[1].position = {2, 0, 3};
+  table.transceivers[2].position = {9, 0, 3};
+  keep_apart(table, 2.5, "table");
+  for (const Status status : {Status::optimal, Status::infeasible}) {
+    if (status == Status::infeasible) {  // without what unit 2 gives
+      table.entries = {{0, 1}, {1, 1}};
+      table.row_begin = {0, 1, 2};
+    }
+    const Placement found = place(table, {}, {});
+    EXPECT_EQ(found.status, status);
+    const std::string text = placement_json(found, table);
+    EXPECT_NE(text.find("\"min_spacing\": 2.5,\n  \"forbidden_pairs\": 1,\n"), std::string::npos) << text;
+    // A report's table knows nothing of it.
+    SignalTable bare = table;
+    bare.apart.clear();
+    bare.min_spacing = 0;
+    const Placement read = read_placement(folder.write("p.json", text), bare);
+    EXPECT_EQ(read.min_spacing, 2.5);
+    EXPECT_EQ(read.forbidden_pairs, 1U);
+    EXPECT_EQ(placement_json(read, bare), text);
+  }
+}
+
+// The example of the documentation is an answer to the question that its labels and units make up.
+TEST(PlacementFile, ReadsTheDocumentedExample) {
+  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/placement.md");
+  const std::string fence = "```json\n";
+  const std::size_t begin = page.find(fence) + fence.size();
+  const std::string example = page.substr(begin, page.find("```", begin) - begin);
+  SignalTable table = test::make_table({{1, 0, 0}, {1, 0, 0}, {0.5, 0.75, 0}, {0, 0.25, 1.5}}, 3);
+  const std::vector<std::string> labels = {"A1-front-0", "A1-front-1", "B2-back-6", "B2-back-7"};
+  for (std::size_t i = 0; i < labels.size(); ++i) table.labels[i].id = labels[i];
+  const std::vector<std::string> units = {"G0-3-2", "G0-9-7", "G0-15-12"};
+  for (std::size_t j = 0; j < units.size(); ++j) table.transceivers[j].id = units[j];
+
+  const test::TempFolder folder;
+  const Placement read = read_placement(folder.write("p.json", example), table);
+  using Json = nlohmann::ordered_json;
+  EXPECT_EQ(Json::parse(placement_json(read, table)).dump(1), Json::parse(example).dump(1));
+  Placement found = place(table, {}, {});
+  found.seconds = read.seconds;
+  EXPECT_EQ(Json::parse(placement_json(found, table)).dump(1), Json::parse(example).dump(1));
+}
+
+TEST(PlacementFile, OfEarlierVersionsSaysNothingOfProofs) {
+  const test::TempFolder folder;
+  std::string text = placement_json(solved(), example());
+  for (const std::string line : {"  \"bound_proof\": \"log\",\n", "  \"ties_settled\": true,\n"}) {
+    ASSERT_NE(text.find(line), std::string::npos);
+    text.erase(text.find(line), line.size());
+  }
+  const Placement read = read_placement(folder.write("p.json", text), example());
+  EXPECT_EQ(read.bound_proof, BoundProof::trivial);
+  EXPECT_FALSE(read.ties_settled);
+}
+
+TEST(PlacementFile, NamesEveryProof) {
+  const test::TempFolder folder;
+  Placement placement = solved();
+  for (const auto& [name, proof] : bound_proof_names) {
+    placement.bound_proof = proof;
+    const std::string text = placement_json(placement, example());
+    EXPECT_NE(text.find("\"bound_proof\": \"" + std::string(name) + "\""), std::string::npos);
+    EXPECT_EQ(read_placement(folder.write("p.json", text), example()).bound_proof, proof);
+  }
+}
+
+TEST(PlacementFile, WritesAnswersThatHaveNoNumbers) {
+  const SignalTable table = example();
+  const Placement none = place(table, {}, {});
+  ASSERT_EQ(none.status, Status::infeasible);
+  const std::string text = placement_json(none, table);
+  for (const char* key : {"count_lower_bound", "objective_value", "lower_bound", "gap"})
+    EXPECT_NE(text.find(std::string("\"") + key + "\": null"), std::string::npos) << key << text;
+  EXPECT_NE(text.find("\"label\": \"L1\""), std::string::npos);
+  EXPECT_NE(text.find("\"most\": 0.75"), std::string::npos);
+
+  const test::TempFolder folder;
+  const Placement read = read_placement(folder.write("p.json", text), table);
+  EXPECT_EQ(read.status, Status::infeasible);
+  EXPECT_TRUE(std::isinf(read.lower_bound));
+  EXPECT_EQ(placement_json(read, table), text);
+}
+
+TEST(PlacementFile, WritesWhatWasStoppedWithoutASelection) {
+  SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
+  table.mounts = {{0, 1}};
+  const Placement stopped = place(table, {}, {.solver = SolverChoice::greedy});
+  const std::string text = placement_json(stopped, table);
+  for (const char* part : {"\"selected\": []", "\"count\": 0", "\"count_lower_bound\": 1",
+                           "\"objective_value\": null", "\"status\": \"stopped\""})
+    EXPECT_NE(text.find(part), std::string::npos) << part << text;
+  const test::TempFolder folder;
+  EXPECT_EQ(placement_json(read_placement(folder.write("p.json", text), table), table), text);
+}
+
+TEST(PlacementFile, RejectsTwoOptionsOfAMountingPoint) {
+  const test::TempFolder folder;
+  const auto path = folder.write("p.json", placement_json(solved(), example()));
+  SignalTable table = example();
+  table.mounts = {{0, 1}};
+  test::expect_input_error([&] { read_placement(path, table); }, "p.json", "selected", "'T0' and 'T1'",
+                           "one mounting point");
+}
+
+TEST(PlacementFile, HasTheCertificateOfAPlan) {
+  const test::TempFolder folder;
+  Placement certified = solved();
+  certified.certificate.emplace();
+  certified.certificate->labels.resize(2);
+  certified.certificate->labels[0].verdict = Verdict::reached;
+  certified.certificate->count_lower_bound = 1;
+  certified.certificate->open = "it was interrupted";
+  const std::string text = placement_json(certified, example());
+  const Placement read = read_placement(folder.write("p.json", text), example());
+  ASSERT_TRUE(read.certificate);
+  EXPECT_EQ(read.certificate->confidence, 0.99);
+  EXPECT_EQ(read.certificate->labels[0].verdict, Verdict::reached);
+  EXPECT_EQ(read.certificate->labels[1].verdict, Verdict::undecided);
+  EXPECT_EQ(read.certificate->count_lower_bound, 1U);
+  EXPECT_EQ(read.certificate->open, "it was interrupted");
+  EXPECT_FALSE(
+      read_placement(folder.write("q.json", placement_json(solved(), example())), example()).certificate);
+  std::string wrong = text;
+  wrong.replace(wrong.find("\"reached\": 1"), 12, "\"reached\": 2");
+  test::expect_input_error([&] { read_placement(folder.write("p.json", wrong), example()); }, "p.json",
+                           "certificate.reached", "neither missed nor undecided");
+}
+
+// A text in which something was exchanged is refused, and it is said where and why.
+template <class Reader>
+void expect_refused(const Reader& read, std::string text, const std::string& from, const std::string& to,
+                    std::string_view place, std::string_view problem) {
+  ASSERT_NE(text.find(from), std::string::npos) << from;
+  text.replace(text.find(from), from.size(), to);
+  const test::TempFolder folder;
+  const auto path = folder.write("p.json", text);
+  test::expect_input_error([&] { read(path, example()); }, "p.json", place, problem);
+}
+
+Sensitivity some_sensitivity() {
+  Sensitivity some;
+  some.as_given = {1.25, 0.01, 1};
+  some.low = {{0.75, 0.02, 0}, {0}, {1}};
+  some.high = {{1.5, 0.03, 1}, {}, {}};
+  MaterialSensitivity floor{"floor", 0.5, 0.4, 0.6, true, {}, {}};
+  floor.at_lower = {{0.875, 0.01, 0}, -0.375, 0.001, -0.125, 1};
+  floor.at_upper = {{1.375, 0.01, 1}, 0.125, 0.002, 0.0625, 0};
+  some.materials = {floor};
+  some.kept = {"glass"};
+  some.watched = 2;
+  some.batches = 64;
+  some.seconds = 1.5;
+  return some;
+}
+
+TEST(PlacementFile, HasTheSensitivityOfAPlan) {
+  const test::TempFolder folder;
+  Placement asked = solved();
+  asked.sensitivity = some_sensitivity();
+  const std::string text = placement_json(asked, example());
+  const Placement read = read_placement(folder.write("p.json", text), example());
+  ASSERT_TRUE(read.sensitivity);
+  Placement again = solved();
+  again.sensitivity = read.sensitivity;
+  EXPECT_EQ(placement_json(again, example()), text);
+  EXPECT_EQ(read.sensitivity->holds(), Verdict::missed);
+  EXPECT_EQ(read.sensitivity->low.undecided, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(read.sensitivity->materials.at(0).at_lower.labels_short, 1U);
+  EXPECT_EQ(read.sensitivity->materials.at(0).at_upper.least.label, 1U);
+  EXPECT_FALSE(
+      read_placement(folder.write("q.json", placement_json(solved(), example())), example()).sensitivity);
+  const auto expect = [&](const std::string& from, const std::string& to, std::string_view place,
+                          std::string_view problem) {
+    expect_refused(read_placement, text, from, to, place, problem);
+  };
+  expect("\"holds\": \"no\"", "\"holds\": \"yes\"", "sensitivity.holds", "'low' lists");
+  expect("\"assumed\": true", "\"assumd\": true", "sensitivity.materials[0]", "assumd");
+  expect("\"labels_short\": 1", "\"labels_short\": -1", "sensitivity.materials[0].low.labels_short", "-1");
+  expect("\"watched\": 2", "\"watched\": 0.5", "sensitivity.watched", "0.5");
+}
+
+TEST(PlacementFile, ReadsItsCurve) {
+  const test::TempFolder folder;
+  ReachCurve curve;
+  curve.points = {{1, 0, 1}, {2, 2, 2}};
+  curve.is_complete = false;
+  const std::string text = placement_json(solved(), example(), curve);
+  const ReachCurve read = read_curve(folder.write("p.json", text), example());
+  ASSERT_EQ(read.points.size(), 2U);
+  EXPECT_EQ(read.points[0].at_most, 1U);
+  EXPECT_EQ(read.points[1].at_least, 2U);
+  EXPECT_FALSE(read.is_complete);
+  EXPECT_TRUE(
+      read_curve(folder.write("p.json", placement_json(solved(), example())), example()).points.empty());
+  const auto expect = [&](const std::string& from, const std::string& to, std::string_view place) {
+    expect_refused(read_curve, text, from, to, place, "");
+  };
+  expect("\"at_most\": 2", "\"at_most\": 3", "curve[1].at_most");
+  expect("\"at_most\": 2", "\"at_most\": 1", "curve[1].at_most");
+  expect("\"units\": 2", "\"units\": 1", "curve[1].units");
+}
+
+TEST(PlacementFile, RejectsWhatDoesNotFit) {
+  const test::TempFolder folder;
+  const auto expect = [&](const std::string& from, const std::string& to, std::string_view place,
+                          std::string_view problem) {
+    expect_refused(read_placement, placement_json(solved(), example()), from, to, place, problem);
+  };
+  expect("\"T1\"", "\"T7\"", "selected[1]", "T7");
+  expect("\"T1\"", "\"T0\"", "selected[1]", "T0");
+  expect("\"T1\"", "1", "selected[1]", "number");
+  expect("\"count\": 2", "\"count\": 3", "count", "3");
+  expect("\"labels\": 2", "\"labels\": 3", "labels", "the matrix has 2 labels");
+  expect("\"min_spacing\": null", "\"min_spacing\": -1", "min_spacing", "-1");
+  expect("\"forbidden_pairs\": 0", "\"forbidden_pairs\": -1", "forbidden_pairs", "-1");
+  expect("\"format\": 1", "\"format\": 2", "format", "2");
+  expect("weighted", "wieghted", "combination", "weighted");
+  expect("\"status\": \"stopped\"", "\"status\": \"stoped\"", "status", "stopped");
+  expect("\"solver\"", "\"slover\"", "slover", "solver");
+  expect("\"bound_proof\": \"log\"", "\"bound_proof\": \"lok\"", "bound_proof", "log");
+  expect("\"share\": 0.5", "\"share\": 0", "share", "0");
+  expect("\"lower_bound\": 3.5", "\"lower_bound\": true", "lower_bound", "number");
+  expect("\"unreachable\": []", "\"unreachable\": [{\"label\": \"X\", \"requirement\": 1, \"most\": 0}]",
+         "unreachable[0].label", "X");
+  test::expect_input_error([&] { read_placement(folder / "missing.json", example()); }, "missing.json");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,153 @@
+#include "shelfbeam/placement/mip/export_model.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/milp/model_file.hpp"
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+TEST(PlacementExport, DividesRowsByTheirRequirementAndClipsNothing) {
+  SignalTable table = test::make_table({{4.0, 0.5, 0.0}, {0.0, 2.0, 3.0}}, 3);
+  table.labels[1].requirement = 2;
+  table.transceivers[0].cost = 7;
+  table.transceivers[2].installed = true;
+  milp::Model model = placement_model(table, {});
+  ASSERT_EQ(model.columns.size(), 3U);
+  EXPECT_EQ(model.columns[0].cost, 1);
+  EXPECT_EQ(model.columns[0].name, "T0");
+  EXPECT_EQ(model.columns[0].lower, 0);
+  EXPECT_EQ(model.columns[2].lower, 1);
+  EXPECT_EQ(model.rows[0].name, "L0");
+  EXPECT_EQ(model.rows[0].lower, 1 - 1e-9);
+  EXPECT_EQ(model.rows[0].entries[0].value, 4);
+  EXPECT_EQ(model.rows[1].entries[1].value, 1.5);
+
+  model =
+      placement_model(table, {CommunicationModel::non_cooperative, Objective::links, Combination::weighted});
+  EXPECT_EQ(model.columns[0].cost, 8);
+  EXPECT_EQ(model.columns[1].cost, 2);
+  ASSERT_EQ(model.rows[0].entries.size(), 1U);
+  EXPECT_EQ(model.rows[0].entries[0].value, 1);
+  EXPECT_EQ(model.rows[0].lower, 1);
+}
+
+TEST(PlacementExport, HasARowForEveryMountingPointWithOptions) {
+  SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
+  table.mounts = {{0, 2}};
+  for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
+    const milp::Model built = placement_model(table, {model});
+    ASSERT_EQ(built.rows.size(), 2U);
+    const milp::Row& row = built.rows[1];
+    EXPECT_EQ(row.name, "mount_T0");
+    EXPECT_EQ(row.lower, -milp::infinity);
+    EXPECT_EQ(row.upper, 1);
+    ASSERT_EQ(row.entries.size(), 2U);
+    EXPECT_EQ(row.entries[0].column, 0U);
+    EXPECT_EQ(row.entries[1].column, 2U);
+    EXPECT_EQ(row.entries[1].value, 1);
+  }
+}
+
+TEST(PlacementExport, HasARowForEveryPairThatIsKeptApart) {
+  SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
+  table.apart = {{1, 3}};
+  const milp::Model model = placement_model(table, {});
+  ASSERT_EQ(model.rows.size(), 2U);
+  EXPECT_EQ(model.rows[1].name, "apart_T1_T3");
+  EXPECT_EQ(model.rows[1].upper, 1);
+  ASSERT_EQ(model.rows[1].entries.size(), 2U);
+  EXPECT_EQ(model.rows[1].entries[0].column + 10 * model.rows[1].entries[1].column, 31U);
+}
+
+TEST(PlacementExport, LetsEveryUnitFail) {
+  const SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
+  const milp::Model alone =
+      placement_model(table, {.model = CommunicationModel::non_cooperative, .redundant = true});
+  ASSERT_EQ(alone.rows.size(), 1U);
+  EXPECT_EQ(alone.rows[0].lower, 2);
+  const milp::Model model = placement_model(table, {.redundant = true});
+  ASSERT_EQ(model.rows.size(), 4U);
+  EXPECT_EQ(model.rows[1].name, "L0_without_T0");
+  EXPECT_EQ(model.rows[1].lower, 1 - 1e-9);
+  ASSERT_EQ(model.rows[1].entries.size(), 2U);
+  EXPECT_EQ(model.rows[1].entries[0].value, 0.5);
+  EXPECT_EQ(model.rows[3].name, "L0_without_T3");
+}
+
+TEST(PlacementExport, RefusesFailuresOfALargeMatrix) {
+  const SignalTable table =
+      test::make_table(std::vector<std::vector<double>>(6, std::vector<double>(2000, 1.0)), 2000);
+  test::expect_input_error([&] { placement_model(table, {.redundant = true}); }, "--survive-failure",
+                           "23988000 entries");
+}
+
+// Both files, read back by every solver, have the optimum that `place` proves; both within a gap of 1e-6.
+TEST(PlacementExport, HasTheOptimumOfThePlacement) {
+  const test::TempFolder folder;
+  test::RandomTables plain(51, {.labels = 6, .transceivers = 8, .borderline = false});
+  test::RandomTables with_options(52, {.labels = 6, .transceivers = 8, .borderline = false, .mounts = true});
+  test::RandomTables beyond(
+      53, {.labels = 4, .transceivers = 8, .borderline = false, .apart = true, .redundant = true});
+  int feasible = 0, control = 0, mount_control = 0, beyond_control = 0;
+  for (int k = 0; k < 450; ++k) {
+    test::RandomTables& tables = k % 3 == 0 ? plain : k % 3 == 1 ? with_options : beyond;
+    const SignalTable table = tables.next();
+    Question question = tables.next_question();
+    if (question.combination == Combination::lexicographic) question.objective = Objective::count;
+    const Placement found = place(table, question, {});
+    const milp::Model model = placement_model(table, question);
+    milp::write_mps(model, folder / "model.mps");
+    milp::write_lp(model, folder / "model.lp");
+    for (const char* file : {"model.mps", "model.lp"}) {
+      for (const milp::Backend& backend : milp::backends()) {
+        SCOPED_TRACE(testing::Message() << k << file << backend.name);
+        const milp::Result result = backend.solve(backend.read(folder / file), {}, {});
+        if (found.status == Status::infeasible) {
+          EXPECT_EQ(result.termination, milp::Termination::infeasible);
+          continue;
+        }
+        ++feasible;
+        EXPECT_EQ(result.termination, milp::Termination::optimal);
+        EXPECT_NEAR(result.primal_bound, found.objective_value, 2e-6 * found.objective_value);
+      }
+    }
+    // Negative control: without its first row the file has another optimum now and then.
+    if (found.status != Status::infeasible && model.rows.size() > 1) {
+      milp::Model relaxed = model;
+      relaxed.rows.erase(relaxed.rows.begin());
+      const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
+      control += result.primal_bound < found.objective_value * (1 - 1e-5);
+    }
+    // And so it has without the rows of failures and of pairs.
+    if (found.status != Status::infeasible && k % 3 == 2) {
+      SignalTable together = table;
+      together.apart.clear();
+      const milp::Model relaxed = model_without_failures(together, question);
+      const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
+      beyond_control += result.primal_bound < found.objective_value * (1 - 1e-5);
+    }
+    // And without the rows of the mounting points.
+    if (!table.mounts.empty()) {
+      milp::Model relaxed = model;
+      relaxed.rows.resize(table.rows());
+      const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
+      mount_control += result.primal_bound < found.objective_value * (1 - 1e-5);
+    }
+  }
+  EXPECT_GT(feasible, 200);
+  EXPECT_GT(control, 10);
+  EXPECT_GT(mount_control, 10);
+  EXPECT_GT(beyond_control, 10);
+}
+
+}  // namespace
+}  // namespace shelfbeam

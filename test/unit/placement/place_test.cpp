@@ -1,0 +1,248 @@
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/sanitizers.hpp"
+#include "unit/placement/formula_instances.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using Columns = std::vector<std::uint32_t>;
+constexpr auto coop = CommunicationModel::cooperative;
+constexpr auto alone = CommunicationModel::non_cooperative;
+
+TEST(Placement, ExplainsWhatCannotBeMet) {
+  const SignalTable table = test::make_table({{0.5, 0.4}, {1.0, 1.0}, {0.3, 0.8}}, 2);
+  Placement found = place(table, {coop}, {});
+  EXPECT_EQ(found.status, Status::infeasible);
+  EXPECT_TRUE(found.selected.empty());
+  EXPECT_TRUE(std::isinf(found.gap()));
+  ASSERT_EQ(found.unreachable.size(), 1U);
+  EXPECT_EQ(found.unreachable[0].label, 0U);
+  EXPECT_EQ(found.unreachable[0].requirement, 1);
+  EXPECT_DOUBLE_EQ(found.unreachable[0].most, 0.9);
+
+  found = place(table, {alone}, {.solver = SolverChoice::greedy});
+  EXPECT_EQ(found.status, Status::infeasible);
+  ASSERT_EQ(found.unreachable.size(), 2U);
+  EXPECT_EQ(found.unreachable[0].most, 0.5);
+  EXPECT_EQ(found.unreachable[1].label, 2U);
+  EXPECT_EQ(found.unreachable[1].most, 0.8);
+}
+
+TEST(Placement, AnswersTablesWithoutLabelsOrUnits) {
+  SignalTable no_labels = test::make_table({}, 3);
+  for (const auto model : {coop, alone}) {
+    Placement found = place(no_labels, {model}, {});
+    EXPECT_EQ(found.status, Status::optimal);
+    EXPECT_TRUE(found.selected.empty());
+    EXPECT_EQ(found.objective_value, 0);
+    EXPECT_EQ(place(test::make_table({}, 0), {model}, {}).status, Status::optimal);
+    found = place(test::make_table({{}, {}}, 0), {model}, {});
+    EXPECT_EQ(found.status, Status::infeasible);
+    EXPECT_EQ(found.unreachable.size(), 2U);
+    EXPECT_EQ(found.unreachable[0].most, 0);
+  }
+  no_labels.transceivers[1].installed = true;
+  const Placement found = place(no_labels, {coop, Objective::signal, Combination::weighted}, {});
+  EXPECT_EQ(found.selected, Columns{1});
+  EXPECT_EQ(found.objective_value, 1);
+}
+
+TEST(Placement, KeepsInstalledUnits) {
+  SignalTable table = test::make_table({{1, 0, 1}, {0, 1, 1}}, 3);
+  EXPECT_EQ(place(table, {coop}, {}).selected, Columns{2});
+  table.transceivers[0].installed = true;
+  for (const auto solver : {SolverChoice::mip, SolverChoice::greedy}) {
+    const Placement found = place(table, {coop}, {.solver = solver});
+    EXPECT_EQ(found.selected, (Columns{0, 1}));
+    EXPECT_EQ(found.count_lower_bound, 2);
+  }
+}
+
+TEST(Placement, AnInstalledUnitTakesItsMountingPoint) {
+  SignalTable table = test::make_table({{1, 0, 1}, {0, 1, 1}}, 3);
+  table.mounts = {{0, 2}};
+  EXPECT_EQ(place(table, {coop}, {}).selected, Columns{2});
+  table.transceivers[0].installed = true;
+  for (const auto solver : {SolverChoice::mip, SolverChoice::greedy})
+    EXPECT_EQ(place(table, {coop}, {.solver = solver}).selected, (Columns{0, 1}));
+  table.entries.erase(table.entries.begin() + 2);  // unit 1 reaches nobody, unit 2 cannot be mounted
+  table.row_begin = {0, 2, 3};
+  const Placement found = place(table, {coop}, {});
+  EXPECT_EQ(found.status, Status::infeasible);
+  ASSERT_EQ(found.unreachable.size(), 1U);
+  EXPECT_EQ(found.unreachable[0].label, 1U);
+  EXPECT_EQ(found.unreachable[0].most, 0);
+}
+
+TEST(Placement, TheMostALabelGetsIsFromTheBestOptionOfEveryPoint) {
+  SignalTable table = test::make_table({{0.5, 0.4, 0.25}}, 3);
+  table.mounts = {{0, 1}};
+  Placement found = place(table, {coop}, {});
+  EXPECT_EQ(found.status, Status::infeasible);
+  ASSERT_EQ(found.unreachable.size(), 1U);
+  EXPECT_EQ(found.unreachable[0].most, 0.75);
+  found = place(table, {alone}, {});
+  EXPECT_EQ(found.unreachable[0].most, 0.5);
+  table.mounts.clear();
+  EXPECT_EQ(place(table, {coop}, {}).status, Status::optimal);
+}
+
+TEST(Placement, ProvesThatOptionsExcludeOneAnother) {
+  SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
+  table.mounts = {{0, 1}};
+  for (const milp::Backend& backend : milp::backends())
+    for (const auto model : {coop, alone}) {
+      Placement found = place(table, {model}, {.backend = std::string(backend.name)});
+      EXPECT_EQ(found.status, Status::infeasible);
+      EXPECT_TRUE(found.unreachable.empty());
+      EXPECT_TRUE(found.selected.empty());
+      EXPECT_EQ(found.solver.find(backend.name), 0U) << "who proved it is told";
+      // Greedy proves nothing, and without time nobody does.
+      found = place(table, {model}, {.solver = SolverChoice::greedy});
+      EXPECT_EQ(found.status, Status::stopped);
+      EXPECT_TRUE(found.selected.empty());
+      EXPECT_TRUE(std::isinf(found.objective_value));
+      EXPECT_EQ(found.count_lower_bound, 1);
+      found = place(table, {model}, {.time_limit_s = 0});
+      EXPECT_EQ(found.status, Status::stopped);
+      EXPECT_TRUE(found.selected.empty());
+    }
+}
+
+// Greedy takes the cheap unit 0; with unit 1 in its place as many labels are left over, so it stays there.
+TEST(Placement, SearchesWhereGreedyIsStuck) {
+  SignalTable table = test::make_table({{1, 0, 1}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}}, 3);
+  table.transceivers[1].cost = 4;
+  table.transceivers[2].cost = 3;
+  table.mounts = {{0, 1}};
+  const Question question{alone, Objective::count, Combination::weighted};
+  const Placement greedy = place(table, question, {.solver = SolverChoice::greedy});
+  EXPECT_EQ(greedy.status, Status::stopped);
+  EXPECT_TRUE(greedy.selected.empty());
+  EXPECT_TRUE(std::isinf(greedy.gap()));
+  const Placement found = place(table, question, {});
+  EXPECT_EQ(found.status, Status::optimal);
+  EXPECT_EQ(found.selected, (Columns{1, 2}));
+  EXPECT_EQ(found.objective_value, 7);
+}
+
+TEST(Placement, SaysWhoAnsweredAndForHowLong) {
+  const SignalTable table = test::make_table({{1, 1}}, 2);
+  for (const milp::Backend& backend : milp::backends()) {
+    const Placement found =
+        place(table, {}, {.solver = SolverChoice::mip, .backend = std::string(backend.name)});
+    EXPECT_EQ(found.solver, std::string(backend.name) + " " + std::string(backend.version));
+    EXPECT_GT(found.seconds, 0);
+  }
+  for (const auto solver : {SolverChoice::automatic, SolverChoice::search})
+    EXPECT_EQ(place(table, {}, {.solver = solver}).solver, "search");
+  const Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
+  EXPECT_EQ(greedy.solver, "greedy");
+  EXPECT_EQ(greedy.status, Status::feasible);
+}
+
+TEST(Placement, RejectsWhatItCannotAnswer) {
+  SignalTable table = test::make_table({{1, 1}}, 2);
+  test::expect_input_error([&] { place(table, {}, {.backend = "cplex"}); }, "cplex");
+  table.labels[0].requirement = 0;
+  test::expect_input_error([&] { place(table, {}, {}); }, "L0", "--threshold");
+}
+
+TEST(Placement, TellsWhenLinksCountedOne) {
+  SignalTable table = test::make_table({{1, 1}}, 2);
+  EXPECT_TRUE(place(table, {alone, Objective::links}, {}).unit_costs);
+  EXPECT_FALSE(place(table, {alone, Objective::count}, {}).unit_costs);
+  table.labels[0].link_cost = 2;
+  EXPECT_FALSE(place(table, {alone, Objective::links}, {}).unit_costs);
+}
+
+/// Big enough that no solver proves it at once.
+SignalTable hard_table() {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform(0, 0.25);
+  std::vector<std::vector<double>> matrix(200, std::vector<double>(100));
+  for (auto& row : matrix)
+    for (double& entry : row) entry = uniform(random);
+  return test::make_table(matrix, 100);
+}
+
+TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
+  const SignalTable table = hard_table();
+  for (const milp::Backend& backend : milp::backends()) {
+    for (const double limit : {0.0, 2.0 * test::slowness}) {
+      const auto start = std::chrono::steady_clock::now();
+      const Placement found = place(table, {coop, Objective::signal},
+                                    {.backend = std::string(backend.name), .time_limit_s = limit});
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      EXPECT_LT(seconds, 20 * test::slowness);
+      EXPECT_EQ(found.status, Status::stopped);
+      EXPECT_TRUE(check_selection(table, {coop}, found.selected).met());
+      EXPECT_GT(found.lower_bound, 0);
+      EXPECT_LT(found.lower_bound, found.objective_value);
+      EXPECT_GE(found.count_lower_bound, limit > 0 ? 8 : 1);  // each label needs 4 at 0.25; the LP says 8
+      EXPECT_GT(found.gap(), 0);
+    }
+  }
+}
+
+// Rows of three units out of many: what reductions leave is left to the MIP, which the search alone does not
+// ask. It says so, and its bound is its own.
+TEST(Placement, SearchLeavesNothingToAMip) {
+  const SignalTable table = test::cube_cycles(5);
+  const Question question{alone};
+  const Placement with_mip = place(table, question, {.time_limit_s = test::slowness});
+  EXPECT_EQ(with_mip.bound_proof, BoundProof::solver) << "negative control";
+  const Placement search = place(table, question, {.solver = SolverChoice::search, .time_limit_s = 1});
+  EXPECT_TRUE(check_selection(table, question, search.selected).met());
+  EXPECT_NE(search.bound_proof, BoundProof::solver);
+  EXPECT_EQ(search.status, Status::stopped);
+  EXPECT_GT(search.count_lower_bound, 1);
+  EXPECT_EQ(search.solver.find("search"), 0U);
+}
+
+// Greedy is stuck, so the search has nothing to begin with.
+TEST(Placement, SearchSaysWhereItHasNoStart) {
+  SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
+  table.mounts = {{0, 1}};
+  const Placement found = place(table, {}, {.solver = SolverChoice::search});
+  EXPECT_EQ(found.status, Status::stopped);
+  EXPECT_FALSE(found.has_selection());
+  EXPECT_EQ(found.solver, "search");
+}
+
+TEST(Placement, SeedsLeadOtherWaysToTheSameValue) {
+  const SignalTable proven = test::affine_lines(3);
+  std::set<std::vector<std::uint32_t>> unproven;
+  for (const std::uint64_t seed : {1ULL, 2ULL, 1ULL << 40}) {
+    const Placement found = place(proven, {alone}, {.seed = seed});
+    EXPECT_EQ(found.status, Status::optimal);
+    EXPECT_EQ(found.objective_value, 18);
+    unproven.insert(place(test::cube_cycles(7), {alone},
+                          {.solver = SolverChoice::search, .time_limit_s = 0.5, .seed = seed})
+                        .selected);
+  }
+  EXPECT_GT(unproven.size(), 1U);
+}
+
+TEST(Placement, ReturnsTheGreedyAnswerWhenCancelled) {
+  CancelToken token;
+  token.request();
+  const SignalTable table = hard_table();
+  const Placement found = place(table, {coop}, {}, {.cancel = &token});
+  EXPECT_EQ(found.status, Status::stopped);
+  EXPECT_EQ(found.selected, place(table, {coop}, {.solver = SolverChoice::greedy}).selected);
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,397 @@
+#include "shelfbeam/placement/placement_search.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/heuristic/greedy.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+
+#include "unit/placement/brute_force.hpp"
+#include "unit/placement/formula_instances.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::BruteForce;
+using Answer = BruteForce::Answer;
+constexpr auto coop = CommunicationModel::cooperative;
+constexpr auto alone = CommunicationModel::non_cooperative;
+
+double value_of(const Answer& answer, const Question& question) {
+  if (question.combination == Combination::weighted) return answer.price + answer.second_objective;
+  return question.objective == Objective::count ? static_cast<double>(answer.columns.size())
+                                                : answer.second_objective;
+}
+
+// Of the best answers that with the largest smallest margin, then the fewest units, then the first by id.
+std::vector<std::uint32_t> by_tie_rule(const SignalTable& table, const std::vector<Answer>& best) {
+  const auto rank = [&](const Answer& one) {
+    return std::tuple(-one.margin, one.columns.size(), BruteForce::ids(table, one.columns));
+  };
+  return std::min_element(best.begin(), best.end(),
+                          [&](const Answer& a, const Answer& b) { return rank(a) < rank(b); })
+      ->columns;
+}
+
+struct Tally {
+  int optimal = 0, settled = 0, more_than_one = 0, infeasible = 0, stopped = 0;
+  int by[5] = {};
+};
+
+void compare(const SignalTable& table, const Question& question, const Placement& answer, Tally& tally) {
+  std::vector<Answer> best = BruteForce::answers(table, question);
+  if (best.empty()) {
+    EXPECT_EQ(answer.status, Status::infeasible);
+    ++tally.infeasible;
+    return;
+  }
+  EXPECT_TRUE(answer.has_selection());
+  EXPECT_TRUE(check_selection(table, question, answer.selected).met());
+  EXPECT_TRUE(std::any_of(best.begin(), best.end(),
+                          [&](const Answer& one) { return one.columns == answer.selected; }));
+  std::size_t fewest = table.columns();
+  for (const Answer& one : best) fewest = std::min(fewest, one.columns.size());
+  EXPECT_LE(answer.count_lower_bound, static_cast<double>(fewest));
+  if (question.combination == Combination::lexicographic)
+    std::erase_if(best, [&](const Answer& one) { return one.columns.size() > fewest; });
+  double least = std::numeric_limits<double>::infinity();
+  for (const Answer& one : best) least = std::min(least, value_of(one, question));
+  const double rounding = answer.bound_proof == BoundProof::solver ? 2e-6 : 2e-9;
+  EXPECT_LE(answer.lower_bound, least * (1 + rounding));
+  if (answer.status == Status::stopped) {
+    ++tally.stopped;
+    EXPECT_FALSE(answer.ties_settled);
+    return;
+  }
+  ++tally.optimal;
+  ++tally.by[static_cast<int>(answer.bound_proof)];
+  EXPECT_EQ(answer.status, Status::optimal);
+  EXPECT_NEAR(answer.objective_value, least, 2e-6 * least);
+  EXPECT_NEAR(answer.lower_bound, least, 2e-6 * least);
+  if (question.combination == Combination::lexicographic) {
+    EXPECT_EQ(answer.count(), fewest);
+  }
+  if (!answer.ties_settled) return;
+  ++tally.settled;
+  // What costs no more than the answer, up to 1e-12 of it (the least is proven to 1e-9); the tables of
+  // near-ties have some that are about that far off.
+  const double value = answer.objective_value;
+  std::erase_if(best, [&](const Answer& one) { return value_of(one, question) > value * (1 + 1e-11); });
+  if (std::any_of(best.begin(), best.end(),
+                  [&](const Answer& one) { return value_of(one, question) > value * (1 + 1e-14); }))
+    return;
+  // Margins that are the same but for the order of a sum: nobody can say which is larger.
+  const double widest = std::max_element(best.begin(), best.end(), [](const Answer& a, const Answer& b) {
+                          return a.margin < b.margin;
+                        })->margin;
+  if (std::any_of(best.begin(), best.end(), [&](const Answer& one) {
+        return one.margin < widest && one.margin > widest * (1 - 1e-12);
+      }))
+    return;
+  tally.more_than_one += best.size() > 1;
+  EXPECT_EQ(answer.selected, by_tie_rule(table, best));
+}
+
+Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits,
+          const PlaceOptions& options = {}) {
+  test::RandomTables random(seed, limits);
+  Tally tally;
+  for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    const auto begin = std::chrono::steady_clock::now();
+    const Placement answer = place(table, question, options, {.threads = 1});
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(4));
+    compare(table, question, answer, tally);
+    if (k % 8 == 0 && answer.ties_settled) {
+      EXPECT_EQ(place(table, question, options, {.threads = 4}).selected, answer.selected);
+    }
+  }
+  return tally;
+}
+
+void expect_kinds(const Tally& tally, int cases) {
+  EXPECT_GT(tally.infeasible, cases / 20);
+  EXPECT_EQ(tally.stopped, 0);
+  EXPECT_GT(tally.settled, tally.optimal * 9 / 10);
+  EXPECT_GT(tally.more_than_one, cases / 50);
+  EXPECT_GT(tally.by[static_cast<int>(BoundProof::log)], cases / 20);
+  EXPECT_LT(tally.by[static_cast<int>(BoundProof::search)], cases / 20);
+}
+
+constexpr test::RandomTableLimits beyond_the_paper{
+    .labels = 6, .transceivers = 12, .mounts = true, .apart = true, .redundant = true};
+
+TEST(PlacementSearch, EqualsEnumeration) {
+  expect_kinds(run(11, 1500, {.transceivers = 11}), 1500);
+}
+
+TEST(PlacementSearch, EqualsEnumerationWhereCandidatesExcludeOneAnotherAndUnitsMayFail) {
+  expect_kinds(run(12, 1500, beyond_the_paper), 1500);
+}
+
+TEST(PlacementSearch, EqualsEnumerationWithoutAMip) {
+  const Tally tally = run(17, 500, {.transceivers = 11}, {.solver = SolverChoice::search});
+  expect_kinds(tally, 500);
+  EXPECT_EQ(tally.by[static_cast<int>(BoundProof::solver)], 0);
+}
+
+// Trees on several threads find one or another selection first; the answer must not show it.
+TEST(PlacementSearchSlow, IsTheSameForAnyNumberOfThreadsWhereTiesAreLeftOpen) {
+  test::RandomTables random(11);
+  int open = 0;
+  for (int k = 0; k < 4; ++k) {
+    const SignalTable table = test::scattered_table(random, 250, 150, 0.034);
+    const Placement one = place(table, {}, {}, {.threads = 1});
+    ASSERT_EQ(one.status, Status::optimal);
+    open += !one.ties_settled;
+    for (const unsigned threads : {2U, 4U}) {
+      const Placement more = place(table, {}, {}, {.threads = threads});
+      EXPECT_EQ(more.selected, one.selected);
+      EXPECT_EQ(more.ties_settled, one.ties_settled);
+    }
+  }
+  EXPECT_GT(open, 0);
+}
+
+TEST(PlacementSearchSlow, EqualsEnumerationOnManyMore) {
+  expect_kinds(run(13, 15000, {.transceivers = 13}), 15000);
+  expect_kinds(run(14, 15000, {.labels = 30, .transceivers = 12}), 15000);
+  expect_kinds(run(15, 15000, beyond_the_paper), 15000);
+}
+
+// Costs that differ by more digits than a number has: what the search cannot tell, it does not claim.
+TEST(PlacementSearch, IsNotMisledByOnePrice) {
+  test::RandomTables random(16, {.transceivers = 9});
+  Tally tally;
+  for (int k = 0; k < 300 && !HasFailure(); ++k) {
+    SignalTable table = random.next();
+    for (auto& unit : table.transceivers)
+      if (random.chance(0.2)) unit.cost = std::pow(10.0, random.whole(5, 18));
+    Question question = random.next_question();
+    question.combination = Combination::weighted;
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    compare(table, question, place(table, question, {.time_limit_s = 0.2}, {.threads = 1}), tally);
+  }
+  EXPECT_GT(tally.optimal, 100);
+}
+
+TEST(PlacementSearch, StopsWithValidBoundsAtAnyTime) {
+  test::RandomTables random(17, {.transceivers = 12, .mounts = true});
+  Tally tally;
+  CancelToken token;
+  token.request();
+  for (int k = 0; k < 300 && !HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    for (const double limit : {0.0, 1e-6, 1e-4, 1e300}) {
+      const Placement answer =
+          limit > 1 ? place(table, question, {.time_limit_s = limit}, {.threads = 1, .cancel = &token})
+                    : place(table, question, {.time_limit_s = limit}, {.threads = 1});
+      if (answer.status == Status::stopped && !answer.has_selection()) continue;
+      compare(table, question, answer, tally);
+    }
+  }
+  EXPECT_GT(tally.stopped, 100);
+}
+
+// What places of the search are used for is a matter of size, and these tables are small.
+Tally run_with(std::uint64_t seed, int cases, const test::RandomTableLimits& tables,
+               const detail::SearchLimits& limits) {
+  test::RandomTables random(seed, tables);
+  const auto backends = milp::backends();
+  Tally tally;
+  for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    const auto greedy = greedy_selection(table, question);
+    if (!check_selection(table, question, greedy).met()) continue;
+    compare(table, question,
+            detail::search_placement(table, question, greedy, {backends, backends}, 10, 1, {.threads = 1},
+                                     limits),
+            tally);
+  }
+  return tally;
+}
+
+TEST(PlacementSearch, EqualsEnumerationWithoutTrees) {
+  const detail::SearchLimits without_trees{.most_units_of_trees = 0, .small_answer = 0};
+  for (const std::uint64_t seed : {21U, 22U}) {
+    const Tally tally =
+        run_with(seed, 300, seed == 21 ? test::RandomTableLimits{.transceivers = 11} : beyond_the_paper,
+                 without_trees);
+    EXPECT_GT(tally.optimal, 60);
+    EXPECT_LT(tally.stopped, tally.optimal / 5);
+    EXPECT_GT(tally.by[static_cast<int>(BoundProof::solver)], 20);
+    EXPECT_GT(tally.by[static_cast<int>(BoundProof::dual)], 20);
+    EXPECT_EQ(tally.by[static_cast<int>(BoundProof::log)], 0);
+  }
+}
+
+// Neither the matrix nor a solver of whole models is needed for a valid answer.
+TEST(PlacementSearch, IsValidWithoutWhatLargeTablesHaveNoRoomFor) {
+  const detail::SearchLimits nothing{.most_units_of_trees = 0,
+                                     .most_places_of_trees = 0,
+                                     .most_places_of_local_search = 0,
+                                     .small_answer = 0,
+                                     .most_mip_entries = 0};
+  const Tally tally = run_with(23, 300, beyond_the_paper, nothing);
+  EXPECT_GT(tally.optimal, 50);
+  EXPECT_GT(tally.stopped, 20);
+}
+
+milp::Result lies(const milp::Model& model, const milp::SolveOptions&, const RunControl&) {
+  milp::Result result;
+  result.termination = milp::Termination::optimal;
+  result.primal_bound = result.dual_bound = 1e6;
+  result.solution.assign(model.columns.size(), 1.0);
+  return result;
+}
+
+milp::Result fails(const milp::Model&, const milp::SolveOptions&, const RunControl&) {
+  return {};
+}
+
+// A solver that errs is found out, or does no harm; one that fails is followed by the next.
+TEST(PlacementSearch, SurvivesSolversThatFailAndLie) {
+  test::RandomTables random(24, {.transceivers = 10});
+  Tally tally;
+  int by_the_next = 0;
+  for (int k = 0; k < 200 && !HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    milp::Backend bad = milp::backends().front();
+    bad.name = "bad";
+    bad.solve = k % 2 == 0 ? lies : fails;
+    const milp::Backend both[] = {bad, milp::backends().back()};
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    const auto greedy = greedy_selection(table, question);
+    if (!check_selection(table, question, greedy).met()) continue;
+    const Placement answer =
+        detail::search_placement(table, question, greedy, {both, milp::backends()}, 10, 1, {.threads = 1},
+                                 {.most_units_of_trees = 0, .small_answer = 0});
+    compare(table, question, answer, tally);
+    by_the_next += answer.solver.find(milp::backends().back().name) != std::string::npos;
+  }
+  EXPECT_GT(tally.optimal, 60);
+  EXPECT_GT(by_the_next, 8);
+}
+
+// Prices that solvers cannot tell apart: their proof counts, to their gap.
+TEST(PlacementSearch, BelievesASolverWithinItsGap) {
+  test::RandomTables random(25, {.labels = 30, .transceivers = 20, .borderline = false});
+  int proven = 0;
+  for (int k = 0; k < 40; ++k) {
+    SignalTable table = random.next();
+    for (auto& unit : table.transceivers) unit.cost = 1 + 1e-8 * random.real(0, 1), unit.installed = false;
+    const Question question{coop, Objective::count, Combination::weighted};
+    const auto greedy = greedy_selection(table, question);
+    if (!check_selection(table, question, greedy).met() || greedy.empty()) continue;
+    const auto backends = milp::backends();
+    const Placement answer = detail::search_placement(table, question, greedy, {backends, backends}, 20, 1,
+                                                      {}, {.most_units_of_trees = 0, .small_answer = 0});
+    EXPECT_EQ(answer.status, Status::optimal);
+    EXPECT_LT(answer.gap(), 1e-6);
+    proven += answer.bound_proof == BoundProof::solver;
+  }
+  EXPECT_GT(proven, 3);
+}
+
+// What costs more is no tie, by however little.
+TEST(PlacementSearch, PrefersTheCheaperOfTwoThatAreNearlyAlike) {
+  SignalTable table = test::make_table({{1, 2}}, 2);
+  table.transceivers[1].cost = 1 + 5e-10;
+  const Question question{coop, Objective::count, Combination::weighted};
+  const Placement answer = place(table, question, {});
+  EXPECT_EQ(answer.selected, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(answer.lower_bound, 1);
+  table.transceivers[1].cost = 1;
+  EXPECT_EQ(place(table, question, {}).selected, std::vector<std::uint32_t>{1}) << "the wider margin";
+  table.entries[1].signal = 1;
+  table.transceivers[0].id = "T2";
+  EXPECT_EQ(place(table, question, {}).selected, std::vector<std::uint32_t>{1}) << "the first by id";
+}
+
+// The greedy method takes the unit that reaches most, and that excludes all others.
+TEST(PlacementSearch, FindsASelectionWhereTheGreedyMethodGetsStuck) {
+  std::vector<std::vector<double>> matrix(40, std::vector<double>(6, 0.0));
+  for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i][i % 4] = matrix[i][4] = 1;
+  matrix[0][4] = 0;
+  SignalTable table = test::make_table(matrix, 6);
+  table.apart = {{0, 4}, {1, 4}, {2, 4}, {3, 4}};
+  for (const auto model : {coop, alone}) {
+    const auto greedy = greedy_selection(table, {model});
+    ASSERT_FALSE(check_selection(table, {model}, greedy).met());
+    const auto found = detail::first_selection(table, {model}, greedy, 10, 1, {});
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(check_selection(table, {model}, *found).met());
+    const Placement answer = place(table, {model}, {});
+    EXPECT_EQ(answer.count(), 4U);
+    EXPECT_EQ(answer.status, Status::optimal);
+  }
+  table.apart.emplace_back(0, 1);
+  EXPECT_FALSE(detail::first_selection(table, {coop}, {}, 10, 1, {}));
+  EXPECT_EQ(place(table, {coop}, {}).status, Status::infeasible);
+}
+
+// The random numbers of local search are the seed's, and no proven value depends on them.
+TEST(PlacementSearch, ProvesTheSameWithAnySeed) {
+  const SignalTable table = test::affine_lines(2);
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Placement answer = place(table, {alone}, {.seed = seed});
+    EXPECT_EQ(answer.status, Status::optimal);
+    EXPECT_EQ(answer.count(), 5U);
+  }
+}
+
+struct Known {
+  SignalTable table;
+  std::size_t optimum;
+  double seconds;
+};
+
+TEST(PlacementSearchSlow, ProvesSteinerSystems) {
+  const Known known[] = {
+      {test::affine_lines(2), 5, 5}, {test::bose_triples(2), 9, 5}, {test::affine_lines(3), 18, 60}};
+  for (const Known& one : known) {
+    SCOPED_TRACE(one.table.rows());
+    const Placement found = place(one.table, {alone}, {.time_limit_s = one.seconds});
+    EXPECT_EQ(found.status, Status::optimal);
+    EXPECT_EQ(found.count(), one.optimum);
+    RecordProperty("seconds", std::to_string(found.seconds));
+  }
+}
+
+// The best known, 25, is found; a proof takes longer than five minutes.
+TEST(PlacementSearchSlow, FindsTheBestKnownOfColourings) {
+  const SignalTable table = test::colourings(10, 4);
+  const Placement found = place(table, {alone}, {.time_limit_s = 20});
+  EXPECT_TRUE(check_selection(table, {alone}, found.selected).met());
+  EXPECT_EQ(found.count(), 25U);
+  EXPECT_LE(found.count_lower_bound, 25);
+  EXPECT_LT(found.seconds, 40);
+}
+
+TEST(PlacementSearchSlow, ComesNearTheBestKnownOfALargeSteinerSystem) {
+  const SignalTable table = test::affine_lines(4);
+  const Placement found = place(table, {alone}, {.time_limit_s = 20});
+  EXPECT_TRUE(check_selection(table, {alone}, found.selected).met());
+  EXPECT_LE(found.count(), 62U);
+  EXPECT_GE(found.count_lower_bound, 27);
+  EXPECT_LE(found.count_lower_bound, 61);
+  EXPECT_LT(found.seconds, 30);
+}
+
+}  // namespace
+}  // namespace shelfbeam

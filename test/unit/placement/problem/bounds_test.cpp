@@ -1,0 +1,72 @@
+#include "shelfbeam/placement/problem/bounds.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/mip/export_model.hpp"
+
+#include "unit/placement/brute_force.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+// Both bounds against enumeration; the same bounds with one unit more must be wrong now and then.
+TEST(PlacementBounds, HoldForEverySelection) {
+  test::RandomTables plain(3), with_options(4, {.mounts = true});
+  int tight = 0;
+  for (int k = 0; k < 2000; ++k) {
+    test::RandomTables& tables = k % 2 == 0 ? plain : with_options;
+    const SignalTable table = tables.next();
+    Question question = tables.next_question();
+    question.combination = Combination::weighted;
+    const test::BruteForce brute(table, question);
+    if (!brute.feasible) continue;
+    const std::size_t count = least_count(table, question);
+    EXPECT_LE(count, brute.fewest);
+    tight += count == brute.fewest;
+
+    const std::vector<double> cost = first_objective(table, question);
+    const CostBounds bounds(table, cost);
+    const double slack = 1e-12 * brute.best_sum;
+    EXPECT_LE(bounds.cheapest(brute.fewest), brute.best_sum + slack);
+    EXPECT_LE(bounds.fewest(brute.best_sum), brute.fewest);
+    const CostBounds second(table, objective_coefficients(table, question));
+    EXPECT_LE(second.cheapest(brute.fewest), brute.best_at_fewest * (1 + 1e-12));
+  }
+  EXPECT_GT(tight, 50);
+}
+
+TEST(PlacementBounds, PayInstalledUnitsAlways) {
+  SignalTable table = test::make_table({{1, 1, 1, 1}}, 4);
+  table.transceivers[1].installed = true;
+  const std::vector<double> cost = {5, 10, 1, 2};
+  const CostBounds bounds(table, cost);
+  EXPECT_EQ(bounds.cheapest(0), 10);
+  EXPECT_EQ(bounds.cheapest(1), 10);
+  EXPECT_EQ(bounds.cheapest(3), 13);
+  EXPECT_EQ(bounds.cheapest(9), 18);
+  EXPECT_EQ(bounds.fewest(10), 1U);
+  EXPECT_EQ(bounds.fewest(10.1), 2U);
+  EXPECT_EQ(bounds.fewest(15.1), 3U);
+  EXPECT_EQ(least_count(table, {}), 1U);
+  table.entries[1].signal = 0.5;
+  EXPECT_EQ(least_count(table, {}), 2U);
+}
+
+TEST(PlacementBounds, RoundUpWholeCostsOnly) {
+  const SignalTable table = test::make_table({}, 2);
+  const CostBounds whole(table, std::vector<double>{1, 2});
+  EXPECT_EQ(whole.rounded(4.3), 5);
+  EXPECT_EQ(whole.rounded(4.0000001), 4);  // what a solver may be off
+  EXPECT_EQ(whole.rounded(4.00001), 5);
+  EXPECT_EQ(whole.rounded(3.9999999), 4);
+  EXPECT_EQ(whole.rounded(-INFINITY), -INFINITY);
+  EXPECT_EQ(whole.rounded(1e7 + 0.25), 1e7 + 0.25);  // the gap of 1e-6 is larger than 1 there
+  const CostBounds broken(table, std::vector<double>{1, 2.5});
+  EXPECT_EQ(broken.rounded(4.3), 4.3);
+}
+
+}  // namespace
+}  // namespace shelfbeam

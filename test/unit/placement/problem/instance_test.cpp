@@ -1,0 +1,90 @@
+#include "shelfbeam/placement/problem/instance.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using Values = std::vector<double>;
+constexpr auto coop = CommunicationModel::cooperative;
+constexpr auto alone = CommunicationModel::non_cooperative;
+
+// Two labels (link costs 2 and 3, signal costs 5 and 7), three units.
+SignalTable example() {
+  SignalTable table = test::make_table({{0.5, 1.0, 0.0}, {4.0, 0.25, 0.8}}, 3);
+  table.labels[0].link_cost = 2, table.labels[1].link_cost = 3;
+  table.labels[0].signal_cost = 5, table.labels[1].signal_cost = 7;
+  return table;
+}
+
+Values coefficients(CommunicationModel model, Objective objective, double share = 1) {
+  return objective_coefficients(example(), {model, objective, Combination::lexicographic, share});
+}
+
+TEST(PlacementInstance, CoefficientsAreThoseOfTheFormulas) {
+  EXPECT_EQ(coefficients(coop, Objective::count), (Values{0, 0, 0}));
+  EXPECT_EQ(coefficients(coop, Objective::links), (Values{5, 5, 5}));   // (3.13): t_ij = T_j for every label
+  EXPECT_EQ(coefficients(alone, Objective::links), (Values{3, 2, 0}));  // (3.3): l_ij
+  EXPECT_EQ(coefficients(coop, Objective::effective_links), (Values{3, 2, 0}));
+  EXPECT_EQ(coefficients(coop, Objective::effective_links, 0.5), (Values{5, 2, 3}));
+  EXPECT_EQ(coefficients(alone, Objective::effective_links, 4), (Values{3, 0, 0}));
+  // (3.10): the unclipped signal, 4 and not 1
+  EXPECT_EQ(coefficients(coop, Objective::signal), (Values{0.5 * 5 + 4 * 7, 1 * 5 + 0.25 * 7, 0.8 * 7}));
+}
+
+TEST(PlacementInstance, LinksCountOneWhereNobodyPricedThem) {
+  SignalTable table = example();
+  EXPECT_FALSE(label_costs(table, Objective::links).unit);
+  for (auto& label : table.labels) label.link_cost = 0;
+  EXPECT_TRUE(label_costs(table, Objective::links).unit);
+  EXPECT_TRUE(label_costs(table, Objective::effective_links).unit);
+  EXPECT_FALSE(label_costs(table, Objective::signal).unit);
+  EXPECT_FALSE(label_costs(table, Objective::count).unit);
+  EXPECT_EQ(objective_coefficients(table, {alone, Objective::links}), (Values{1, 1, 0}));
+  table.labels[1].link_cost = 0.5;  // one price is enough to mean the others as they are
+  EXPECT_EQ(objective_coefficients(table, {alone, Objective::links}), (Values{0.5, 0, 0}));
+}
+
+TEST(PlacementInstance, TheRuleAllowsOneInABillion) {
+  for (const double requirement : {1e-12, 0.0185, 1.0, 1e9}) {
+    EXPECT_TRUE(is_met(requirement, requirement));
+    EXPECT_TRUE(is_met(requirement * (1 - 0.9e-9), requirement));
+    EXPECT_FALSE(is_met(requirement * (1 - 1.1e-9), requirement));
+  }
+}
+
+TEST(PlacementInstance, ReachAloneHasItsOwnRequirement) {
+  SignalTable table = example();
+  table.labels[0].single_requirement = 0.5;
+  EXPECT_EQ(objective_coefficients(table, {alone, Objective::links}), (Values{5, 2, 0}));
+  EXPECT_EQ(objective_coefficients(table, {coop, Objective::effective_links}), (Values{3, 2, 0}));
+}
+
+TEST(PlacementInstance, RejectsLabelsWithoutRequirement) {
+  for (const double wrong :
+       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    SignalTable table = example();
+    table.labels[1].requirement = wrong;
+    test::expect_input_error([&] { check_question(table, {coop}); }, "L1", "--threshold");
+    EXPECT_NO_THROW(check_question(table, {alone}));
+    table.labels[1].single_requirement = wrong;
+    test::expect_input_error([&] { check_question(table, {alone}); }, "L1", "--threshold");
+  }
+}
+
+TEST(PlacementInstance, RejectsSharesThatAreNone) {
+  for (const double wrong : {0.0, -0.5, std::numeric_limits<double>::quiet_NaN()})
+    test::expect_input_error(
+        [&] {
+          check_question(example(), {coop, Objective::effective_links, Combination::lexicographic, wrong});
+        },
+        "--share");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,58 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+
+namespace shelfbeam {
+namespace {
+
+constexpr auto coop = CommunicationModel::cooperative;
+constexpr auto alone = CommunicationModel::non_cooperative;
+
+const std::filesystem::path instances = SHELFBEAM_SOURCE_DIR "/test/data/instances";
+
+// 300 x 150; both optima are known to be 5.
+void prove_thesis_size(const milp::Backend& backend) {
+  const SignalTable table = read_signal_table(instances / "thesis_s1_e0.txt.gz");
+  ASSERT_EQ(table.rows(), 300U);
+  ASSERT_EQ(table.columns(), 150U);
+  for (const auto model : {alone, coop}) {
+    const Placement found = place(table, {model}, {.backend = std::string(backend.name)});
+    EXPECT_EQ(found.status, Status::optimal) << backend.name;
+    EXPECT_EQ(found.count(), 5U) << backend.name;
+    EXPECT_EQ(found.count_lower_bound, 5) << backend.name;
+    EXPECT_TRUE(check_selection(table, {model}, found.selected).met());
+  }
+}
+
+TEST(PlacementReference, ProvesTheThesisSize) {
+  prove_thesis_size(milp::backends().front());
+}
+
+TEST(PlacementReferenceSlow, EverySolverProvesTheThesisSize) {
+  for (const milp::Backend& backend : milp::backends()) prove_thesis_size(backend);
+}
+
+#ifdef SHELFBEAM_LARGE_INSTANCES
+// 5,000 x 600; the non-cooperative optimum is 27, the cooperative one between 22 and 26.
+TEST(PlacementReferenceSlow, SolvesTheSupermarket) {
+  const SignalTable table = read_signal_table(SHELFBEAM_LARGE_INSTANCES "/super_s1_e0.txt.gz");
+  const Placement proven = place(table, {alone}, {.time_limit_s = 300});
+  EXPECT_EQ(proven.status, Status::optimal);
+  EXPECT_EQ(proven.count(), 27U);
+
+  const Placement stopped = place(table, {coop}, {.time_limit_s = 30});
+  EXPECT_EQ(stopped.status, Status::stopped);
+  EXPECT_TRUE(check_selection(table, {coop}, stopped.selected).met());
+  EXPECT_LE(stopped.count(), 26U);
+  EXPECT_GE(stopped.count_lower_bound, 22);
+  EXPECT_LE(stopped.count_lower_bound, 25);
+  EXPECT_LE(stopped.seconds, 60);
+}
+#endif
+
+}  // namespace
+}  // namespace shelfbeam

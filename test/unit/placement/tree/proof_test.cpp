@@ -1,0 +1,262 @@
+#include "shelfbeam/placement/tree/proof.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/tree/tree_search.hpp"
+
+#include "unit/placement/brute_force.hpp"
+#include "unit/placement/formula_instances.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam::detail {
+namespace {
+
+using test::BruteForce;
+
+Proof prove(const SignalTable& table, const Question& question, std::size_t units,
+            std::int64_t cost = std::numeric_limits<std::int64_t>::max()) {
+  const SearchProblem problem(table, question);
+  const SearchMatrix all(table, question.model);
+  TreeGoal goal;
+  goal.most_units = units;
+  goal.most_cost = cost;
+  return TreeSearch(problem, all).run(goal, {.wants_proof = true}, {.threads = 2}).proof;
+}
+
+constexpr Question alone{.model = CommunicationModel::non_cooperative};
+
+// A9 has 5 as its optimum: the log of 4 has branches, filters and sums.
+struct NineLines {
+  SignalTable table = test::affine_lines(2);
+  Proof proof = prove(table, alone, 4);
+};
+
+TEST(Proof, OfASmallSteinerSystemHolds) {
+  const NineLines a9;
+  ASSERT_TRUE(a9.proof.is_complete);
+  EXPECT_TRUE(check_proof(a9.table, alone, a9.proof));
+  EXPECT_FALSE(prove(a9.table, alone, 5).is_complete);
+  EXPECT_GT(std::count(a9.proof.steps.begin(), a9.proof.steps.end(), Proof::branch), 0);
+}
+
+TEST(Proof, ThatWasTamperedWithIsRefused) {
+  const NineLines a9;
+  const auto refused = [&](auto change) {
+    Proof proof = a9.proof;
+    change(proof);
+    return !check_proof(a9.table, alone, proof);
+  };
+  EXPECT_TRUE(refused([](Proof& p) { p.is_complete = false; }));
+  EXPECT_TRUE(refused([](Proof& p) { p.most_units = 5; }));
+  EXPECT_TRUE(refused([](Proof& p) { p.steps.pop_back(); }));
+  EXPECT_TRUE(refused([](Proof& p) { p.steps.push_back(Proof::single_fails); }));
+  EXPECT_TRUE(refused([](Proof& p) { p.steps.clear(); }));
+  EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::open}; }));
+  EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::cost_fails}; }));
+  EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::row_fails, 0}; }));
+  EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::row_fails, 1000}; }));
+  EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::branch, 1000, 0, 0}; }));
+  EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::branch, 0, 0, 0}; })) << "children are left out";
+  EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::single_fails}; })) << "more than one unit is left";
+  EXPECT_TRUE(refused([](Proof& p) { p.rows.assign(1, 1000); }));
+  EXPECT_TRUE(refused([](Proof& p) { p.weights.clear(); }));
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinite = std::numeric_limits<float>::infinity();
+  for (const float weight : {-1.0F, nan, infinite})
+    EXPECT_TRUE(refused([&](Proof& p) {
+      for (auto& walk : p.weights)
+        for (auto& weights : walk) std::fill(weights.begin(), weights.end(), weight);
+    })) << weight;
+}
+
+// One child of the last branch less, its steps too: what it would have proven is missing.
+TEST(Proof, WithoutAChildIsRefused) {
+  const SignalTable table =
+      test::cover_table({{0, 1}, {2, 3}, {0, 2}, {1, 3}, {0, 3}, {1, 2}}, 4);  // needs 3
+  Proof proof;
+  proof.is_complete = true;
+  proof.most_units = 2;
+  proof.most_cost = std::numeric_limits<std::int64_t>::max();
+  proof.rows = {0, 1, 2, 3, 4, 5};
+  proof.steps = {Proof::branch, 0, 0, 2, 0, Proof::single_fails, 1, Proof::single_fails};
+  EXPECT_TRUE(check_proof(table, alone, proof));
+  for (const std::uint32_t left_out : {0U, 1U}) {
+    proof.steps = {Proof::branch, 0, 0, 1, 1 - left_out, Proof::single_fails};
+    EXPECT_FALSE(check_proof(table, alone, proof));
+  }
+  proof.steps = {Proof::branch, 0, 0, 2, 0, Proof::single_fails, 7, Proof::single_fails};
+  EXPECT_FALSE(check_proof(table, alone, proof)) << "there is no column 7";
+  proof.steps = {Proof::branch, 0, 0, 2, 0, Proof::row_fails, 0, 1, Proof::single_fails};
+  EXPECT_FALSE(check_proof(table, alone, proof)) << "label 0 is met by unit 0";
+}
+
+// A single unit of cost 8 does; with a price so high that its gain drowns in rounding it must not seem
+// useless.
+TEST(Proof, WithABadPriceIsRefused) {
+  SignalTable table = test::make_table({{1, 0.25}}, 2);
+  table.transceivers[0].cost = 8;
+  const Question question{CommunicationModel::cooperative, Objective::count, Combination::weighted};
+  const SearchProblem problem(table, question);
+  Proof proof;
+  proof.is_complete = true;
+  proof.most_units = 1;
+  proof.most_cost = problem.cost[0];
+  proof.rows = {0};
+  proof.weights = {{{1.0F}}};
+  for (const float price :
+       {0.0F, -1.0F, 1e-18F, 1.0F, 1e20F, std::numeric_limits<float>::quiet_NaN(),
+        std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+    const auto bits = std::bit_cast<std::uint32_t>(price);
+    proof.steps = {Proof::sum_fails, 0, bits};
+    EXPECT_FALSE(check_proof(table, question, proof)) << price;
+    proof.steps = {Proof::filter, 0, bits, Proof::single_fails};
+    EXPECT_FALSE(check_proof(table, question, proof)) << price;
+  }
+  proof.most_cost -= 1;
+  proof.steps = {Proof::single_fails};
+  EXPECT_TRUE(check_proof(table, question, proof));
+}
+
+// Where no column is left to choose, the chosen ones may do.
+TEST(Proof, ThatNoFurtherUnitHelpsDoesNotDenyTheChosenOnes) {
+  SignalTable table = test::make_table({{1, 0}}, 2);
+  table.transceivers[0].installed = true;
+  table.mounts = {{0, 1}};
+  Proof proof;
+  proof.is_complete = true;
+  proof.most_units = 2;
+  proof.most_cost = std::numeric_limits<std::int64_t>::max();
+  proof.rows = {0};
+  proof.steps = {Proof::single_fails};
+  EXPECT_FALSE(check_proof(table, alone, proof));
+  table.entries[0].signal = 0.5;
+  EXPECT_TRUE(check_proof(table, alone, proof));
+}
+
+void mutate(test::RandomTables& random, Proof& proof) {
+  auto& steps = proof.steps;
+  const auto place = [&](std::size_t size) {
+    return static_cast<std::size_t>(random.whole(0, static_cast<int>(size) - 1));
+  };
+  const auto word = [&]() -> std::uint32_t {
+    if (random.chance(0.6)) return static_cast<std::uint32_t>(random.whole(0, 12));
+    if (random.chance(0.5) && !steps.empty()) return steps[place(steps.size())];
+    return static_cast<std::uint32_t>(
+        random.whole(std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+  };
+  switch (random.whole(0, 7)) {
+    case 0:
+      if (!steps.empty()) steps[place(steps.size())] = word();
+      break;
+    case 1:
+      steps.insert(steps.begin() + random.whole(0, static_cast<int>(steps.size())), word());
+      break;
+    case 2:
+      if (!steps.empty()) steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(place(steps.size())));
+      break;
+    case 3:
+      if (!steps.empty()) steps.resize(place(steps.size()));
+      break;
+    case 4:
+      if (steps.size() > 1) {
+        const std::size_t from = place(steps.size()), to = place(steps.size());
+        std::rotate(steps.begin() + static_cast<std::ptrdiff_t>(std::min(from, to)),
+                    steps.begin() + static_cast<std::ptrdiff_t>((from + to + 1) / 2),
+                    steps.begin() + static_cast<std::ptrdiff_t>(std::max(from, to) + 1));
+      }
+      break;
+    case 5:
+      for (auto& walk : proof.weights)
+        for (auto& weights : walk)
+          if (!weights.empty() && random.chance(0.3))
+            weights[place(weights.size())] = std::bit_cast<float>(word() * 0x01000193U);
+      break;
+    case 6:
+      if (!proof.rows.empty()) proof.rows[place(proof.rows.size())] = word();
+      break;
+    default:
+      if (random.chance(0.5) && proof.most_cost < std::numeric_limits<std::int64_t>::max() - 3)
+        proof.most_cost += random.whole(-3, 3);
+      else
+        proof.most_units += static_cast<std::size_t>(random.whole(-1, 1));
+  }
+}
+
+// Whether enumeration knows a selection that a proof denies.
+bool is_false(const SearchProblem& problem, const std::vector<BruteForce::Answer>& answers,
+              const Proof& proof) {
+  return std::any_of(answers.begin(), answers.end(), [&](const auto& answer) {
+    return answer.columns.size() <= proof.most_units && problem.cost_of(answer.columns) <= proof.most_cost;
+  });
+}
+
+struct Fuzzed {
+  int proofs = 0, accepted = 0, refused = 0, of_falsehoods = 0;
+};
+
+// Proofs that hold, made to claim more and changed at random: no falsehood is ever proven.
+Fuzzed fuzz(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
+  test::RandomTables random(seed, limits);
+  Fuzzed fuzzed;
+  for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    const SearchProblem problem(table, question);
+    const auto answers = BruteForce::answers(table, question);
+    std::size_t fewest = table.columns() + 1;
+    std::int64_t cheapest = std::numeric_limits<std::int64_t>::max();
+    for (const auto& answer : answers) {
+      fewest = std::min(fewest, answer.columns.size());
+      cheapest = std::min(cheapest, problem.cost_of(answer.columns));
+    }
+    const bool by_cost = !answers.empty() && cheapest > 0 && random.chance(0.5);
+    if (fewest == 0) continue;
+    const Proof proof =
+        by_cost ? prove(table, question, table.columns(), cheapest - 1) : prove(table, question, fewest - 1);
+    EXPECT_TRUE(proof.is_complete);
+    EXPECT_TRUE(check_proof(table, question, proof));
+    ++fuzzed.proofs;
+    Proof raised = proof;
+    if (by_cost)
+      raised.most_cost = cheapest;
+    else
+      raised.most_units = fewest;
+    EXPECT_TRUE(answers.empty() || !check_proof(table, question, raised));
+    for (int m = 0; m < 12; ++m) {
+      Proof changed = random.chance(0.5) ? proof : raised;
+      for (int times = random.whole(1, 3); times > 0; --times) mutate(random, changed);
+      const bool accepted = check_proof(table, question, changed);
+      const bool falsehood = is_false(problem, answers, changed);
+      EXPECT_FALSE(accepted && falsehood);
+      (accepted ? fuzzed.accepted : fuzzed.refused) += 1;
+      fuzzed.of_falsehoods += falsehood;
+    }
+  }
+  return fuzzed;
+}
+
+TEST(Proof, NoMutationProvesAFalsehood) {
+  const Fuzzed plain = fuzz(1, 1500, {.transceivers = 9});
+  const Fuzzed more =
+      fuzz(2, 1500, {.labels = 6, .transceivers = 9, .mounts = true, .apart = true, .redundant = true});
+  for (const Fuzzed& fuzzed : {plain, more}) {
+    EXPECT_GT(fuzzed.proofs, 1000);
+    EXPECT_GT(fuzzed.accepted, 500) << "some changes do no harm";
+    EXPECT_GT(fuzzed.refused, 2000);
+    EXPECT_GT(fuzzed.of_falsehoods, 1000);
+  }
+}
+
+TEST(ProofSlow, NoMutationProvesAFalsehoodOfManyMore) {
+  fuzz(3, 30000, {.transceivers = 10});
+  fuzz(4, 30000, {.labels = 6, .transceivers = 10, .mounts = true, .apart = true, .redundant = true});
+}
+
+}  // namespace
+}  // namespace shelfbeam::detail

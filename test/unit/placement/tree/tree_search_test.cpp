@@ -1,0 +1,307 @@
+#include "shelfbeam/placement/tree/tree_search.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/tree/proof.hpp"
+
+#include "unit/placement/brute_force.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam::detail {
+namespace {
+
+using test::BruteForce;
+using test::Omission;
+using Columns = std::vector<std::uint32_t>;
+using Kind = TreeGoal::Kind;
+constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
+
+// What enumeration says about a goal.
+struct Expected {
+  std::vector<BruteForce::Answer> allowed;
+  std::optional<std::int64_t> least_cost;
+  std::optional<Columns> widest;
+
+  Expected(const SearchProblem& problem, const TreeGoal& goal, Omission omission = Omission::nothing)
+      : Expected(problem, goal, BruteForce::answers(problem.table, problem.question, omission)) {}
+
+  Expected(const SearchProblem& problem, const TreeGoal& goal, std::vector<BruteForce::Answer> answers)
+      : allowed(std::move(answers)) {
+    std::erase_if(allowed, [&](const BruteForce::Answer& answer) {
+      const auto has = [&](std::uint32_t j) { return (answer.set >> j & 1U) != 0; };
+      return answer.columns.size() > goal.most_units || problem.cost_of(answer.columns) > goal.most_cost ||
+             (goal.kind == Kind::any && answer.margin < goal.least_margin) ||
+             !std::all_of(goal.included.begin(), goal.included.end(), has) ||
+             std::any_of(goal.excluded.begin(), goal.excluded.end(), has);
+    });
+    const auto rank = [&](const BruteForce::Answer& answer) {
+      return std::tuple(-answer.margin, answer.columns.size(),
+                        BruteForce::ids(problem.table, answer.columns));
+    };
+    for (const auto& answer : allowed)
+      least_cost = std::min(least_cost.value_or(no_limit), problem.cost_of(answer.columns));
+    if (!allowed.empty())
+      widest = std::min_element(allowed.begin(), allowed.end(), [&](const auto& a, const auto& b) {
+                 return rank(a) < rank(b);
+               })->columns;
+  }
+};
+
+bool agrees(const SearchProblem& problem, const TreeGoal& goal, const TreeAnswer& answer,
+            const Expected& expected) {
+  const auto is_allowed = [&] {
+    return std::any_of(expected.allowed.begin(), expected.allowed.end(),
+                       [&](const auto& one) { return one.columns == *answer.selected; });
+  };
+  if (!answer.is_complete || (answer.selected && !is_allowed())) return false;
+  switch (goal.kind) {
+    case Kind::any:
+      return answer.selected.has_value() != expected.allowed.empty();
+    case Kind::cheapest:
+      return answer.selected ? problem.cost_of(*answer.selected) == expected.least_cost
+                             : expected.allowed.empty();
+    case Kind::widest:
+      return answer.selected.value_or(goal.start) == expected.widest;
+  }
+  return false;
+}
+
+TreeAnswer search(const SearchProblem& problem, const TreeGoal& goal, unsigned threads = 1) {
+  const SearchMatrix all(problem.table, problem.question.model);
+  return TreeSearch(problem, all).run(goal, {.wants_proof = true}, {.threads = threads});
+}
+
+// A goal that is neither trivial nor impossible too often; `answers` are those of the whole question.
+TreeGoal random_goal(test::RandomTables& random, const SearchProblem& problem,
+                     const std::vector<BruteForce::Answer>& answers) {
+  TreeGoal goal;
+  goal.kind = static_cast<Kind>(random.whole(0, answers.empty() ? 1 : 2));
+  const auto some = [&]() -> const BruteForce::Answer& {
+    return answers[static_cast<std::size_t>(random.whole(0, static_cast<int>(answers.size()) - 1))];
+  };
+  const int n = static_cast<int>(problem.table.columns());
+  goal.most_units = static_cast<std::size_t>(random.whole(0, n));
+  if (!answers.empty() && random.chance(0.7)) {
+    std::size_t fewest = answers.front().columns.size();
+    for (const auto& answer : answers) fewest = std::min(fewest, answer.columns.size());
+    goal.most_units =
+        fewest + static_cast<std::size_t>(random.whole(0, 2)) - (random.chance(0.3) && fewest > 0);
+  }
+  if (!answers.empty() && random.chance(0.4)) goal.most_cost = problem.cost_of(some().columns);
+  if (!answers.empty() && goal.kind == Kind::any && random.chance(0.5))
+    goal.least_margin = std::min(some().margin, 1e4) * (random.chance(0.5) ? 1 : 1.001);
+  if (goal.kind == Kind::widest) {
+    const BruteForce::Answer& start = some();
+    goal.start = start.columns;
+    goal.most_units = std::max(goal.most_units, start.columns.size());
+    goal.most_cost = std::max(goal.most_cost, problem.cost_of(start.columns));
+  }
+  for (std::uint32_t j = 0; j < problem.table.columns() && goal.kind != Kind::widest; ++j) {
+    if (!problem.available[j]) continue;
+    if (random.chance(0.03))
+      goal.excluded.push_back(j);
+    else if (random.chance(0.03) && goal.included.empty())
+      goal.included.push_back(j);
+  }
+  return goal;
+}
+
+struct Tally {
+  int found = 0, proven = 0, checked = 0;
+  int last_label = 0, installed = 0, tolerance = 0, mounts = 0, apart = 0, failure = 0;
+};
+
+void look(const SearchProblem& problem, const TreeGoal& goal, const TreeAnswer& answer, Tally& tally) {
+  const auto differs = [&](Omission omission) {
+    return !agrees(problem, goal, answer, Expected(problem, goal, omission));
+  };
+  tally.last_label += differs(Omission::last_label);
+  tally.installed += differs(Omission::installed);
+  tally.tolerance += differs(Omission::tolerance);
+  tally.mounts += differs(Omission::mounts);
+  tally.apart += differs(Omission::apart);
+  tally.failure += differs(Omission::failure);
+}
+
+Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
+  test::RandomTables random(seed, limits);
+  Tally tally;
+  for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    const SearchProblem problem(table, question);
+    const auto answers = BruteForce::answers(table, question);
+    const TreeGoal goal = random_goal(random, problem, answers);
+    const TreeAnswer answer = search(problem, goal);
+    EXPECT_TRUE(agrees(problem, goal, answer, Expected(problem, goal, answers)))
+        << "kind " << static_cast<int>(goal.kind);
+    (answer.selected ? tally.found : tally.proven) += 1;
+    for (const unsigned threads : {2U, 4U})
+      if (goal.kind == Kind::widest) {
+        EXPECT_EQ(search(problem, goal, threads).selected, answer.selected);
+      }
+    const bool is_claim_of_question = goal.kind != Kind::widest && goal.least_margin < 0.9 &&
+                                      goal.included.empty() && goal.excluded.empty();
+    if (is_claim_of_question && answer.proof.is_complete) {
+      ++tally.checked;
+      EXPECT_TRUE(check_proof(table, question, answer.proof));
+    }
+    if (k % 4 == 0) look(problem, goal, answer, tally);
+  }
+  EXPECT_GT(tally.found, cases / 5);
+  EXPECT_GT(tally.proven, cases / 5);
+  EXPECT_GT(tally.checked, cases / 5);
+  return tally;
+}
+
+TEST(TreeSearch, EqualsEnumeration) {
+  const Tally tally = run(1, 4000, {.transceivers = 11});
+  EXPECT_GT(tally.last_label, 50);
+  EXPECT_GT(tally.installed, 50);
+  EXPECT_GT(tally.tolerance, 10);
+}
+
+TEST(TreeSearch, EqualsEnumerationWhereCandidatesExcludeOneAnotherAndUnitsMayFail) {
+  const Tally tally =
+      run(2, 4000, {.labels = 6, .transceivers = 11, .mounts = true, .apart = true, .redundant = true});
+  EXPECT_GT(tally.mounts, 50);
+  EXPECT_GT(tally.apart, 50);
+  EXPECT_GT(tally.failure, 50);
+}
+
+TEST(TreeSearchSlow, EqualsEnumerationOnManyMore) {
+  run(3, 40000, {.transceivers = 12});
+  run(4, 40000, {.labels = 6, .transceivers = 12, .mounts = true, .apart = true, .redundant = true});
+}
+
+// More labels than a search begins with: most of them alike, so that few of those matter and the others turn
+// up.
+TEST(TreeSearch, TakesInRowsWhereItBeganWithFew) {
+  test::RandomTables random(5);
+  int found = 0;
+  for (int k = 0; k < 60 && !HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    const std::size_t columns = 10;
+    const double density = random.real(0.3, 1);
+    std::vector<std::vector<double>> matrix(static_cast<std::size_t>(random.whole(200, 500)));
+    for (auto& row : matrix) {
+      row.assign(columns, 0.0);
+      row[static_cast<std::size_t>(random.whole(0, 9))] = 1.2;
+      for (double& entry : row)
+        if (random.chance(density)) entry += 0.25 * random.whole(0, 4);
+    }
+    const SignalTable table = test::make_table(matrix, columns);
+    Question question = random.next_question();
+    question.redundant = random.chance(0.2);
+    const SearchProblem problem(table, question);
+    const auto answers = BruteForce::answers(table, question);
+    const TreeGoal goal = random_goal(random, problem, answers);
+    const Expected expected(problem, goal, answers);
+    const SearchMatrix all(table, question.model);
+    for (const std::size_t rows : {std::size_t{1}, std::size_t{0}}) {
+      TreeSearch tree(problem, all);
+      if (rows > 0) tree.begin_with(Columns{7}, std::vector<double>{1.0});
+      const TreeAnswer answer = tree.run(goal, {.wants_proof = true}, {.threads = 2});
+      EXPECT_TRUE(agrees(problem, goal, answer, expected));
+      found += answer.selected.has_value();
+    }
+  }
+  EXPECT_GT(found, 20);
+}
+
+TEST(TreeSearch, EndsAtItsLimitsAndSaysSo) {
+  test::RandomTables random(6);
+  std::vector<std::vector<double>> matrix(60, std::vector<double>(60));
+  for (auto& row : matrix)
+    for (double& entry : row) entry = random.real(0, 0.3);
+  const SignalTable table = test::make_table(matrix, 60);
+  const Question question;
+  const SearchProblem problem(table, question);
+  const SearchMatrix all(table, question.model);
+  TreeGoal goal;
+  goal.most_units = 7;
+  const TreeAnswer few = TreeSearch(problem, all).run(goal, {.nodes = 100}, {});
+  EXPECT_FALSE(few.is_complete);
+  EXPECT_LT(few.nodes, 1000U);
+  CancelToken token;
+  token.request();
+  const TreeAnswer none = TreeSearch(problem, all).run(goal, {.wants_proof = true}, {.cancel = &token});
+  EXPECT_FALSE(none.is_complete);
+  EXPECT_FALSE(none.selected);
+  EXPECT_FALSE(none.proof.is_complete);
+  EXPECT_FALSE(check_proof(table, question, none.proof));
+}
+
+TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
+  test::RandomTables random(7);
+  int complete = 0, open_and_found = 0, more_with_more_work = 0;
+  for (int k = 0; k < 30 && !HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    const SignalTable table = test::scattered_table(random, 150, 40);
+    const Question question;
+    const SearchProblem problem(table, question);
+    const SearchMatrix all(table, question.model);
+    TreeGoal goal;
+    goal.kind = k % 3 == 0 ? Kind::any : k % 3 == 1 ? Kind::cheapest : Kind::widest;
+    goal.most_units = static_cast<std::size_t>(random.whole(4, 6));
+    const auto look = [&](std::uint64_t work, unsigned threads) {
+      return TreeSearch(problem, all).run(goal, {.work = work}, {.threads = threads});
+    };
+    std::optional<double> margin;
+    std::vector<float> memory;
+    for (const std::uint64_t work : {300'000U, 3'000'000U, 30'000'000U}) {
+      const TreeAnswer one = look(work, 1);
+      for (const unsigned threads : {2U, 4U, 4U}) {
+        const TreeAnswer more = look(work, threads);
+        EXPECT_EQ(more.selected, one.selected);
+        EXPECT_EQ(more.nodes, one.nodes);
+        EXPECT_EQ(more.is_complete, one.is_complete);
+      }
+      complete += one.is_complete;
+      open_and_found += !one.is_complete && one.selected.has_value();
+      if (one.is_complete && goal.kind != Kind::any) {
+        const TreeAnswer whole = search(problem, goal, 2);
+        EXPECT_EQ(whole.selected.has_value(), one.selected.has_value());
+        if (goal.kind == Kind::widest) {
+          EXPECT_EQ(whole.selected, one.selected);
+        }
+      }
+      if (goal.kind != Kind::widest || !one.selected) continue;
+      const double now = margin_of(table, question, all, *one.selected, memory).smallest;
+      if (margin) {
+        EXPECT_GE(now, *margin);
+        more_with_more_work += now > *margin;
+      }
+      margin = now;
+    }
+  }
+  EXPECT_GT(complete, 10);
+  EXPECT_GT(open_and_found, 3) << "searches that end early, where threads would tell";
+  EXPECT_GT(more_with_more_work, 0);
+}
+
+// Signals far beyond every requirement: single precision stops telling them apart, the answer does not.
+TEST(TreeSearch, TellsLargeMarginsApart) {
+  const SignalTable table = test::make_table({{3e6, 5e8, 0, 4e8}, {3e6, 2e6, 7e7, 4e8}}, 4);
+  for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
+    const Question question{model};
+    const SearchProblem problem(table, question);
+    for (const std::size_t units : {1U, 2U, 3U, 4U}) {
+      TreeGoal goal;
+      goal.kind = Kind::widest;
+      goal.most_units = units;
+      goal.start = {0};
+      EXPECT_TRUE(agrees(problem, goal, search(problem, goal), Expected(problem, goal))) << units;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shelfbeam::detail

@@ -1,0 +1,42 @@
+#include "shelfbeam/plan/decisive_rows.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+// The rows that are found need as many units as all of them, and no fewer rows are claimed to need more.
+TEST(DecisiveRows, NeedAsMuchAsAll) {
+  test::RandomTables random(3, {.labels = 60, .transceivers = 14, .borderline = false, .redundant = true});
+  int sufficient = 0, fewer = 0;
+  for (int k = 0; k < 150; ++k) {
+    const SignalTable table = random.next();
+    Question question;
+    question.model =
+        random.chance(0.5) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative;
+    question.redundant = random.chance(0.3);
+    const Placement all = place(table, question, {.settles_ties = false});
+    if (all.status != Status::optimal || all.count() < 2) continue;
+    const DecisiveRows decisive = decisive_rows(table, question, all.count(), 10, {});
+    EXPECT_TRUE(decisive.suffice);
+    EXPECT_TRUE(std::is_sorted(decisive.rows.begin(), decisive.rows.end()));
+    EXPECT_EQ(std::adjacent_find(decisive.rows.begin(), decisive.rows.end()), decisive.rows.end());
+    const Placement some = place(table_of_rows(table, decisive.rows), question, {.settles_ties = false});
+    EXPECT_EQ(some.count(), all.count());
+    EXPECT_FALSE(decisive_rows(table, question, all.count() + 1, 10, {}).suffice) << "more is not to be had";
+    const DecisiveRows hurried = decisive_rows(table, question, all.count(), 0, {});
+    EXPECT_TRUE(std::is_sorted(hurried.rows.begin(), hurried.rows.end()));
+    EXPECT_FALSE(hurried.suffice) << "nothing was asked";
+    ++sufficient;
+    fewer += decisive.rows.size() < table.rows();
+  }
+  EXPECT_GT(sufficient, 40);
+  EXPECT_GT(fewer, sufficient / 3);
+}
+
+}  // namespace
+}  // namespace shelfbeam

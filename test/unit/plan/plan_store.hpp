@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+
+namespace shelfbeam::test {
+
+/// A room of 6 x 5 x 3 m with a gondola of some 16 labels and `across` x 3 units, as quick to simulate as a
+/// store can be.
+struct PlanStore {
+  double threshold = 0.02;
+  int across = 4;
+
+  Scene scene() const {
+    std::string units;
+    for (int x = 0; x < across; ++x)
+      for (int y = 0; y < 3; ++y)
+        units += fmt::format(R"({}{{"id": "T{}-{}", "position": [{}, {}, 2.98], "type": "wide"}})",
+                             x + y == 0 ? "" : ",", x, y, 5.0 * (x + 0.5) / across + 0.5, 0.8 + 1.7 * y);
+    return make_scene(parse_store(fmt::format(R"({{
+          "room": {{"size": [6, 5, 3], "floor": "paper", "ceiling": "paper", "walls": "paper"}},
+          "materials": {{"paper": {{"type": "lambertian", "reflectance": 0.6}}}},
+          "label_types": {{"standard": {{"threshold": {}}}}},
+          "transceiver_types": {{"wide": {{"emission": {{"type": "sin2theta", "peak": 1}}}}}},
+          "fixtures": [{{"type": "gondola", "id": "A1", "at": [1.2, 2.1], "length": 3, "depth": 0.8, "height": 1.6,
+                        "material": "paper", "shelves": [0.5, 1.1], "stocking": 0.7,
+                        "labels": {{"type": "standard", "spacing": 0.7}}}}],
+          "transceivers": {{"list": [{}]}}}})",
+                                              threshold, units),
+                                  "plan store", "."));
+  }
+};
+
+}  // namespace shelfbeam::test

@@ -1,0 +1,92 @@
+#include "shelfbeam/report/comparison/comparison_report.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/report/data/text_format.hpp"
+
+#include "unit/report/csv_reader.hpp"
+#include "unit/report/markup.hpp"
+#include "unit/report/supermarket_report.hpp"
+
+namespace shelfbeam {
+namespace {
+
+/// Signals of 40 labels from 3 units; measured as 5 times that, up and down by half a decibel.
+struct Survey {
+  SignalMatrix matrix;
+  std::vector<ComparedPair> pairs;
+
+  Survey() {
+    for (std::size_t j = 0; j < 3; ++j)
+      matrix.transceivers.push_back({"T<" + std::to_string(j) + ">", "c", {}, {}});
+    for (std::uint32_t i = 0; i < 40; ++i) {
+      matrix.labels.push_back({"A&\"" + std::to_string(i) + "\"", "s", {}, {}});
+      for (std::uint32_t j = 0; j < 3; ++j) {
+        const double signal = 0.01 * std::pow(0.9, i) * std::pow(0.97, j);
+        const double db = i % 2 == 0 ? 0.5 : -0.5;
+        pairs.push_back({i, j, 5 * signal * std::pow(10, db / 10), 0.02 * signal, signal, 0.01 * signal});
+      }
+    }
+    pairs[7].measured /= 20;
+    pairs[11].measured = 0;
+  }
+};
+
+TEST(ComparisonReport, PageIsWellFormedAndHoldsTheNumbers) {
+  const Survey survey;
+  const Comparison comparison = compare_signals(survey.pairs);
+  const std::string html = comparison_html({survey.matrix, survey.pairs, comparison, "m<1>.csv", "s.h5"});
+  EXPECT_EQ(test::fault(html), "");
+  const std::string text = test::read_markup(html).text;
+  for (const std::string& piece :
+       {std::string("m<1>.csv beside s.h5"), significant(comparison.factor, 4),
+        significant(comparison.factor_interval.low, 4), fixed(comparison.ninety_residual, 2),
+        std::string("2 outliers"), std::string("A&\"2\""), std::string("T<1>"),
+        std::string("1 pair without a positive signal on both sides is not drawn")})
+    EXPECT_NE(text.find(piece), std::string::npos) << piece;
+  EXPECT_EQ(text.find("3 outliers"), std::string::npos) << "negative control";
+  std::size_t marks = 0;
+  for (std::size_t at = 0; (at = html.find("<use href=\"#s", at)) != std::string::npos; ++at) ++marks;
+  EXPECT_EQ(marks, survey.pairs.size() - 1) << "one a pair with a residual";
+  for (const std::string& statement : comparison_statements(comparison))
+    EXPECT_NE(text.find(statement), std::string::npos) << statement;
+}
+
+TEST(ComparisonReport, ThousandsOfDotsThatCoverOneAnotherAreDrawnOnce) {
+  Survey survey;
+  const std::size_t few =
+      comparison_html({survey.matrix, survey.pairs, compare_signals(survey.pairs), "m", "s"}).size();
+  std::vector<ComparedPair> many;
+  for (int copy = 0; copy < 300; ++copy)
+    many.insert(many.end(), survey.pairs.begin(), survey.pairs.begin() + 6);
+  const std::size_t size = comparison_html({survey.matrix, many, compare_signals(many), "m", "s"}).size();
+  EXPECT_LT(size, few);
+}
+
+TEST(ComparisonReport, TableHasARowAPair) {
+  const Survey survey;
+  const Comparison comparison = compare_signals(survey.pairs);
+  const auto rows = test::read_csv(comparison_csv({survey.matrix, survey.pairs, comparison, "m", "s"}));
+  ASSERT_EQ(rows.size(), survey.pairs.size() + 1);
+  for (std::size_t k = 0; k < survey.pairs.size(); ++k) {
+    const auto& row = rows[k + 1];
+    const ComparedPair& pair = survey.pairs[k];
+    const PairResult& result = comparison.pairs[k];
+    EXPECT_EQ(row[0], survey.matrix.labels[pair.label].id);
+    EXPECT_EQ(row[1], survey.matrix.transceivers[*pair.transceiver].id);
+    EXPECT_NEAR(std::stod(row[6]) * comparison.factor, pair.measured, 1e-8 * (pair.measured + 1e-9));
+    EXPECT_EQ(row[7].empty(), !result.residual.has_value());
+    if (result.residual) {
+      EXPECT_NEAR(std::stod(row[7]), 10 * std::log10(pair.measured / result.expected), 1e-7);
+    }
+    EXPECT_EQ(row[9], k == 11 ? "nothing-measured" : "fitted");
+    EXPECT_EQ(row[10], k == 7 || k == 11 ? "1" : "0");
+  }
+}
+
+}  // namespace
+}  // namespace shelfbeam

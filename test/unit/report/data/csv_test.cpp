@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/report/data/outcome.hpp"
+#include "shelfbeam/report/data/report.hpp"
+
+#include "support/temp_folder.hpp"
+#include "unit/report/csv_reader.hpp"
+#include "unit/report/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+struct Kiosk {
+  Scene scene = make_scene(sample_store::kiosk());
+  SignalMatrix matrix = sample_store::matrix_of(scene);
+  Placement placement = sample_store::cover(matrix);
+  ReportInput input{scene, matrix, placement};
+};
+
+// Nine significant digits are written: relative error below 5e-9.
+bool same(const std::string& field, double value) {
+  return std::abs(std::stod(field) - value) <= 5e-9 * std::abs(value);
+}
+
+void expect_same(const std::string& field, double value) {
+  EXPECT_TRUE(same(field, value)) << field << " is not " << value;
+}
+
+TEST(LabelsCsv, ReadsBackAsWhatThePlacementDoes) {
+  const Kiosk kiosk;
+  const auto rows = test::read_csv(labels_csv(kiosk.input));
+  ASSERT_EQ(rows.size(), kiosk.matrix.rows() + 1);
+  EXPECT_EQ(rows[0],
+            (std::vector<std::string>{"id", "x", "y", "z", "nx", "ny", "nz", "type", "requirement", "signal",
+                                      "margin_db", "direct_share", "serving", "strongest", "error_trusted"}));
+  const std::size_t n = kiosk.matrix.columns();
+  for (std::size_t i = 0; i < kiosk.matrix.rows(); ++i) {
+    const auto& row = rows[i + 1];
+    ASSERT_EQ(row.size(), rows[0].size());
+    const LabelRow& label = kiosk.matrix.labels[i];
+    EXPECT_EQ(row[0], label.id);
+    expect_same(row[1], label.position.x);
+    expect_same(row[3], label.position.z);
+    expect_same(row[5], label.normal.y);
+    EXPECT_EQ(row[7], label.type);
+    double signal = 0, direct = 0, largest = 0;
+    std::string serving, strongest;
+    for (const std::uint32_t j : kiosk.placement.selected) {
+      const auto mean = static_cast<double>(kiosk.matrix.mean[i * n + j]);
+      signal += mean;
+      direct += static_cast<double>(kiosk.matrix.direct[i * n + j]);
+      if (mean > largest) strongest = kiosk.matrix.transceivers[j].id;
+      largest = std::max(largest, mean);
+      if (mean >= label.requirement * (1 - 1e-9))
+        serving += (serving.empty() ? "" : ";") + kiosk.matrix.transceivers[j].id;
+    }
+    expect_same(row[8], label.requirement);
+    expect_same(row[9], signal);
+    expect_same(row[10], 10 * std::log10(signal / label.requirement));
+    expect_same(row[11], direct / signal);
+    EXPECT_EQ(row[12], serving);
+    EXPECT_EQ(row[13], strongest);
+    EXPECT_EQ(row[14], "");
+    // Negative control: a signal off by one part in 10^7 is another one.
+    EXPECT_FALSE(same(row[9], signal * (1 + 1e-7)));
+  }
+}
+
+TEST(LabelsCsv, TellsWhichLabelsHangOnFlaggedSignals) {
+  Kiosk kiosk;
+  kiosk.matrix.flags.assign(kiosk.matrix.mean.size(), 0);
+  const auto untrusted = [&] {
+    std::vector<std::size_t> labels;
+    const auto rows = test::read_csv(labels_csv(kiosk.input));
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      EXPECT_TRUE(rows[i][14] == "yes" || rows[i][14] == "no") << rows[i][14];
+      if (rows[i][14] == "no") labels.push_back(i - 1);
+    }
+    return labels;
+  };
+  EXPECT_TRUE(untrusted().empty());
+  for (const std::uint32_t j : kiosk.placement.selected) kiosk.matrix.flags[kiosk.matrix.at(2, j)] = 1;
+  EXPECT_EQ(untrusted(), (std::vector<std::size_t>{2}));
+  kiosk.placement.selected.clear();
+  EXPECT_EQ(test::read_csv(labels_csv(kiosk.input))[3][14], "");
+}
+
+TEST(PlacementCsv, BeginsWithTheColumnsOfTheTransceiverCsv) {
+  const Kiosk kiosk;
+  const auto rows = test::read_csv(placement_csv(kiosk.input));
+  const Outcome outcome = outcome_of(kiosk.matrix, kiosk.placement);
+  EXPECT_EQ(rows[0],
+            (std::vector<std::string>{"id", "x", "y", "z", "ax", "ay", "az", "roll_deg", "type", "cost",
+                                      "installed", "reaches_alone", "strongest_for", "needed_by"}));
+  ASSERT_EQ(rows.size(), kiosk.placement.count() + 1);
+  for (std::size_t k = 0; k < outcome.units.size(); ++k) {
+    const UnitOutcome& unit = outcome.units[k];
+    const Transceiver& transceiver = kiosk.scene.transceivers[unit.column];
+    const auto& row = rows[k + 1];
+    ASSERT_EQ(row.size(), rows[0].size());
+    EXPECT_EQ(row[0], transceiver.id);
+    expect_same(row[1], transceiver.position.x);
+    expect_same(row[6], -1);
+    expect_same(row[7], transceiver.roll_deg);
+    EXPECT_EQ(row[10], transceiver.installed ? "1" : "0");
+    EXPECT_EQ(row[11], std::to_string(unit.reaches_alone));
+    EXPECT_EQ(row[12], std::to_string(unit.strongest_for));
+    EXPECT_EQ(row[13], std::to_string(unit.needed_by));
+  }
+  const std::string text = placement_csv(kiosk.input);
+  EXPECT_NE(text.find("\"T,2\""), std::string::npos);
+}
+
+TEST(Csv, BothFilesAreTablesThatAStoreCanName) {
+  const Scene scene = make_scene(sample_store::supermarket());
+  const SignalMatrix matrix = sample_store::matrix_of(scene);
+  const Placement placement = sample_store::cover(matrix);
+  const test::TempFolder folder;
+  folder.write("labels.csv", labels_csv({scene, matrix, placement}));
+  folder.write("placement.csv", placement_csv({scene, matrix, placement}));
+  const Scene again = make_scene(parse_store(R"({
+    "name": "again", "room": { "size": [25, 18, 4], "floor": "grey", "ceiling": "grey", "walls": "grey" },
+    "materials": { "grey": { "type": "lambertian", "reflectance": 0.7 } },
+    "label_types": { "standard": { "responsivity": { "type": "cosine" }, "threshold": 0.01 },
+                     "large": { "responsivity": { "type": "cosine" }, "threshold": 0.01 } },
+    "transceiver_types": { "ceiling": { "emission": { "type": "sin2theta", "peak": 1 } } },
+    "labels": { "csv": "labels.csv" }, "transceivers": { "list": { "csv": "placement.csv" } } })",
+                                             "store.json", folder.path()));
+  ASSERT_EQ(again.labels.size(), scene.labels.size());
+  ASSERT_EQ(again.transceivers.size(), placement.count());
+  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
+    EXPECT_EQ(again.labels[i].id, scene.labels[i].id);
+    // Nine digits of lengths below 100 m: an error below 5e-8 m on each axis.
+    EXPECT_LT(length(again.labels[i].position - scene.labels[i].position), 1e-7);
+  }
+  EXPECT_EQ(again.transceivers[0].id, matrix.transceivers[placement.selected[0]].id);
+}
+
+TEST(LabelsCsv, LeavesFieldsEmptyWithoutASelection) {
+  Kiosk kiosk;
+  kiosk.placement.selected.clear();
+  const auto rows = test::read_csv(labels_csv(kiosk.input));
+  EXPECT_EQ(rows[1][9], "0");
+  EXPECT_EQ(rows[1][10], "");
+  EXPECT_EQ(rows[1][11], "");
+  EXPECT_EQ(rows[1][13], "");
+  EXPECT_EQ(test::read_csv(placement_csv(kiosk.input)).size(), 1U);
+}
+
+}  // namespace
+}  // namespace shelfbeam

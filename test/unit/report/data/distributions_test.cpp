@@ -1,0 +1,140 @@
+#include "shelfbeam/report/data/distributions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/report/data/sampling.hpp"
+#include "shelfbeam/report/data/scale.hpp"
+
+#include "unit/report/random_matrix.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::random_matrix;
+
+std::uint64_t total(const Bins& bins) {
+  return std::accumulate(bins.counts.begin(), bins.counts.end(), bins.below + bins.above);
+}
+
+// Do the counts equal those of a plain loop over all bins and values?
+bool holds(const Bins& bins, const std::vector<double>& values) {
+  for (std::size_t k = 0; k < bins.counts.size(); ++k) {
+    std::uint64_t count = 0;
+    for (const double value : values) count += value >= bins.edges[k] && value < bins.edges[k + 1] ? 1 : 0;
+    if (count != bins.counts[k]) return false;
+  }
+  return total(bins) == values.size();
+}
+
+TEST(Distributions, ExcessEqualsAPlainCount) {
+  for (std::uint32_t trial = 0; trial < 50; ++trial) {
+    const SignalMatrix matrix = random_matrix(60, 5, trial);
+    Placement placement;
+    placement.selected = {0, 2, 3};
+    const Outcome outcome = outcome_of(matrix, placement);
+    const ExcessDistribution excess = excess_distribution(outcome);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < matrix.rows(); ++i) {
+      double sum = 0;
+      for (const std::uint32_t j : placement.selected) sum += static_cast<double>(matrix.mean[i * 5 + j]);
+      values.push_back(100 * (sum - matrix.labels[i].requirement) / matrix.labels[i].requirement);
+    }
+    ASSERT_TRUE(holds(excess.percent, values)) << trial;
+    EXPECT_EQ(excess.percent.below, 0U);
+    EXPECT_LE(excess.percent.above, 1U);
+    // Zero is an edge, so met and unmet labels are never in one bar.
+    EXPECT_TRUE(std::any_of(excess.percent.edges.begin(), excess.percent.edges.end(),
+                            [](double e) { return e == 0; }));
+    // 60 values in double precision: rounding stays below 1e-12 of their size.
+    EXPECT_NEAR(excess.mean, std::accumulate(values.begin(), values.end(), 0.0) / 60, 1e-9);
+    // Negative control: one value moved by two bins.
+    *std::min_element(values.begin(), values.end()) +=
+        2 * (excess.percent.edges[1] - excess.percent.edges[0]);
+    EXPECT_FALSE(holds(excess.percent, values)) << trial;
+  }
+}
+
+TEST(Distributions, SignalEqualsAPlainCount) {
+  SignalMatrix matrix = random_matrix(40, 7, 3);
+  matrix.mean[5] = 1e-20F;  // far below eight decades
+  const SignalDistribution distribution = signal_distribution(matrix);
+  std::vector<double> values;
+  std::uint64_t zeros = 0;
+  for (const float entry : matrix.mean) {
+    if (entry > 0)
+      values.push_back(static_cast<double>(entry));
+    else
+      ++zeros;
+  }
+  EXPECT_EQ(distribution.zeros, zeros);
+  EXPECT_GT(zeros, 0U);
+  EXPECT_EQ(distribution.entries, matrix.mean.size());
+  EXPECT_TRUE(holds(distribution.signal, values));
+  EXPECT_EQ(distribution.signal.below, 1U);
+  EXPECT_EQ(distribution.signal.above, 0U);
+  values.pop_back();
+  EXPECT_FALSE(holds(distribution.signal, values));
+  EXPECT_LE(distribution.signal.counts.size(), static_cast<std::size_t>(bins_per_decade * signal_decades));
+}
+
+TEST(Distributions, AnEmptyMatrixHasNone) {
+  SignalMatrix matrix = random_matrix(2, 2, 0);
+  matrix.mean.assign(4, 0);
+  EXPECT_TRUE(signal_distribution(matrix).signal.counts.empty());
+  EXPECT_EQ(signal_distribution(matrix).zeros, 4U);
+}
+
+TEST(Sampling, SummaryEqualsAPlainRecomputation) {
+  const SignalMatrix matrix = random_matrix(30, 8, 4);
+  const SamplingSummary summary = sampling_summary(matrix);
+  std::vector<double> relative;
+  std::size_t zeros = 0;
+  for (std::size_t i = 0; i < 30; ++i)
+    for (std::size_t j = 0; j < 8; ++j) {
+      const auto mean = static_cast<double>(matrix.mean[i * 8 + j]);
+      if (mean == 0) ++zeros;
+      if (mean >= 0.3 * matrix.labels[i].requirement)
+        relative.push_back(static_cast<double>(matrix.standard_error[i * 8 + j]) / mean);
+    }
+  std::sort(relative.begin(), relative.end());
+  EXPECT_TRUE(summary.has_errors);
+  EXPECT_EQ(summary.entries, 240U);
+  EXPECT_EQ(summary.zeros, zeros);
+  EXPECT_EQ(summary.relevant, relative.size());
+  EXPECT_LT(relative.size(), 240U - zeros);  // the limit at 0.3 does leave some out
+  EXPECT_NEAR(summary.mean,
+              std::accumulate(relative.begin(), relative.end(), 0.0) / static_cast<double>(relative.size()),
+              1e-12);
+  EXPECT_DOUBLE_EQ(summary.worst, relative.back());
+  EXPECT_DOUBLE_EQ(summary.median, quantile(relative, 0.5));
+  EXPECT_EQ(summary.least_samples, 1000U);
+  EXPECT_EQ(summary.most_samples, 1290U);
+  EXPECT_EQ(summary.least_batches, 8U);
+  EXPECT_EQ(summary.most_batches, 9U);
+}
+
+TEST(Sampling, AMatrixMayLackErrors) {
+  SignalMatrix matrix = random_matrix(3, 3, 0);
+  matrix.standard_error.clear();
+  EXPECT_FALSE(sampling_summary(matrix).has_errors);
+}
+
+TEST(Scale, RoundsToReadableSteps) {
+  EXPECT_DOUBLE_EQ(round_step(0.9), 1);
+  EXPECT_DOUBLE_EQ(round_step(1.1), 2);
+  EXPECT_DOUBLE_EQ(round_step(2.2), 2.5);
+  EXPECT_DOUBLE_EQ(round_step(300), 500);
+  EXPECT_EQ(multiples(-1, 2.1, 1), (std::vector<double>{-1, 0, 1, 2}));
+  const auto edges = one_two_five(0.03, 1.5);
+  ASSERT_EQ(edges.size(), 7U);
+  EXPECT_DOUBLE_EQ(edges.front(), 0.02);
+  EXPECT_DOUBLE_EQ(edges.back(), 2);
+  EXPECT_EQ(one_two_five(1, 1), (std::vector<double>{1, 2}));
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,59 @@
+#include "shelfbeam/report/data/levels.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/math/random.hpp"
+
+namespace shelfbeam {
+namespace {
+
+// Every label once, each level within the band, levels apart, and no level could have taken the next one's
+// first.
+bool are_levels(const std::vector<ShelfLevel>& levels, const std::vector<double>& heights) {
+  std::set<std::uint32_t> seen;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const ShelfLevel& level = levels[k];
+    if (level.labels.empty() || level.high - level.low > level_band + 1e-9) return false;
+    if (k > 0 && level.low <= levels[k - 1].low + level_band + 1e-9) return false;
+    double low = 1e9, high = -1e9;
+    for (const std::uint32_t label : level.labels) {
+      if (!seen.insert(label).second) return false;
+      low = std::min(low, heights[label]);
+      high = std::max(high, heights[label]);
+    }
+    if (low != level.low || high != level.high) return false;
+  }
+  return seen.size() == heights.size();
+}
+
+TEST(Levels, JoinsNeighbouringHeights) {
+  const std::vector<double> heights{1.6, 0.4, 0.85, 1.0, 0.4, 1.1, 0.65};
+  const auto levels = shelf_levels(heights);
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_EQ(levels[0].labels, (std::vector<std::uint32_t>{1, 4, 6}));  // 0.40 to 0.65: exactly the band
+  EXPECT_EQ(levels[1].labels, (std::vector<std::uint32_t>{2, 3, 5}));
+  EXPECT_EQ(levels[2].labels, (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(levels[1].heights(), "labels at 0.85 to 1.10\u00A0m");
+  EXPECT_EQ(levels[2].heights(), "labels at 1.60\u00A0m");
+  EXPECT_TRUE(shelf_levels({}).empty());
+}
+
+TEST(Levels, HoldForRandomHeightsAndTheCheckRejectsWrongOnes) {
+  for (std::uint32_t trial = 0; trial < 200; ++trial) {
+    std::vector<double> heights;
+    for (std::uint32_t k = 0; k < 40; ++k) heights.push_back(2.5 * to_unit(philox({trial, k, 0, 0}, 1)[0]));
+    auto levels = shelf_levels(heights);
+    ASSERT_TRUE(are_levels(levels, heights)) << trial;
+    ASSERT_GT(levels.size(), 1U);
+    // Negative control: a label put one level too high.
+    levels[1].labels.push_back(levels[0].labels.back());
+    levels[0].labels.pop_back();
+    EXPECT_FALSE(are_levels(levels, heights)) << trial;
+  }
+}
+
+}  // namespace
+}  // namespace shelfbeam

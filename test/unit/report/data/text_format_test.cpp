@@ -1,0 +1,57 @@
+#include "shelfbeam/report/data/text_format.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace shelfbeam {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+TEST(TextFormat, EscapesWhatMarkupWouldTakeForItsOwn) {
+  EXPECT_EQ(escape("A<1> & \"B\" 'c'"), "A&lt;1&gt; &amp; &quot;B&quot; &#39;c&#39;");
+  EXPECT_EQ(escape(std::string("a\x01"
+                               "b",
+                               3)),
+            "a\uFFFD"
+            "b");
+  EXPECT_EQ(escape("Käse, 奶酪"), "Käse, 奶酪");
+}
+
+TEST(TextFormat, KeepsSignificantDigits) {
+  EXPECT_EQ(significant(0), "0");
+  EXPECT_EQ(significant(0.0185), "0.0185");
+  EXPECT_EQ(significant(9.996), "10.0");
+  EXPECT_EQ(significant(123.4), "123");
+  EXPECT_EQ(significant(-2.5), "−2.50");
+  EXPECT_EQ(significant(1.234e-7), "1.23·10^-7");
+  EXPECT_EQ(significant(infinite), "∞");
+}
+
+TEST(TextFormat, WritesDecibelsSoThatZeroIsNotMistaken) {
+  EXPECT_EQ(decibels(3.16), "+3.2\u00A0dB");
+  EXPECT_EQ(decibels(-0.42), "−0.4\u00A0dB");
+  EXPECT_EQ(decibels(0.012), "+0.01\u00A0dB");
+  EXPECT_EQ(decibels(3.164, 2), "+3.16\u00A0dB");
+  EXPECT_EQ(decibels(-0.0001), "0.00\u00A0dB");
+  EXPECT_EQ(decibels(-infinite), "no signal");
+  EXPECT_EQ(decibels(infinite), "no requirement");
+}
+
+TEST(TextFormat, PicksAReadablePrefix) {
+  EXPECT_EQ(signal_unit(0.0185).text(0.0185), "18.5\u00A0mW/m²");
+  EXPECT_EQ(signal_unit(2).text(0.0185), "0.0185\u00A0W/m²");
+  EXPECT_EQ(signal_unit(3e-6).text(3e-6), "3.00\u00A0µW/m²");
+  EXPECT_EQ(signal_unit(0).text(1.5), "1.50\u00A0W/m²");
+}
+
+TEST(TextFormat, WritesRoundNumbersWithoutZeros) {
+  EXPECT_EQ(plain(250), "250");
+  EXPECT_EQ(plain(-2.5), "−2.5");
+  EXPECT_EQ(plain(-0.0), "0");
+  EXPECT_EQ(percent(1.0 / 6), "16.7\u00A0%");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,361 @@
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/placement/io/words.hpp"
+#include "shelfbeam/report/data/distributions.hpp"
+#include "shelfbeam/report/data/id_ranges.hpp"
+#include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/report/data/report_data.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+#include "unit/report/markup.hpp"
+#include "unit/report/sample_store.hpp"
+#include "unit/report/supermarket_report.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::certify;
+using test::fault;
+using test::pieces;
+using test::read_markup;
+using test::Supermarket;
+using test::without_scripts;
+
+TEST(Markup, ReaderRejectsBrokenMarkup) {
+  EXPECT_EQ(read_markup("<p class=\"a\">x &amp; y<br></p>").problem, "");
+  for (const char* broken : {"<p>", "<p></b>", "a & b", "<p class=a></p>", "<p class=\"<\"></p>", "a < b",
+                             "a > b", "<p a=\"1\" a=\"2\"></p>", "<use href=\"#x\"></g>"})
+    EXPECT_NE(read_markup(broken).problem, "") << broken;
+  EXPECT_NE(fault("<svg><use href=\"#missing\"/></svg>"), "");
+  EXPECT_NE(fault("<img src=\"http://example.com/x.png\">"), "");
+  EXPECT_NE(fault("<script src=\"x.js\"></script>"), "");
+  EXPECT_EQ(fault("<script>a < b && c</script>"), "");
+  EXPECT_EQ(without_scripts("<p>a</p><script id=\"x\">b</script>c"), "<p>a</p><script id=\"x\"></script>c");
+}
+
+TEST(ReportHtml, IsOneSelfContainedPage) {
+  const Supermarket s;
+  const std::string html = test::static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  EXPECT_EQ(html, test::static_report(s.input));
+  EXPECT_EQ(report_html(s.input), report_html(s.input));
+}
+
+TEST(ReportHtml, EscapesIdsAndNames) {
+  const Scene scene = make_scene(sample_store::kiosk());
+  const SignalMatrix matrix = sample_store::matrix_of(scene);
+  Placement placement = sample_store::cover(matrix);
+  placement.solver = "<solver>";
+  const std::string html = test::static_report({scene, matrix, placement});
+  EXPECT_EQ(fault(html), "");
+  const std::string text = read_markup(html).text;
+  for (const char* name : {"Joe's <Kiosk> & \"Bar\"", "A<1>-front-1-1", "T,2", "<solver>"})
+    EXPECT_NE(text.find(name), std::string::npos) << name;
+  for (const char* raw : {"<Kiosk>", "A<1>", "<solver>"}) EXPECT_EQ(html.find(raw), std::string::npos) << raw;
+}
+
+TEST(ReportHtml, EveryComputedNumberIsInIt) {
+  const Supermarket s;
+  const ReportData data(s.input);
+  const std::string html = test::static_report(s.input);
+  const auto cells = pieces(html);
+  const std::string text = read_markup(html).text;
+  const auto expect_text = [&](const std::string& piece) {
+    EXPECT_NE(text.find(piece), std::string::npos) << piece;
+  };
+  const auto expect_cell = [&](const std::string& piece) { EXPECT_TRUE(cells.contains(piece)) << piece; };
+
+  for (const UnitOutcome& unit : data.outcome.units) {
+    expect_cell(data.transceiver(unit.column).id);
+    expect_cell(grouped(unit.reaches_alone));
+    expect_cell(grouped(unit.strongest_for));
+    expect_cell(grouped(unit.needed_by));
+  }
+  for (std::size_t k = 0; k < 20; ++k) {
+    const std::uint32_t row = data.outcome.by_margin[k];
+    expect_cell(data.label(row).id);
+    expect_cell(decibels(data.outcome.labels[row].margin()));
+    expect_cell(data.unit.number(data.outcome.labels[row].signal));
+    expect_cell(data.unit.number(
+        static_cast<double>(s.matrix.standard_error[s.matrix.at(row, *data.outcome.labels[row].strongest)])));
+  }
+  for (std::size_t k = 0; k < data.levels.size(); ++k)
+    expect_cell("Level " + std::to_string(k + 1) + ": " + data.levels[k].heights() + " (" +
+                grouped(data.levels[k].labels.size()) + ")");
+  expect_cell(grouped(data.outcome.met));
+  expect_text(grouped(data.outcome.redundant) + " of " + grouped(data.outcome.labels.size()) + " (");
+  const SamplingSummary& sampling = data.sampling;
+  for (const double share : {sampling.mean, sampling.median, sampling.p90, sampling.p99, sampling.worst})
+    expect_text(percent(share));
+  expect_cell(grouped(sampling.least_samples));
+  expect_cell(grouped(sampling.relevant));
+  expect_text(grouped(sampling.zeros) + " of " + grouped(sampling.entries));
+  const auto shares = data.outcome.direct_shares();
+  for (const double q : {0.1, 0.5, 0.9}) expect_text(percent(quantile(shares, q)));
+  expect_text(grouped(data.outcome.met_by_direct) + " of " + grouped(data.outcome.labels.size()));
+  const ExcessDistribution excess = excess_distribution(data.outcome);
+  expect_text("Median " + significant(excess.median) + "\u00A0%, mean " + significant(excess.mean));
+  for (const std::string& fact :
+       {s.placement.solver, s.matrix.provenance.estimator, s.matrix.provenance.store_hash,
+        std::string("940\u00A0nm"), std::string("1.25\u00A0s")})
+    expect_cell(fact);
+  // Negative control: a number that was not computed is not found.
+  EXPECT_FALSE(cells.contains(grouped(data.outcome.met + 1)));
+}
+
+TEST(ReportHtml, HasTheNumbersOfTheCertificateAsTheJsonHasThem) {
+  Supermarket s;
+  const auto missing = [&](const nlohmann::json& json) {
+    const std::string html = test::static_report(s.input);
+    EXPECT_EQ(fault(html), "");
+    const auto cells = pieces(html);
+    std::vector<std::string> lines(cells.begin(), cells.end()), wanted;
+    const std::size_t missed = json["missed"].size(), undecided = json["undecided"].size();
+    const std::size_t all = json["reached"].get<std::size_t>() + missed + undecided;
+    wanted = {plain(100 * json["confidence"].get<double>()) + "\u00A0%",
+              grouped(json["reached"].get<std::size_t>()) + " of " + grouped(all),
+              counted(json["bound_labels"].get<std::size_t>(), "label"),
+              significant(json["seconds"].get<double>(), 3) + "\u00A0s",
+              json["open"].get<std::string>(),
+              "of " + grouped(all) + ", on fresh samples"};
+    std::vector<std::string> absent;
+    for (const std::string& piece : wanted)
+      if (!cells.contains(piece)) absent.push_back(piece);
+    const std::string text = read_markup(html).text;
+    for (const std::string& piece :
+         {"Rounds\n\n" + std::to_string(json["rounds"].get<int>()) + "\n",
+          "At least needed\n\n" + std::to_string(json["count_lower_bound"].get<int>()) + "\n",
+          "Labels reached\n\n" + std::to_string(json["reached"].get<int>()) + "\n",
+          "Missed\n\n" + std::to_string(missed) + ": " + json["missed"][0].get<std::string>() + ", ",
+          "Undecided\n\n" + std::to_string(undecided) + ": " + json["undecided"][0].get<std::string>() +
+              ", "})
+      if (text.find(piece) == text.npos) absent.push_back(piece);
+    return absent;
+  };
+  certify(s);
+  auto json = nlohmann::json::parse(
+      certificate_json(*s.placement.certificate, make_signal_table(s.matrix, "signal.h5")));
+  EXPECT_THAT(missing(json), testing::IsEmpty());
+  // Negative control: other numbers are not found.
+  for (const char* key :
+       {"reached", "bound_labels", "rounds", "count_lower_bound", "seconds", "confidence"}) {
+    auto other = json;
+    other[key] = json[key].get<double>() < 1 ? 0.9 : json[key].get<double>() + 2;
+    EXPECT_THAT(missing(other), testing::Not(testing::IsEmpty())) << key;
+  }
+  // The least margins carry the verdicts of their labels.
+  const ReportData data(s.input);
+  const std::string html = test::static_report(s.input);
+  const std::string table = html.substr(html.find("id=\"weakest\""));
+  for (std::size_t k = 0, at = 0; k < 20; ++k) {
+    const std::uint32_t row = data.outcome.by_margin[k];
+    at = table.find("<tr><td>" + escape(data.label(row).id) + "</td>", at);
+    ASSERT_NE(at, std::string::npos) << data.label(row).id;
+    const std::string cells = table.substr(at, table.find("</tr>", at) - at);
+    EXPECT_NE(cells.find(">" + std::string(verdict_name(s.placement.certificate->labels[row].verdict)) + "<"),
+              std::string::npos)
+        << cells;
+  }
+}
+
+TEST(ReportHtml, ACertificateThatStandsIsSaidSo) {
+  Supermarket s;
+  certify(s);
+  for (LabelVerdict& label : s.placement.certificate->labels) label.verdict = Verdict::reached;
+  s.placement.certificate->open.clear();
+  const std::string text = read_markup(test::static_report(s.input)).text;
+  EXPECT_NE(text.find("Certified"), std::string::npos);
+  EXPECT_NE(text.find("Missed\n\nnone\n"), std::string::npos);
+  s.placement.certificate->labels[5].verdict = Verdict::missed;
+  const std::string missed = read_markup(test::static_report(s.input)).text;
+  EXPECT_EQ(missed.find("Certified"), std::string::npos);
+  EXPECT_NE(missed.find("Labels missed"), std::string::npos);
+  EXPECT_NE(missed.find("Missed\n\n1: " + s.matrix.labels[5].id + "\n"), std::string::npos);
+}
+
+TEST(ReportHtml, EveryLabelIsMarkedOnceOnThePlans) {
+  const Supermarket s;
+  const ReportData data(s.input);
+  const std::string text = report_html(s.input);
+  for (std::uint32_t i = 0; i < data.outcome.labels.size(); i += 37) {
+    const std::string title = "<title>" + data.label(i).id + ": " +
+                              data.unit.text(data.outcome.labels[i].signal) + ", " +
+                              decibels(data.outcome.labels[i].margin()) + "</title>";
+    const std::size_t first = text.find(title);
+    ASSERT_NE(first, std::string::npos) << title;
+    EXPECT_EQ(text.find(title, first + 1), std::string::npos) << title;
+  }
+}
+
+TEST(ReportHtml, MarksLabelsThatHangOnFlaggedSignals) {
+  Supermarket s;
+  const auto hollow = [&] {
+    const std::string html = test::static_report(s.input);
+    EXPECT_EQ(fault(html), "");
+    std::size_t count = 0;
+    for (const auto& element : read_markup(html).elements)
+      if (const auto href = element.attributes.find("href"); href != element.attributes.end())
+        count += href->second == "#hollow" && element.attributes.contains("x") ? 1 : 0;
+    return count;
+  };
+  const auto facts = [&] { return pieces(test::static_report(s.input)); };
+  // Nothing is said of what is not known, nor marked where nothing is flagged.
+  EXPECT_EQ(hollow(), 0U);
+  EXPECT_FALSE(facts().contains("Signals whose error is not to be trusted"));
+  s.matrix.flags.assign(s.matrix.mean.size(), 0);
+  EXPECT_EQ(hollow(), 0U);
+  EXPECT_TRUE(facts().contains("0 of them (0.0\u00A0%)"));
+  for (const char* text : {"hollow mark", "(not to be trusted)", "error not to be trusted: "})
+    EXPECT_EQ(test::static_report(s.input).find(text), std::string::npos) << text;
+
+  const std::uint32_t least = ReportData(s.input).outcome.by_margin.front();
+  for (std::size_t j = 0; j < s.matrix.columns(); ++j) s.matrix.flags[s.matrix.at(least, j)] = 1;
+  EXPECT_EQ(hollow(), 1U);
+  const ReportData data(s.input);
+  EXPECT_GT(data.sampling.flagged, 0U);
+  EXPECT_LT(data.sampling.flagged, s.matrix.columns());
+  EXPECT_TRUE(facts().contains(fmt::format(
+      "{} of them ({})", data.sampling.flagged,
+      percent(static_cast<double>(data.sampling.flagged) / static_cast<double>(data.sampling.relevant)))));
+  EXPECT_TRUE(facts().contains("error not to be trusted: 1"));
+  const std::string html = test::static_report(s.input);
+  EXPECT_NE(html.find("Whether the label with a hollow mark is reached depends on"), std::string::npos);
+  EXPECT_NE(html.find(" (not to be trusted)</td>"), std::string::npos);
+}
+
+TEST(ReportHtml, ListsTheLabelsThatEachUnitServes) {
+  const Supermarket s;
+  const ReportData data(s.input);
+  const std::string html = test::static_report(s.input);
+  const std::string list =
+      html.substr(html.find("<details>"), html.find("</details>") - html.find("<details>"));
+  std::size_t ranges = 0, at = 0;
+  for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
+    std::vector<std::string> ids;
+    for (const std::uint32_t row : data.outcome.served_by(k)) ids.push_back(data.label(row).id);
+    at = list.find("<dt>" + std::to_string(k + 1) + ": ", at);
+    ASSERT_NE(at, std::string::npos) << k;
+    for (const std::string& range : id_ranges(ids)) {
+      ++ranges;
+      at = list.find("<li>" + escape(range) + "</li>", at);
+      ASSERT_NE(at, std::string::npos) << k << " " << range;
+    }
+  }
+  EXPECT_GT(ranges, data.outcome.units.size());
+  std::size_t items = 0;
+  for (at = 0; (at = list.find("<li>", at)) != std::string::npos; ++at) ++items;
+  EXPECT_EQ(items, ranges);
+}
+
+TEST(ReportHtml, TellsWhereChosenUnitsLook) {
+  Supermarket s;
+  EXPECT_TRUE(pieces(test::static_report(s.input)).contains("down"));
+  TransceiverColumn& unit = s.matrix.transceivers[s.placement.selected.front()];
+  const auto looks = [&](const Vec3& axis, const std::string& text) {
+    unit.axis = axis;
+    EXPECT_EQ(pieces(test::static_report(s.input)).count(text), 1U) << text;
+  };
+  looks({std::sqrt(0.75), 0, -0.5}, "60.0° towards 0.0°");
+  looks({0, -std::sqrt(0.5), -std::sqrt(0.5)}, "45.0° towards 270.0°");
+  looks({0, 0, 1}, "up");
+  const auto noses = [&] {
+    const std::string html = test::static_report(s.input);
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = html.find("\"k aim\"", at)) != std::string::npos; ++at) ++count;
+    return count - 1;  // the one that legends show
+  };
+  EXPECT_EQ(noses(), 0U);
+  EXPECT_FALSE(pieces(test::static_report(s.input)).contains("leans this way"));
+  unit.axis = {0.6, 0, -0.8};
+  EXPECT_EQ(noses(), 1U);
+  EXPECT_TRUE(pieces(test::static_report(s.input)).contains("leans this way"));
+  s.scene.transceivers[s.placement.selected.front()].roll_deg = 30;
+  looks({0, 1, 0}, "90.0° towards 90.0°, roll 30°");
+}
+
+TEST(ReportHtml, NamesLabelsWithoutDirectLight) {
+  Supermarket s;
+  EXPECT_EQ(report_html(s.input).find("gets no direct light"), std::string::npos);
+  std::fill(s.matrix.direct.begin(), s.matrix.direct.end(), 0.0F);
+  EXPECT_NE(report_html(s.input).find("one in ten gets no direct light"), std::string::npos);
+}
+
+TEST(ReportHtml, ExplainsThatNothingCanBeDone) {
+  Supermarket s;
+  for (LabelRow& label : s.matrix.labels) label.requirement *= 60;
+  s.placement = {};
+  s.placement.status = Status::infeasible;
+  s.placement.count_lower_bound = s.placement.lower_bound = s.placement.objective_value = INFINITY;
+  for (std::uint32_t i = 0; i < s.matrix.rows(); ++i) {
+    double most = 0;
+    for (const float signal : s.matrix.mean_row(i)) most += static_cast<double>(signal);
+    if (most < s.matrix.labels[i].requirement)
+      s.placement.unreachable.push_back({i, s.matrix.labels[i].requirement, most});
+  }
+  ASSERT_GT(s.placement.unreachable.size(), 3U);
+  const std::string html = test::static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  const auto cells = pieces(html);
+  EXPECT_TRUE(cells.contains("No selection can do it: " + std::to_string(s.placement.unreachable.size()) +
+                             " of 926 labels cannot be reached, even with all 280 candidates on."));
+  const SignalUnit unit = ReportData(s.input).unit;
+  for (const Unreachable& label : s.placement.unreachable) {
+    EXPECT_TRUE(cells.contains(s.matrix.labels[label.label].id));
+    EXPECT_TRUE(cells.contains(unit.number(label.most)));
+  }
+  // Triangles on the plans: one for each of them, and only these.
+  std::size_t triangles = 0;
+  for (const auto& element : read_markup(html).elements)
+    if (const auto href = element.attributes.find("href");
+        href != element.attributes.end() && element.attributes.contains("x"))
+      triangles += href->second == "#m0" || href->second == "#m1" ? 1 : 0;
+  EXPECT_EQ(triangles, s.placement.unreachable.size());
+  for (const char* odd : {"∞", ">inf<", ">nan"}) EXPECT_EQ(html.find(odd), std::string::npos) << odd;
+}
+
+TEST(ReportHtml, ReadsWellWithoutSelectionErrorsOrDirectPart) {
+  Supermarket s;
+  s.matrix.standard_error.clear();
+  s.matrix.direct.clear();
+  EXPECT_EQ(fault(report_html(s.input)), "");
+  EXPECT_NE(report_html(s.input).find("carries no standard errors"), std::string::npos);
+  s.placement = {};
+  s.placement.count_lower_bound = 3;
+  s.placement.seconds = 60;
+  const std::string html = test::static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  EXPECT_NE(
+      html.find(
+          "No selection was found within 60\u00A0s; it is proven that at least 3 transceivers are needed."),
+      std::string::npos);
+  for (const char* odd : {">nan", " nan", "∞"}) EXPECT_EQ(html.find(odd), std::string::npos) << odd;
+}
+
+TEST(ReportHtml, StaysSmallForFiveThousandLabels) {
+  Store store = sample_store::empty_store("Large", {60, 40, 4});
+  for (int k = 0; k < 25; ++k)
+    store.fixtures.push_back({sample_store::gondola("A" + std::to_string(k), {5, 1.0 + 1.5 * k}, 50, 0.9,
+                                                    {0.3, 0.7, 1.1, 1.5, 1.9}, 0, {Face::front}),
+                              "fixtures"});
+  for (auto& fixture : store.fixtures) std::get<Gondola>(fixture.value).labels->spacing = 1.25;
+  store.grids = {{{5, 5}, {55, 35}, 10, 3.9, {0, 0, -1}, 0, {}}};
+  const Scene scene = make_scene(store);
+  ASSERT_EQ(scene.labels.size(), 5000U);
+  const SignalMatrix matrix = sample_store::matrix_of(scene);
+  Placement placement;
+  placement.status = Status::feasible;
+  placement.selected = {0, 5, 9, 14, 20};
+  const std::string html = test::static_report({scene, matrix, placement});
+  EXPECT_LT(html.size(), 1'000'000U);
+  EXPECT_EQ(fault(html), "");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,129 @@
+// The sections that a plan has only where it was asked for them.
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/report/chart/tornado_chart.hpp"
+#include "shelfbeam/report/data/report_data.hpp"
+
+#include "unit/report/supermarket_report.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::fault;
+using test::pieces;
+using test::read_markup;
+using test::static_report;
+using test::Supermarket;
+
+Sensitivity made_up() {
+  Sensitivity made;
+  made.as_given = {1.25, 0.0125, 3};
+  made.low = {{0.5, 0.005, 7}, {7, 8, 9}, {21}};
+  made.high = {{1.75, 0.01, 4}, {}, {}};
+  for (const char* name : {"tiles <grey>", "carton"}) {
+    MaterialSensitivity one{name, 0.6, 0.45, 0.75, made.materials.empty(), {}, {}};
+    one.at_lower = {{0.8, 0.008, 5}, -0.375, 0.00131, -0.0621, 2};
+    one.at_upper = {{1.6, 0.008, 6}, 0.25, 0.00131, 0.0878, 0};
+    made.materials.push_back(one);
+  }
+  made.kept = {"glass"};
+  made.watched = 256;
+  return made;
+}
+
+TEST(PlanSections, AreLeftOutWhereNotAskedFor) {
+  const Supermarket s;
+  const std::string html = static_report(s.input);
+  for (const char* id : {"id=\"sensitivity\"", "id=\"curve\""}) EXPECT_EQ(html.find(id), std::string::npos);
+}
+
+TEST(PlanSections, TellWhatReflectancesDo) {
+  Supermarket s;
+  s.placement.sensitivity = made_up();
+  const std::string html = static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  const std::string text = read_markup(html).text;
+  const auto cells = pieces(html);
+  const ReportData data(s.input);
+  for (const std::string& piece :
+       {std::string("922 of 926 labels are reached with all reflectances at the low end of their ranges, "
+                    "3 missed, 1 undecided"),
+        std::string("'tiles <grey>' matters most"), std::string("joint confidence 99\u00A0%"),
+        std::string("10\u00A0% to both sides, by assumption"), std::string("what they reflect: glass"),
+        std::string("256 labels with the least margins"), std::string("3 labels missed at the low end"),
+        std::string("1 label undecided at the low end")})
+    EXPECT_NE(text.find(piece), std::string::npos) << piece;
+  const std::vector<std::string> expected{
+      "0.6 (0.45 to 0.75) *", "0.6 (0.45 to 0.75)", "−0.97\u00A0dB", "−37.5\u00A0% (±\u00A00.13)",
+      "−6.2\u00A0%",          "+8.8\u00A0%",        data.label(5).id};
+  for (const std::string& cell : expected) EXPECT_TRUE(cells.contains(cell)) << cell;
+  EXPECT_FALSE(cells.contains("−6.4\u00A0%")) << "nothing that is not in it";
+  // A bar for all together and one for each material, each in two colours.
+  std::size_t bars = 0;
+  for (std::size_t at = 0;
+       (at = html.find("class=\"bar short\"><title>all together: ", at)) != std::string::npos; ++at)
+    ++bars;
+  EXPECT_EQ(bars, 1U);
+}
+
+TEST(PlanSections, TellThatAPlanHolds) {
+  Supermarket s;
+  s.placement.sensitivity = made_up();
+  s.placement.sensitivity->low = {{1.0625, 0.01, 2}, {}, {}};
+  const std::string html = static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  EXPECT_NE(read_markup(html).text.find("926 of 926 labels are reached wherever in their ranges"),
+            std::string::npos);
+  EXPECT_EQ(html.find("missed at the low end"), std::string::npos);
+}
+
+TEST(PlanSections, NameNoMaterialWhereNoneMatters) {
+  Supermarket s;
+  s.placement.sensitivity = made_up();
+  for (MaterialSensitivity& one : s.placement.sensitivity->materials) {
+    one.at_lower = one.at_upper = {s.placement.sensitivity->as_given, 0, 0, 0, 0};
+    one.at_upper.mean_change = 1e-5;
+  }
+  const std::string html = static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  EXPECT_EQ(html.find("matters most"), std::string::npos);
+  const auto cells = pieces(html);
+  EXPECT_TRUE(cells.contains("0.0\u00A0%"));
+  EXPECT_FALSE(cells.contains("+0.0\u00A0%"));
+}
+
+// A label in the dark has no margin in decibels; a bar has to end somewhere.
+TEST(PlanSections, DrawMarginsOfNothing) {
+  Supermarket s;
+  s.placement.sensitivity = made_up();
+  s.placement.sensitivity->low.least.ratio = 0;
+  const std::string html = static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  for (const char* broken : {"nan\"", "inf\""}) EXPECT_EQ(html.find(broken), std::string::npos);
+  EXPECT_EQ(tornado_svg({}), "");
+}
+
+TEST(PlanSections, TellWhatFewerReach) {
+  Supermarket s;
+  for (std::size_t k = 1; k <= 45; ++k) s.input.curve.points.push_back({k, 20 * k, 20 * k + 26});
+  std::string html = static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  const auto cells = pieces(html);
+  EXPECT_TRUE(cells.contains(percent(900.0 / 926)));
+  EXPECT_TRUE(cells.contains("100.0\u00A0%"));
+  EXPECT_NE(html.find("45 transceivers: at least 97.2"), std::string::npos);
+  EXPECT_EQ(html.find("stopped early: more time"), std::string::npos);
+  s.input.curve.points.resize(1);
+  s.input.curve.is_complete = false;
+  html = static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  EXPECT_NE(html.find("stopped early: more time"), std::string::npos);
+  EXPECT_EQ(html.find("Labels that fewer transceivers reach"), std::string::npos) << "one point is no curve";
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "shelfbeam/report/data/report.hpp"
+
+#include "unit/report/markup.hpp"
+#include "unit/report/sample_store.hpp"
+
+namespace shelfbeam::test {
+
+struct Supermarket {
+  Scene scene = make_scene(sample_store::supermarket());
+  SignalMatrix matrix = sample_store::matrix_of(scene);
+  Placement placement = sample_store::cover(matrix);
+  ReportInput input{scene, matrix, placement};
+};
+
+// A certificate with every verdict: each 50th label is missed, each 50th undecided.
+inline void certify(Supermarket& s) {
+  Certificate& certificate = s.placement.certificate.emplace();
+  certificate.confidence = 0.95;
+  certificate.labels.resize(s.matrix.rows());
+  for (std::size_t i = 0; i < certificate.labels.size(); ++i) {
+    certificate.labels[i].requirement = s.matrix.labels[i].requirement;
+    certificate.labels[i].verdict = i % 50 == 7    ? Verdict::missed
+                                    : i % 50 == 23 ? Verdict::undecided
+                                                   : Verdict::reached;
+  }
+  certificate.count_lower_bound = s.placement.count() - 1;
+  certificate.bound_labels = 37;
+  certificate.rounds = 3;
+  certificate.seconds = 12.5;
+  certificate.open = "to decide the rest would take about 700 s";
+}
+
+// Well-formed, nothing fetched, every reference within the page resolves, ids are unique. What the script of
+// the page asks for is tested in a browser.
+inline std::string fault(const std::string& page) {
+  const std::string html = without_scripts(page);
+  const Markup markup = read_markup(html);
+  if (!markup.problem.empty()) return markup.problem;
+  for (const char* word : {"http:", "https:", "url(", "@import", "<link", " src="})
+    if (html.find(word) != std::string::npos) return std::string("holds ") + word;
+  std::set<std::string> ids;
+  for (const auto& element : markup.elements)
+    if (const auto id = element.attributes.find("id"); id != element.attributes.end())
+      if (!ids.insert(id->second).second) return "id twice: " + id->second;
+  for (const auto& element : markup.elements)
+    if (const auto href = element.attributes.find("href"); href != element.attributes.end())
+      if (href->second.empty() || href->second[0] != '#' || !ids.contains(href->second.substr(1)))
+        return "dangling: " + href->second;
+  return {};
+}
+
+// The report as it is without scripts.
+inline std::string static_report(const ReportInput& input) {
+  return without_scripts(report_html(input));
+}
+
+// Tables and facts as text, so that "8" is only found where it stands alone.
+inline std::multiset<std::string> pieces(const std::string& html) {
+  std::multiset<std::string> result;
+  const std::string text = read_markup(without_scripts(html)).text;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end > begin) result.insert(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return result;
+}
+
+}  // namespace shelfbeam::test

@@ -1,0 +1,224 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+#include "unit/scene/sample_store.hpp"
+#include "unit/scene/shelving.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::changed_store;
+using test::expect_input_error;
+using test::Json;
+using test::sample_store;
+using test::scene_of;
+
+Json label(const std::string& id, const std::vector<double>& position, const std::vector<double>& normal) {
+  return {{"id", id}, {"position", position}, {"normal", normal}, {"type", "large"}};
+}
+
+std::vector<std::string> warnings_with(const Json& listed) {
+  Json store = sample_store();
+  store["labels"].push_back(listed);
+  return scene_of(store).warnings;
+}
+
+TEST(Misplaced, SampleHasNone) {
+  EXPECT_TRUE(scene_of(sample_store()).warnings.empty());
+}
+
+TEST(Misplaced, WhatLiesInsideAFixture) {
+  Json store = changed_store("/labels/0/position", "[7.2, 0.2, 1]");
+  store["transceivers"]["list"][1]["position"] = {7.3, 0.3, 2.9};
+  const Scene scene = scene_of(store);
+  EXPECT_EQ(
+      scene.warnings,
+      (std::vector<std::string>{
+          "store.json: labels[0]: label 'L1' lies inside fixture 'C' and hears nothing; move one of them",
+          "store.json: transceivers.list[1]: transceiver 'T2' lies inside fixture 'C', which keeps its "
+          "light; move it, or cover the place with 'keep_out'"}));
+  // On its surface and above it is not inside; nor does the hull of a mesh count.
+  for (const char* place : {"[7, 0.2, 1]", "[6.2, 4.2, 0.6]"})
+    EXPECT_TRUE(scene_of(changed_store("/labels/0/position", place)).warnings.empty()) << place;
+}
+
+// The room is 8 x 6 x 3 m. A disc of 0.3 m whose axis leans by asin 0.6 stands 0.6 of its radius up.
+TEST(Misplaced, DiscsAndLabelsThatReachOutsideTheRoom) {
+  const auto warnings = [](double z, double label_x) {
+    Json store = sample_store();
+    store["label_types"]["large"]["size"] = {0.4, 0.2};
+    store["labels"] = {label("W", {label_x, 0.5, 1}, {0, 1, 0})};
+    store["transceiver_types"]["wide"] = {{"emission", {{"type", "isotropic"}, {"intensity", 1}}},
+                                          {"radius", 0.3}};
+    store["transceivers"]["list"].push_back(
+        {{"id", "D"}, {"position", {4, 3, z}}, {"axis", {0.6, 0, -0.8}}, {"type", "wide"}});
+    return scene_of(store).warnings;
+  };
+  EXPECT_TRUE(warnings(2.8199, 0.2001).empty());
+  EXPECT_EQ(warnings(2.83, 0.15),
+            (std::vector<std::string>{
+                "store.json: labels[0]: label 'W' reaches behind the wall x0 (-0.05 m < 0 m), where no light "
+                "goes in or out; move it inwards, or make it smaller",
+                "store.json: transceivers.list[2]: the disc of transceiver 'D' reaches above the ceiling "
+                "(3.01 m > 3 m), where no light goes in or out; move it inwards, or make it smaller"}));
+}
+
+TEST(Misplaced, GeneratedLabelsNameTheirFixture) {
+  Json store = test::freezer_store();
+  store["fixtures"].push_back(Json::parse(
+      R"({ "type": "box", "id": "C", "min": [2, 0.5, 0], "max": [2.3, 0.999, 2], "material": "m" })"));
+  store["transceivers"]["list"][0]["position"] = {3, 1, 0.5};
+  const Scene scene = scene_of(store);
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_EQ(
+      scene.warnings[0],
+      "store.json: fixtures[0]: label 'F-front-1-1' lies inside fixture 'C' and hears nothing; move one of "
+      "them");
+}
+
+// The column C reaches from (7, 0, 0) to (7.5, 0.5, 3).
+TEST(Misplaced, LabelThatLooksAtAFixture) {
+  const auto warnings = warnings_with(label("W", {6.99, 0.2, 1}, {1, 0, 0}));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(
+      warnings[0],
+      "store.json: labels[1]: label 'W' looks at fixture 'C', 1 cm in front of it; turn its normal round, or "
+      "move it to where light reaches it");
+  struct Case {
+    std::vector<double> position, normal;
+    bool warned;
+  };
+  for (const auto& [position, normal, warned] : std::vector<Case>{
+           {{6.99, 0.2, 1}, {-1, 0, 0}, false},  // looks away
+           {{6.96, 0.2, 1}, {1, 0, 0}, true},    // 4 cm
+           {{6.94, 0.2, 1}, {1, 0, 0}, false},   // 6 cm
+           {{6.99, 0.2, 1}, {1, 0, 1}, true},    // tilted, 1.4 cm
+           {{6.99, 0.2, 1}, {1, 0, 10}, false},  // nearly along the surface, 10 cm
+           {{6.99, 0.2, 1}, {0, 0, 1}, false},   // along it
+           {{7, 0.2, 1}, {1, 0, 0}, true},       // on the surface, looking in
+           {{7, 0.2, 1}, {-1, 0, 0}, false},     // on the surface, looking out
+           {{6.99, 0.52, 1}, {1, 0, 0}, false},  // beside it
+           {{7.2, 0.51, 1}, {0, -1, 0}, true},   // from another side
+       })
+    EXPECT_EQ(warnings_with(label("W", position, normal)).size(), warned ? 1u : 0u)
+        << testing::PrintToString(position) << testing::PrintToString(normal);
+}
+
+TEST(Misplaced, LabelThatLooksIntoItsShelf) {
+  Json store = test::gondola_store();
+  store["transceivers"]["list"][0]["position"] = {2.5, 1.2, 1.79};
+  store["transceivers"]["list"][0]["axis"] = {0, -1, 0};
+  // The third board of the front has its edge at y = 1 from z = 1.48 to 1.52.
+  store["labels"][0] = {
+      {"id", "turned"}, {"position", {3, 0.98, 1.5}}, {"normal", {0, 1, 0.1}}, {"type", "l"}};
+  for (const double rotation : {0.0, 1e-9}) {
+    store["fixtures"][0]["rotation_deg"] = rotation;
+    const Scene scene = scene_of(store);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(scene.warnings[0].starts_with(
+        "store.json: labels[0]: label 'turned' looks at fixture 'A', 2 cm in front of it;"))
+        << scene.warnings[0];
+  }
+}
+
+TEST(Misplaced, LabelsOfFixturesLookOutwardsWhateverTheirTilt) {
+  for (const double tilt : {-89.0, -60.0, -20.0, 0.0, 20.0, 60.0, 89.0})
+    for (const double rotation : {0.0, 33.3, 90.0, -77.7})
+      for (Json store : {test::gondola_store(), test::freezer_store()}) {
+        store["fixtures"][0]["labels"]["tilt_deg"] = tilt;
+        store["fixtures"][0]["rotation_deg"] = rotation;
+        store["fixtures"][0]["stocking"] = 1;
+        store["room"] = Json::parse(R"({"size": [20, 20, 4], "floor": "m", "ceiling": "m", "walls": "m"})");
+        store["fixtures"][0]["at"] = {10, 10};
+        store["labels"][0]["position"] = {1, 1, 1};
+        store["transceivers"]["list"][0]["position"] = {1, 1, 3};
+        EXPECT_TRUE(scene_of(store).warnings.empty()) << tilt << ' ' << rotation;
+      }
+}
+
+TEST(Misplaced, LabelThatLooksAtAWall) {
+  const auto warnings = warnings_with(label("W", {0.01, 3, 1}, {-1, 0, 0}));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(
+      warnings[0].starts_with("store.json: labels[1]: label 'W' looks at the wall x0, 1 cm in front"));
+  EXPECT_TRUE(warnings_with(label("W", {0.01, 3, 1}, {1, 0, 0})).empty());
+  EXPECT_TRUE(warnings_with(label("W", {0, 3, 1}, {1, 0, 0})).empty());
+  EXPECT_NE(warnings_with(label("W", {1, 3, 2.98}, {0, 0, 1})).at(0).find("the ceiling, 2 cm"),
+            std::string::npos);
+}
+
+TEST(Misplaced, ManyOfAKindAreCounted) {
+  Json store = sample_store();
+  for (int k = 0; k < 128; ++k) {
+    store["labels"].push_back(label("in " + std::to_string(k), {7.2, 0.2, 1 + k / 100.0}, {-1, 0, 0}));
+    store["labels"].push_back(label("at " + std::to_string(k), {6.99, 0.2, 1 + k / 100.0}, {1, 0, 0}));
+  }
+  const auto warnings = scene_of(store).warnings;
+  ASSERT_EQ(warnings.size(), 12u);
+  EXPECT_NE(warnings[4].find("'in 4'"), std::string::npos);
+  EXPECT_EQ(warnings[5], "and 123 more labels that lie inside a fixture");
+  EXPECT_NE(warnings[6].find("'at 0'"), std::string::npos);
+  EXPECT_EQ(warnings[11], "and 123 more labels that look at a surface right in front of them");
+}
+
+// The column C reaches from (7, 0, 0) to (7.5, 0.5, 3).
+TEST(Misplaced, PartsInsideAFixture) {
+  Json store = sample_store();
+  store["label_types"]["large"]["size"] = {0.4, 0.2};
+  store["transceiver_types"]["wide"]["radius"] = 0.3;
+  const auto warnings = [&](const std::vector<double>& position, const std::vector<double>& normal,
+                            const std::vector<double>& unit) {
+    Json changed = store;
+    changed["fixtures"][1].erase("labels");
+    changed["labels"] = {label("W", position, normal)};
+    changed["transceivers"]["list"] = {{{"id", "U"}, {"position", unit}, {"type", "wide"}}};
+    changed["transceivers"].erase("installed");
+    return scene_of(changed).warnings;
+  };
+  // Upright and 1 cm off the column, a disc flush with the ceiling, both as near to a side as they fit.
+  EXPECT_EQ(warnings({6.99, 0.3, 1}, {-1, 0, 0}, {7.2, 0.81, 3}), std::vector<std::string>{});
+  EXPECT_EQ(
+      warnings({6.99, 0.3, 1}, {-1, 0, 0.3}, {7.2, 0.79, 2.9}),
+      (std::vector<std::string>{
+          "store.json: labels[0]: part of label 'W' lies inside fixture 'C' and hears nothing; move it, turn "
+          "it, or give its type another 'size'",
+          "store.json: transceivers.list[0]: part of transceiver 'U' lies inside fixture 'C', which keeps "
+          "its light; move it, or give its type another 'radius'"}));
+}
+
+TEST(Misplaced, BeyondTheRoomSaysWhere) {
+  const auto moved = [](const char* pointer, const char* position) {
+    return [=] { scene_of(changed_store(pointer, position)); };
+  };
+  const char* unit = "/transceivers/list/1/position";
+  expect_input_error(
+      moved(unit, "[1, 3, 4.2]"),
+      "store.json: transceivers.list[1]: transceiver 'T2' at (1, 3, 4.2) is outside the room of "
+      "8 x 6 x 3 m: above the ceiling (4.2 m > 3 m); move it inside");
+  expect_input_error(moved(unit, "[1, 3, -0.5]"), "below the floor (-0.5 m < 0 m)");
+  expect_input_error(moved(unit, "[-1, 3, 1]"), "behind the wall x0 (-1 m < 0 m)");
+  expect_input_error(moved(unit, "[9, 3, 1]"), "behind the wall x1 (9 m > 8 m)");
+  expect_input_error(moved(unit, "[1, -3, 1]"), "behind the wall y0 (-3 m < 0 m)");
+  expect_input_error(moved("/labels/0/position", "[1, 7, 1]"), "label 'L1'",
+                     "behind the wall y1 (7 m > 6 m)");
+  expect_input_error(moved("/transceivers/grids/0/z", "3.5"), "transceivers.grids[0]: transceiver 'G1-2-1'",
+                     "above the ceiling (3.5 m > 3 m)");
+}
+
+TEST(Misplaced, WithoutARoomUnitsOutsideOfAllSurfaces) {
+  Json store = test::gondola_store();
+  const auto warnings = scene_of(store).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(
+      warnings[0],
+      "store.json: transceivers.list[0]: transceiver 'T' at (0, 0, 3) is outside of all surfaces, which lie "
+      "from (2, 1, 0) to (5.2, 1.9, 1.8); move it, or give the store a 'room'");
+  store["transceivers"]["list"][0]["position"] = {3, 1.02, 1.79};
+  EXPECT_TRUE(scene_of(store).warnings.empty());
+}
+
+}  // namespace
+}  // namespace shelfbeam

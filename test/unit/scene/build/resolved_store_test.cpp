@@ -1,0 +1,223 @@
+#include <array>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/provenance.hpp"
+
+#include "support/temp_folder.hpp"
+#include "unit/scene/same_scene.hpp"
+#include "unit/scene/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::fingerprint;
+using test::Json;
+using test::sample_store;
+using test::TempFolder;
+
+// Reads the resolved store back, from a folder without any other file, and compares everything.
+void expect_same_scene(const Store& store) {
+  const Scene scene = make_scene(store);
+  const std::string resolved = resolved_store_json(store, scene);
+  const Store again = parse_store(resolved, store.file, "/nowhere");
+  const Scene copy = make_scene(again);
+  EXPECT_EQ(fingerprint(copy), fingerprint(scene));
+  const std::string twice = resolved_store_json(again, copy);
+  EXPECT_EQ(content_hash(twice), content_hash(resolved));
+  EXPECT_EQ(twice, resolved);
+}
+
+TEST(ResolvedStore, OfTheExamplesIsTheSameScene) {
+  for (const char* name : {"thesis", "grocery", "chiller", "supermarket"})
+    expect_same_scene(
+        read_store(std::filesystem::path(SHELFBEAM_SOURCE_DIR) / "examples" / name / "store.json"));
+}
+
+TEST(ResolvedStore, OfTheSampleIsTheSameScene) {
+  expect_same_scene(test::read_text(sample_store().dump()));
+}
+
+TEST(ResolvedStore, KeepsDoors) {
+  Json store = sample_store();
+  store["fixtures"][0]["doors"] = "snow";
+  store["fixtures"][1]["doors"] = "tile";
+  expect_same_scene(test::read_text(store.dump()));
+}
+
+TEST(ResolvedStore, OfListsInFilesIsTheSameScene) {
+  const TempFolder folder;
+  folder.write("labels.csv",
+               "id,x,y,z,nx,ny,nz,type\nL1,5.1,2.3,0.1,0.3,-7,0.123456789,large\n\"a, "
+               "\"\"b\"\"\",1,2,1,1,1,1,small\n");
+  folder.write("units.csv", "id,x,y,z,ax,ay,az,roll_deg,type\nT1,4.7,3,2.8,0.1,1,-1,30,fan\n");
+  folder.write("roof.obj", "v 0 0 0\nv 1.1 0 0\nv 0 0.7 0.3\nf 1 2 3\n");
+  Json store = sample_store();
+  store["labels"] = {{"csv", "labels.csv"}};
+  store["transceivers"]["list"] = {{"csv", "units.csv"}};
+  store["fixtures"][3] = Json::parse(R"({ "type": "mesh", "id": "M", "file": "roof.obj", "at": [6.1, 4, 0.5],
+    "rotation_deg": 12.3, "scale": 0.37, "materials": { "*": "steel" } })");
+  expect_same_scene(test::read_text(store.dump(), folder.path()));
+}
+
+TEST(ResolvedStore, KeepsOddAngles) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> turn(-360, 360);
+  for (int k = 0; k < 200; ++k) {
+    Json store = sample_store();
+    for (const std::size_t fixture : {0, 1, 3}) store["fixtures"][fixture]["rotation_deg"] = turn(random);
+    store["fixtures"][0]["at"] = {2 + turn(random) / 1e3, 1};
+    store["fixtures"][0]["labels"]["tilt_deg"] = turn(random) / 5;
+    store["transceivers"]["grids"][0]["axis"] = {turn(random), turn(random), turn(random)};
+    store["transceivers"]["list"][0]["roll_deg"] = turn(random);
+    store["labels"][0]["normal"] = {turn(random), turn(random), turn(random)};
+    store.erase("room");
+    expect_same_scene(test::read_text(store.dump()));
+  }
+}
+
+TEST(ResolvedStore, KeepsTheAnglesOfTables) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> step(0.001, 1.8);
+  for (int k = 0; k < 50; ++k) {
+    Json theta{0}, phi{0}, rows = Json::array();
+    for (int t = 1; t < 100; ++t) theta.push_back(theta.back().get<double>() + step(random));
+    for (int p = 1; p < 100; ++p) phi.push_back(phi.back().get<double>() + 2 * step(random));
+    for (int p = 0; p < 100; ++p) {
+      rows.push_back(Json::array());
+      for (int t = 0; t < 100; ++t) rows.back().push_back(step(random));
+    }
+    Json store = sample_store();
+    store["transceiver_types"]["fan"]["emission"] = {
+        {"type", "table"}, {"theta_deg", theta}, {"phi_deg", phi}, {"intensity", rows}};
+    expect_same_scene(test::read_text(store.dump()));
+  }
+}
+
+// Every way to write a material, and every photometric file there is: all symmetries, types C and B.
+TEST(ResolvedStore, KeepsMaterials) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0.01, 1);
+  const auto roughness = [&](bool anisotropic) {
+    return anisotropic ? Json{share(random), share(random)} : Json(share(random));
+  };
+  Json store = sample_store();
+  Json& materials = store["materials"];
+  int count = 0;
+  const auto add = [&](Json material) { materials["m" + std::to_string(count++)] = std::move(material); };
+  for (const bool anisotropic : {false, true})
+    for (const auto& [distribution, masking, sampling] : {std::array{"ggx", "smith", "visible"},
+                                                          {"ggx", "smith", "all"},
+                                                          {"ggx", "cook_torrance", "visible"},
+                                                          {"beckmann", "smith", "all"},
+                                                          {"beckmann", "smith_rational", "all"},
+                                                          {"beckmann", "cook_torrance", "all"}}) {
+      const Json facets{{"roughness", roughness(anisotropic)},
+                        {"distribution", distribution},
+                        {"masking", masking},
+                        {"sampling", sampling}};
+      const auto with_facets = [&](Json material) {
+        material.update(facets);
+        add(material);
+      };
+      with_facets({{"type", "conductor"}, {"eta", share(random)}, {"k", 10 * share(random)}});
+      if (!anisotropic)
+        with_facets({{"type", "plastic"}, {"ior", 1 + share(random)}, {"reflectance", share(random)}});
+      if (std::string(masking) != "cook_torrance")
+        with_facets({{"type", "dielectric"}, {"ior", 1.01 + share(random)}});
+    }
+  add({{"type", "dielectric"}, {"ior", 1 + share(random)}});
+  add({{"type", "lambertian"}, {"reflectance", "plaster"}});
+  add({{"type", "plastic"}, {"ior", 1.5}, {"reflectance", "ceramic_tile"}});
+  add({{"type", "thin_dielectric"}, {"ior", 1 + share(random)}, {"thickness", share(random)}});
+  expect_same_scene(test::read_text(store.dump()));
+  const Store read = test::read_text(store.dump());
+  EXPECT_EQ(
+      Json::parse(resolved_store_json(read, make_scene(read)))["materials"]["m" + std::to_string(count - 3)],
+      Json::parse(R"({ "type": "lambertian", "reflectance": 0.836 })"));
+}
+
+TEST(ResolvedStore, KeepsProfilesOfFiles) {
+  for (const char* folder : {"/data/photometry", "/test/data/photometry"})
+    for (const auto& entry :
+         std::filesystem::directory_iterator(SHELFBEAM_SOURCE_DIR + std::string(folder))) {
+      const auto name = entry.path().filename().string();
+      if (name.ends_with(".md")) continue;
+      SCOPED_TRACE(name);
+      Json store = sample_store();
+      store["transceiver_types"]["ring"]["emission"] = {
+          {"type", name.ends_with(".ies") ? "ies" : "eulumdat"}, {"file", name}, {"flux", 0.7}};
+      store["label_types"]["deep"]["threshold"] = {{"hears", "ring"}, {"at_m", 3.3}, {"angle_deg", 45}};
+      if (name == "upwards.ies") store["label_types"]["deep"]["threshold"]["angle_deg"] = 135;
+      expect_same_scene(test::read_text(store.dump(), entry.path().parent_path()));
+    }
+}
+
+TEST(ResolvedStore, HasEverythingListed) {
+  const Store store = test::read_text(sample_store().dump());
+  const Scene scene = make_scene(store);
+  const Json resolved = Json::parse(resolved_store_json(store, scene));
+  EXPECT_EQ(resolved["labels"].size(), scene.labels.size());
+  EXPECT_EQ(resolved["transceivers"]["list"].size(), scene.transceivers.size());
+  EXPECT_EQ(resolved["transceivers"]["installed"], Json::parse(R"(["T1"])"));
+  EXPECT_EQ(resolved["label_types"]["deep"]["threshold"], 0.08) << "not as a range";
+  for (const char* key : {"grids", "keep_out"}) EXPECT_FALSE(resolved["transceivers"].contains(key));
+  for (const Json& fixture : resolved["fixtures"]) {
+    EXPECT_FALSE(fixture.contains("labels"));
+    EXPECT_FALSE(fixture.contains("file"));
+  }
+}
+
+// The least change of any part of a scene shows in what the tests above compare.
+TEST(ResolvedStore, ComparisonSeesEveryChange) {
+  const std::string before = fingerprint(test::scene_of(sample_store()));
+  for (const auto& [pointer, value] : std::vector<std::pair<std::string, std::string>>{
+           {"/wavelength_nm", "950.0000000000001"},
+           {"/room/size/0", "8.000000000000002"},
+           {"/room/walls/x0", "\"tile\""},
+           {"/materials/tile/reflectance", "0.5000000000000001"},
+           {"/materials/foil/k", "8.608000000000002"},
+           {"/materials/chrome/eta", "3.3570000000000007"},
+           {"/materials/chrome/roughness/1", "0.4000000000000001"},
+           {"/materials/chrome/masking", "\"smith\""},
+           {"/materials/chrome",
+            R"({ "type": "conductor", "eta": 3.357, "k": 3.546, "roughness": [0.2, 0.4] })"},
+           {"/materials/jar/sampling", "\"all\""},
+           {"/materials/jar/roughness", "0"},
+           {"/materials/carton/roughness", "0.5"},
+           {"/materials/carton/ior", "1.5000000000000002"},
+           {"/materials/carton/reflectance", "0.6000000000000001"},
+           {"/materials/door/thickness", "0.006000000000000001"},
+           {"/materials/door/absorption_per_m", "54.60000000000001"},
+           {"/label_types/large/threshold", "0.010000000000000002"},
+           {"/label_types/deep/threshold/at_m", "5.000000000000001"},
+           {"/label_types/deep/responsivity/exponent", "2.5000000000000004"},
+           {"/label_types/deep/responsivity/cutoff_deg", "60.00000000000001"},
+           {"/label_types/deep/size/0", "0.20000000000000004"},
+           {"/label_types/measured/responsivity/theta_deg/1", "40.00000000000001"},
+           {"/label_types/measured/responsivity/response/1", "1.5000000000000002"},
+           {"/transceiver_types/disc/radius", "0.20000000000000004"},
+           {"/transceiver_types/down/cost", "4.000000000000001"},
+           {"/transceiver_types/wide/emission/intensity", "0.5000000000000001"},
+           {"/transceiver_types/fan/emission/theta_deg/1", "45.00000000000001"},
+           {"/transceiver_types/fan/emission/intensity/2/2", "9.000000000000002"},
+           {"/fixtures/0/rotation_deg", "15.000000000000002"},
+           {"/fixtures/0/stocking", "0.61"},
+           {"/fixtures/0/goods", "\"steel\""},
+           {"/fixtures/1/doors", "\"tile\""},
+           {"/fixtures/0/id", "\"B\""},
+           {"/fixtures/0/labels/tilt_deg", "10.000000000000002"},
+           {"/fixtures/3/parts/0/vertices/1/0", "1.000000000001"},
+           {"/labels/0/position/0", "5.000000000000001"},
+           {"/labels/0/normal", "[0, 1e-12, 2]"},
+           {"/transceivers/list/0/roll_deg", "30.000000000000004"},
+           {"/transceivers/installed", "[]"},
+       })
+    EXPECT_NE(fingerprint(test::scene_of(test::changed_store(pointer, value))), before) << pointer;
+}
+
+}  // namespace
+}  // namespace shelfbeam

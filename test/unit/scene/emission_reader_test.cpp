@@ -1,0 +1,103 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/device/photometry/photometry.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/scene/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::expect_input_error;
+using test::Json;
+using test::TempFolder;
+
+const std::filesystem::path profiles = SHELFBEAM_SOURCE_DIR "/data/photometry";
+
+TransceiverType read(const Json& emission, const std::filesystem::path& folder) {
+  Json store = test::sample_store();
+  store["transceiver_types"]["down"]["emission"] = emission;
+  store["label_types"]["deep"]["threshold"] = 1;  // it heard `down`
+  return test::read_text(store.dump(), folder).transceiver_types.at(0);
+}
+
+Json file(const char* type, const char* name, double flux) {
+  return {{"type", type}, {"file", name}, {"flux", flux}};
+}
+
+TEST(EmissionReader, TakesTheShapeOfAFileAndTheFluxOfTheStore) {
+  for (const auto& [type, name] : {std::pair{"ies", "batwing.ies"}, {"eulumdat", "batwing.ldt"}}) {
+    const TransceiverType unit = read(file(type, name, 0.8), profiles);
+    EXPECT_NEAR(power(unit.emission), 0.8, 1e-14);
+    const auto& table = std::get<EmissionTable>(unit.emission).intensity;
+    const DirectionTable whole =
+        std::string(type) == "ies" ? read_ies(profiles / name) : read_eulumdat(profiles / name);
+    EXPECT_EQ(table.theta(), whole.theta());
+    EXPECT_EQ(table.phi(), whole.phi());
+    EXPECT_EQ(table.values(), whole.with_integral(0.8).values());
+  }
+}
+
+TEST(EmissionReader, LooksForFilesBesideTheStore) {
+  const TempFolder folder;
+  folder.write("profiles/a.ies", read_file(profiles / "batwing.ies"));
+  EXPECT_NO_THROW(read(file("ies", "profiles/a.ies", 1), folder.path()));
+  expect_input_error([&] { read(file("ies", "a.ies", 1), folder.path()); },
+                     "store.json: transceiver_types.down.emission.file: the file '" +
+                         (folder / "a.ies").string() +
+                         "' does not exist; paths are relative to the store file");
+  expect_input_error([&] { read(file("ies", "profiles", 1), folder.path()); }, "emission.file: '",
+                     "is a folder; name a file in it");
+}
+
+TEST(EmissionReader, ErrorsOfAFileNameItAndTheLine) {
+  const TempFolder folder;
+  const std::string text = read_file(profiles / "batwing.ies");
+  folder.write("cut.ies", text.substr(0, text.size() / 2));
+  expect_input_error(
+      [&] { read(file("ies", "cut.ies", 1), folder.path()); },
+      "store.json: transceiver_types.down.emission.file: " + (folder / "cut.ies").string() + ": line ",
+      "the file ends where");
+  expect_input_error([&] { read(file("eulumdat", "batwing.ies", 1), profiles); },
+                     (profiles / "batwing.ies").string() + ": line ");
+}
+
+TEST(EmissionReader, RefusesAFluxThatMakesTooMuchIntensity) {
+  expect_input_error([&] { read(file("ies", "narrow-aisle.ies", 1e9), profiles); },
+                     "transceiver_types.down.emission.flux: makes an intensity of", "W/sr with this profile");
+}
+
+TEST(EmissionReader, TablesMayLeaveOutTheAxis) {
+  const auto unit = read({{"type", "table"}, {"theta_deg", {90, 120, 180}}, {"intensity", {1, 2, 0}}}, {});
+  const auto& table = std::get<EmissionTable>(unit.emission).intensity;
+  EXPECT_EQ(table.value(0.5, 0), 0);
+  EXPECT_GT(table.value(2, 0), 1);
+}
+
+TEST(EmissionReader, ReadsDiscs) {
+  Json store = test::sample_store();
+  const auto radius_of_disc = [&] { return test::read_text(store.dump()).transceiver_types[3].radius; };
+  EXPECT_EQ(radius_of_disc(), 0.2);
+  EXPECT_EQ(test::read_text(store.dump()).transceiver_types[1].radius, 0) << "the default";
+  store["transceiver_types"]["disc"]["radius"] = 12;
+  expect_input_error(
+      radius_of_disc,
+      "store.json: transceiver_types.disc.radius: is 12, which is outside 0.0001 to 10 m; use a "
+      "value in that range, or 0 for a point");
+}
+
+// Angles that differ in degrees may be the same in radians.
+TEST(EmissionReader, AnglesAscendAsTheyAreKept) {
+  expect_input_error(
+      [] {
+        read({{"type", "table"}, {"theta_deg", {0, 89.0, 89.00000000000001}}, {"intensity", {1, 1, 1}}}, {});
+      },
+      "emission.theta_deg: does not ascend");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,361 @@
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/scene/mesh_files.hpp"
+
+// Corners are small whole numbers, which 32 bits hold exactly; areas are sums of a few of their products, to
+// 1e-12.
+
+namespace shelfbeam {
+namespace {
+
+using test::area;
+using test::Corner;
+using test::expect_input_error;
+using test::Json;
+using test::mesh_store;
+using test::TempFolder;
+using test::tetrahedron;
+using test::Triangles;
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+// A mesh in each format.
+std::vector<std::pair<std::string, std::string>> files(const Triangles& triangles) {
+  return {{"ascii.stl", test::ascii_stl(triangles)},
+          {"binary.stl", test::binary_stl(triangles)},
+          {"ascii.ply", test::ply(triangles, false)},
+          {"binary.ply", test::ply(triangles, true)},
+          {"mesh.obj", test::obj(triangles)}};
+}
+
+Scene read(const std::string& name, const std::string& content, const Json& materials = {{"*", "white"}}) {
+  const TempFolder folder;
+  folder.write(name, content);
+  return test::scene_of(mesh_store(name, materials), folder.path());
+}
+
+TEST(MeshFormats, AllHoldTheSameSolid) {
+  for (const auto& [name, content] : files(tetrahedron())) {
+    const Scene scene = read(name, content);
+    EXPECT_EQ(scene.mesh.triangles.size(), 4u) << name;
+    EXPECT_NEAR(area(scene), test::tetrahedron_area, 1e-12) << name;
+    EXPECT_EQ(scene.lower, (Vec3{0, 0, 0})) << name;
+    EXPECT_EQ(scene.upper, (Vec3{1, 2, 3})) << name << ": z is up";
+    EXPECT_TRUE(scene.warnings.empty()) << name;
+    double six = 0;
+    for (const auto& [a, b, c] : scene.mesh.triangles)
+      six += dot(scene.mesh.vertices[a], cross(scene.mesh.vertices[b], scene.mesh.vertices[c]));
+    EXPECT_NEAR(six, 6, 1e-12) << name << ": outside out";
+  }
+}
+
+TEST(MeshFormats, WithoutMaterialsTakeTheStar) {
+  for (const auto& [name, content] : files(tetrahedron())) {
+    EXPECT_EQ(read(name, content, {{"paint", "tile"}, {"*", "steel"}}).parts.at(0).material.value, 2u)
+        << name;
+    const std::string& file = name;
+    const std::string& text = content;
+    expect_input_error(
+        [&] {
+          read(file, text, {{"Default*", "steel"}, {"?", "tile"}});
+        },
+        "fixtures[0].file: ", file + "' name no material; give 'materials' an entry \"*\"");
+  }
+}
+
+TEST(MeshFormats, TextsWithoutAFiniteNumberAreRefused) {
+  const std::string good = "1.5";
+  for (const std::string wrong :
+       {"nan", "NaN", "-nan", "inf", "-Infinity", "1e999", "1,5", "x", "0x10", "1.5m"}) {
+    const auto refused = [&](const std::string& name, const std::string& before, const std::string& after,
+                             const std::string& line) {
+      const auto read_with = [&](const std::string& number) {
+        read(name, fmt::format("{}{}{}", before, number, after));
+      };
+      EXPECT_NO_THROW(read_with(good)) << name;
+      expect_input_error(
+          [&] { read_with(wrong); }, "store.json: fixtures[0].file: " + line,
+          fmt::format("{}': the coordinate '{}' is no finite number; repair the mesh", name, wrong));
+    };
+    refused("a.obj", "# v x\nv 0 0 0\nv 1 0 0\nv 0 ", " 0 0.1 0.2 0.3\nvn 0 0 1\nf 1 2 3\n", "line 4 of '");
+    refused("a.stl",
+            "solid x\nfacet normal nan nan nan\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n\n  vertex 0 2\t",
+            "\r\nendloop\nendfacet\nendsolid x\n", "line 7 of '");
+    refused("a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "property float quality\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 "
+            "0 nan\n"
+            "1 0 0 1\n0 1 ",
+            " 1\n3 0 1 2\n", "line 13 of '");
+  }
+}
+
+TEST(MeshFormats, CoordinatesMayNotBeMissing) {
+  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n"); }, "line 2 of '",
+                     "a coordinate is missing");
+  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 \xFF 0\nv 0 1 0\nf 1 2 3\n"); }, "line 2 of '",
+                     "a coordinate is no number");
+}
+
+// Wherever a file is cut, but within its last number or its last line's end, it must not be taken for a mesh.
+TEST(MeshFormats, CutFilesAreRefused) {
+  for (const auto& [name, content] : files(tetrahedron())) {
+    const bool is_binary = name.starts_with("binary");
+    const std::size_t keep = is_binary ? content.size() : content.find_last_of(" \n", content.size() - 2);
+    for (std::size_t length = 0; length < keep; ++length) {
+      // An OBJ file does not say how many faces it has.
+      if (name == "mesh.obj" && length > content.find("\nf ")) break;
+      const std::string cut = content.substr(0, length);
+      expect_input_error([&, &file = name] { read(file, cut); }, "store.json: fixtures[0].file: ");
+    }
+  }
+  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n"); }, "line 5 of '",
+                     "a face has fewer than three corners");
+}
+
+TEST(MeshFormats, PlyHeadersAreNotTrusted) {
+  const std::string good = test::ply(tetrahedron(), false), binary = test::ply(tetrahedron(), true);
+  const auto refused = [](std::string text, const std::string& old, const std::string& wrong,
+                          const std::string& message) {
+    ASSERT_NE(text.find(old), std::string::npos) << old;
+    text.replace(text.find(old), old.size(), wrong);
+    expect_input_error([&] { read("a.ply", text); }, "store.json: fixtures[0].file: ", "a.ply'", message);
+  };
+  for (const std::string& text : {good, binary}) {
+    refused(text, "vertex 12", "vertex 4000000000", "");
+    refused(text, "vertex 12", "vertex 1e300", "line 4 of '");
+    refused(text, "vertex 12", "vertex -1", "line 4 of '");
+    refused(text, "face 4", "face 4000000000", "ends before the last of the elements");
+    refused(text, "face 4", "face 5", "ends before the last of the elements");
+    refused(text, "property float x", "property real x", "line 6 of '");
+    refused(text, "list uchar int", "list float int", "the length of a list is no whole number");
+    refused(text, "format ", "format my_", "has a 'format' that is not known");
+    refused(text, "ply\n", "", "it is no PLY file");
+  }
+  refused(good, "\n3 0 1 2", "\n3 0 1 12", "a face names the vertex 12 of 12, counted from 0");
+  refused(good, "\n3 0 1 2", "\n3 0 1 -1", "a face names the vertex -1 of 12");
+  refused(good, "\n3 0 1 2", "\n3 0 1 0.5", "a face names the vertex 0.5 of 12");
+  refused(good, "\n3 0 1 2", "\n-3 0 1 2", "value 1 is no length of a list");
+  refused(good, "\n3 0 1 2", "\n1e300 0 1 2", "value 1 is no length of a list");
+  refused(good, "\n3 0 1 2", "\n4 0 1 2", "a number is expected as value 5");
+  const std::string face = test::bytes_of(std::uint8_t{3}) + test::bytes_of(std::int32_t{9});
+  for (const std::int32_t wrong : {12, -1, 1'000'000'000})
+    refused(binary, face, face.substr(0, 1) + test::bytes_of(wrong),
+            fmt::format("is damaged: a face names the vertex {} of 12", wrong));
+  refused(binary, face, "\xFF" + face.substr(1), "");
+}
+
+TEST(MeshFormats, FoldersAndOtherFormatsAreRefused) {
+  const TempFolder folder;
+  folder.write("inner.obj/file", "");
+  expect_input_error(
+      [&] {
+        test::scene_of(mesh_store("inner.obj", {{"*", "white"}}), folder.path());
+      },
+      "store.json: fixtures[0].file: '", "inner.obj' is a folder; name a file in it");
+  for (const char* name : {"a.fbx", "a.dae", "a"})
+    expect_input_error([&] { read(name, test::obj(tetrahedron())); },
+                       "store.json: fixtures[0].file: the name of the mesh", "use glTF (.gltf, .glb), OBJ");
+}
+
+TEST(MeshFormats, BytesThatAreNoFiniteNumberAreRefused) {
+  for (const float wrong : {not_a_number, infinite, -infinite}) {
+    Triangles triangles = tetrahedron();
+    triangles[1][2][0] = wrong;  // the sixth vertex, if each triangle has its own
+    for (const char* name : {"binary.stl", "binary.ply"}) {
+      const std::string content =
+          std::string(name) == "binary.stl" ? test::binary_stl(triangles) : test::ply(triangles, true);
+      expect_input_error([&] { read(name, content); },
+                         "store.json: fixtures[0].file: vertex 5 (counted from 0) ",
+                         std::string(name) + "' is not finite; repair the mesh");
+    }
+  }
+}
+
+TEST(MeshFormats, TrianglesWithoutAreaAreDropped) {
+  Triangles triangles = tetrahedron();
+  const Corner a{1, 2, 3}, b{4, 6, 3}, between{2.5, 4, 3};
+  const Corner off{2.5F, 4, 3 + 2e-7F};  // one rounding off the line
+  triangles.push_back({a, a, a});
+  triangles.push_back({a, b, a});
+  triangles.push_back({a, b, between});
+  triangles.push_back({a, b, off});
+  for (const auto& [name, content] : files(triangles)) {
+    const Scene scene = read(name, content);
+    EXPECT_EQ(scene.mesh.triangles.size(), 4u) << name;
+    EXPECT_NEAR(area(scene), test::tetrahedron_area, 1e-12);
+    ASSERT_EQ(scene.warnings.size(), 1u) << name;
+    EXPECT_EQ(scene.warnings[0], "store.json: fixtures[0]: mesh 'M': dropped 4 of 8 triangles without area");
+  }
+  // Thin, but not by rounding: a needle of 5 m by 0.01 mm stays.
+  triangles = tetrahedron();
+  triangles.push_back({a, b, Corner{2.5F, 4, 3 + 1e-5F}});
+  for (const auto& [name, content] : files(triangles)) {
+    EXPECT_TRUE(read(name, content).warnings.empty()) << name;
+    EXPECT_EQ(read(name, content).mesh.triangles.size(), 5u) << name;
+  }
+  expect_input_error(
+      [&] {
+        read("flat.obj", test::obj({{a, b, between}}));
+      },
+      "store.json: fixtures[0]: no triangle of mesh 'M' has an area");
+}
+
+TEST(MeshFormats, PartsAreCheckedLikeFiles) {
+  Json store = test::changed_store("/fixtures/3/parts/0/faces/0", "[1, 1, 2]");
+  EXPECT_EQ(
+      test::scene_of(store).warnings,
+      std::vector<std::string>{"store.json: fixtures[3]: mesh 'M': dropped 1 of 2 triangles without area"});
+}
+
+TEST(MeshFormats, SizesThatCannotBeMeant) {
+  const auto scaled = [](double scale, bool with_room) {
+    Json store = test::sample_store();
+    store["fixtures"][3]["scale"] = scale;
+    if (!with_room) store.erase("room");
+    return [store] { return test::scene_of(store).warnings; };
+  };
+  // The sample's mesh is 1 unit across, its room 8 m.
+  expect_input_error(scaled(80, true),
+                     "store.json: fixtures[3]: mesh 'M' is 80 m across, ten times the room or more; ",
+                     "\"scale\": 0.001 for millimetres");
+  const auto outside = scaled(79, true)();
+  ASSERT_EQ(outside.size(), 1u);
+  EXPECT_EQ(outside[0],
+            "store.json: fixtures[3]: fixture 'M' reaches outside the room; move it, or correct its 'scale'");
+  expect_input_error(scaled(0.0009, true), "fixtures[3]: mesh 'M' is 0.0009 m across; 'scale' is the metres");
+  EXPECT_TRUE(scaled(0.001, true)().empty());
+  const auto is_told_of = [&](double scale) {
+    const auto warnings = scaled(scale, false)();
+    return std::count(
+        warnings.begin(), warnings.end(),
+        "store.json: fixtures[3]: mesh 'M' is 201 m across; 'scale' is the metres that a unit of the "
+        "file stands for: \"scale\": 0.001 for millimetres");
+  };
+  EXPECT_EQ(is_told_of(201), 1);
+  EXPECT_EQ(is_told_of(200), 0);
+}
+
+class SolidGlass : public testing::Test {
+ protected:
+  // The scene of a store whose material `white` is solid glass.
+  static Scene glass(const Json& json, const std::filesystem::path& folder = {}) {
+    Store store = test::read_text(json.dump(), folder);
+    store.materials[0].material = make_dielectric(1.5);
+    return make_scene(store);
+  }
+  static double volume(const Scene& scene) {
+    double six = 0;
+    for (const auto& [a, b, c] : scene.mesh.triangles)
+      six += dot(scene.mesh.vertices[a], cross(scene.mesh.vertices[b], scene.mesh.vertices[c]));
+    return six / 6;
+  }
+};
+
+TEST_F(SolidGlass, ClosedWithItsOutsideOutIsTaken) {
+  const TempFolder folder;
+  for (const auto& [name, content] : files(tetrahedron())) {
+    folder.write(name, content);
+    const Scene scene = glass(mesh_store(name), folder.path());
+    EXPECT_TRUE(scene.warnings.empty()) << name;
+    EXPECT_NEAR(volume(scene), 1, 1e-12);
+  }
+}
+
+TEST_F(SolidGlass, InsideOutIsTurnedOver) {
+  Triangles inside_out = tetrahedron();
+  for (auto& [a, b, c] : inside_out) std::swap(b, c);
+  const TempFolder folder;
+  for (const auto& [name, content] : files(inside_out)) {
+    folder.write(name, content);
+    const Scene scene = glass(mesh_store(name), folder.path());
+    EXPECT_NEAR(volume(scene), 1, 1e-12) << name;
+    ASSERT_EQ(scene.warnings.size(), 1u) << name;
+    EXPECT_EQ(scene.warnings[0],
+              "store.json: fixtures[0]: the surface of mesh 'M' made of the solid dielectric 'white' was "
+              "inside out "
+              "and is turned over; let its triangles look outwards");
+    // Any other material is taken as it is.
+    const Scene paint = test::scene_of(mesh_store(name), folder.path());
+    EXPECT_NEAR(volume(paint), -1, 1e-12);
+    EXPECT_TRUE(paint.warnings.empty());
+  }
+}
+
+TEST_F(SolidGlass, OpenOneIsTold) {
+  Triangles open = tetrahedron(), twisted = open;
+  open.pop_back();
+  std::swap(twisted[0][0], twisted[0][1]);
+  const TempFolder folder;
+  for (const auto& triangles : {open, twisted})
+    for (const auto& [name, content] : files(triangles)) {
+      folder.write(name, content);
+      const Scene scene = glass(mesh_store(name), folder.path());
+      ASSERT_EQ(scene.warnings.size(), 1u) << name;
+      EXPECT_NE(scene.warnings[0].find("made of the solid dielectric 'white' is not closed"),
+                std::string::npos);
+    }
+}
+
+TEST_F(SolidGlass, HollowOneKeepsItsInside) {
+  Triangles jar;
+  for (auto triangle : tetrahedron()) {
+    jar.push_back(triangle);
+    for (Corner& corner : triangle)
+      for (float& x : corner) x = 0.1F + 0.5F * x;
+    std::swap(triangle[1], triangle[2]);
+    jar.push_back(triangle);
+  }
+  const TempFolder folder;
+  folder.write("jar.stl", test::binary_stl(jar));
+  const Scene scene = glass(mesh_store("jar.stl"), folder.path());
+  EXPECT_TRUE(scene.warnings.empty());
+  EXPECT_NEAR(volume(scene), 1 - 0.125, 1e-6);
+}
+
+TEST_F(SolidGlass, SliversDoNotOpenIt) {
+  // One side as three triangles that meet in a point on its edge: the fourth, without area, closes the seam.
+  Triangles seamed = tetrahedron();
+  const Corner o{0, 0, 0}, x{1, 0, 0}, y{0, 2, 0}, middle{0.5, 0, 0};
+  seamed[0] = {o, y, middle};
+  seamed.push_back({middle, y, x});
+  seamed.push_back({o, middle, x});
+  const TempFolder folder;
+  folder.write("seam.stl", test::binary_stl(seamed));
+  const Scene scene = glass(mesh_store("seam.stl"), folder.path());
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("dropped 1 of 6"), std::string::npos);
+  Triangles strewn = tetrahedron();
+  strewn.push_back({x, middle, o});
+  folder.write("strewn.stl", test::binary_stl(strewn));
+  const auto strewn_warnings = glass(mesh_store("strewn.stl"), folder.path()).warnings;
+  ASSERT_EQ(strewn_warnings.size(), 1u);
+  EXPECT_NE(strewn_warnings[0].find("dropped 1 of 5"), std::string::npos);
+  seamed.pop_back();
+  folder.write("seam.stl", test::binary_stl(seamed));
+  EXPECT_NE(glass(mesh_store("seam.stl"), folder.path()).warnings.at(0).find("is not closed"),
+            std::string::npos);
+}
+
+TEST_F(SolidGlass, WrittenOutIsCheckedToo) {
+  Json store = test::sample_store();
+  store["fixtures"][3]["parts"][0]["faces"] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  const auto warnings = glass(store).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find(
+                "fixtures[3]: the surface of mesh 'M' made of the solid dielectric 'white' was inside"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace shelfbeam

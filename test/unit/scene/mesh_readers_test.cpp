@@ -1,0 +1,145 @@
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/scene/mesh_files.hpp"
+
+// Areas of small whole numbers and halves, which doubles hold exactly.
+
+namespace shelfbeam {
+namespace {
+
+using test::area;
+using test::expect_input_error;
+using test::Json;
+using test::TempFolder;
+
+Scene read(const std::string& name, const std::string& content, const Json& materials = {{"*", "white"}}) {
+  const TempFolder folder;
+  folder.write(name, content);
+  return test::scene_of(test::mesh_store(name, materials), folder.path());
+}
+
+// An arrow: a fan from its first corner would cover 4 and not 2.
+const std::string arrow = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\n";
+
+TEST(MeshReaders, FacesWithADentAreCutAtTheDent) {
+  for (const std::string corners : {"1 2 3 4", "2 3 4 1", "3 4 1 2", "4 1 2 3", "4 3 2 1"}) {
+    const Scene scene = read("a.obj", fmt::format("{}f {}\n", arrow, corners));
+    EXPECT_EQ(scene.mesh.triangles.size(), 2u) << corners;
+    EXPECT_DOUBLE_EQ(area(scene), 1) << corners;
+  }
+}
+
+std::string star(int points) {
+  std::string vertices, face = "f";
+  for (int k = 0; k < 2 * points; ++k) {
+    const double angle = std::acos(-1.0) * k / points, radius = k % 2 == 0 ? 2 : 1;
+    vertices += fmt::format("v {} {} 0\n", radius * std::cos(angle), radius * std::sin(angle));
+    face += fmt::format(" {}", k + 1);
+  }
+  return vertices + face + "\n";
+}
+
+TEST(MeshReaders, StarsAreCutAndLargeOnesRefused) {
+  const Scene scene = read("a.obj", star(60));
+  EXPECT_EQ(scene.mesh.triangles.size(), 118u);
+  EXPECT_NEAR(area(scene), 120 * 0.5 * 2 * std::sin(std::acos(-1.0) / 60), 1e-12);
+  expect_input_error([] { read("a.obj", star(10'000)); }, "a face with a dent has 20000 corners");
+}
+
+TEST(MeshReaders, ObjLinesGoOnBehindABackslash) {
+  EXPECT_DOUBLE_EQ(area(read("a.obj", "v 0 0 \\\n0\nv 2 0 0\nv 0 1 0\nf 1/1/1 2//2 \\\n-1\n")), 1);
+  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n"); },
+                     "fewer than three corners");
+  expect_input_error([] { read("a.obj", "\\\n"); }, "fixtures[0].file: ");
+}
+
+TEST(MeshReaders, ObjFacesNameVerticesThatAreThere) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const char* wrong : {"0", "4", "-4", "99999999999999999999", "x", "1.5", "/1"})
+    expect_input_error([&] { read("a.obj", corners + "f 1 2 " + wrong + "\n"); }, "line 4 of '", "vertex");
+}
+
+// A name of a material counts without the library of colours that OBJ keeps beside the file.
+TEST(MeshReaders, ObjMaterialsNeedNoLibrary) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red  brick\nf 1 2 3\n";
+  EXPECT_NO_THROW(read("a.obj", text, {{"red  brick", "white"}}));
+  expect_input_error([&] { read("a.obj", text, {{"blue", "white"}}); }, "a.obj': red  brick; add an entry");
+}
+
+// Found by fuzzing: the library that read these files before ended the program.
+TEST(MeshReaders, PlyVerticesHaveThreeCoordinates) {
+  const std::string good = test::ply(test::tetrahedron(), true);
+  for (const std::string name : {"x", "y", "z"}) {
+    std::string text = good;
+    text.replace(text.find("float " + name), 7, "float w");
+    expect_input_error([&] { read("a.ply", text); }, "a.ply' has vertices without x, y and z");
+  }
+  expect_input_error([] { read("a.ply", "ply\nformat ascii 1.0\nelement nothing 4294967295\nend_header\n"); },
+                     "has an element without properties");
+}
+
+// A square of 1 m in the modes of glTF.
+Json square(int mode, const std::string& indices, int count) {
+  // (0, 0), (1, 0), (0, 1), (1, 1) as bytes, each of three padded to four, then the indices.
+  return Json::parse(R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":)" +
+                     std::to_string(mode) + R"(}]}],
+    "accessors":[{"bufferView":0,"componentType":5121,"count":4,"type":"VEC3"},
+                 {"bufferView":1,"componentType":5121,"count":)" +
+                     std::to_string(count) + R"(,"type":"SCALAR"}],
+    "bufferViews":[{"buffer":0,"byteLength":16,"byteStride":4},{"buffer":0,"byteOffset":16,"byteLength":6}],
+    "buffers":[{"byteLength":22,"uri":"data:;base64,AAAAAAEAAAAAAQAAAQEAA)" +
+                     indices + R"("}]})");
+}
+
+TEST(MeshReaders, GltfListsStripsAndFans) {
+  // 16 bytes end within a group of base64, whose first two bits belong to the last of them.
+  const Json list = square(4, "AABAgIBAw==", 6), strip = square(5, "AABAgMAAA==", 4),
+             fan = square(6, "AABAwIAAA==", 4), points = square(0, "AABAgMAAA==", 4);
+  for (const Json& file : {list, strip, fan}) {
+    const Scene scene = read("a.gltf", file.dump());
+    EXPECT_EQ(scene.mesh.triangles.size(), 2u);
+    EXPECT_DOUBLE_EQ(area(scene), 1);
+  }
+  expect_input_error([&] { read("a.gltf", points.dump()); }, "has no triangles");
+}
+
+TEST(MeshReaders, GltfIsNotTrusted) {
+  const Json good = square(4, "AABAgIBAw==", 6);
+  const auto refused = [&](const char* place, const Json& wrong, const char* message) {
+    Json file = good;
+    file[Json::json_pointer(place)] = wrong;
+    expect_input_error([&] { read("a.gltf", file.dump()); }, "store.json: fixtures[0].file: ", message);
+  };
+  refused("/accessors/0/count", 5, "reaches beyond its view");
+  refused("/accessors/0/count", 4e15, "outside");
+  refused("/accessors/0/byteOffset", 14, "reaches beyond its view");
+  refused("/accessors/1/byteOffset", 1, "reaches beyond its view");
+  refused("/accessors/0/componentType", 5124, "componentType");
+  refused("/accessors/0/type", "VEC2", "'VEC3' is expected");
+  refused("/accessors/0/bufferView", 2, "is 2, and there are 2 bufferViews");
+  refused("/accessors/0/sparse", Json::object(), "is sparse");
+  refused("/bufferViews/0/byteStride", 0, "reaches beyond its view");
+  refused("/bufferViews/0/byteOffset", 7, "reaches beyond its buffer");
+  refused("/buffers/0/byteLength", 100, "has 22 bytes where it says 100");
+  refused("/buffers/0/uri", "data:;base64,A*", "is no base64");
+  refused("/nodes/0/children", {0}, "names the node 0 again");
+  refused("/nodes/0/mesh", -1, "is -1");
+  refused("/nodes/0/matrix", {1e308, 0, 0, 0, 1e308, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, "beyond all numbers");
+  refused("/nodes/0/matrix", Json::array({1}), "has 1 numbers");
+  refused("/scene", 1, "is 1, and there are 1 scenes");
+  refused("/asset/version", "1.0", "is of version 1.0");
+  refused("/extensionsRequired", {"KHR_draco_mesh_compression"}, "needs 'KHR_draco_mesh_compression'");
+  Json beyond = good;
+  beyond["accessors"][0]["count"] = 3;
+  expect_input_error([&] { read("a.gltf", beyond.dump()); }, "names the vertex 3 of 3, counted from 0");
+}
+
+}  // namespace
+}  // namespace shelfbeam

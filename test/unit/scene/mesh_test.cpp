@@ -1,0 +1,303 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/scene/mesh_files.hpp"
+
+// Mesh files hold coordinates and node transforms as 32-bit numbers: those here are below 64 m, so a
+// coordinate is known to 4e-6 m and a sum of a few of them to 2e-5 m. The check at that tolerance refuses a
+// wrong axis, order of transforms or scale, each of which moves a vertex by more than 0.1 m.
+
+namespace shelfbeam {
+namespace {
+
+using test::expect_input_error;
+using test::Json;
+using test::mesh_store;
+using test::TempFolder;
+
+constexpr double single = 2e-5;
+
+// The area of each material.
+std::map<std::string, double> areas(const Scene& scene) {
+  std::map<std::string, double> result;
+  for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = scene.mesh.triangles[t];
+    const auto& p = scene.mesh.vertices;
+    result[scene.materials[scene.mesh.materials[t].value].name] +=
+        length(cross(p[b] - p[a], p[c] - p[a])) / 2;
+  }
+  return result;
+}
+
+void expect_near(const Vec3& p, const Vec3& expected) {
+  EXPECT_LT(length(p - expected), single) << p.x << ' ' << p.y << ' ' << p.z;
+}
+
+const std::filesystem::path grocery = SHELFBEAM_SOURCE_DIR "/examples/grocery";
+const std::filesystem::path checkout = grocery / "checkout.glb";
+
+TEST(Mesh, OfTheGroceryCheckout) {
+  const Json materials = {{"Painted*", "steel"}, {"BeltRubber", "tile"}, {"*Plastic", "white"}};
+  const Scene scene = test::scene_of(mesh_store("checkout.glb", materials), grocery);
+  // 3 blocks, a belt, and 2 blocks with a pole of 12 sides (scripts/make-example-meshes).
+  EXPECT_EQ(scene.mesh.triangles.size(), 36u + 12 + 24 + 48);
+  auto area = areas(scene);
+  const auto block = [](double a, double b, double c) { return 2 * (a * b + b * c + c * a); };
+  EXPECT_NEAR(area["tile"], block(2.15, 0.03, 0.44), 1e-5);
+  const double turn = 2 * std::acos(-1.0) / 12;
+  const double pole = 12 * 2 * 0.03 * std::sin(turn / 2) * 1.35 + 12 * 0.03 * 0.03 * std::sin(turn);
+  EXPECT_NEAR(area["white"], block(0.05, 0.3, 0.4) + block(0.05, 0.25, 0.4) + pole, 1e-5);
+  // y is up in glTF: the counter's 0.6 m from its z = 0 lie towards -y here, and its sign is at 2.2 m.
+  expect_near(scene.lower, {0, -0.6, 0});
+  expect_near(scene.upper, {3.4, 0.7, 2.2});
+  ASSERT_EQ(scene.fixtures.size(), 1u);
+  EXPECT_NEAR(scene.fixtures[0].height, 2.2, single);
+  EXPECT_EQ(scene.parts.size(), 3u);
+}
+
+TEST(Mesh, IsPutInPlace) {
+  const TempFolder folder;
+  folder.write("corner.obj", "v 0 0 0\nv 2 0 0\nv 0 4 0\nv 0 0 6\nf 1 2 3\nf 1 2 4\n");
+  Json store = mesh_store("corner.obj");
+  store["fixtures"][0].update(Json{{"at", {10, 20, 1}}, {"rotation_deg", 90}, {"scale", 0.5}});
+  const Scene scene = test::scene_of(store, folder.path());
+  ASSERT_EQ(scene.mesh.triangles.size(), 2u);
+  // (2, 0, 0) becomes (1, 0, 0), turns to (0, 1, 0), and moves; z is up in OBJ.
+  const auto& p = scene.mesh.vertices;
+  const auto& [a, b, c] = scene.mesh.triangles[0];
+  expect_near(p[a], {10, 20, 1});
+  expect_near(p[b], {10, 21, 1});
+  expect_near(p[c], {8, 20, 1});
+  expect_near(p[scene.mesh.triangles[1][2]], {10, 20, 4});
+  store["fixtures"][0]["up"] = "y";
+  const Scene upright = test::scene_of(store, folder.path());
+  // (0, 4, 0) points up now, and (0, 0, 6) towards -y before the turn, +x after it.
+  expect_near(upright.mesh.vertices[upright.mesh.triangles[0][2]], {10, 20, 3});
+  expect_near(upright.mesh.vertices[upright.mesh.triangles[1][2]], {13, 20, 1});
+}
+
+std::string base64(const std::string& bytes) {
+  static const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+// A glTF file with the triangle (0, 0, 0), (1, 0, 0), (0, 2, 0), its buffer within, and the given nodes.
+Json gltf(const Json& nodes) {
+  const std::array<float, 9> positions{0, 0, 0, 1, 0, 0, 0, 2, 0};
+  const std::array<std::uint16_t, 3> indices{0, 1, 2};
+  std::string bytes(sizeof positions + sizeof indices, '\0');
+  std::memcpy(bytes.data(), positions.data(), sizeof positions);
+  std::memcpy(bytes.data() + sizeof positions, indices.data(), sizeof indices);
+  return {
+      {"asset", {{"version", "2.0"}}},
+      {"scene", 0},
+      {"scenes", {{{"nodes", {0}}}}},
+      {"nodes", nodes},
+      {"materials", {{{"name", "Sheet"}}}},
+      {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"material", 0}}}}}}},
+      {"accessors",
+       {{{"bufferView", 0},
+         {"componentType", 5126},
+         {"count", 3},
+         {"type", "VEC3"},
+         {"min", {0, 0, 0}},
+         {"max", {1, 2, 0}}},
+        {{"bufferView", 1}, {"componentType", 5123}, {"count", 3}, {"type", "SCALAR"}}}},
+      {"bufferViews",
+       {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 36}},
+        {{"buffer", 0}, {"byteOffset", 36}, {"byteLength", 6}}}},
+      {"buffers", {{{"byteLength", 42}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}}}};
+}
+
+std::vector<Vec3> corners(const Json& file) {
+  const TempFolder folder;
+  folder.write("mesh.gltf", file.dump());
+  const Scene scene = test::scene_of(mesh_store("mesh.gltf", {{"Sheet", "tile"}}), folder.path());
+  std::vector<Vec3> result;
+  for (const auto& triangle : scene.mesh.triangles)
+    for (const auto v : triangle) result.push_back(scene.mesh.vertices[v]);
+  return result;
+}
+
+// What is y-up in the file, z-up in the scene.
+Vec3 upright(double x, double y, double z) {
+  return {x, -z, y};
+}
+
+TEST(Mesh, NodesMoveTurnAndScale) {
+  const double half = std::sqrt(0.5);
+  // A turn by 90 degrees about x takes y to z and z to -y.
+  const auto p = corners(gltf({{{"mesh", 0},
+                                {"translation", {10, 20, 30}},
+                                {"rotation", {half, 0, 0, half}},
+                                {"scale", {2, 3, 4}}}}));
+  ASSERT_EQ(p.size(), 3u);
+  expect_near(p[0], upright(10, 20, 30));
+  expect_near(p[1], upright(12, 20, 30));
+  expect_near(p[2], upright(10, 20, 36));
+}
+
+TEST(Mesh, NodesAreNested) {
+  // The child is moved by 1 along its own x, then scaled by 2 about its parent, then moved by 5 along y.
+  const auto p = corners(gltf({{{"children", {1}}, {"scale", {2, 2, 2}}, {"translation", {0, 5, 0}}},
+                               {{"mesh", 0}, {"translation", {1, 0, 0}}}}));
+  ASSERT_EQ(p.size(), 3u);
+  expect_near(p[0], upright(2, 5, 0));
+  expect_near(p[1], upright(4, 5, 0));
+  expect_near(p[2], upright(2, 9, 0));
+}
+
+TEST(Mesh, NodesMayHaveAMatrixAndShareAMesh) {
+  // Columns: x stays, y becomes -y (a mirror), z stays; moved by (7, 8, 9).
+  const Json matrix{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 7, 8, 9, 1};
+  const auto p = corners(gltf({{{"children", {1, 2}}}, {{"mesh", 0}, {"matrix", matrix}}, {{"mesh", 0}}}));
+  ASSERT_EQ(p.size(), 6u);
+  const auto has = [&](const Vec3& wanted) {
+    return std::any_of(p.begin(), p.end(), [&](const Vec3& q) { return length(q - wanted) < single; });
+  };
+  EXPECT_TRUE(has(upright(7, 8, 9)));
+  EXPECT_TRUE(has(upright(8, 8, 9)));
+  EXPECT_TRUE(has(upright(7, 6, 9)));
+  EXPECT_TRUE(has(upright(0, 0, 0)));
+  EXPECT_TRUE(has(upright(0, 2, 0)));
+  EXPECT_FALSE(has(upright(7, 10, 9))) << "the mirror must show";
+}
+
+TEST(Mesh, ExtensionInCapitalsIsGltfToo) {
+  const TempFolder folder;
+  folder.write("MESH.GLTF", gltf({{{"mesh", 0}}}).dump());
+  const Scene scene = test::scene_of(mesh_store("MESH.GLTF"), folder.path());
+  expect_near(scene.upper, {1, 0, 2});
+}
+
+const std::string three_materials =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nmtllib colours.mtl\n"
+    "usemtl red brick\nf 1 2 3\nusemtl red paint\nf 1 2 4\nusemtl glass\nf 1 3 4\n";
+const std::string colours =
+    "newmtl red brick\nKd 1 0 0\nnewmtl red paint\nKd 1 0 0\nnewmtl glass\nKd 0 0 1\n";
+
+TEST(Mesh, FirstPatternThatMatchesCounts) {
+  const TempFolder folder;
+  folder.write("colours.mtl", colours);
+  folder.write("three.obj", three_materials);
+  const auto area = [&](const Json& materials) {
+    return areas(test::scene_of(mesh_store("three.obj", materials), folder.path()));
+  };
+  const double half = 0.5, all = 1.5;
+  const auto first = area({{"red paint", "tile"}, {"red*", "steel"}, {"?lass", "white"}});
+  EXPECT_NEAR(first.at("tile"), half, 1e-6);
+  EXPECT_NEAR(first.at("steel"), half, 1e-6);
+  EXPECT_NEAR(first.at("white"), half, 1e-6);
+  const auto second = area({{"red*", "steel"}, {"red paint", "tile"}, {"*", "white"}});
+  EXPECT_NEAR(second.at("steel"), 2 * half, 1e-6);
+  EXPECT_EQ(second.count("tile"), 0u);
+  EXPECT_NEAR(area({{"*", "snow"}}).at("snow"), all, 1e-6);
+}
+
+TEST(Mesh, EveryMaterialWithoutAMatchIsListed) {
+  const TempFolder folder;
+  folder.write("colours.mtl", colours);
+  folder.write("three.obj", three_materials);
+  const auto read = [&](const Json& materials) {
+    return [&folder, materials] { test::scene_of(mesh_store("three.obj", materials), folder.path()); };
+  };
+  expect_input_error(read({{"RED*", "steel"}, {"glas", "white"}}), "store.json: fixtures[0].file: nothing in",
+                     "three.obj': glass, red brick, red paint;");
+  expect_input_error(read({{"red?paint", "steel"}}), ": glass, red brick;");
+  expect_input_error(read(Json::object()), ": glass, red brick, red paint;");
+}
+
+TEST(Mesh, SurfacesWithoutAMaterialTakeTheStar) {
+  const TempFolder folder;
+  Json file = gltf({{{"mesh", 0}}});
+  Json& primitives = file["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives[1].erase("material");
+  folder.write("mixed.gltf", file.dump());
+  const auto read = [&](const Json& materials) {
+    return test::scene_of(mesh_store("mixed.gltf", materials), folder.path());
+  };
+  auto area = areas(read({{"Sheet", "tile"}, {"*", "steel"}}));
+  EXPECT_NEAR(area["tile"], 1, 1e-6);
+  EXPECT_NEAR(area["steel"], 1, 1e-6);
+  expect_input_error(
+      [&] {
+        read({{"D*", "tile"}});
+      },
+      "mixed.gltf': Sheet, nor the surfaces that name none; add an entry for each");
+  expect_input_error([&] { read({{"Sheet", "tile"}}); }, "mixed.gltf' name no material");
+}
+
+TEST(Mesh, NamesThatAreNotUtf8DoNoHarm) {
+  const TempFolder folder;
+  folder.write("odd.obj", "usemtl caf\xE9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Store store = test::read_text(mesh_store("odd.obj").dump(), folder.path());
+  EXPECT_NO_THROW(resolved_store_json(store, make_scene(store)));
+}
+
+TEST(Mesh, BrokenFilesAreRefused) {
+  const TempFolder folder;
+  const std::string good = read_file(checkout);
+  Json no_buffer = gltf({{{"mesh", 0}}}), far_indices = no_buffer, no_scene = no_buffer;
+  no_buffer["buffers"][0]["uri"] = "elsewhere.bin";
+  far_indices["bufferViews"][1]["byteOffset"] = 4000;
+  no_scene.erase("scenes");
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"empty.glb", ""},
+      {"magic.glb", "glTF"},
+      {"header.glb", good.substr(0, 20)},
+      {"half.glb", good.substr(0, good.size() / 2)},
+      {"text.glb", "this is no mesh"},
+      {"no_buffer.gltf", no_buffer.dump()},
+      {"far_indices.gltf", far_indices.dump()},
+      {"no_scene.gltf", no_scene.dump()},
+      {"cut.gltf", gltf({{{"mesh", 0}}}).dump().substr(0, 300)},
+      {"empty.obj", ""},
+      {"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"},
+      {"line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n"},
+      {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"},
+      {"infinite.obj", "v 0 0 0\nv 1 1e999 0\nv 0 1 0\nf 1 2 3\n"},
+      {"store.json", test::sample_store().dump()},
+      {"mesh.docx", "PK"},
+  };
+  for (const auto& [name, content] : files) {
+    folder.write(name, content);
+    const std::string message =
+        test::input_error([&, &file = name] { test::scene_of(mesh_store(file), folder.path()); });
+    EXPECT_TRUE(message.starts_with("store.json: fixtures[0].file: ")) << name << ": " << message;
+  }
+  expect_input_error([&] { test::scene_of(mesh_store("none.obj"), folder.path()); },
+                     "none.obj' does not exist");
+}
+
+TEST(Mesh, InTheWrongUnitIsFound) {
+  const TempFolder folder;
+  folder.write("mm.obj", "v 0 0 0\nv 12000 0 0\nv 0 3000 0\nf 1 2 3\n");
+  Json store = mesh_store("mm.obj");
+  expect_input_error([&] { test::scene_of(store, folder.path()); },
+                     "store.json: fixtures[0]: reaches 1.2e+04 m from its 'at'; set 'scale'");
+  store["fixtures"][0]["scale"] = 0.001;
+  EXPECT_NEAR(test::scene_of(store, folder.path()).upper.x, 12, single);
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,331 @@
+#include <cmath>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/scene/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::changed_store;
+using test::expect_input_error;
+using test::read_text;
+using test::sample_store;
+using test::scene_of;
+using test::TempFolder;
+
+Store sample() {
+  return read_text(sample_store().dump());
+}
+
+TEST(StoreReader, ReadsNameAndRoom) {
+  const Store store = sample();
+  EXPECT_EQ(store.file, "store.json");
+  EXPECT_EQ(store.name, "Sample");
+  EXPECT_EQ(store.wavelength_nm, 950);
+  ASSERT_TRUE(store.room);
+  EXPECT_EQ(store.room->size, (Vec3{8, 6, 3}));
+  std::string names;
+  for (const MaterialId id : store.room->materials) names += store.materials[id.value].name + " ";
+  EXPECT_EQ(names, "white white white tile tile white ") << "walls x0, x1, y0, y1, floor, ceiling";
+}
+
+TEST(StoreReader, ReadsMaterialsInTheirOrder) {
+  const Store store = sample();
+  ASSERT_EQ(store.materials.size(), 9u);
+  EXPECT_EQ(store.materials[1].name, "tile");
+  EXPECT_EQ(std::get<Lambertian>(store.materials[1].material).reflectance, 0.5);
+}
+
+TEST(StoreReader, ReadsLabelTypes) {
+  const Store store = sample();
+  ASSERT_EQ(store.label_types.size(), 4u);
+  const LabelType& small = store.label_types[0];
+  EXPECT_EQ(small.name, "small");
+  EXPECT_EQ(small.threshold, 0.02);
+  EXPECT_EQ(small.safety_factor, 1.5);
+  EXPECT_EQ(small.requirement(), 1.5 * 0.02);
+  EXPECT_EQ(small.link_cost, 0.25);
+  EXPECT_EQ(small.signal_cost, 3);
+  const LabelType& large = store.label_types[1];
+  EXPECT_EQ(large.safety_factor, 1);
+  EXPECT_EQ(large.link_cost, 0);
+  EXPECT_EQ(large.signal_cost, 0);
+}
+
+TEST(StoreReader, ReadsTransceiverTypes) {
+  const Store store = sample();
+  ASSERT_EQ(store.transceiver_types.size(), 6u);
+  EXPECT_EQ(std::get<SinTwoTheta>(store.transceiver_types[0].emission).peak, 2);
+  EXPECT_EQ(store.transceiver_types[0].cost, 4);
+  EXPECT_EQ(std::get<IsotropicHemisphere>(store.transceiver_types[1].emission).intensity, 0.5);
+  EXPECT_EQ(store.transceiver_types[1].cost, 1);
+  const auto spot = std::get<GeneralizedLambertian>(store.transceiver_types[2].emission);
+  EXPECT_EQ(spot.order, 20);
+  EXPECT_EQ(spot.flux, 3);
+  EXPECT_EQ(std::get<GeneralizedLambertian>(store.transceiver_types[3].emission).order, 1);
+  const double degree = std::acos(-1.0) / 180;
+  const DirectionTable ring = std::get<EmissionTable>(store.transceiver_types[4].emission).intensity;
+  EXPECT_EQ(ring.phi(), std::vector<double>{0});
+  ASSERT_EQ(ring.theta().size(), 3u);
+  EXPECT_NEAR(ring.theta()[1], 30 * degree, 1e-15);
+  EXPECT_EQ(ring.values(), (std::vector<double>{0, 1, 0}));
+  const DirectionTable fan = std::get<EmissionTable>(store.transceiver_types[5].emission).intensity;
+  ASSERT_EQ(fan.phi().size(), 4u) << "the first plane is repeated at 360 degrees";
+  EXPECT_NEAR(fan.phi()[3], 360 * degree, 1e-15);
+  EXPECT_EQ(fan.values(), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 2, 3}));
+}
+
+TEST(StoreReader, ReadsFixtures) {
+  const Store store = sample();
+  ASSERT_EQ(store.fixtures.size(), 4u);
+  EXPECT_EQ(store.fixtures[2].where, "store.json: fixtures[2]");
+  const auto& gondola = std::get<Gondola>(store.fixtures[0].value);
+  EXPECT_EQ(gondola.id, "A");
+  EXPECT_EQ(gondola.at, (Vec2{2, 1}));
+  EXPECT_EQ(gondola.rotation_deg, 15);
+  EXPECT_EQ(gondola.length, 3);
+  EXPECT_EQ(gondola.depth, 0.9);
+  EXPECT_EQ(gondola.height, 1.8);
+  EXPECT_EQ(store.materials[gondola.material.value].name, "steel");
+  EXPECT_EQ(store.materials[gondola.goods.value].name, "tile");
+  EXPECT_EQ(gondola.shelves, (std::vector<double>{0.4, 1, 1.5}));
+  EXPECT_EQ(gondola.stocking, 0.6);
+  EXPECT_EQ(gondola.faces, (std::vector{Face::front, Face::back}));
+  ASSERT_TRUE(gondola.labels);
+  EXPECT_EQ(gondola.labels->faces, std::vector{Face::back});
+  EXPECT_EQ(gondola.labels->spacing, 0.5);
+  EXPECT_EQ(gondola.labels->tilt_deg, 10);
+  EXPECT_EQ(store.label_types[gondola.labels->type.value].name, "small");
+  const auto& freezer = std::get<Freezer>(store.fixtures[1].value);
+  EXPECT_EQ(freezer.labels->faces, (std::vector{Face::left, Face::front}));
+  EXPECT_EQ(store.materials[freezer.goods.value].name, "snow");
+  EXPECT_EQ(std::get<Box>(store.fixtures[2].value).max, (Vec3{7.5, 0.5, 3}));
+  const auto& mesh = std::get<MeshFixture>(store.fixtures[3].value);
+  EXPECT_EQ(mesh.scale, 0.5);
+  EXPECT_EQ(mesh.rotation_deg, -90);
+  ASSERT_EQ(mesh.pieces.size(), 1u);
+  EXPECT_EQ(mesh.pieces[0].name, "roof");
+  EXPECT_EQ(mesh.pieces[0].triangles[1], (std::array<std::uint32_t, 3>{0, 1, 3}));
+}
+
+TEST(StoreReader, KnowsWhatFixturesAreByDefault) {
+  auto json = sample_store();
+  for (const char* key : {"rotation_deg", "goods", "stocking", "faces"}) json["fixtures"][0].erase(key);
+  for (const char* key : {"faces", "tilt_deg"}) json["fixtures"][0]["labels"].erase(key);
+  const Store store = read_text(json.dump());
+  const auto& gondola = std::get<Gondola>(store.fixtures[0].value);
+  EXPECT_EQ(gondola.rotation_deg, 0);
+  EXPECT_EQ(gondola.goods, gondola.material);
+  EXPECT_EQ(gondola.stocking, 0.8);
+  EXPECT_EQ(gondola.faces, (std::vector{Face::front, Face::back}));
+  EXPECT_EQ(gondola.labels->faces, gondola.faces);
+  EXPECT_EQ(gondola.labels->tilt_deg, 0);
+  // Labels go by default where the boards are.
+  const Store one = read_text(changed_store("/fixtures/0", R"({ "type": "gondola", "id": "A", "at": [2, 1],
+    "length": 3, "depth": 0.9, "height": 1.8, "material": "steel", "shelves": [1], "faces": ["back"],
+    "labels": { "type": "small", "spacing": 0.5 } })")
+                                  .dump());
+  EXPECT_EQ(std::get<Gondola>(one.fixtures[0].value).labels->faces, std::vector{Face::back});
+  const Store bare = read_text(changed_store("/wavelength_nm", "").dump());
+  EXPECT_EQ(bare.wavelength_nm, 940);
+}
+
+TEST(StoreReader, MakesGridsThatIncludeBothEnds) {
+  const Scene scene = scene_of(sample_store());
+  // 7 - 1 = 6 m by 5 - 1 = 4 m every 2 m: 4 x 3, less the one that is kept out, and two listed.
+  ASSERT_EQ(scene.transceivers.size(), 11u + 2);
+  EXPECT_EQ(scene.transceivers[0].id, "G1-2-1") << "G1-1-1 at (1, 1) is kept out";
+  EXPECT_EQ(scene.transceivers[0].position, (Vec3{3, 1, 2.9}));
+  EXPECT_EQ(scene.transceivers[10].id, "G1-4-3");
+  EXPECT_EQ(scene.transceivers[10].position, (Vec3{7, 5, 2.9}));
+  EXPECT_EQ(scene.type_of(scene.transceivers[10]).name, "down");
+  // Where the spacing does not divide the extent, it gives way.
+  const Scene odd = scene_of(changed_store("/transceivers/grids/0/spacing", "1.7"));
+  EXPECT_EQ(odd.transceivers[3].id, "G1-5-1");
+  EXPECT_EQ(odd.transceivers[3].position, (Vec3{7, 1, 2.9}));
+  EXPECT_EQ(odd.transceivers[0].position.x, 2.5);
+  const Scene row = scene_of(changed_store("/transceivers/grids/0/max", "[7, 1]"));
+  EXPECT_EQ(row.transceivers.size(), 3u + 2);
+}
+
+TEST(StoreReader, ReadsLists) {
+  const Scene scene = scene_of(sample_store());
+  const Label& label = scene.labels.back();
+  EXPECT_EQ(label.id, "L1");
+  EXPECT_EQ(label.position, (Vec3{5, 2, 1}));
+  EXPECT_EQ(label.normal, (Vec3{0, 0, 1})) << "directions are made unit";
+  EXPECT_EQ(scene.type_of(label).name, "large");
+  const Transceiver& first = scene.transceivers[11];
+  EXPECT_EQ(first.id, "T1");
+  EXPECT_LT(length(first.axis - Vec3{0, std::sqrt(0.5), -std::sqrt(0.5)}), 1e-15);
+  EXPECT_EQ(first.roll_deg, 30);
+  EXPECT_TRUE(first.installed);
+  const Transceiver& second = scene.transceivers[12];
+  EXPECT_EQ(second.axis, (Vec3{0, 0, -1}));
+  EXPECT_EQ(second.roll_deg, 0);
+  EXPECT_FALSE(second.installed);
+}
+
+TEST(StoreReader, KeepsOutListedUnitsToo) {
+  auto json = changed_store("/transceivers/keep_out/0", R"({ "min": [0, 3], "max": [1, 3] })");
+  const Scene scene = scene_of(json);
+  EXPECT_EQ(scene.transceivers.back().id, "T1") << "T2 at (1, 3) is on the border, which belongs to the area";
+  json["transceivers"]["installed"] = {"T2"};
+  expect_input_error([&] { scene_of(json); }, "transceivers.installed[0]: there is no transceiver 'T2'",
+                     "it lies in a 'keep_out' area");
+}
+
+TEST(StoreReader, CandidatesMayShareAMountingPoint) {
+  auto json = sample_store();
+  auto tilted = json["transceivers"]["grids"][0];
+  tilted["axis"] = {0, 1, -1};
+  json["transceivers"]["grids"].push_back(tilted);
+  json["transceivers"]["installed"] = {"T1", "G2-4-3", "T1"};
+  const Scene scene = scene_of(json);
+  EXPECT_EQ(scene.transceivers.size(), 2 * 11u + 2);
+  EXPECT_EQ(places_of(positions_of(scene.transceivers)).count, 11u + 2);
+  json["transceivers"]["installed"] = {"G2-4-3", "T1", "G1-4-3"};
+  expect_input_error([&] { scene_of(json); },
+                     "transceivers.installed[2]: 'G1-4-3' is installed at the mounting point of 'G2-4-3'",
+                     "keep one of them");
+}
+
+class StoreCsv : public testing::Test {
+ protected:
+  Scene scene() const {
+    auto json = sample_store();
+    json["labels"] = {{"csv", "labels.csv"}};
+    json["transceivers"]["list"] = {{"csv", "lists/units.csv"}};
+    return scene_of(json, folder.path());
+  }
+  std::string labels = "id,x,y,z,nx,ny,nz,type\nL1,5,2,1,0,0,2,large\n";
+  std::string units = "id,x,y,z,ax,ay,az,roll_deg,type\nT1,4,3,2.8,0,1,-1,30,fan\nT2,1,3,2.8,0,0,-1,0,ring\n";
+  TempFolder folder;
+};
+
+TEST_F(StoreCsv, GivesWhatAListGives) {
+  folder.write("labels.csv", labels);
+  folder.write("lists/units.csv", units);
+  const Scene from_csv = scene(), from_list = scene_of(sample_store());
+  ASSERT_EQ(from_csv.labels.size(), from_list.labels.size());
+  EXPECT_EQ(from_csv.labels.back().id, "L1");
+  EXPECT_EQ(from_csv.labels.back().position, from_list.labels.back().position);
+  EXPECT_EQ(from_csv.labels.back().normal, from_list.labels.back().normal);
+  ASSERT_EQ(from_csv.transceivers.size(), from_list.transceivers.size());
+  for (std::size_t j = 0; j < from_csv.transceivers.size(); ++j) {
+    const Transceiver &a = from_csv.transceivers[j], &b = from_list.transceivers[j];
+    EXPECT_EQ(a.id, b.id);
+    EXPECT_EQ(a.position, b.position);
+    EXPECT_EQ(a.axis, b.axis);
+    EXPECT_EQ(a.roll_deg, b.roll_deg);
+    EXPECT_EQ(a.type, b.type);
+    EXPECT_EQ(a.installed, b.installed);
+  }
+}
+
+TEST_F(StoreCsv, IsReadAsSpreadsheetsWriteIt) {
+  folder.write("lists/units.csv", "\xEF\xBB\xBF" + units);
+  folder.write("labels.csv",
+               "id, x, y, z, nx, ny, nz, type, remark\r\n"
+               "\"row 3, \"\"left\"\"\" , 5,2,1e0,0,0,2 ,\"large\",any\r\n"
+               "\r\n"
+               "K\xC3\xBChl, 5,2,-0.0,0,-3,4,small,\r\n");
+  const Scene read = scene();
+  const auto label = read.labels.end() - 2;
+  EXPECT_EQ(label[0].id, "row 3, \"left\"");
+  EXPECT_EQ(read.type_of(label[0]).name, "large");
+  EXPECT_EQ(label[1].id, "K\xC3\xBChl");
+  EXPECT_LT(length(label[1].normal - Vec3{0, -0.6, 0.8}), 1e-15);
+}
+
+TEST_F(StoreCsv, ErrorsNameFileAndLine) {
+  folder.write("lists/units.csv", units);
+  const std::string file = (folder / "labels.csv").string();
+  struct Case {
+    std::string text, where, what;
+  };
+  const std::string head = "id,x,y,z,nx,ny,nz,type\n";
+  const std::vector<Case> cases = {
+      {"", "", "is empty; the first line must be id,x,y,z,nx,ny,nz,type"},
+      {"\n\n", "", "is empty"},
+      {"id,x,y\nL1,1,2\n", ": line 1", "has another header"},
+      {"L1,5,2,1,0,0,2,large\n", ": line 1", "has another header"},
+      {"id;x;y;z;nx;ny;nz;type\n", ": line 1", "has another header"},
+      {head + "L1,5,2,1,0,0,2\n", ": line 2", "has 7 fields; 8 are expected"},
+      {head + "\nL1,5,two,1,0,0,2,large\n", ": line 3, field 3", "is 'two'; a number is expected"},
+      {head + "L1,5,2,1,0,0,nan,large\n", ": line 2, field 7", "is NaN; a finite number"},
+      {head + "L1,5,2,1,0,0,1e999,large\n", ": line 2, field 7", "number is expected"},
+      {head + "L1,5,2,,0,0,1,large\n", ": line 2, field 4", "is empty"},
+      {head + "L1,5,2,1m,0,0,1,large\n", ": line 2, field 4", "is '1m'"},
+      {head + "L1,5,2,1,0,0,0,large\n", ": line 2", "the direction is zero"},
+      {head + "L1,5,2,1,0,0,1,big\n", ": line 2", "there is no label type 'big'"},
+      {head + ",5,2,1,0,0,1,large\n", ": line 2, field 1", "is empty"},
+      {head + "a\tb,5,2,1,0,0,1,large\n", ": line 2: id", "control character"},
+      {head + "L1,5,2,1e9,0,0,1,large\n", ": line 2", "stay within 10 km"},
+      {head + "L1,5,2,9,0,0,1,large\n", ": line 2", "label 'L1' at (5, 2, 9) is outside the room"},
+      {head + "L1,5,2,1,0,0,1,large\nL1,5,2,2,0,0,1,large\n", ": line 3",
+       "is used twice, first in " + file + ": line 2"},
+      {head + "\"L1,5,2,1,0,0,1,large\n", ": line 2, field 1", "never closed"},
+      {head + "\"L\"1,5,2,1,0,0,1,large\n", ": line 2, field 1", "goes on after its closing quote"},
+      {head + "K\xFChl,5,2,1,0,0,1,large\n", "", "is not UTF-8"},
+  };
+  for (const auto& [text, where, what] : cases) {
+    folder.write("labels.csv", text);
+    expect_input_error([&] { scene(); }, file + where + ": ", what);
+  }
+  folder.write("labels.csv", labels);
+  EXPECT_NO_THROW(scene());
+  folder.write("lists/units.csv", "id,x,y,z,ax,ay,az,roll_deg,type\nT1,4,3,2.8,0,1,-1,361,fan\n");
+  expect_input_error([&] { scene(); }, "units.csv: line 2, field 8: is 361");
+  folder.write("lists/units.csv", "id,x,y,z,ax,ay,az,type\n");
+  expect_input_error([&] { scene(); },
+                     "units.csv: line 1: has another header; the first line must be id,x,y,z,ax");
+}
+
+TEST(StoreReader, WarnsOfWhatReachesOutside) {
+  const Scene scene = scene_of(changed_store("/fixtures/2/max", "[8.5, 0.5, 3]"));
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_EQ(
+      scene.warnings[0],
+      "store.json: fixtures[2]: fixture 'C' reaches outside the room; move it, or correct its size or the "
+      "room's");
+  EXPECT_TRUE(scene_of(sample_store()).warnings.empty());
+}
+
+TEST(StoreReader, NeedsLabelsAndSurfaces) {
+  auto json = sample_store();
+  json["fixtures"] = nlohmann::json::array();
+  json["labels"] = nlohmann::json::array();
+  expect_input_error([&] { scene_of(json); }, "store.json: has no labels");
+  json.erase("labels");
+  expect_input_error([&] { scene_of(json); }, "store.json: has no labels");
+  json.erase("room");
+  expect_input_error([&] { scene_of(json); }, "store.json: has neither a room nor fixtures");
+}
+
+TEST(StoreReader, LimitsWhatAFixtureHolds) {
+  auto json = changed_store("/fixtures/0/labels/spacing", "0.001");
+  json["fixtures"][0]["length"] = 1000;
+  expect_input_error([&] { scene_of(json); }, "fixtures[0].labels.spacing: makes 3000000 labels");
+  json["fixtures"][0]["shelves"] = std::vector<double>(51, 1.0);
+  for (std::size_t k = 0; k < 51; ++k) json["fixtures"][0]["shelves"][k] = 0.1 * static_cast<double>(k + 1);
+  json["fixtures"][0]["height"] = 6;
+  expect_input_error([&] { scene_of(json); }, "fixtures[0].shelves: has 51 boards");
+}
+
+TEST(StoreReader, NamesTheFileThatIsMissing) {
+  const TempFolder folder;
+  expect_input_error([&] { read_store(folder / "none.json"); }, (folder / "none.json").string(),
+                     "cannot be read");
+  expect_input_error([&] { read_store(folder.path()); }, "is a folder");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,109 @@
+#include "shelfbeam/scene/store_folder.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/scene/mesh_files.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::expect_input_error;
+using test::Json;
+using test::TempFolder;
+namespace fs = std::filesystem;
+
+constexpr const char* refused =
+    "lies outside the folder of the store file; move it there, or trust the store "
+    "file with '--allow-outside'";
+
+class References : public testing::Test {
+ protected:
+  References() {
+    folder.write("secret.obj", triangle);
+    folder.write("store/own.obj", triangle);
+    folder.write("store/deep/own.obj", triangle);
+    fs::create_symlink("own.obj", home / "link.obj");
+    fs::create_symlink("../secret.obj", home / "out.obj");
+    fs::create_directory_symlink("..", home / "up");
+    fs::create_directory_symlink(home, folder.path() / "also");
+  }
+  void read(const std::string& name, bool allow_outside = false, const fs::path& from = {}) const {
+    make_scene(parse_store(test::mesh_store(name).dump(), "store.json", from.empty() ? home : from,
+                           {.allow_outside = allow_outside}));
+  }
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  TempFolder folder;
+  fs::path home = folder.path() / "store";
+};
+
+TEST_F(References, BelowTheFolderAreRead) {
+  for (const std::string name : {"own.obj", "./own.obj", "deep/own.obj", "deep/../own.obj", "link.obj"})
+    EXPECT_NO_THROW(read(name)) << name;
+  EXPECT_NO_THROW(read((home / "own.obj").string())) << "absolute, and in the folder";
+  EXPECT_NO_THROW(read("own.obj", false, folder.path() / "also")) << "the folder by a link";
+}
+
+TEST_F(References, OutsideAreRefusedUnlessAllowed) {
+  const std::string absolute = (folder.path() / "secret.obj").string();
+  for (const std::string& name :
+       {std::string("../secret.obj"), std::string("deep/../../secret.obj"), absolute, std::string("out.obj"),
+        std::string("up/secret.obj"), std::string("../store/../secret.obj")}) {
+    expect_input_error([&] { read(name); }, "store.json: fixtures[0].file: '" + name + "' ", refused);
+    EXPECT_NO_THROW(read(name, true)) << name;
+  }
+}
+
+// Whether a file is there that must not be read is not told.
+TEST_F(References, OutsideAreRefusedWhetherOrNotTheyExist) {
+  expect_input_error([&] { read("../none.obj"); }, refused);
+  expect_input_error([&] { read("/etc/passwd"); }, refused);
+  expect_input_error([&] { read(""); }, "fixtures[0].file: names no file");
+  expect_input_error([&] { read(std::string("a\0.obj", 6)); }, "by a text with a zero in it");
+  expect_input_error([&] { read(std::string(100'000, 'a')); }, "fixtures[0].file: ");
+  expect_input_error([&] { read(".."); }, refused);
+  expect_input_error([&] { read("../store-2/own.obj"); }, refused);
+  expect_input_error([&] { read("../none.obj", true); }, "none.obj' does not exist");
+}
+
+TEST_F(References, OfAnyKindAreConfined) {
+  folder.write("devices.csv", "");
+  for (const Json& change :
+       {Json{{"labels", {{"csv", "../devices.csv"}}}},
+        Json{{"transceivers", {{"list", {{"csv", "../devices.csv"}}}}}},
+        Json{{"transceiver_types",
+              {{"down", {{"emission", {{"type", "ies"}, {"file", "../devices.csv"}, {"flux", 1}}}}}}}},
+        Json{
+            {"transceiver_types",
+             {{"down", {{"emission", {{"type", "eulumdat"}, {"file", "../devices.csv"}, {"flux", 1}}}}}}}}}) {
+    Json store = test::mesh_store("own.obj");
+    store.update(change);
+    expect_input_error([&] { parse_store(store.dump(), "store.json", home); }, refused);
+  }
+}
+
+TEST_F(References, OfAMeshAreConfinedToo) {
+  const auto gltf = [](const std::string& uri) {
+    return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+      "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+      "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+      "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":")" +
+           uri + R"("}]})";
+  };
+  const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners);
+  folder.write("a b.bin", bytes);
+  folder.write("store/deep/a b.bin", bytes);
+  folder.write("store/deep/own.gltf", gltf("a%20b.bin"));
+  EXPECT_NO_THROW(read("deep/own.gltf")) << "beside the mesh, its blank as glTF writes it";
+  folder.write("store/deep/up.gltf", gltf("%2e./../a%20b.bin"));
+  expect_input_error([&] { read("deep/up.gltf"); }, "fixtures[0].file: ", refused);
+  EXPECT_NO_THROW(read("deep/up.gltf", true));
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,100 @@
+#include "shelfbeam/signal/constraints/apart.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/signal/small_matrix.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+TEST(Apart, KeepsADistance) {
+  // Units stand in a row, 1 m from each other; unit 2 is installed.
+  SignalTable table = make_signal_table(test::small_matrix());
+  keep_apart(table, 1, "matrix");
+  EXPECT_EQ(table.apart, Pairs{}) << "exactly the distance is enough";
+  keep_apart(table, 1.5, "matrix");
+  EXPECT_EQ(table.apart, (Pairs{{0, 1}, {1, 2}, {2, 3}, {3, 4}}));
+  keep_apart(table, 2.1, "matrix");
+  EXPECT_EQ(table.apart, (Pairs{{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}, {2, 4}, {3, 4}})) << "no pair twice";
+}
+
+TEST(Apart, LeavesOptionsOfAPointAndInstalledUnitsAlone) {
+  SignalMatrix matrix = test::small_matrix();
+  matrix.transceivers[1].position = matrix.transceivers[0].position;
+  matrix.transceivers[3].installed = true;
+  SignalTable table = make_signal_table(matrix);
+  keep_apart(table, 1.1, "matrix");
+  EXPECT_EQ(table.apart, (Pairs{{3, 4}}));
+}
+
+// Against every pair looked at: random places in a box, distances from nothing to everything.
+TEST(Apart, FindsEveryPair) {
+  std::uint32_t state = 7;
+  const auto random = [&] {
+    state = state * 1664525U + 1013904223U;
+    return static_cast<double>(state) * 0x1p-32;
+  };
+  int found = 0;
+  for (int k = 0; k < 200; ++k) {
+    SignalMatrix matrix = test::small_matrix(1, 12);
+    for (TransceiverColumn& unit : matrix.transceivers)
+      unit.position = {4 * random(), 4 * random(), random()};
+    const double metres = 6 * random();
+    SignalTable table = make_signal_table(matrix);
+    keep_apart(table, metres, "matrix");
+    Pairs expected;
+    for (std::uint32_t a = 0; a < 12; ++a)
+      for (std::uint32_t b = a + 1; b < 12; ++b) {
+        const Vec3 p = matrix.transceivers[a].position, q = matrix.transceivers[b].position;
+        if (std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) < metres - 1e-6) expected.emplace_back(a, b);
+      }
+    EXPECT_EQ(table.apart, expected);
+    found += static_cast<int>(expected.size());
+  }
+  EXPECT_GT(found, 1000);
+  EXPECT_LT(found, 12000);
+}
+
+TEST(Apart, NeedsPositions) {
+  SignalTable table = make_signal_table(test::small_matrix());
+  table.transceivers[1].position.reset();
+  test::expect_input_error([&] { keep_apart(table, 1, "matrix.csv"); }, "matrix.csv", "G1-1-0", "--forbid");
+}
+
+TEST(Apart, ReadsPairs) {
+  const test::TempFolder folder;
+  SignalTable table = make_signal_table(test::small_matrix());
+  forbid_pairs(table, folder.write("p.csv", "a,b\nG1-3-0,G1-1-0\nG1-0-0,G1-2-0\nG1-1-0,G1-3-0\n"));
+  EXPECT_EQ(table.apart, (Pairs{{0, 2}, {1, 3}}));
+  forbid_pairs(table, folder.write("p.csv", "a,b\n"));
+  EXPECT_EQ(table.apart.size(), 2U);
+}
+
+TEST(Apart, RefusesBrokenFilesWithPlace) {
+  const test::TempFolder folder;
+  SignalMatrix matrix = test::small_matrix();
+  matrix.transceivers[4].installed = true;
+  const auto refused = [&](std::string_view content, std::string_view place, std::string_view problem) {
+    SignalTable table = make_signal_table(matrix);
+    const auto file = folder.write("p.csv", content);
+    test::expect_input_error([&] { forbid_pairs(table, file); }, "p.csv", place, problem);
+  };
+  refused("", "is empty", "'a,b'");
+  refused("b,a\n", "line 1", "'a,b'");
+  refused("a,b\nG1-0-0\n", "line 2", "1 field");
+  refused("a,b\nG1-0-0,G1-1-0\nG1-0-0,G1-1-1\n", "line 3", "did you mean 'G1-");
+  refused("a,b\nG1-0-0,G1-0-0\n", "line 2", "twice");
+  refused("a,b\nG1-0-0,\n", "line 2", "");
+  refused("a,b\nG1-2-0,G1-4-0\n", "line 2", "installed already");
+  SignalTable table = make_signal_table(matrix);
+  test::expect_input_error([&] { forbid_pairs(table, folder / "none.csv"); }, "none.csv");
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,329 @@
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/signal/hdf5/hdf5_io.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/signal/small_matrix.hpp"
+
+#ifdef __SANITIZE_ADDRESS__
+// HDF5 itself loses some memory over damaged files; nothing that its callers could release.
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libhdf5";
+}
+#endif
+
+namespace shelfbeam {
+namespace {
+
+using test::expect_input_error;
+using test::small_matrix;
+using test::TempFolder;
+
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+TEST(SignalFile, KeepsEverythingBitForBit) {
+  const TempFolder folder;
+  const SignalMatrix written = small_matrix();
+  write_signal_file(written, folder / "signal.h5");
+  EXPECT_EQ(folder.count(), 1) << "the temporary file must be gone";
+  EXPECT_TRUE(is_hdf5(folder / "signal.h5"));
+
+  const SignalMatrix read = read_signal_file(folder / "signal.h5");
+  ASSERT_EQ(read.rows(), written.rows());
+  ASSERT_EQ(read.columns(), written.columns());
+  EXPECT_TRUE(same_bits(read.mean, written.mean));
+  EXPECT_TRUE(same_bits(read.standard_error, written.standard_error));
+  EXPECT_TRUE(same_bits(read.direct, written.direct));
+  EXPECT_EQ(read.flags, written.flags);
+  for (std::size_t i = 0; i < read.rows(); ++i) {
+    const LabelRow &a = read.labels[i], &b = written.labels[i];
+    EXPECT_EQ(a.id, b.id);
+    EXPECT_EQ(a.type, b.type);
+    EXPECT_EQ(a.position, b.position);
+    EXPECT_EQ(a.normal, b.normal);
+    EXPECT_EQ(a.requirement, b.requirement);
+    EXPECT_EQ(a.link_cost, b.link_cost);
+    EXPECT_EQ(a.signal_cost, b.signal_cost);
+    EXPECT_EQ(a.batches, b.batches);
+    EXPECT_EQ(a.samples, b.samples);
+  }
+  for (std::size_t j = 0; j < read.columns(); ++j) {
+    const TransceiverColumn &a = read.transceivers[j], &b = written.transceivers[j];
+    EXPECT_EQ(a.id, b.id);
+    EXPECT_EQ(a.type, b.type);
+    EXPECT_EQ(a.position, b.position);
+    EXPECT_EQ(a.axis, b.axis);
+    EXPECT_EQ(a.cost, b.cost);
+    EXPECT_EQ(a.installed, b.installed);
+  }
+  EXPECT_EQ(read.wavelength_nm, written.wavelength_nm);
+  EXPECT_EQ(read.provenance.program_version, written.provenance.program_version);
+  EXPECT_EQ(read.provenance.store_hash, written.provenance.store_hash);
+  EXPECT_EQ(read.provenance.seed, written.provenance.seed);
+  EXPECT_EQ(read.provenance.estimator, written.provenance.estimator);
+}
+
+TEST(SignalFile, HasNoFlagsWhereNoneAreKnown) {
+  const TempFolder folder;
+  SignalMatrix written = small_matrix();
+  const auto marked = written.flags;
+  written.flags.clear();
+  write_signal_file(written, folder / "signal.h5");
+  EXPECT_TRUE(read_signal_file(folder / "signal.h5").flags.empty());
+  written.flags.assign(marked.size(), 0);  // known, and none is set
+  write_signal_file(written, folder / "signal.h5");
+  EXPECT_EQ(read_signal_file(folder / "signal.h5").flags, written.flags);
+  EXPECT_NE(marked, written.flags);
+}
+
+// The rows come from elsewhere and fill several chunks: 2^18 of 300,000 columns each.
+TEST(SignalFile, WritesFlagsRowByRow) {
+  const TempFolder folder;
+  class Rows : public SignalRows {
+   public:
+    void fill(Quantity, std::size_t, std::span<float> values) const override {
+      std::fill(values.begin(), values.end(), 1.0F);
+    }
+    bool has_flags() const override { return true; }
+    void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override {
+      std::fill(flags.begin(), flags.end(), std::uint8_t{0});
+      flags[flags.size() - 1 - row] = 1;
+    }
+    void fill_layer(std::size_t, Quantity, std::size_t, std::span<float>) const override {}
+    std::size_t bounce_layers() const override { return 0; }
+    std::size_t length_layers() const override { return 0; }
+  };
+  SignalMatrix head;
+  head.labels.resize(7);
+  head.transceivers.resize(300'000);
+  write_signal_file(head, Rows(), folder / "signal.h5");
+  const SignalMatrix read = read_signal_file(folder / "signal.h5");
+  ASSERT_EQ(read.flags.size(), 7u * 300'000u);
+  EXPECT_EQ(std::count(read.flags.begin(), read.flags.end(), 1), 7);
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_TRUE(read.is_flagged(read.at(i, 300'000 - 1 - i))) << i;
+}
+
+TEST(SignalFile, KeepsTheMatricesOfBouncesAndLengths) {
+  const TempFolder folder;
+  SignalMatrix written = small_matrix(4, 3);
+  written.by_bounce = {{written.mean, written.direct}, {written.direct, written.standard_error}};
+  written.by_length = {{written.direct, written.mean}};
+  written.length_step = 0.25;
+  write_signal_file(written, folder / "signal.h5");
+  const SignalMatrix read = read_signal_file(folder / "signal.h5");
+  ASSERT_EQ(read.by_bounce.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(read.by_bounce[k].mean, written.by_bounce[k].mean);
+    EXPECT_EQ(read.by_bounce[k].standard_error, written.by_bounce[k].standard_error);
+  }
+  EXPECT_NE(read.by_bounce[0].mean, written.by_bounce[1].mean);
+  ASSERT_EQ(read.by_length.size(), 1u);
+  EXPECT_EQ(read.by_length[0].mean, written.direct);
+  EXPECT_EQ(read.by_length[0].standard_error, written.mean);
+  EXPECT_EQ(read.length_step, 0.25);
+  written.length_step = -1;
+  write_signal_file(written, folder / "signal.h5");
+  test::expect_input_error([&] { read_signal_file(folder / "signal.h5"); }, "signal.h5", "length_step");
+}
+
+TEST(SignalFile, BytesDependOnTheMatrixAlone) {
+  const TempFolder folder;
+  // 700 rows of 500 columns are more than one chunk, and the last one reaches beyond the matrix.
+  SignalMatrix matrix = small_matrix(700, 500);
+  write_signal_file(matrix, folder / "first.h5");
+  {
+    // Blocks full of another value, freed: nothing of them may show up in the file.
+    std::vector<std::vector<char>> dirt(64, std::vector<char>(1 << 20, '\x5a'));
+    for (std::size_t k = 1; k <= 1000; ++k) dirt.emplace_back(k * 64, '\x5a');
+  }
+  write_signal_file(read_signal_file(folder / "first.h5"), folder / "second.h5");
+  const std::string first = read_file(folder / "first.h5");
+  EXPECT_EQ(first, read_file(folder / "second.h5"));
+
+  matrix.mean[12345] = std::nextafter(matrix.mean[12345], 1.0f);  // negative control: one bit is seen
+  write_signal_file(matrix, folder / "second.h5");
+  EXPECT_NE(first, read_file(folder / "second.h5"));
+}
+
+TEST(SignalFile, EveryTruncationIsRefused) {
+  const TempFolder folder;
+  write_signal_file(small_matrix(40, 30), folder / "signal.h5");
+  const std::string whole = read_file(folder / "signal.h5");
+  constexpr std::size_t cuts = 64;
+  for (std::size_t k = 0; k < cuts; ++k) {
+    const auto path = folder.write("cut.h5", whole.substr(0, whole.size() * k / cuts));
+    expect_input_error([&] { read_signal_file(path); }, path.string());
+    expect_input_error([&] { read_signal_table(path); }, path.string());
+  }
+  const auto path = folder.write("cut.h5", whole.substr(0, whole.size() - 1));
+  expect_input_error([&] { read_signal_file(path); }, path.string(), "truncated");
+  EXPECT_NO_THROW(read_signal_file(folder.write("whole.h5", whole)));
+}
+
+TEST(SignalFile, DamageNeverGoesBeyondAnInputError) {
+  // The metadata carry checksums, the data do not: a flipped bit there may pass as another number.
+  const TempFolder folder;
+  write_signal_file(small_matrix(12, 9), folder / "signal.h5");
+  const std::string whole = read_file(folder / "signal.h5");
+  std::size_t refused = 0;
+  for (std::size_t k = 0; k < whole.size(); k += 29) {
+    std::string damaged = whole;
+    damaged[k] = static_cast<char>(damaged[k] ^ (1 << k % 8));
+    try {
+      read_signal_file(folder.write("damaged.h5", damaged));
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0u);
+}
+
+TEST(SignalFile, BadNumbersAreNamed) {
+  const TempFolder folder;
+  const auto refused = [&](auto&& spoil, std::string_view place, std::string_view problem) {
+    SignalMatrix matrix = small_matrix();
+    spoil(matrix);
+    write_signal_file(matrix, folder / "bad.h5");
+    expect_input_error([&] { read_signal_table(folder / "bad.h5"); }, "bad.h5", place, problem);
+  };
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const char* place = "/mean, label 'A1-front-2', transceiver 'G1-3-0'";
+  refused([](SignalMatrix& m) { m.mean[13] = std::nanf(""); }, place, "NaN");
+  refused([](SignalMatrix& m) { m.mean[13] = std::numeric_limits<float>::infinity(); }, place, "infinite");
+  refused([](SignalMatrix& m) { m.mean[13] = -1.1f, m.standard_error[13] = 0.1f; }, place, "negative");
+  refused([](SignalMatrix& m) { m.mean[13] = -1e-9f, m.standard_error[13] = 0; }, place, "negative");
+  refused([](SignalMatrix& m) { m.standard_error[3] = std::nanf(""); }, "/standard_error, label", "NaN");
+  refused([](SignalMatrix& m) { m.direct[3] = -1; }, "/direct, label", "negative");
+  refused([](SignalMatrix& m) { m.flags[13] = 2; }, "/flags, label 'A1-front-2', transceiver 'G1-3-0'",
+          "is 2, which is neither 0 nor 1");
+  refused([](SignalMatrix& m) { m.labels[1].requirement = -1; }, "/labels/requirement, row 2", "negative");
+  refused([](SignalMatrix& m) { m.transceivers[4].cost = infinite; }, "/transceivers/cost, row 5",
+          "infinite");
+  refused([](SignalMatrix& m) { m.labels[0].position.x = infinite; }, "/labels/position, row 1",
+          "not finite");
+  refused([](SignalMatrix& m) { m.labels[0].id = m.labels[2].id; }, "",
+          "two labels with the id 'A1-front-2'");
+  refused([](SignalMatrix& m) { m.transceivers[0].id = "G1-1-0"; }, "", "two transceivers with the id");
+}
+
+TEST(SignalFile, EstimatesOfNothingMayBeNegative) {
+  const TempFolder folder;
+  SignalMatrix matrix = small_matrix();
+  matrix.mean[13] = -0.2F;
+  matrix.standard_error[13] = 0.1F;
+  write_signal_file(matrix, folder / "signal.h5");
+  EXPECT_EQ(read_signal_file(folder / "signal.h5").mean[13], -0.2F);
+  const SignalTable table = read_signal_table(folder / "signal.h5");
+  EXPECT_EQ(table.entries.size(), make_signal_table(small_matrix()).entries.size() - 1);
+}
+
+// Made by data/make_hdf5_files.py.
+const std::filesystem::path made = SHELFBEAM_SOURCE_DIR "/test/data/signal";
+
+TEST(SignalFile, ReadsWhatH5pyWrites) {
+  const SignalMatrix matrix = read_signal_file(made / "foreign.h5");
+  ASSERT_EQ(matrix.rows(), 2u);
+  ASSERT_EQ(matrix.columns(), 3u);
+  EXPECT_EQ(matrix.mean, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(matrix.standard_error, std::vector<float>(6, 0.5f));
+  EXPECT_TRUE(matrix.flags.empty());
+  EXPECT_EQ(matrix.labels[0].id, "L1");
+  EXPECT_EQ(matrix.labels[1].id, "L2 longer");
+  EXPECT_EQ(matrix.labels[1].requirement, 0.25);
+  EXPECT_EQ(matrix.labels[1].samples, 5u);
+  EXPECT_TRUE(matrix.transceivers[1].installed);
+  EXPECT_EQ(matrix.provenance.store_hash, "");
+}
+
+TEST(SignalFile, ClaimsBeyondTheFileAreRefused) {
+  const auto refused = [](const char* name, std::string_view place, std::string_view problem) {
+    expect_input_error([&] { read_signal_file(made / name); }, name, place, problem);
+  };
+  refused("claims_labels.h5", "/labels/id", "claims 8000000000000 bytes and holds 0");
+  refused("claims_text_length.h5", "/labels/id", "claims 4000000000 bytes and holds 0");
+  refused("claims_entries.h5", "/mean", "claims 24 bytes and holds 0");
+  refused("claims_chunk.h5", "/mean", "chunks that are larger than itself");
+  refused("old_format.h5", "", "old HDF5 format");
+  refused("variable_texts.h5", "/labels/id", "no texts of fixed length");
+}
+
+TEST(SignalFile, OtherFilesAreRefused) {
+  const TempFolder folder;
+  expect_input_error([&] { read_signal_file(folder.write("a.h5", "id,T1\nL1,1\n")); }, "a.h5",
+                     "is no HDF5 file");
+  expect_input_error([&] { read_signal_file(folder / "missing.h5"); }, "missing.h5", "cannot be read");
+  EXPECT_FALSE(is_hdf5(folder.write("short", "\x89HD")));
+
+  const auto refused = [&](auto&& fill, std::string_view place, std::string_view problem) {
+    detail::Hdf5Writer file(folder / "other.h5", "other.h5");
+    fill(file);
+    file.close();
+    expect_input_error([&] { read_signal_table(folder / "other.h5"); }, "other.h5", place, problem);
+  };
+  using Writer = detail::Hdf5Writer;
+  const std::vector<std::string> ids = {"a", "b"};
+  const auto attributes = [](Writer& file) {
+    file.attribute("format_version", std::uint32_t{1});
+    for (const char* text : {"program_version", "store_hash", "estimator"})
+      file.attribute(text, std::string("x"));
+    file.attribute("seed", std::uint64_t{1});
+    file.attribute("wavelength_nm", 940.0);
+  };
+  const auto sizes = [&](Writer& file) {
+    attributes(file);
+    file.group("/labels");
+    file.group("/transceivers");
+    file.texts("/labels/id", ids);
+    file.texts("/transceivers/id", ids);
+  };
+  refused([](Writer&) {}, "", "no signal file of this program");
+  refused([](Writer& f) { f.attribute("format_version", std::uint32_t{2}); }, "", "format version 2");
+  refused([](Writer& f) { f.attribute("format_version", std::string("1")); }, "format_version", "wrong type");
+  refused([](Writer& f) { f.attribute("format_version", std::uint32_t{1}); }, "program_version", "missing");
+  refused(attributes, "/labels/id", "missing");
+  refused(sizes, "/labels/type", "missing");
+  refused(
+      [&](Writer& file) {
+        sizes(file);
+        file.texts("/labels/type", std::vector<std::string>{"a"});
+      },
+      "/labels/type", "shape (1) where (2)");
+  refused(
+      [&](Writer& file) {
+        sizes(file);
+        file.numbers("/labels/type", std::span<const double>(std::vector<double>{1, 2}), {2});
+      },
+      "/labels/type", "no texts");
+}
+
+TEST(SignalFile, FailedWritesLeaveNothing) {
+  const TempFolder folder;
+  const SignalMatrix matrix = small_matrix();
+  expect_input_error([&] { write_signal_file(matrix, folder / "none/signal.h5"); }, "none/signal.h5",
+                     "cannot be written");
+  SignalMatrix uneven = matrix;
+  uneven.direct.pop_back();
+  EXPECT_THROW(write_signal_file(uneven, folder / "signal.h5"), std::invalid_argument);
+  uneven = matrix;
+  uneven.flags.pop_back();
+  EXPECT_THROW(write_signal_file(uneven, folder / "signal.h5"), std::invalid_argument);
+  EXPECT_THROW(write_signal_file({}, folder / "signal.h5"), std::invalid_argument);
+  EXPECT_EQ(folder.count(), 0);
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,297 @@
+#include "shelfbeam/signal/measured/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+
+namespace shelfbeam {
+namespace {
+
+constexpr double true_factor = 37.5;
+
+// A made-up survey: signals over 25 dB, a simulation and measurements with known errors, and errors that
+// nobody knows of.
+struct Survey {
+  std::size_t labels = 40, transceivers = 1;
+  double simulation = 0.05;   // relative
+  double measurement = 0.05;  // relative to a signal of 1 mW/m^2, with a floor
+  bool errors_known = true;
+  double pair_db = 0, label_db = 0, transceiver_db = 0;
+  double exponent = 1;  // measured = factor x simulated^exponent: a wrong model where not 1
+
+  std::vector<ComparedPair> draw(std::uint64_t seed) const {
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform;
+    std::vector<double> unit_gain, label_gain;
+    for (std::size_t j = 0; j < transceivers; ++j) unit_gain.push_back(transceiver_db * normal(engine));
+    for (std::size_t i = 0; i < labels; ++i) label_gain.push_back(label_db * normal(engine));
+    std::vector<ComparedPair> pairs;
+    for (std::uint32_t i = 0; i < labels; ++i)
+      for (std::uint32_t j = 0; j < transceivers; ++j) {
+        const double signal = std::pow(10, -2.5 * uniform(engine));
+        const double db = label_gain[i] + unit_gain[j] + pair_db * normal(engine);
+        const double shown = true_factor * std::pow(signal, exponent) * std::pow(10, db / 10);
+        const double error = measurement * (0.02 * true_factor + shown), sampling = simulation * signal;
+        ComparedPair pair{i,       j, shown + error * normal(engine), {}, signal + sampling * normal(engine),
+                          sampling};
+        if (errors_known) pair.error = error;
+        pairs.push_back(pair);
+      }
+    return pairs;
+  }
+};
+
+/// Of how many surveys the interval holds the factor.
+template <class Change>
+double coverage(const Survey& survey, double confidence, int runs, const Change& change) {
+  int held = 0;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<ComparedPair> pairs = survey.draw(1000 + static_cast<std::uint64_t>(run));
+    change(pairs);
+    held += compare_signals(pairs, confidence).factor_interval.holds(true_factor) ? 1 : 0;
+  }
+  return static_cast<double>(held) / runs;
+}
+const auto as_it_is = [](std::vector<ComparedPair>&) {};
+
+// 2000 surveys: the standard error of a share of 95 % is 0.5 %, of 80 % 0.9 %. The bounds are three of
+// them, and what the approximation by Student's t may be off beside.
+TEST(Comparison, IntervalHoldsTheFactorAsOftenAsItSays) {
+  Survey survey;
+  EXPECT_NEAR(coverage(survey, 0.95, 2000, as_it_is), 0.95, 0.025) << "errors known";
+  EXPECT_NEAR(coverage(survey, 0.8, 2000, as_it_is), 0.8, 0.035) << "errors known";
+  survey.errors_known = false;
+  survey.pair_db = 1.5;
+  EXPECT_NEAR(coverage(survey, 0.95, 2000, as_it_is), 0.95, 0.025) << "spread of 1.5 dB, errors not known";
+  survey.labels = 8;
+  EXPECT_NEAR(coverage(survey, 0.95, 2000, as_it_is), 0.95, 0.035) << "8 pairs";
+}
+
+TEST(Comparison, IntervalOfAnotherFactorIsNoticed) {
+  const auto shift = [](std::vector<ComparedPair>& pairs) {
+    for (ComparedPair& pair : pairs) pair.measured *= 1.04;
+  };
+  EXPECT_LT(coverage({}, 0.95, 500, shift), 0.5);
+}
+
+// Labels with gains of their own: 10 labels x 10 transceivers are 10 independent looks, not 100.
+TEST(Comparison, IntervalAllowsForGainsThatPairsShare) {
+  Survey survey;
+  survey.labels = survey.transceivers = 10;
+  survey.label_db = 1.5;
+  EXPECT_GE(coverage(survey, 0.95, 1000, as_it_is), 0.92);
+  std::swap(survey.label_db, survey.transceiver_db);
+  EXPECT_GE(coverage(survey, 0.95, 1000, as_it_is), 0.92);
+  survey.label_db = 1.5;
+  EXPECT_GE(coverage(survey, 0.95, 1000, as_it_is), 0.92) << "both";
+  const auto strangers = [](std::vector<ComparedPair>& pairs) {
+    for (std::uint32_t k = 0; k < pairs.size(); ++k) pairs[k].label = *(pairs[k].transceiver = k);
+  };
+  EXPECT_LT(coverage(survey, 0.95, 500, strangers), 0.8) << "as if pairs had nothing in common";
+}
+
+/// Share of surveys that chi-square rejects.
+template <class Change>
+double rejections(const Survey& survey, int runs, const Change& change) {
+  int rejected = 0;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<ComparedPair> pairs = survey.draw(5000 + static_cast<std::uint64_t>(run));
+    change(pairs);
+    rejected += compare_signals(pairs).test->rejected() ? 1 : 0;
+  }
+  return static_cast<double>(rejected) / runs;
+}
+
+// The level is 1 %; of 2000 surveys 20 +- 4.4 are rejected by chance, 35 with probability 1e-3.
+TEST(Comparison, ChiSquareRejectsWhatOneFactorDoesNotExplain) {
+  const double by_chance = rejections({}, 2000, as_it_is);
+  EXPECT_LE(by_chance, 35.0 / 2000);
+  EXPECT_GE(by_chance, 8.0 / 2000) << "a test that hardly ever rejects proves nothing";
+  Survey wrong;
+  wrong.exponent = 0.9;
+  EXPECT_EQ(rejections(wrong, 200, as_it_is), 1);
+  const auto shuffle = [](std::vector<ComparedPair>& pairs) {
+    for (std::size_t k = 0; k + 1 < pairs.size(); k += 2) {
+      std::swap(pairs[k].measured, pairs[k + 1].measured);
+      std::swap(pairs[k].error, pairs[k + 1].error);
+    }
+  };
+  EXPECT_EQ(rejections({}, 200, shuffle), 1);
+}
+
+TEST(Comparison, SlopeTellsAWrongExponentWithoutErrors) {
+  Survey survey;
+  survey.errors_known = false;
+  survey.pair_db = 1;
+  int held = 0, noticed = 0;
+  const int runs = 1000;
+  for (int run = 0; run < runs; ++run) {
+    const auto seed = static_cast<std::uint64_t>(run);
+    survey.exponent = 1;
+    const Comparison right = compare_signals(survey.draw(seed));
+    EXPECT_FALSE(right.test.has_value());
+    held += right.slope_interval.holds(1) ? 1 : 0;
+    survey.exponent = 0.85;
+    noticed += compare_signals(survey.draw(seed)).slope_interval.holds(1) ? 0 : 1;
+  }
+  EXPECT_NEAR(held / 1000.0, 0.95, 0.035);
+  EXPECT_GT(noticed, 950);
+}
+
+TEST(Comparison, OutliersAreToldAndDoNotDecide) {
+  Survey survey;
+  survey.labels = 60;
+  survey.pair_db = 0.5;
+  int false_alarms = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    std::vector<ComparedPair> pairs = survey.draw(seed);
+    const Comparison before = compare_signals(pairs);
+    false_alarms += before.outliers.empty() ? 0 : 1;
+    // Eight of sixty labels stand behind something.
+    std::vector<std::size_t> blocked;
+    for (std::size_t k = 0; k < pairs.size() && blocked.size() < 8; ++k)
+      if (before.pairs[k].use == PairUse::fitted && pairs[k].simulated > 0.05) blocked.push_back(k);
+    for (const std::size_t k : blocked) pairs[k].measured *= 0.1;
+    const Comparison after = compare_signals(pairs);
+    std::vector<std::size_t> told = after.outliers;
+    std::sort(told.begin(), told.end());
+    EXPECT_TRUE(std::includes(told.begin(), told.end(), blocked.begin(), blocked.end())) << seed;
+    // The mean of the logarithms would be off by 10 dB x 8 / 60 = 1.3 dB.
+    EXPECT_NEAR(10 * std::log10(after.factor / before.factor), 0, 0.6) << seed;
+  }
+  EXPECT_LE(false_alarms, 24) << "1 % with normal errors; tails of estimated deviations add";
+}
+
+TEST(Comparison, NothingMeasuredIsAnOutlierWhereMuchIsExpected) {
+  for (const bool errors_known : {true, false}) {
+    Survey survey;
+    survey.errors_known = errors_known;
+    std::vector<ComparedPair> pairs = survey.draw(3);
+    const auto strong = static_cast<std::size_t>(
+        std::max_element(pairs.begin(), pairs.end(),
+                         [](const auto& a, const auto& b) { return a.simulated < b.simulated; }) -
+        pairs.begin());
+    pairs[strong].measured = 0;
+    const Comparison comparison = compare_signals(pairs);
+    EXPECT_EQ(comparison.pairs[strong].use, PairUse::nothing_measured);
+    EXPECT_FALSE(comparison.pairs[strong].residual.has_value());
+    EXPECT_EQ(comparison.outliers, std::vector<std::size_t>{strong}) << errors_known;
+    EXPECT_EQ(comparison.nothing_measured, 1u);
+    EXPECT_TRUE(comparison.factor_interval.low < comparison.factor &&
+                comparison.factor < comparison.factor_interval.high);
+  }
+}
+
+TEST(Comparison, SignalWhereNoneIsSimulated) {
+  Survey survey;
+  std::vector<ComparedPair> pairs = survey.draw(4);
+  pairs.push_back({90, 0, 0.01, 0.02, 0, 0});  // noise
+  pairs.push_back({91, 0, 5, 0.02, 0, 0});     // light that the simulation does not have
+  pairs.push_back({92, 0, -0.01, 0.02, -1e-9, 1e-8});
+  const Comparison comparison = compare_signals(pairs);
+  EXPECT_EQ(comparison.outliers, std::vector<std::size_t>{41});
+  for (const std::size_t k : {40u, 41u, 42u}) {
+    EXPECT_EQ(comparison.pairs[k].use, PairUse::uncertain);
+    EXPECT_FALSE(comparison.pairs[k].residual.has_value());
+  }
+  EXPECT_GE(comparison.uncertain, 3u);
+  EXPECT_TRUE(comparison.test->rejected());
+}
+
+// Noise about zero in most of the file: what is measured there has half its values below 0, and no logarithm.
+TEST(Comparison, FaintSignalsDoNotBiasTheFactor) {
+  Survey survey;
+  survey.labels = 30;
+  Survey faint = survey;
+  faint.labels = 300;
+  double sum = 0;
+  const int runs = 200;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<ComparedPair> pairs = survey.draw(static_cast<std::uint64_t>(run));
+    for (ComparedPair pair : faint.draw(100 + static_cast<std::uint64_t>(run))) {
+      const double noise = (pair.measured - true_factor * pair.simulated) / *pair.error;
+      pair.simulated *= 1e-4;
+      pair.standard_error *= 1e-4;
+      pair.error = 0.05;
+      pair.measured = true_factor * pair.simulated + 0.05 * noise;
+      pairs.push_back(pair);
+    }
+    sum += 10 * std::log10(compare_signals(pairs).factor / true_factor) / runs;
+  }
+  // The logarithm of a signal of five standard errors is 0.09 dB low on the average.
+  EXPECT_NEAR(sum, 0, 0.05) << "dB";
+}
+
+TEST(Comparison, PerfectDataFitExactly) {
+  std::vector<ComparedPair> pairs;
+  for (std::uint32_t k = 0; k < 12; ++k) {
+    const double signal = 0.001 * (k + 1);
+    pairs.push_back({k, {}, 4 * signal, {}, signal, 0});
+  }
+  const Comparison comparison = compare_signals(pairs);
+  EXPECT_NEAR(comparison.factor, 4, 1e-12);
+  EXPECT_NEAR(comparison.factor_interval.high, comparison.factor_interval.low, 1e-9);
+  EXPECT_LT(comparison.spread, 1e-9);
+  EXPECT_NEAR(comparison.correlation, 1, 1e-12);
+  EXPECT_NEAR(*comparison.slope, 1, 1e-12);
+  EXPECT_TRUE(comparison.outliers.empty());
+}
+
+TEST(Comparison, AScaleOfTheMeasurementsIsTheFactorsAlone) {
+  const std::vector<ComparedPair> pairs = Survey{}.draw(9);
+  std::vector<ComparedPair> scaled = pairs;
+  for (ComparedPair& pair : scaled) {
+    pair.measured *= 1024;
+    pair.error = 1024 * *pair.error;
+  }
+  const Comparison a = compare_signals(pairs), b = compare_signals(scaled);
+  EXPECT_NEAR(b.factor / a.factor, 1024, 1e-9);
+  EXPECT_NEAR(b.test->statistic, a.test->statistic, 1e-9 * a.test->statistic);
+  EXPECT_NEAR(b.ninety_residual, a.ninety_residual, 1e-9);
+}
+
+TEST(Comparison, SaysWhatCannotBeFitted) {
+  std::vector<ComparedPair> pairs = Survey{}.draw(2);
+  std::vector<ComparedPair> two(pairs.begin(), pairs.begin() + 2);
+  test::expect_input_error([&] { compare_signals(two, 0.95, "m.csv"); }, "m.csv", "2 signals",
+                           "three at least");
+  for (ComparedPair& pair : pairs) pair.measured = -60;
+  test::expect_input_error([&] { compare_signals(pairs, 0.95, "m.csv"); }, "m.csv", "not decibels");
+}
+
+// The table of docs/methods/comparison.md. 4000 surveys: three standard errors of a share of 95 % are 1 %.
+TEST(ComparisonSlow, CoverageIsThatOfTheTable) {
+  const auto expect = [](const char* name, const Survey& survey, double share) {
+    const double held = coverage(survey, 0.95, 4000, as_it_is);
+    std::printf("%-55s %.1f %%\n", name, 100 * held);
+    EXPECT_NEAR(held, share, 0.01) << name;
+  };
+  Survey survey;
+  expect("40 labels, one transceiver, errors known", survey, 0.944);
+  survey.errors_known = false;
+  survey.pair_db = 1.5;
+  expect("40 labels, spread of 1.5 dB, errors unknown", survey, 0.95);
+  survey.labels = 8;
+  expect("8 labels, the same", survey, 0.934);
+  survey = {};
+  survey.labels = survey.transceivers = 10;
+  survey.label_db = 1.5;
+  expect("10 labels x 10 transceivers, every label 1.5 dB off", survey, 0.924);
+  survey.transceiver_db = 1.5;
+  expect("the same, every label and every transceiver", survey, 0.938);
+  survey = {};
+  survey.labels = 50;
+  survey.transceivers = 3;
+  expect("50 labels x 3 transceivers, nothing shared", survey, 0.986);
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,61 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+
+namespace shelfbeam {
+namespace {
+
+const std::filesystem::path instances = SHELFBEAM_SOURCE_DIR "/test/data/instances";
+
+double sum(const SignalTable& table) {
+  double total = 0;
+  for (const SignalEntry& entry : table.entries) total += entry.signal;
+  return total;
+}
+
+// Counts and sums were taken with zcat and awk. The sum of k rounded terms is within k * 2^-53 of its size.
+TEST(ReferenceInstances, Thesis) {
+  const auto path = instances / "thesis_s1_e0.txt.gz";
+  const SignalTable table = read_signal_table(path);
+  EXPECT_EQ(table.rows(), 300u);
+  EXPECT_EQ(table.columns(), 150u);
+  EXPECT_EQ(table.entries.size(), 45000u);
+  EXPECT_EQ(table.labels[299].requirement, 1);
+  EXPECT_EQ(table.labels[299].single_requirement, 0.58454941);
+  EXPECT_NEAR(sum(table), 32613.1494, 1e-6);
+}
+
+#ifdef SHELFBEAM_LARGE_INSTANCES
+TEST(ReferenceInstances, Supermarket) {
+  const SignalTable table = read_signal_table(SHELFBEAM_LARGE_INSTANCES "/super_s1_e0.txt.gz");
+  EXPECT_EQ(table.rows(), 5000u);
+  EXPECT_EQ(table.columns(), 600u);
+  EXPECT_EQ(table.entries.size(), 2999985u);
+  EXPECT_EQ(table.labels[0].single_requirement, 0.437292221);
+  EXPECT_NEAR(sum(table), 235503.2028001014, 1e-5);
+}
+#endif
+
+TEST(ReferenceInstances, TruncatedGzipIsRefused) {
+  const auto path = instances / "thesis_s1_e0.txt.gz";
+  const std::string whole = read_file(path);
+  const test::TempFolder folder;
+  for (const std::size_t length :
+       {std::size_t{3}, std::size_t{12}, whole.size() / 2, whole.size() - 9, whole.size() - 1}) {
+    const auto cut = folder.write("cut.txt.gz", whole.substr(0, length));
+    test::expect_input_error([&] { read_signal_table(cut); }, cut.string());
+  }
+  std::string damaged = whole;
+  damaged[whole.size() / 2] = static_cast<char>(damaged[whole.size() / 2] ^ 0x10);
+  const auto path_of_damaged = folder.write("damaged.txt.gz", damaged);
+  test::expect_input_error([&] { read_signal_table(path_of_damaged); }, path_of_damaged.string());
+}
+
+}  // namespace
+}  // namespace shelfbeam

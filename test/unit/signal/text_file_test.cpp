@@ -1,0 +1,43 @@
+#include "shelfbeam/signal/text_file.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+
+namespace shelfbeam::detail {
+namespace {
+
+std::filesystem::path zipped(const test::TempFolder& folder, const std::string& text) {
+  std::filesystem::path path = folder / "matrix.csv.gz";
+  const gzFile file = gzopen(path.c_str(), "wb9");
+  gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(file);
+  return path;
+}
+
+// Whole and packed, at both sides of each size at which the reader takes more memory.
+TEST(TextFile, IsReadWholeWhateverItsSize) {
+  const test::TempFolder folder;
+  for (const std::size_t size : {0u, 1u, 65535u, 65536u, 65537u, 131072u, 5'000'000u}) {
+    std::string text(size, '1');
+    if (size > 2) text[size / 2] = ',';
+    EXPECT_EQ(read_text_file(folder.write("matrix.csv", text)), text) << size;
+    EXPECT_EQ(read_text_file(zipped(folder, text)), text) << size;
+  }
+}
+
+TEST(TextFile, UnpacksToNoMoreThanAllowed) {
+  const test::TempFolder folder;
+  const std::filesystem::path bomb = zipped(folder, std::string(8'000'000, '0'));
+  ASSERT_LT(std::filesystem::file_size(bomb), 20'000u) << "of eight million characters";
+  test::expect_input_error([&] { read_text_file(bomb, 7'999'999); },
+                           "has more than 7999999 bytes of text, decompressed");
+  EXPECT_EQ(read_text_file(bomb, 8'000'000).size(), 8'000'000u);
+}
+
+}  // namespace
+}  // namespace shelfbeam::detail

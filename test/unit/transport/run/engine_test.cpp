@@ -1,0 +1,210 @@
+#include "shelfbeam/transport/run/engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/transport/run/make_estimator.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/small_store.hpp"
+#include "support/temp_folder.hpp"
+
+namespace shelfbeam {
+namespace {
+
+SimulationOptions to_relative_error(double error) {
+  SimulationOptions options;
+  options.direct = DirectLight::exact;
+  options.relative_error = RelativeError{error, 0.3};
+  return options;
+}
+
+Precision precision(const SignalMatrix& matrix, double error) {
+  Precision all;
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    std::vector<double> means, errors;
+    std::vector<std::uint8_t> flags;
+    for (std::size_t j = 0; j < matrix.columns(); ++j) {
+      means.push_back(matrix.mean[matrix.at(i, j)]);
+      errors.push_back(matrix.standard_error[matrix.at(i, j)]);
+      flags.push_back(matrix.flags[matrix.at(i, j)]);
+    }
+    all += count_precise(means, errors, flags, matrix.labels[i].requirement, {error, 0.3});
+  }
+  return all;
+}
+
+// The control: a tenth less was not reached.
+TEST(Engine, StopsWhenTheRelativeErrorIsReached) {
+  const Scene scene = test::SmallStore{}.scene();
+  const SimulationResult result = simulate(scene, "hash", to_relative_error(0.02));
+  EXPECT_TRUE(result.summary.complete);
+  EXPECT_GT(precision(result.matrix, 0.02).relevant, 10u);
+  EXPECT_TRUE(precision(result.matrix, 0.02 * (1 + 1e-6)).is_enough());
+  EXPECT_FALSE(precision(result.matrix, 0.018).is_enough());
+  // Labels that were precise enough before the others have paused.
+  EXPECT_GE(result.summary.least_batches, least_batches);
+  EXPECT_LT(result.summary.least_batches, result.summary.most_batches);
+  for (const LabelRow& row : result.matrix.labels) {
+    EXPECT_TRUE(is_stopping_point(row.batches));
+    EXPECT_EQ(row.samples, row.batches * open_samples_per_batch);
+  }
+  const ErrorQuantiles& errors = result.summary.errors[0];
+  EXPECT_EQ(errors.entries, precision(result.matrix, 1).relevant);
+  EXPECT_LE(errors.median, errors.p90);
+  EXPECT_LE(errors.p90, errors.p99);
+  EXPECT_LE(errors.p99, 0.02 * 1.01);
+  EXPECT_GT(result.summary.seconds_to_halve, 0);
+}
+
+TEST(Engine, StopsAtTheSamePlaceWithAnyNumberOfThreads) {
+  const Scene scene = test::SmallStore{}.scene();
+  for (const Strategy strategy : {Strategy::mis, Strategy::particle}) {
+    SimulationOptions options = to_relative_error(strategy == Strategy::mis ? 0.04 : 0.02);
+    options.strategy = strategy;
+    const SignalMatrix one = simulate(scene, "hash", options, {1}).matrix;
+    for (const unsigned threads : {2U, 5U}) {
+      const SignalMatrix many = simulate(scene, "hash", options, {threads}).matrix;
+      EXPECT_EQ(one.mean, many.mean);
+      EXPECT_EQ(one.standard_error, many.standard_error);
+      EXPECT_EQ(one.direct, many.direct);
+      for (std::size_t i = 0; i < one.rows(); ++i) EXPECT_EQ(one.labels[i].batches, many.labels[i].batches);
+    }
+  }
+}
+
+// Few items take several batches at once; the sums are those of one batch after another. The control has two
+// batches change places, which rounding tells.
+TEST(Engine, AddsBatchesInTheirOrder) {
+  const Scene scene = test::SmallStore{}.scene();
+  const World world(scene);
+  SimulationOptions options;
+  options.strategy = Strategy::particle;
+  const auto estimator = make_estimator(world, options);
+  const std::uint32_t batches = batches_for(*estimator, options);
+  ASSERT_LE(estimator->items(), 8U);
+  const auto one_by_one = [&](std::uint32_t first, std::uint32_t second) {
+    const Estimator::Block& block = estimator->block(0);
+    detail::ItemSums sums(block.rows.size() * block.columns.size(), true, 0);
+    BatchValues values;
+    for (std::uint32_t b = 0; b < batches; ++b) {
+      values.clear();
+      estimator->sample(0, b == first ? second : b == second ? first : b, nullptr, values);
+      sums.add(values);
+    }
+    return sums.values;
+  };
+  const RunControl control;
+  detail::Engine engine(world, *estimator, options, "hash", control);
+  ASSERT_TRUE(engine.run());
+  ASSERT_EQ(engine.sums()[0].batches, batches);
+  EXPECT_EQ(engine.sums()[0].values, one_by_one(0, 0));
+  EXPECT_NE(engine.sums()[0].values, one_by_one(3, 9));
+}
+
+// Of the second label of an item and its first source.
+TEST(Engine, TakesNothingThatIsNoNumber) {
+  const Scene scene = test::SmallStore{}.scene();
+  const Estimator::Block block{{3, 5}, {1, 2}};
+  BatchValues values;
+  values.values = {{0, 1, 0}, {2, 1, 1}};
+  EXPECT_NO_THROW(expect_numbers(scene, block, values));
+  for (const double wrong : {std::nan(""), HUGE_VAL}) {
+    values.values[1] = {2, wrong, 0};
+    try {
+      expect_numbers(scene, block, values);
+      ADD_FAILURE() << wrong;
+    } catch (const std::runtime_error& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find("'" + scene.labels[5].id + "'"), std::string::npos) << said;
+      EXPECT_NE(said.find("'" + scene.transceivers[1].id + "'"), std::string::npos) << said;
+    }
+    values.values[1] = {2, 1, wrong};
+    EXPECT_THROW(expect_numbers(scene, block, values), std::runtime_error);
+  }
+}
+
+TEST(Engine, StopsWithinItsTimeButNotBeforeSixteenBatches) {
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions options;
+  options.time_s = 1e-6;
+  const SimulationSummary least = simulate(scene, "hash", options).summary;
+  EXPECT_TRUE(least.complete);
+  EXPECT_EQ(least.least_batches, least_batches);
+  EXPECT_EQ(least.most_batches, least_batches);
+  options.time_s = 0.3;
+  const SimulationSummary more = simulate(scene, "hash", options).summary;
+  EXPECT_GT(more.least_batches, least_batches);
+  EXPECT_LT(more.seconds, 3);
+}
+
+// Whatever ends a simulation after 16 batches, they are the same.
+TEST(Engine, WhatStopsItChangesNoBatch) {
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions timed;
+  timed.direct = DirectLight::exact;
+  timed.time_s = 1e-6;
+  const SignalMatrix by_time = simulate(scene, "hash", timed).matrix;
+  SimulationOptions contented = to_relative_error(1);
+  contented.relative_error->above = 1e6;  // nothing matters
+  const SignalMatrix by_error = simulate(scene, "hash", contented).matrix;
+  for (const LabelRow& row : by_error.labels) EXPECT_EQ(row.batches, least_batches);
+  EXPECT_EQ(by_time.mean, by_error.mean);
+  EXPECT_EQ(by_time.standard_error, by_error.standard_error);
+  EXPECT_NE(by_time.mean, simulate(scene, "hash", to_relative_error(0.03)).matrix.mean);
+}
+
+// An error that would take more than the samples allowed ends the run early, which names what falls short of
+// it; with enough of them it is reached.
+TEST(Engine, GivesUpAnErrorThatIsOutOfReach) {
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions options = to_relative_error(1e-4);
+  options.relative_error->most_samples = 20000;
+  const SimulationSummary found = simulate(scene, "hash", options).summary;
+  EXPECT_TRUE(found.complete);
+  EXPECT_EQ(found.unmet_error, 1e-4);
+  EXPECT_GE(found.least_batches, judged_batches);
+  EXPECT_LT(found.most_samples, 20000U) << "it was plain before";
+  ASSERT_GT(found.unmet, 0U);
+  ASSERT_FALSE(found.worst_unmet.empty());
+  EXPECT_GT(found.worst_unmet.front().relative_error, 1e-4);
+  EXPECT_FALSE(found.worst_unmet.front().label.empty());
+  EXPECT_FALSE(simulate(scene, "hash", to_relative_error(0.05)).summary.unmet_error);
+}
+
+TEST(Engine, WritesTheFileThatTheMatrixWouldGive) {
+  const test::TempFolder folder;
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions options;
+  options.samples = 320;
+  options.max_bounces = 2;
+  options.by_bounce = true;
+  simulate_to_file(scene, "hash", options, folder / "a.h5");
+  write_signal_file(simulate(scene, "hash", options).matrix, folder / "b.h5");
+  EXPECT_TRUE(read_file(folder / "a.h5") == read_file(folder / "b.h5"));
+  EXPECT_EQ(folder.count(), 2);
+}
+
+TEST(Engine, RefusesWhatDoesNotFitAndSaysHowMuchItNeeds) {
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions options;
+  options.samples = 64;
+  options.memory = 100;
+  const std::string message = test::input_error([&] { simulate(scene, "hash", options); });
+  EXPECT_NE(message.find("--memory: "), std::string::npos) << message;
+  EXPECT_NE(message.find("1e-07 GB may be used"), std::string::npos) << message;
+  // What is enough is enough: some 3 kB for ten labels and four units.
+  options.memory = 10000;
+  simulate(scene, "hash", options);
+}
+
+}  // namespace
+}  // namespace shelfbeam

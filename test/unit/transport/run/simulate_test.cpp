@@ -1,0 +1,235 @@
+#include "shelfbeam/transport/run/simulate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/stats/hypothesis.hpp"
+#include "shelfbeam/stats/moments.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/small_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+SimulationResult run(const Scene& scene, std::uint64_t samples, DirectLight direct = DirectLight::sampled,
+                     std::uint64_t seed = 1, unsigned threads = 0) {
+  RunControl control;
+  control.threads = threads;
+  return simulate(scene, "hash", {samples, direct, seed}, control);
+}
+
+// z-test of two independent estimates entry by entry; entries that neither run ever hit are left out.
+ZTest compare(const SignalMatrix& a, const SignalMatrix& b, double factor = 1) {
+  std::vector<double> values, references, errors;
+  for (std::size_t e = 0; e < a.mean.size(); ++e) {
+    const double error = std::hypot(a.standard_error[e] * factor, b.standard_error[e]);
+    if (error == 0) continue;
+    values.push_back(a.mean[e] * factor);
+    references.push_back(b.mean[e]);
+    errors.push_back(error);
+  }
+  return z_test(values, references, errors, 0.001, batch_count - 1);
+}
+
+TEST(Simulate, IsBitwiseTheSameForAnyNumberOfThreads) {
+  const Scene scene = test::SmallStore{}.scene();
+  const SignalMatrix one = run(scene, 640, DirectLight::sampled, 1, 1).matrix;
+  for (const unsigned threads : {2U, 3U, 8U}) {
+    const SignalMatrix many = run(scene, 640, DirectLight::sampled, 1, threads).matrix;
+    EXPECT_EQ(one.mean, many.mean);
+    EXPECT_EQ(one.standard_error, many.standard_error);
+    EXPECT_EQ(one.direct, many.direct);
+  }
+  EXPECT_NE(one.mean, run(scene, 640, DirectLight::sampled, 2, 1).matrix.mean);
+}
+
+TEST(Simulate, EveryStrategyIsBitwiseTheSameForAnyNumberOfThreads) {
+  Scene scene = test::SmallStore{}.scene();
+  for (TransceiverType& type : scene.transceiver_types) type.radius = 0.1;
+  for (LabelType& type : scene.label_types) type.size = {0.1, 0.05};
+  for (const Strategy strategy : {Strategy::walk, Strategy::nee, Strategy::mis, Strategy::particle})
+    for (const DirectLight direct : {DirectLight::sampled, DirectLight::exact}) {
+      SimulationOptions options;
+      options.samples = 320;
+      options.strategy = strategy;
+      options.direct = direct;
+      options.max_bounces = 4;
+      options.by_bounce = true;
+      const auto with = [&](unsigned threads) {
+        RunControl control;
+        control.threads = threads;
+        return simulate(scene, "hash", options, control).matrix;
+      };
+      const SignalMatrix one = with(1), many = with(3);
+      EXPECT_EQ(one.mean, many.mean);
+      EXPECT_EQ(one.standard_error, many.standard_error);
+      EXPECT_EQ(one.direct, many.direct);
+      ASSERT_EQ(one.by_bounce.size(), 5u);
+      for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(one.by_bounce[k].mean, many.by_bounce[k].mean);
+      options.seed = 2;
+      EXPECT_NE(one.mean, with(1).mean);
+    }
+}
+
+TEST(Simulate, RefusesWhatCannotBe) {
+  const Scene scene = test::SmallStore{}.scene();
+  SimulationOptions options;
+  options.strategy = Strategy::walk;
+  test::expect_input_error([&] { simulate(scene, "", options); }, "--strategy walk", "'T0'", "'unit0'",
+                           "radius");
+  options = {};
+  options.by_bounce = true;
+  test::expect_input_error([&] { simulate(scene, "", options); }, "--by-bounce", "--max-bounces");
+  Scene shining = scene;
+  shining.materials.push_back({"unused", make_lambertian(0)});
+  shining.emitting_surfaces = {{"S", MaterialId{static_cast<std::uint32_t>(scene.materials.size())}, 1}};
+  EXPECT_THROW(simulate(shining, "", {}), std::invalid_argument);
+}
+
+TEST(Simulate, PermutedLabelsPermuteTheRowsToTheBit) {
+  test::SmallStore store;
+  const SignalMatrix before = run(store.scene(), 640).matrix;
+  std::reverse(store.labels.begin(), store.labels.end());
+  const SignalMatrix after = run(store.scene(), 640).matrix;
+  for (std::size_t i = 0; i < before.rows(); ++i) {
+    const auto same = std::find_if(after.labels.begin(), after.labels.end(),
+                                   [&](const LabelRow& row) { return row.id == before.labels[i].id; });
+    const auto there = after.mean_row(static_cast<std::size_t>(same - after.labels.begin()));
+    EXPECT_TRUE(std::equal(there.begin(), there.end(), before.mean_row(i).begin())) << before.labels[i].id;
+  }
+}
+
+TEST(Simulate, DoubledPowerDoublesItsColumnToTheBit) {
+  test::SmallStore store;
+  const SignalMatrix before = run(store.scene(), 640).matrix;
+  store.peaks[2] *= 2;
+  const SignalMatrix after = run(store.scene(), 640).matrix;
+  for (std::size_t i = 0; i < before.rows(); ++i)
+    for (std::size_t j = 0; j < before.columns(); ++j)
+      EXPECT_EQ(after.mean[after.at(i, j)], (j == 2 ? 2 : 1) * before.mean[before.at(i, j)]);
+}
+
+// z-test of all old columns at 0.1 %, relative standard error of an entry about 4 %. Controls: the columns
+// 5/4 as large, which is what a wrong 1/n would do, must be told apart.
+TEST(Simulate, AnotherTransceiverLeavesTheOtherColumns) {
+  test::SmallStore store;
+  const SignalMatrix four = run(store.scene(), 20000, DirectLight::sampled, 1).matrix;
+  store.peaks.push_back(1);
+  const SignalMatrix five = run(store.scene(), 20000, DirectLight::sampled, 2).matrix;
+  SignalMatrix old = four;  // the first four columns of `five`
+  for (std::size_t i = 0; i < four.rows(); ++i)
+    for (std::size_t j = 0; j < four.columns(); ++j) {
+      old.mean[old.at(i, j)] = five.mean[five.at(i, j)];
+      old.standard_error[old.at(i, j)] = five.standard_error[five.at(i, j)];
+    }
+  EXPECT_TRUE(compare(old, four).pass) << compare(old, four).largest;
+  EXPECT_FALSE(compare(old, four, 5.0 / 4).pass);
+}
+
+// Both ways of direct light estimate the same matrix: z-test at 0.1 %, relative standard error 1 to 5 %. The
+// control is a matrix 5 % off.
+TEST(Simulate, SampledAndExactDirectLightAgree) {
+  const Scene scene = test::SmallStore{}.scene();
+  const SignalMatrix sampled = run(scene, 40000, DirectLight::sampled, 1).matrix;
+  const SignalMatrix exact = run(scene, 40000, DirectLight::exact, 2).matrix;
+  const ZTest test = compare(sampled, exact);
+  EXPECT_TRUE(test.pass) << test.largest << " of " << test.limit;
+  EXPECT_FALSE(compare(sampled, exact, 1.05).pass);
+  for (std::size_t e = 0; e < exact.direct.size(); ++e) EXPECT_LE(exact.direct[e], exact.mean[e]);
+}
+
+// What the walk's first connection collects is an estimate of the closed form: the sum over all entries, from
+// 40 seeds, z-test at 0.1 % with a standard error of about 1 %. The control leaves out one unit in n of the
+// weight.
+TEST(Simulate, SampledDirectPartIsAnEstimateOfTheClosedForm) {
+  const Scene scene = test::SmallStore{}.scene();
+  const auto sum = [](const SignalMatrix& matrix) {
+    double total = 0;
+    for (const float value : matrix.direct) total += value;
+    return total;
+  };
+  const double expected = sum(run(scene, 64, DirectLight::exact).matrix);
+  Moments sums;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed)
+    sums.add(sum(run(scene, 320, DirectLight::sampled, seed).matrix));
+  const auto agrees = [&](double factor) {
+    return z_test(std::vector{factor * sums.mean()}, std::vector{expected},
+                  std::vector{factor * sums.standard_error()}, 0.001, 39)
+        .pass;
+  };
+  EXPECT_LT(sums.standard_error() / expected, 0.02);
+  EXPECT_TRUE(agrees(1));
+  EXPECT_FALSE(agrees(3.0 / 4));
+}
+
+// The standard errors are what the spread over seeds says: pooled over the entries, the variance of 60
+// independent runs against the mean squared standard error. The pooled ratio has a standard error of about
+// sqrt(2 / 60 / 10) = 6 % (entries of a label are correlated; 10 labels are independent): 4 of these are
+// allowed. The control, standard errors too small by 1/sqrt(2) (a ratio of 2), must fail.
+TEST(Simulate, StandardErrorsAreHonest) {
+  const Scene scene = test::SmallStore{}.scene();
+  constexpr std::uint64_t seeds = 60;
+  std::vector<Moments> means, squared_errors;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const SignalMatrix matrix = run(scene, 640, DirectLight::sampled, seed).matrix;
+    means.resize(matrix.mean.size());
+    squared_errors.resize(matrix.mean.size());
+    for (std::size_t e = 0; e < matrix.mean.size(); ++e) {
+      means[e].add(matrix.mean[e]);
+      squared_errors[e].add(std::pow(matrix.standard_error[e], 2));
+    }
+  }
+  Moments ratio;
+  for (std::size_t e = 0; e < means.size(); ++e) ratio.add(means[e].variance() / squared_errors[e].mean());
+  const auto honest = [](double r) { return std::abs(r - 1) < 4 * 0.06; };
+  EXPECT_TRUE(honest(ratio.mean())) << ratio.mean();
+  EXPECT_FALSE(honest(2 * ratio.mean()));
+}
+
+class CancelAfter : public ProgressSink {
+ public:
+  CancelAfter(CancelToken& token, double fraction) : token_(token), fraction_(fraction) {}
+  void report(std::string_view, double fraction, std::string_view) override {
+    if (fraction >= fraction_) token_.request();
+  }
+
+ private:
+  CancelToken& token_;
+  double fraction_;
+};
+
+// What is kept is an honest estimate: z-test at 0.1 %, relative standard errors of 5 to 20 %. The control is
+// a matrix scaled as if all batches had been done.
+TEST(Simulate, KeepsWhatItHasWhenCancelled) {
+  const Scene scene = test::SmallStore{}.scene();
+  CancelToken token;
+  CancelAfter half(token, 0.5);
+  const SimulationResult result =
+      simulate(scene, "hash", {6400, DirectLight::sampled, 1}, {1, &token, &half});
+  EXPECT_FALSE(result.summary.complete);
+  for (const LabelRow& row : result.matrix.labels) {
+    EXPECT_GE(row.batches, 2U);
+    EXPECT_LT(row.batches, batch_count);
+    EXPECT_EQ(row.samples, row.batches * samples_per_batch(6400));
+  }
+  const SignalMatrix whole = run(scene, 6400, DirectLight::sampled, 2).matrix;
+  EXPECT_TRUE(compare(result.matrix, whole).pass);
+  EXPECT_FALSE(compare(result.matrix, whole, 0.5).pass);
+}
+
+TEST(Simulate, SaysSoWhenCancelledTooEarly) {
+  CancelToken token;
+  token.request();
+  EXPECT_THROW(
+      simulate(test::SmallStore{}.scene(), "hash", {640, DirectLight::sampled, 1}, {1, &token, nullptr}),
+      Interrupted);
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,64 @@
+#include "shelfbeam/transport/world/coverage.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shelfbeam/transport/world/world.hpp"
+
+#include "physics/bare_scene.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Two mirrors, a block of glass and a point; with a radius, a disc.
+test::BareScene hall_of_mirrors(double radius) {
+  test::BareScene room;
+  const MaterialId mirror = room.material(Conductor{0, 1, {}});
+  room.box(room.material(Lambertian{0.5}), {0, 0, 0}, {5, 4, 3});
+  room.quad(mirror, {1, 1, 0.5}, {2, 0, 0}, {0, 0, 1});
+  room.quad(mirror, {1, 3, 0.5}, {2, 0, 0}, {0, 0, 1});
+  room.box(room.material(Dielectric{1.5, {}}), {4, 2, 0.1}, {4.5, 2.5, 1});
+  room.label({2, 2, 1}, {1, 0, 0});
+  room.unit({2, 2, 2.5}, {0, 0, -1}, SinTwoTheta{1}, radius);
+  return room;
+}
+
+TEST(Coverage, NamesTheLightThatPointsLackAndDiscsFindByChance) {
+  const test::BareScene points = hall_of_mirrors(0), discs = hall_of_mirrors(0.1);
+  const auto both = ElementsAre(HasSubstr("two or more mirrors"), HasSubstr("solid glass"));
+  EXPECT_THAT(uncovered_light(points.scene), both);
+  EXPECT_THAT(chance_light(points.scene), IsEmpty());
+  EXPECT_THAT(uncovered_light(discs.scene), IsEmpty());
+  EXPECT_THAT(chance_light(discs.scene), both);
+}
+
+TEST(Coverage, KnowsWhatStrategiesFindByChance) {
+  const test::BareScene discs = hall_of_mirrors(0.1);
+  EXPECT_THAT(chance_light(discs.scene, Strategy::walk), ElementsAre("all light from disc transceivers"));
+  EXPECT_THAT(chance_light(discs.scene, Strategy::particle), IsEmpty());
+  test::BareScene sized = hall_of_mirrors(0);
+  sized.label({3, 2, 1}, {1, 0, 0}, CosineResponse{}, {0.1, 0.1});
+  EXPECT_THAT(chance_light(sized.scene), IsEmpty());
+  EXPECT_THAT(chance_light(sized.scene, Strategy::particle),
+              ElementsAre("light to labels with a size over mirrors and through solid glass (m0, m2)"));
+  test::BareScene lit = hall_of_mirrors(0);
+  lit.scene.emitting_surfaces.push_back({"panel", lit.material(Lambertian{0.5}), 1});
+  EXPECT_THAT(chance_light(lit.scene),
+              ElementsAre("light from emitting surfaces over mirrors and through solid glass (m0, m2)"));
+}
+
+TEST(Coverage, NamesNothingWhereNothingMirrors) {
+  test::BareScene room;
+  room.box(room.material(Lambertian{0.5}), {0, 0, 0}, {5, 4, 3});
+  room.label({2, 2, 1}, {1, 0, 0});
+  room.unit({2, 2, 2.5}, {0, 0, -1}, SinTwoTheta{1}, 0.1);
+  EXPECT_THAT(uncovered_light(room.scene), IsEmpty());
+  EXPECT_THAT(chance_light(room.scene), IsEmpty());
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,166 @@
+#include "shelfbeam/transport/world/ray_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+
+#include "support/small_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+Scene empty_room(double x, double y, double z) {
+  return make_scene(parse_store(
+      fmt::format(R"({{"room": {{"size": [{}, {}, {}], "floor": "w", "ceiling": "w", "walls": "w"}},
+        "materials": {{"w": {{"type": "lambertian", "reflectance": 0.5}}}},
+        "label_types": {{"s": {{"threshold": 1}}}},
+        "transceiver_types": {{"u": {{"emission": {{"type": "sin2theta", "peak": 1}}}}}},
+        "labels": [{{"id": "L", "position": [{}, {}, {}], "normal": [0, 0, 1], "type": "s"}}],
+        "transceivers": {{"list": [{{"id": "T", "position": [{}, {}, {}], "type": "u"}}]}}}})",
+                  x, y, z, x / 2, y / 2, z / 2, x / 2, y / 2, z),
+      "room", "."));
+}
+
+bool blocked(const RayScene& rays, const Vec3& from, const Vec3& to) {
+  return rays.passage({from, {0, 0, 1}}, to).share == 0;
+}
+
+TEST(RayScene, FindsTheWallItLooksAt) {
+  const RayScene rays(empty_room(6, 5, 3));
+  const auto hit = rays.intersect({{3, 2, 1}, {1, 0, 0}}, normalized({1, 0.25, -0.1}));
+  ASSERT_TRUE(hit);
+  // The start is moved by 16 x 2^-24 of 6 m, 6e-6 m.
+  EXPECT_NEAR(hit->point.position.x, 6, 1e-12);
+  EXPECT_NEAR(hit->point.position.y, 2.75, 1e-5);
+  EXPECT_NEAR(hit->point.position.z, 0.7, 1e-5);
+  EXPECT_NEAR(std::abs(hit->point.normal.x), 1, 1e-12);
+  EXPECT_NEAR(hit->distance({3, 2, 1}, normalized({1, 0.25, -0.1})), length(Vec3{3, 0.75, -0.3}), 1e-5);
+}
+
+TEST(RayScene, LightDoesNotLeakOutOfAClosedRoom) {
+  const Scene scene = test::SmallStore{}.scene();
+  const RayScene rays(scene);
+  for (std::uint32_t k = 0; k < 10000; ++k) {
+    const auto u = philox({k, 0, 0, 0}, 1);
+    const Vec3 from{6 * to_unit(u[0]), 5 * to_unit(u[1]), 2.5 + 0.4 * to_unit(u[2])};
+    const double z = 2 * to_unit(u[3]) - 1, phi = k, r = std::sqrt(1 - z * z);
+    const Vec3 direction{r * std::cos(phi), r * std::sin(phi), z};
+    ASSERT_TRUE(rays.intersect({from, direction}, direction));
+  }
+}
+
+// A point of a convex room sees every other one, however large the room, and wherever rays start and end,
+// walls and edges included. The control is an offset-free start below the surface, which must be blocked.
+TEST(RayScene, ConvexRoomsShadowNothingAtAnyScale) {
+  for (const double scale : {0.05, 1.0, 20.0, 200.0}) {
+    const Scene scene = empty_room(scale, 0.7 * scale, 0.3 * scale);
+    const RayScene rays(scene);
+    int controls = 0;
+    for (std::uint32_t k = 0; k < 20000; ++k) {
+      const auto u = philox({k, 0, 0, 0}, 2);
+      const Vec3 floor{scale * to_unit(u[0]), 0.7 * scale * to_unit(u[1]), 0};
+      const Vec3 ceiling{scale * to_unit(u[2]), 0.7 * scale * to_unit(u[3]), 0.3 * scale};
+      EXPECT_FALSE(blocked(rays, floor, ceiling)) << "scale " << scale;
+      controls += blocked(rays, floor - Vec3{0, 0, 0.01 * scale}, ceiling) ? 1 : 0;
+    }
+    EXPECT_EQ(controls, 20000);
+  }
+}
+
+// Walks between the walls of a convex room never leave it and always find the far side.
+TEST(RayScene, WalksStayInsideAtAnyScale) {
+  for (const double scale : {0.05, 1.0, 200.0}) {
+    const Scene scene = empty_room(scale, 0.7 * scale, 0.3 * scale);
+    const RayScene rays(scene);
+    Vec3 position{0.3 * scale, 0.2 * scale, 0}, normal{0, 0, 1};
+    for (std::uint32_t k = 0; k < 20000; ++k) {
+      const auto u = philox({k, 1, 0, 0}, 3);
+      const Vec3 local = sample_cosine_hemisphere(to_unit(u[0]), to_unit(u[1]));
+      const auto hit = rays.intersect({position, normal}, Frame::about(normal).to_world(local));
+      ASSERT_TRUE(hit) << "scale " << scale << ", step " << k;
+      ASSERT_GT(dot(normal, hit->point.position - position), 1e-9 * scale)
+          << "hit the surface it left, at scale " << scale;
+      position = hit->point.position;
+      const Vec3 inwards = Vec3{0.5 * scale, 0.35 * scale, 0.15 * scale} - position;
+      normal = dot(hit->point.normal, inwards) > 0 ? hit->point.normal : -hit->point.normal;
+    }
+  }
+}
+
+// The same for halls that stand askew, where no plane holds its corners exactly. On the floor about the
+// origin, a tenth of a millimetre to a metre from it, coordinates are small and say nothing of how far the
+// floor reaches. The control is a start as far below the floor as rays start above it at most.
+TEST(RayScene, AskewHallsNeitherShadowNorHitThemselves) {
+  for (const double size : {20.0, 200.0})
+    for (const Vec3& up : {Vec3{0.37, -0.52, 0.8}, Vec3{2.37, -0.52, 0.2}, Vec3{-0.1, 0.05, 1}}) {
+      const Frame frame = Frame::about(normalized(up));
+      Scene scene = empty_room(size, 0.7 * size, 4);
+      const auto place = [&](const Vec3& p) { return frame.to_world(p - Vec3{0.43 * size, 0.31 * size, 0}); };
+      for (Vec3& vertex : scene.mesh.vertices) vertex = place(vertex);
+      const RayScene rays(scene);
+      int controls = 0;
+      for (std::uint32_t k = 0; k < 20000; ++k) {
+        const auto u = philox({k, 0, 0, 0}, 4), v = philox({k, 1, 0, 0}, 4);
+        const double r = std::pow(10.0, -4 * to_unit(u[2])), phi = 2 * pi * to_unit(u[3]);
+        const Vec3 near_origin = place({0.43 * size + r * std::cos(phi), 0.31 * size + r * std::sin(phi), 0});
+        const Vec3 above = sample_cosine_hemisphere(to_unit(u[0]), to_unit(u[1]));
+        const auto hit = rays.intersect({near_origin, frame.z}, frame.to_world(above));
+        ASSERT_TRUE(hit);
+        EXPECT_GT(dot(hit->point.position - near_origin, frame.z), 1e-9 * size);
+        const double below = 1e-6 * size;
+        const auto back = rays.intersect({near_origin - frame.z * below, frame.z}, frame.to_world(above));
+        controls += back && dot(back->point.position - near_origin, frame.z) < 1e-6 ? 1 : 0;
+
+        const Vec3 before_wall{size - 0.3, 0.7 * size * to_unit(v[0]), 0.1 + 3.8 * to_unit(v[1])};
+        const Vec3 on_wall{size, std::clamp(before_wall.y + to_unit(v[2]) - 0.5, 0.1, 0.7 * size - 0.1),
+                           0.1 + 3.8 * to_unit(v[3])};
+        EXPECT_EQ(rays.passage({place(before_wall), frame.x}, place(on_wall)).share, 1);
+        EXPECT_EQ(rays.passage({near_origin + frame.z * 0.3, frame.z}, near_origin).share, 1);
+      }
+      EXPECT_EQ(controls, 20000);
+    }
+}
+
+// A sheet 1.5 mm thick far from the origin in a hall of 200 m is opaque, from its own faces and from afar,
+// for what touches the other face, too. The control passes beside it.
+TEST(RayScene, ThinSheetsBlockInAHall) {
+  Scene scene = empty_room(200, 140, 6);
+  const Vec3 low{180.3, 120.2, 1}, high{180.3015, 121.2, 2};
+  const auto first = static_cast<std::uint32_t>(scene.mesh.vertices.size());
+  for (const double x : {low.x, high.x}) {
+    for (const auto& [y, z] : {std::pair(low.y, low.z), {high.y, low.z}, {high.y, high.z}, {low.y, high.z}})
+      scene.mesh.vertices.push_back({x, y, z});
+    const std::uint32_t a = x == low.x ? first : first + 4;
+    for (const std::uint32_t k : {1U, 2U}) {
+      scene.mesh.triangles.push_back({a, a + k, a + k + 1});
+      scene.mesh.materials.push_back(MaterialId{0});
+    }
+  }
+  const RayScene rays(scene);
+  for (std::uint32_t k = 0; k < 2000; ++k) {
+    const auto u = philox({k, 0, 0, 0}, 5);
+    const double y = 120.3 + 0.8 * to_unit(u[0]), z = 1.1 + 0.8 * to_unit(u[1]);
+    const Vec3 beyond{high.x, 120.3 + 0.8 * to_unit(u[2]), 1.1 + 0.8 * to_unit(u[3])};
+    EXPECT_EQ(rays.passage({{low.x, y, z}, {-1, 0, 0}}, beyond + Vec3{0.3, 0, 0}).share, 0);
+    EXPECT_EQ(rays.passage({{178, y, z}, {1, 0, 0}}, beyond + Vec3{0.0005, 0, 0}).share, 0);
+    EXPECT_EQ(rays.passage({{178, y, z}, {1, 0, 0}}, beyond + Vec3{0.3, 0, 4}).share, 1);
+  }
+}
+
+TEST(RayScene, FixturesBlock) {
+  const Scene scene = test::SmallStore{}.scene();
+  const RayScene rays(scene);
+  EXPECT_EQ(rays.passage({{2, 1.0, 0.3}, {0, -1, 0}}, {2, 4.5, 0.4}).share, 0);
+  EXPECT_EQ(rays.passage({{2, 1.0, 0.3}, {0, -1, 0}}, {2, 0.2, 2.9}).share, 1);
+}
+
+}  // namespace
+}  // namespace shelfbeam
