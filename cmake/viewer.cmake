@@ -48,7 +48,7 @@ function(shelfbeam_viewer out)
   shelfbeam_viewer_packages(${viewer})
   set(script ${PROJECT_BINARY_DIR}/viewer/viewer.js)
   if(SHELFBEAM_VIEWER_PACKAGES)
-    file(GLOB sources CONFIGURE_DEPENDS ${viewer}/*.ts ${viewer}/*.css)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${viewer}/*.ts ${viewer}/*.css)
     list(APPEND sources ${PROJECT_BINARY_DIR}/viewer/installed.txt)
     set(make_script ${CMAKE_COMMAND} -E env NODE_PATH=${SHELFBEAM_VIEWER_PACKAGES}
       ${SHELFBEAM_NODE} ${SHELFBEAM_VIEWER_PACKAGES}/esbuild/bin/esbuild ${viewer}/main.ts --bundle --minify --format=iife

@@ -1,7 +1,8 @@
 # shellcheck shell=bash
-# Sourced first by the scripts beside it: strict mode, the top of the checkout as the working directory, messages.
+# Sourced first by the scripts beside it and below it: strict mode, the top of the checkout as the working directory, messages.
 
 set -euo pipefail
+invoked=$(realpath "$0")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 say() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; }
@@ -12,7 +13,7 @@ die() {
 }
 
 # The comment at the head of a script is its help.
-usage() { sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "scripts/$(basename "$0")"; }
+usage() { sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$invoked"; }
 
 bad_usage() {
   usage >&2

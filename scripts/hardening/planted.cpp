@@ -1,5 +1,4 @@
-// One mistake of each kind that the sanitizers are there for, so that scripts/hardening/sanitize can tell
-// that they are on.
+// One mistake of each kind that the sanitizers are there for, so that scripts/hardening/sanitize can tell that they are on.
 #include <climits>
 #include <cstring>
 #include <thread>

@@ -1,6 +1,8 @@
 #include "app/loaded_store.hpp"
 
 #include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 
 namespace shelfbeam::app {
 

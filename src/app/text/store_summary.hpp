@@ -12,6 +12,7 @@
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/transport/world/path_rules.hpp"
 
+#include "app/loaded_store.hpp"
 #include "app/verbs.hpp"
 
 namespace shelfbeam::app {

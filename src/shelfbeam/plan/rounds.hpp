@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "shelfbeam/plan/verification.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam {

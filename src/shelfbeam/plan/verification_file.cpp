@@ -4,6 +4,7 @@
 
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
+#include "shelfbeam/placement/io/words.hpp"
 
 namespace shelfbeam {
 

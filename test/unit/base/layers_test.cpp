@@ -41,9 +41,9 @@ class LayersOfATree : public testing::Test {
   LayersOfATree() {
     tree.write("src/shelfbeam/math/vec3.hpp", "#include \"shelfbeam/base/error.hpp\"\n#include <cmath>\n");
     tree.write("src/shelfbeam/plan/plan.cpp", "#include \"shelfbeam/device/emission.hpp\"\n");
-    tree.write("src/app/main.cpp", "#include \"shelfbeam/report/report.hpp\"\n");
-    tree.write("test/signal/a_test.cpp", "#include \"shelfbeam/signal/detail/text_file.hpp\"\n");
-    tree.write("test/physics/a_test.cpp", "#include \"shelfbeam/plan/plan.hpp\"\n");
+    tree.write("src/app/main.cpp", "#include \"shelfbeam/report/data/report.hpp\"\n");
+    tree.write("test/unit/scene/a_test.cpp", "#include \"shelfbeam/scene/mesh/gltf_file.hpp\"\n");
+    tree.write("test/physics/a_test.cpp", "#include \"shelfbeam/transport/reuse/reuse.hpp\"\n");
   }
   void expect_refused(const std::string& message) {
     const Outcome outcome = check_layers(tree.path());
@@ -60,23 +60,41 @@ TEST_F(LayersOfATree, AreKept) {
 
 TEST_F(LayersOfATree, UpwardIncludeIsRefused) {
   tree.write("src/shelfbeam/math/frame.hpp", "#pragma once\n\n#  include \"shelfbeam/scene/scene.hpp\"\n");
-  expect_refused("src/shelfbeam/math/frame.hpp:3: layer 'math' must not include 'scene'");
+  expect_refused("src/shelfbeam/math/frame.hpp:3: 'shelfbeam/scene/scene.hpp' is not for 'math'");
+  tree.write("src/shelfbeam/scene/scene.hpp", "#include \"shelfbeam/scene/build/make_scene.hpp\"\n");
+  expect_refused(
+      "src/shelfbeam/scene/scene.hpp:1: 'shelfbeam/scene/build/make_scene.hpp' is not for 'scene'");
 }
 
 TEST_F(LayersOfATree, SidewaysIncludeIsRefused) {
-  tree.write("src/shelfbeam/milp/model.cpp", "#include \"shelfbeam/signal/signal_table.hpp\"\n");
-  expect_refused("src/shelfbeam/milp/model.cpp:1: layer 'milp' must not include 'signal'");
+  tree.write("src/shelfbeam/milp/model.cpp", "#include \"shelfbeam/signal/signal_matrix.hpp\"\n");
+  expect_refused("src/shelfbeam/milp/model.cpp:1: 'shelfbeam/signal/signal_matrix.hpp' is not for 'milp'");
 }
 
 TEST_F(LayersOfATree, UpwardIncludeOfATestIsRefused) {
-  tree.write("test/base/b_test.cpp",
-             "#include \"shelfbeam/stats/moments.hpp\"\n#include <shelfbeam/math/vec3.hpp>\n");
-  expect_refused("test/base/b_test.cpp:2: layer 'base' must not include 'math'");
+  tree.write("test/unit/base/b_test.cpp", "#include <shelfbeam/math/vec3.hpp>\n");
+  expect_refused("test/unit/base/b_test.cpp:1: 'shelfbeam/math/vec3.hpp' is not for tests of 'base'");
 }
 
-TEST_F(LayersOfATree, PrivateHeaderOfAnotherLayerIsRefused) {
-  tree.write("src/app/verbs.cpp", "#include \"shelfbeam/signal/detail/text_file.hpp\"\n");
-  expect_refused("src/app/verbs.cpp:1: includes 'shelfbeam/signal/detail/text_file.hpp', which is private");
+TEST_F(LayersOfATree, InnerRoomOfAnotherLayerIsRefused) {
+  tree.write("src/app/verbs.cpp", "#include \"shelfbeam/transport/reuse/reuse.hpp\"\n");
+  expect_refused("src/app/verbs.cpp:1: 'shelfbeam/transport/reuse/reuse.hpp' is for 'transport' alone");
+  tree.write("src/shelfbeam/plan/rounds.cpp", "#include \"shelfbeam/placement/tree/proof.hpp\"\n");
+  expect_refused(
+      "src/shelfbeam/plan/rounds.cpp:1: 'shelfbeam/placement/tree/proof.hpp' is for 'placement' alone");
+}
+
+TEST_F(LayersOfATree, LargeFilesAndFoldersAreRefused) {
+  tree.write("src/shelfbeam/math/long.cpp", std::string(400, '\n'));
+  for (char name = 'a'; name < 'a' + 13; ++name) {
+    tree.write(std::string("src/shelfbeam/math/") + name + ".cpp", "");
+    tree.write(std::string("src/shelfbeam/math/") + name + ".hpp", "");
+  }
+  EXPECT_EQ(check_layers(tree.path()).exit_code, 0);
+  tree.write("src/shelfbeam/math/long.cpp", std::string(401, '\n'));
+  expect_refused("src/shelfbeam/math/long.cpp: has 401 lines, more than 400");
+  tree.write("src/shelfbeam/math/n.cpp", "");
+  expect_refused("src/shelfbeam/math: has 16 modules, more than 15");
 }
 
 TEST_F(LayersOfATree, RelativePathIsRefused) {
@@ -84,9 +102,9 @@ TEST_F(LayersOfATree, RelativePathIsRefused) {
   expect_refused("src/shelfbeam/math/frame.hpp:1: includes \"../scene/scene.hpp\" by a relative path");
 }
 
-TEST_F(LayersOfATree, UnknownLayerIsRefused) {
+TEST_F(LayersOfATree, UnknownFolderIsRefused) {
   tree.write("src/shelfbeam/misc/a.cpp", "#include <vector>\n");
-  expect_refused("src/shelfbeam/misc/a.cpp:1: 'misc' is no layer");
+  expect_refused("src/shelfbeam/misc/a.cpp: its folder is not in the table");
 }
 
 TEST_F(LayersOfATree, HeavyDependencyStaysInOneSource) {

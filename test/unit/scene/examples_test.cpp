@@ -13,8 +13,10 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/math/places.hpp"
+#include "shelfbeam/scene/build/templates.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
+#include "support/expect_input_error.hpp"
 #include "unit/scene/solids.hpp"
 
 namespace shelfbeam {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/placement/answer/names.hpp"
+#include "shelfbeam/placement/io/words.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"

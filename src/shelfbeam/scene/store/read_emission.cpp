@@ -1,3 +1,5 @@
+#include "shelfbeam/scene/store/read_emission.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <string>

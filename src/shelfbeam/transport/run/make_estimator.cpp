@@ -7,6 +7,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/transport/reuse/reuse.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 #include "shelfbeam/transport/uniform/uniform.hpp"
 
 namespace shelfbeam {

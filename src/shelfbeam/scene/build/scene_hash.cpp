@@ -1,7 +1,6 @@
-#include "shelfbeam/scene/scene.hpp"
-
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/scene/build/resolved_types.hpp"
+#include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
 
