@@ -19,7 +19,6 @@
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/text/print_json.hpp"
 #include "app/text/terminal.hpp"
 #include "app/text/text_table.hpp"
 #include "app/verbs.hpp"

@@ -13,7 +13,6 @@
 #include "app/options/arguments.hpp"
 #include "app/options/placement_input.hpp"
 #include "app/options/placement_options.hpp"
-#include "app/text/print_json.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 

@@ -19,14 +19,12 @@
 
 #include "app/loaded_store.hpp"
 #include "app/options/arguments.hpp"
-#include "app/options/certificate_options.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/options/requirements.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/placement_text.hpp"
 #include "app/text/plan_folder.hpp"
 #include "app/text/store_summary.hpp"
-#include "app/text/store_table.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 

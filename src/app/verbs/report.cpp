@@ -15,7 +15,6 @@
 #include "app/loaded_store.hpp"
 #include "app/options/arguments.hpp"
 #include "app/text/plan_folder.hpp"
-#include "app/text/print_json.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 

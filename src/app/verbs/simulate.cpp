@@ -11,7 +11,6 @@
 #include "app/loaded_store.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/simulation_options.hpp"
-#include "app/text/print_json.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"

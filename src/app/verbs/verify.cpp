@@ -15,16 +15,13 @@
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/plan/verification_file.hpp"
 #include "shelfbeam/plan/verify_installation.hpp"
-#include "shelfbeam/scene/build/installation.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 #include "app/loaded_store.hpp"
 #include "app/options/arguments.hpp"
-#include "app/options/certificate_options.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/store_summary.hpp"
-#include "app/text/store_table.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 

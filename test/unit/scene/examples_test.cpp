@@ -13,7 +13,6 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/math/places.hpp"
-#include "shelfbeam/scene/build/templates.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 #include "support/expect_input_error.hpp"

@@ -6,7 +6,6 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/scene/build/templates.hpp"
 
 #include "support/process.hpp"
 #include "support/temp_folder.hpp"

@@ -1,4 +1,3 @@
-#include "shelfbeam/scene/store/read_emission.hpp"
 
 #include <algorithm>
 #include <cstddef>

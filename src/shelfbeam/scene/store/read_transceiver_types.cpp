@@ -1,4 +1,3 @@
-#include "shelfbeam/scene/store/read_emission.hpp"
 #include "shelfbeam/scene/store/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
