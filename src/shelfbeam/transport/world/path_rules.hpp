@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "shelfbeam/transport/world/mis_weights.hpp"
+
 namespace shelfbeam {
 
 /// How paths between labels and light sources are sampled; docs/methods/simulation.md has a table of the
@@ -12,12 +14,6 @@ enum class Strategy {
   nee,      ///< from the label, with a connection to a source at every vertex (2.7.2)
   mis,      ///< both, weighted against each other (2.7.3)
   particle  ///< from the source, with connections to all labels at every vertex
-};
-
-/// How multiple importance sampling weights a technique of density p among all (Veach 1997).
-enum class Heuristic {
-  balance,  ///< p / sum p
-  power     ///< p^2 / sum p^2
 };
 
 /// How a ray has left its last vertex, which decides whether connections find the sources that it meets.
@@ -56,11 +52,5 @@ struct LengthSteps {
   double step = 1;          ///< m
   std::uint32_t count = 0;  ///< 0: lengths are not told apart
 };
-
-/// Weight of a technique of density p where another one of density q draws the same path.
-inline double mis_weight(Heuristic heuristic, double p, double q) {
-  const double ratio = q / p;
-  return 1 / (1 + (heuristic == Heuristic::power ? ratio * ratio : ratio));
-}
 
 }  // namespace shelfbeam
