@@ -8,20 +8,28 @@ namespace shelfbeam {
 
 namespace {
 
-// What light_from asks a vertex for; the straight way is the first that it asks about.
-struct StraightFirst {
-  explicit StraightFirst(const PathVertex& v) : vertex(v) {}
-
-  double operator()(const Vec3& to_source) {
-    const PathVertex::Reflection reflection = vertex.reflected(to_source);
-    if (asked++ == 0) straight = reflection;
-    return reflection.whole;
-  }
-
-  const PathVertex& vertex;
-  PathVertex::Reflection straight;
-  int asked = 0;
+struct Arrived {
+  PathVertex::Parts parts;
+  std::uint64_t rays;
 };
+
+// What comes from a point of source j to a vertex, as light_from has it, and is reflected there.
+template <class Share>
+Arrived arrive(const World& world, std::size_t j, const LightPoint& light, const PathVertex& vertex,
+               bool images, const Share& share_of) {
+  PathVertex::Reflection asked, straight;
+  const DirectSignal signal = light_from(
+      world, j, light, vertex.end.point, images,
+      [&](const Vec3& to_source) {
+        asked = vertex.reflected(to_source);
+        return asked.whole;
+      },
+      [&] {
+        straight = asked;
+        return share_of();
+      });
+  return {vertex.split(straight, signal), signal.rays};
+}
 
 }  // namespace
 
@@ -122,19 +130,17 @@ void Residual::add_direct(const PathVertex& vertex, double stake, RandomStream& 
   const bool has_images = world_.mirrors.size() > 0 && random.unit() < mirror_chance;
   for (std::size_t t = 0; t < scratch.targets.size(); ++t) {
     const std::size_t j = units_.column(scratch.places[t] / lanes, scratch.places[t] % lanes);
-    StraightFirst reflected{vertex};
-    const DirectSignal light = light_from(world_, j, scratch.lights[t], vertex.end.point,
-                                          has_images && world_.emitters.is_transceiver(j), reflected,
-                                          [&] { return static_cast<double>(scratch.shares[t]); });
-    rays += light.rays > 1 ? light.rays - 1 : 0;
-    const auto [base, own] = vertex.split(reflected.straight, light);
+    const auto [parts, traced] =
+        arrive(world_, j, scratch.lights[t], vertex, has_images && world_.emitters.is_transceiver(j),
+               [&] { return static_cast<double>(scratch.shares[t]); });
+    rays += traced > 1 ? traced - 1 : 0;
     const double weight = scratch.inverse_probability[t];
     const auto add = [&](LaneRow& row, const DirectSignal& part, double of_cache) {
       const double value = part.straight * scratch.taken[t] + part.mirrored / mirror_chance - of_cache;
       if (value != 0) row.add(scratch.places[t], weight * value);
     };
-    add(rows.base, base, scratch.known_base[t]);
-    add(rows.own, own, scratch.known_own[t]);
+    add(rows.base, parts.base, scratch.known_base[t]);
+    add(rows.own, parts.own, scratch.known_own[t]);
   }
 }
 
@@ -166,11 +172,10 @@ void Residual::add_far(const PathVertex& vertex, RandomStream& random, ResidualR
     const std::uint32_t j = units_.column(g, k);
     const double u1 = random.unit(), u2 = random.unit();
     const LightPoint light = world_.emitters.point(j, u1, u2);
-    StraightFirst reflected{vertex};
-    const DirectSignal signal = light_from(world_, j, light, vertex.end.point, true, reflected, [&] {
+    const auto [parts, traced] = arrive(world_, j, light, vertex, true, [&] {
       return world_.rays.passage(vertex.end.point, light.position).share;
     });
-    rays += signal.rays;
+    rays += traced;
     double taken = 1;  // of its light: not that of bright spots
     if (vertex.is_capped) {
       LaneValues irradiance;
@@ -179,7 +184,6 @@ void Residual::add_far(const PathVertex& vertex, RandomStream& random, ResidualR
     }
     const auto place = static_cast<std::uint32_t>(g * lanes + k);
     const double scale = total * static_cast<double>(count) / own;
-    const PathVertex::Parts parts = vertex.split(reflected.straight, signal);
     const auto add = [&](LaneRow& row, const DirectSignal& part) {
       const double value = part.straight * taken + part.mirrored;
       if (value != 0) row.add(place, value * scale);
