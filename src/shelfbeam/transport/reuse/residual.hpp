@@ -9,6 +9,7 @@
 
 #include "shelfbeam/transport/reuse/bright_spots.hpp"
 #include "shelfbeam/transport/reuse/path_vertex.hpp"
+#include "shelfbeam/transport/reuse/shared_point.hpp"
 
 namespace shelfbeam {
 
@@ -58,7 +59,7 @@ class Residual {
 
   /// A path that goes on.
   struct Continuation {
-    std::size_t parent;
+    std::uint32_t parent;
     double weight;  ///< of what the new vertex sends to its parent, over the chance of going on
     bool by_base;
     bool is_shared;
@@ -78,11 +79,11 @@ class Residual {
     std::vector<std::uint8_t> zeros;
     std::vector<std::uint16_t> list;
     std::vector<Vec3> targets;
-    std::vector<std::uint32_t> places, sharers;
+    std::vector<std::uint32_t> places, with_base;
     std::vector<double> inverse_probability;
-    std::vector<double> known_base, known_own, taken, density;
+    std::vector<double> known_base, known_own, taken;
     std::vector<LightPoint> lights;
-    std::vector<Passage> passages;
+    Sharing sharing;
     BrightSpots::Scratch spots;
   };
 
@@ -92,6 +93,7 @@ class Residual {
 
  private:
   struct Found;
+  struct Sharers;
   void extend(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
               Scratch& scratch, std::span<ResidualRows> rows, Scratch::Generation& next,
               std::uint64_t& rays) const;
