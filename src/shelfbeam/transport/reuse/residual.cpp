@@ -26,11 +26,11 @@ double share_otherwise(const PathVertex& vertex) {
 }
 
 // Of so many rays; one is enough for a mirror, and none for nothing.
-std::uint32_t tails_otherwise(const PathVertex& vertex, double share, std::uint32_t tails) {
+std::uint32_t rays_otherwise(const PathVertex& vertex, double share, std::uint32_t rays) {
   if (share == 0) return 0;
   if (!vertex.guide->has_highlight()) return 1;
-  if (share == 1) return tails;
-  return std::max(1U, static_cast<std::uint32_t>(std::lround(share * tails)));
+  if (share == 1) return rays;
+  return std::max(1U, static_cast<std::uint32_t>(std::lround(share * rays)));
 }
 
 }  // namespace
@@ -93,19 +93,19 @@ void Residual::subtract_indirect(const PathVertex& vertex, ResidualRows& rows) c
 
 // Looks the cache up with rays that leave by the base or otherwise; returns where the first of them has
 // ended.
-std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool by_base, std::uint32_t tails,
+std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool by_base, std::uint32_t count,
                                                 std::uint64_t points, RandomStream& random, LaneRow& row,
                                                 std::uint64_t& rays) const {
   std::optional<Found> first, last;
   const ScrambledSobol square(points);
   // A row of the cache is used one ray later, when it has come from memory.
   const auto use = [&](const Found& found) {
-    found.vertex.look_up(units_, static_cast<float>(found.weight / tails), row);
+    found.vertex.look_up(units_, static_cast<float>(found.weight / count), row);
     if (!found.vertex.is_capped) return;
     spots_.add_near(found.vertex, cosine_area_density(vertex.end.point, found.vertex.end.point),
-                    found.weight / tails, random, row, rays);
+                    found.weight / count, random, row, rays);
   };
-  for (std::uint32_t t = 0; t < tails; ++t) {
+  for (std::uint32_t t = 0; t < count; ++t) {
     const auto [u1, u2] = square.point(t);
     const auto scattered =
         by_base ? vertex.scatter_by_base(u1, u2) : vertex.scatter_otherwise(random.unit(), u1, u2);
@@ -113,7 +113,7 @@ std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool b
     const double weight = scattered->weight;
     const auto end =
         follow_chain(world_, vertex.end.point, scattered->direction, scattered->departure, random, rays,
-                     [&](std::size_t j, double value) { row.add(units_.place(j), weight * value / tails); });
+                     [&](std::size_t j, double value) { row.add(units_.place(j), weight * value / count); });
     if (!end) continue;
     Found found{PathVertex(world_, cache_, *end), weight * end->throughput};
     found.vertex.is_capped = by_base && end->is_straight && spots_.rule().for_vertices;
@@ -161,8 +161,7 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
   next.vertices.clear();
   next.continuations.clear();
   next.chances.assign(vertices.size(), 0);
-  const std::uint32_t tails = generation == 0 ? effort_.tails : effort_.later_tails;
-  const double stake = generation == 0 ? effort_.stake : effort_.later_stake;
+  const std::uint32_t count = generation == 0 ? effort_.gather_rays : effort_.later_gather_rays;
 
   add_spots(vertices, key, generation, scratch, rows, rays);
   for (std::size_t a = 0; a < vertices.size(); ++a) {
@@ -171,13 +170,13 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
     RandomStream random(key.stream, key.batch, key.group, (generation << 16) + place);
     const std::uint64_t points = mix_key(mix_key(key.stream, (std::uint64_t{key.batch} << 32) | key.group),
                                          (generation << 16) + place);
-    add_direct(vertex, stake, random, scratch, rows[a], rays);
+    add_direct(vertex, random, scratch, rows[a], rays);
     add_far(vertex, random, rows[a], rays);
     subtract_indirect(vertex, rows[a]);
 
     const double otherwise = share_otherwise(vertex);
-    const std::uint32_t others = tails_otherwise(vertex, otherwise, tails);
-    const std::uint32_t of_base = otherwise == 1 ? 0 : std::max(others + 1, tails) - others;
+    const std::uint32_t others = rays_otherwise(vertex, otherwise, count);
+    const std::uint32_t of_base = otherwise == 1 ? 0 : std::max(others + 1, count) - others;
     const auto by_base = gather(vertex, true, of_base, points, random, rows[a].base, rays);
     const auto by_other = gather(vertex, false, others, mix_key(points, 0x0FF), random, rows[a].own, rays);
 
