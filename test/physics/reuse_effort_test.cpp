@@ -70,7 +70,7 @@ void check_efforts(std::uint32_t factor) {
 }
 
 // From little in the cache, or nothing, to everything. What is far below the requirement may be sampled so
-// rarely that it takes many batches to see it. Returns what the caches hold.
+// rarely that it takes many batches to see it. Returns how large the caches are.
 std::vector<std::size_t> check_caches(std::uint32_t factor, const std::vector<double>& requirements) {
   const SignalMatrix reference = test::reuse(store(), 8 * factor, 1000);
   std::vector<std::size_t> kept;
@@ -78,7 +78,7 @@ std::vector<std::size_t> check_caches(std::uint32_t factor, const std::vector<do
   for (const double requirement : requirements) {
     const Scene scene = store(requirement);
     const World world(scene);
-    kept.push_back(ReuseEstimator(world, 1).cache().entries());
+    kept.push_back(ReuseEstimator(world, 1).bytes());
     expect_same(test::reuse(scene, requirement >= 30 ? 6 * factor : factor, ++seed), reference,
                 "requirement x " + std::to_string(requirement));
   }

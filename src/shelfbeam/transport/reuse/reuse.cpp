@@ -278,9 +278,6 @@ std::string ReuseEstimator::name() const {
 std::size_t ReuseEstimator::bytes() const {
   return impl_->cache.bytes();
 }
-const RadianceCache& ReuseEstimator::cache() const {
-  return impl_->cache;
-}
 
 bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
                             BatchValues& values) const {

@@ -72,7 +72,6 @@ const SurfacePoint floor_point{{1.5, 2.5, 0}, {0, 0, 1}};
 TEST(RadianceCache, HoldsRoughlyTheIrradiance) {
   const Prepared room;
   EXPECT_GT(room.cache.cells(), 100U);
-  EXPECT_GT(room.cache.rays(), 10000U);
   EXPECT_NEAR(static_cast<double>(room.cache.guide(MaterialId{0}).flat()) * pi, albedo, 1e-6);
   const auto [typical, largest] = room.deviation(albedo);
   EXPECT_LT(typical, 0.12);
