@@ -1,12 +1,11 @@
 #include "entrants.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/transport/uniform/label_walk.hpp"
+#include "shelfbeam/transport/uniform/uniform.hpp"
 #include "shelfbeam/transport/world/direct.hpp"
 
 #include "support.hpp"
@@ -119,8 +118,7 @@ double UniformEntrant::overhead() {
 // As UniformEstimator does where label or source has an area.
 void UniformEntrant::sample_direct_light(std::size_t position, std::uint32_t batch) {
   const std::uint32_t i = selection_.labels[position];
-  const double each = static_cast<double>(walks_) / static_cast<double>(width_);
-  const auto side = static_cast<std::uint32_t>(std::clamp(std::ceil(std::sqrt(each)), 2.0, 64.0));
+  const std::uint32_t side = direct_strata(walks_, width_);
   for (std::size_t j = 0; j < width_; ++j) {
     if (is_point_to_point(world_, i, j)) continue;
     const PathKey key{mix_key(mix_key(mix_key(seed_, 0xD12EC7), i), j), batch, 0};

@@ -16,22 +16,22 @@ RayKinds ray_kinds(const World& world, const Selection& selection) {
   };
   ReuseEffort effort;
   const double first_hits = static_cast<double>(effort.points) * static_cast<double>(selection.labels.size());
-  const double tails_of_vertex = effort.tails;
+  const double gather_rays = effort.gather_rays;
   const double all = rays_with(effort);
-  effort.stake = effort.later_stake = 1e12;
+  effort.stake = 1e12;
   const double without_shadow = rays_with(effort);
   effort.group = 1;
   const double unshared = rays_with(effort);  // later vertices
-  effort.tails = effort.later_tails = 0;
-  const double without_tails = rays_with(effort);
+  effort.gather_rays = effort.later_gather_rays = 0;
+  const double without_gathering = rays_with(effort);
   effort.points = 0;
   const double lookups = rays_with(effort);
 
   RayKinds kinds;
   kinds.shadow = all - without_shadow;
-  kinds.visibility = without_shadow - unshared + std::max(0.0, without_tails - lookups - first_hits);
+  kinds.visibility = without_shadow - unshared + std::max(0.0, without_gathering - lookups - first_hits);
   kinds.single = all - kinds.shadow - kinds.visibility;
-  kinds.shadow_packet = kinds.shadow * tails_of_vertex / (unshared - without_tails);
+  kinds.shadow_packet = kinds.shadow * gather_rays / (unshared - without_gathering);
   return kinds;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -60,24 +61,48 @@ struct Comparison {
   }
 };
 
+/// z-test of all values at once, whose relative standard errors are below `precision`. The control are
+/// references `wrong` times as large, which the test must reject.
+inline void expect_agreement(const Comparison& found, double precision, double wrong, const std::string& what,
+                             double level = 0.001) {
+  EXPECT_TRUE(found.agrees(level)) << what;
+  EXPECT_LT(found.precision(), precision) << what;
+  EXPECT_FALSE(found.with_references_times(wrong).agrees(level)) << what;
+}
+
+/// The entries of two independent runs, the second times a factor. Equal ones without errors say nothing.
+inline Comparison compare(const SignalMatrix& found, const SignalMatrix& reference, double factor = 1) {
+  Comparison entries;
+  for (std::size_t e = 0; e < found.mean.size(); ++e) {
+    const double expected = factor * static_cast<double>(reference.mean[e]);
+    const double error = std::hypot(found.standard_error[e], factor * reference.standard_error[e]);
+    if (error > 0 || found.mean[e] != expected) entries.add(found.mean[e], expected, error);
+  }
+  return entries;
+}
+
 /// The strategies under test, each with its name for messages.
 struct Way {
   const char* name;
   Strategy strategy;
   Heuristic heuristic = Heuristic::balance;
+  EstimatorKind estimator = EstimatorKind::uniform;
 
   SignalMatrix simulate(const Scene& scene, std::uint64_t samples, std::uint64_t seed = 1,
                         SimulationOptions options = {}) const {
-    options.estimator = EstimatorKind::uniform;
     options.samples = samples;
     options.seed = seed;
     options.strategy = strategy;
     options.heuristic = heuristic;
+    options.estimator = estimator;
     return shelfbeam::simulate(scene, options).matrix;
   }
 };
 inline constexpr Way walk{"walk", Strategy::walk}, nee{"nee", Strategy::nee}, mis{"mis", Strategy::mis},
     mis_power{"mis, power heuristic", Strategy::mis, Heuristic::power},
-    particle{"particle", Strategy::particle};
+    particle{"particle", Strategy::particle},
+    path_reuse{"path reuse", Strategy::nee, Heuristic::balance, EstimatorKind::reuse};
+/// First rays a label in 32 batches of path reuse.
+inline constexpr std::uint64_t reuse_samples = 32 * 131;
 
 }  // namespace shelfbeam::test

@@ -51,14 +51,6 @@ bool is_times(const SignalMatrix& matrix, double factor, const SignalMatrix& ord
   return true;
 }
 
-// Two runs with random numbers of their own.
-test::Comparison compare(const SignalMatrix& a, double factor, const SignalMatrix& b) {
-  test::Comparison result;
-  for (std::size_t e = 0; e < a.mean.size(); ++e)
-    result.add(a.mean[e], factor * b.mean[e], std::hypot(a.standard_error[e], factor * b.standard_error[e]));
-  return result;
-}
-
 // Nothing is rounded by a power of two. Path reuse has lengths that fit stores, so it is held to that where
 // the scene is so small that it is enlarged.
 TEST(Extremes, PowersOfTwoInSizeChangeNothingButTheUnit) {
@@ -80,7 +72,7 @@ TEST(Extremes, AMillimetreAndHalfAKilometre) {
     const SignalMatrix ordinary = simulated(Room{}.scene(), estimator, 2);
     for (const double size : {1.0 / 3000, 500.0 / 6}) {
       const auto found =
-          compare(simulated(Room{.size = size}.scene(), estimator), 1 / (size * size), ordinary);
+          test::compare(simulated(Room{.size = size}.scene(), estimator), ordinary, 1 / (size * size));
       EXPECT_TRUE(found.agrees(0.001)) << size;
       EXPECT_FALSE(found.with_references_times(1.3).agrees(0.001)) << size;
     }
@@ -96,7 +88,7 @@ TEST(Extremes, SignalsAreInProportionToThePower) {
       EXPECT_TRUE(is_times(simulated(Room{.power = power}.scene(), estimator), power, ordinary)) << power;
     for (const double power : {1e-12, 1e6}) {
       const SignalMatrix matrix = simulated(Room{.power = power}.scene(), estimator, 3);
-      const auto found = compare(matrix, power, ordinary);
+      const auto found = test::compare(matrix, ordinary, power);
       EXPECT_TRUE(found.agrees(0.001)) << power;
       EXPECT_FALSE(found.with_references_times(1.3).agrees(0.001)) << power;
     }

@@ -49,14 +49,14 @@ void add_clear_things(test::BareScene& room) {
   room.quad(room.material(Conductor{0, 1, {}}), {0.5, -0.3, -0.6}, {0.1, 0.6, 0}, {0, 0, 0.9});
 }
 
-// z-test of all labels at 0.1 % with a relative standard error below 0.5 % (particles 0.8 %). The control is
-// an albedo 2 % off, which is 3 % of the reading.
-void expect_uniform(const Way& way, const test::BareScene& room, std::uint64_t samples) {
+// All labels, with a relative standard error below 0.5 % (particles 0.8 %). The control is an albedo 2 % off,
+// which is 3 % of the reading.
+void expect_uniform(const Way& way, const test::BareScene& room, std::uint64_t samples,
+                    double precision = 5e-3) {
   test::Comparison readings;
   readings.add_column(way.simulate(room.scene, samples), 0, reading());
-  EXPECT_TRUE(readings.agrees(0.001)) << way.name;
-  EXPECT_LT(readings.precision(), way.strategy == Strategy::particle ? 8e-3 : 5e-3) << way.name;
-  EXPECT_FALSE(readings.with_references_times(reading(1.02 * albedo) / reading()).agrees(0.001)) << way.name;
+  test::expect_agreement(readings, way.strategy == Strategy::particle ? 8e-3 : precision,
+                         reading(1.02 * albedo) / reading(), way.name);
 }
 
 TEST(Furnace, IsUniformInABoxWithABoxInIt) {
@@ -78,17 +78,28 @@ TEST(Furnace, StaysUniformWithGlassPanesAndMirrors) {
 }
 
 // Connections between surfaces that meet in a shining corner have no finite variance, and so no standard
-// error to test with; plain next event estimation is tested in a room without corners.
+// error to test with; plain next event estimation and path reuse are tested in a room without corners.
+test::BareScene sphere(bool clear_things) {
+  test::BareScene room;
+  const MaterialId wall = room.material(Lambertian{albedo});
+  room.sphere(wall, 1.5, 4);
+  room.shines(wall, radiance);
+  add_labels(room, Labels::points);
+  room.label({0.75, 0.6, 0.1}, {-1, 0, 0}, CosineResponse{}, {0.2, 0.1});
+  if (clear_things) add_clear_things(room);
+  return room;
+}
+
 TEST(Furnace, IsUniformForConnectionsAloneInASphere) {
   for (const bool clear_things : {false, true}) {
-    test::BareScene room;
-    const MaterialId wall = room.material(Lambertian{albedo});
-    room.sphere(wall, 1.5, 4);
-    room.shines(wall, radiance);
-    add_labels(room, Labels::points);
-    if (clear_things) add_clear_things(room);
-    expect_uniform(test::nee, room, 40000);
+    expect_uniform(test::nee, sphere(clear_things), 40000);
+    expect_uniform(test::path_reuse, sphere(clear_things), 64 * test::reuse_samples, 0.01);
   }
+}
+
+TEST(FurnaceSlow, IsUniformForPathReuseInASphere) {
+  for (const bool clear_things : {false, true})
+    expect_uniform(test::path_reuse, sphere(clear_things), 1000 * test::reuse_samples, 2.5e-3);
 }
 
 }  // namespace

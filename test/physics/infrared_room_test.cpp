@@ -86,5 +86,32 @@ TEST(InfraredRoomSlow, EveryBounceAgreesToTheErrorOfTheFigures) {
   test(test::particle, 5000000);
 }
 
+// Path reuse has all bounces in one: the figure for up to 12, and what walks find from there on (0.5 %,
+// itself known to a few per cent of that). The control is an albedo 2 % off.
+void check_path_reuse(std::uint64_t samples, double precision) {
+  const SignalMatrix layers =
+      test::nee.simulate(room(1, 85, 1).scene, 100000, 1, {.max_bounces = 40, .by_bounce = true});
+  double rest = 0;
+  for (std::size_t k = 13; k <= 40; ++k) rest += static_cast<double>(layers.by_bounce[k].mean[0]) * microwatt;
+  const auto found = [&](double albedo_factor) {
+    const SignalMatrix matrix = test::path_reuse.simulate(room(albedo_factor, 85, 1).scene, samples);
+    test::Comparison result;
+    result.add(static_cast<double>(matrix.mean[0]) * microwatt, up_to_12_bounces.microwatt + rest,
+               std::hypot(static_cast<double>(matrix.standard_error[0]) * microwatt,
+                          up_to_12_bounces.standard_error, 0.05 * rest));
+    return result;
+  };
+  EXPECT_TRUE(found(1).agrees(0.001));
+  EXPECT_LT(found(1).precision(), precision);
+  EXPECT_FALSE(found(1.02).agrees(0.001));
+}
+
+TEST(InfraredRoom, PathReuseAgrees) {
+  check_path_reuse(128 * test::reuse_samples, 0.005);
+}
+TEST(InfraredRoomSlow, PathReuseAgrees) {
+  check_path_reuse(2000 * test::reuse_samples, 0.002);
+}
+
 }  // namespace
 }  // namespace shelfbeam

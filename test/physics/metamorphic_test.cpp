@@ -51,26 +51,15 @@ TEST(ByBounce, LayersSumToTheMeanAndToShorterRuns) {
     }
 }
 
-// Entries of two independent runs.
-test::Comparison compare(const SignalMatrix& a, const SignalMatrix& b) {
-  test::Comparison result;
-  for (std::size_t e = 0; e < a.mean.size(); ++e)
-    result.add(a.mean[e], b.mean[e], std::hypot(a.standard_error[e], b.standard_error[e]));
-  return result;
-}
-
 // Discs and rectangles with their direct light sampled and stratified: z-test at 0.1 % at relative standard
 // errors of the difference up to 8 %, most of it from the disc's light over the mirror. The control is a
 // matrix 15 % off.
 TEST(DirectLight, SampledAgreesWithExactForDiscsAndRectangles) {
   const Scene scene = room_with_discs().scene;
-  for (const Way& way : {test::mis, test::mis_power, test::particle}) {
-    const auto found =
-        compare(way.simulate(scene, 60000, 1), way.simulate(scene, 60000, 2, {.direct = DirectLight::exact}));
-    EXPECT_TRUE(found.agrees(0.001)) << way.name;
-    EXPECT_LT(found.precision(), 0.08) << way.name;
-    EXPECT_FALSE(found.with_references_times(1.15).agrees(0.001)) << way.name;
-  }
+  for (const Way& way : {test::mis, test::mis_power, test::particle})
+    test::expect_agreement(test::compare(way.simulate(scene, 60000, 1),
+                                         way.simulate(scene, 60000, 2, {.direct = DirectLight::exact})),
+                           0.08, 1.15, way.name);
 }
 
 // A disc of 1 cm and a point among diffuse surfaces: z-test at 0.1 %, relative standard errors of the
@@ -90,10 +79,10 @@ TEST(Disc, ShrinksToAPoint) {
   };
   for (const Way& way : {test::nee, test::mis, test::particle}) {
     const SignalMatrix point = way.simulate(room(0).scene, 60000, 1);
-    const auto found = compare(way.simulate(room(0.01).scene, 60000, 2), point);
+    const auto found = test::compare(way.simulate(room(0.01).scene, 60000, 2), point);
     EXPECT_TRUE(found.agrees(0.001)) << way.name;
     EXPECT_LT(found.precision(), 0.015) << way.name;
-    EXPECT_FALSE(compare(way.simulate(room(0.6).scene, 60000, 2), point).agrees(0.001)) << way.name;
+    EXPECT_FALSE(test::compare(way.simulate(room(0.6).scene, 60000, 2), point).agrees(0.001)) << way.name;
   }
 }
 

@@ -109,9 +109,7 @@ TEST(PlaneMirror, ShowsTheImagesOfPointsToConnections) {
         const std::size_t entry = i * units.size() + j;
         found.add(layer.mean[entry], image(seeing[i], units[j], gold), layer.standard_error[entry]);
       }
-    EXPECT_TRUE(found.agrees(0.001)) << way.name;
-    EXPECT_LT(found.precision(), 0.015) << way.name;
-    EXPECT_FALSE(found.with_references_times(1.05).agrees(0.001)) << way.name;
+    test::expect_agreement(found, 0.015, 1.05, way.name);
   }
 }
 
@@ -126,9 +124,7 @@ TEST(PlaneMirror, ShowsTheImageOfADisc) {
     test::Comparison found;
     for (std::size_t i = 0; i < expected.size(); ++i)
       found.add(matrix.mean[i], expected[i], std::hypot(matrix.standard_error[i], 1e-3 * expected[i]));
-    EXPECT_TRUE(found.agrees(0.001)) << way.name;
-    EXPECT_LT(found.precision(), by_chance ? 0.025 : 0.002) << way.name;
-    EXPECT_FALSE(found.with_references_times(by_chance ? 1.1 : 1.015).agrees(0.001)) << way.name;
+    test::expect_agreement(found, by_chance ? 0.025 : 0.002, by_chance ? 1.1 : 1.015, way.name);
   };
   const auto image_of_disc = [](const Vec3& p) {
     return test::irradiance_of_disc(1, radius, {0, 0, 1.2}, {p.x, p.y, -p.z}, {0, 0, 1});
@@ -261,9 +257,7 @@ void expect_images(const SignalMatrix& matrix, const std::vector<std::array<doub
                 std::hypot(layer.standard_error[j], 1e-3 * expected[j][trips]));
       EXPECT_EQ(matrix.by_bounce[2 * trips].mean[j], 0) << what;
     }
-  EXPECT_TRUE(found.agrees(0.001)) << what;
-  EXPECT_LT(found.precision(), 0.04) << what;
-  EXPECT_FALSE(found.with_references_times(1.1).agrees(0.001)) << what;
+  test::expect_agreement(found, 0.04, 1.1, what);
 }
 
 // Two coaxial discs over the label's axis, one in front of it (its back does not shine) and one behind.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,36 +11,10 @@
 
 #include "physics/bare_scene.hpp"
 #include "physics/comparison.hpp"
-#include "physics/reuse_matrix.hpp"
 #include "physics/strategy_store.hpp"
 
 namespace shelfbeam {
 namespace {
-
-// How much is sampled by either side, in multiples of what the fast tests do.
-struct Effort {
-  std::uint32_t reuse = 1;
-  std::uint64_t samples = 100000;
-};
-
-// Root mean square of the relative errors.
-double error_of(const test::Comparison& entries) {
-  double squares = 0;
-  for (std::size_t k = 0; k < entries.values.size(); ++k)
-    squares += std::pow(entries.standard_errors[k] / entries.references[k], 2);
-  return std::sqrt(squares / static_cast<double>(entries.values.size()));
-}
-
-// All entries at once at 0.1 %. `largest_error` is of the differences, root mean square of all entries;
-// `wrong` times the reference is the control.
-void expect_agreement(const Scene& scene, const test::Way& way, const Effort& effort, double largest_error,
-                      double wrong) {
-  const SignalMatrix reference = way.simulate(scene, effort.samples, 77, {.direct = DirectLight::exact});
-  const test::Comparison entries = test::compare(test::reuse(scene, effort.reuse), reference);
-  EXPECT_TRUE(entries.agrees(0.001)) << way.name;
-  EXPECT_LT(error_of(entries), largest_error) << way.name;
-  EXPECT_FALSE(entries.with_references_times(wrong).agrees(0.001)) << way.name;
-}
 
 Scene glossy() {
   test::StrategyStore store;
@@ -175,61 +151,92 @@ Scene lamp(bool units, double radius) {
   return room.scene;
 }
 
-// Errors of 2 to 7 % for the typical entry; the controls are far outside for the best ones.
-TEST(ReuseAgreement, DiffuseAndGlossy) {
-  expect_agreement(glossy(), test::nee, {8, 40000}, 0.03, 1.03);
-}
-TEST(ReuseAgreement, MirrorPaneAndGlassWithPoints) {
-  expect_agreement(glass(false), test::nee, {8, 30000}, 0.04, 1.04);
-}
-TEST(ReuseAgreement, MirrorPaneAndGlassWithDiscsAndRectangles) {
-  expect_agreement(glass(true), test::mis, {8, 25000}, 0.09, 1.08);
-}
-TEST(ReuseAgreement, LopsidedUnitsAndRoughThings) {
-  expect_agreement(lopsided(), test::nee, {32, 100000}, 0.08, 1.06);
-}
-TEST(ReuseAgreement, Coats) {
-  expect_agreement(coats(), test::nee, {16, 100000}, 0.05, 1.05);
-}
-TEST(ReuseAgreement, DarkDoors) {
-  expect_agreement(dark_doors(), test::nee, {32, 100000}, 0.03, 1.03);
-}
-TEST(ReuseAgreement, OtherUnitsAndResponses) {
-  expect_agreement(other_devices(), test::nee, {16, 100000}, 0.03, 1.03);
-}
-TEST(ReuseAgreement, ShiningBoard) {
-  expect_agreement(lamp(false, 0), test::mis, {16, 30000}, 0.045, 1.08);
-  expect_agreement(lamp(true, 0), test::mis, {16, 50000}, 0.045, 1.05);
-  expect_agreement(lamp(true, 0.3), test::mis, {16, 50000}, 0.05, 1.08);
+// How much either side samples, the error of the differences, root mean square of all entries, and the factor
+// of the control.
+struct Effort {
+  std::uint32_t reuse;  // times 32 batches
+  std::uint64_t samples;
+  double largest_error, wrong;
+};
+
+struct Store {
+  const char* name;
+  Scene (*scene)();
+  test::Way reference;
+  Effort fast, slow;
+};
+
+// Errors of 2 to 7 % for the typical entry, of 0.7 to 2 % in slow tests; the controls are far outside for the
+// best ones.
+const Store stores[] = {
+    {"DiffuseAndGlossy", glossy, test::nee, {8, 40000, 0.03, 1.03}, {80, 500000, 0.01, 1.01}},
+    {"MirrorPaneAndGlassWithPoints",
+     [] { return glass(false); },
+     test::nee,
+     {8, 30000, 0.04, 1.04},
+     {80, 300000, 0.015, 1.01}},
+    {"MirrorPaneAndGlassWithDiscsAndRectangles",
+     [] { return glass(true); },
+     test::mis,
+     {8, 25000, 0.09, 1.08},
+     {80, 300000, 0.03, 1.03}},
+    {"LopsidedUnitsAndRoughThings",
+     lopsided,
+     test::nee,
+     {32, 100000, 0.08, 1.06},
+     {320, 1200000, 0.025, 1.02}},
+    {"Coats", coats, test::nee, {16, 100000, 0.05, 1.05}, {80, 600000, 0.02, 1.02}},
+    {"DarkDoors", dark_doors, test::nee, {32, 100000, 0.03, 1.03}, {160, 1000000, 0.01, 1.01}},
+    {"OtherUnitsAndResponses",
+     other_devices,
+     test::nee,
+     {16, 100000, 0.03, 1.03},
+     {160, 1200000, 0.01, 1.01}},
+    {"ShiningBoard",
+     [] { return lamp(false, 0); },
+     test::mis,
+     {16, 30000, 0.045, 1.08},
+     {160, 400000, 0.015, 1.03}},
+    {"ShiningBoardAndPoints",
+     [] { return lamp(true, 0); },
+     test::mis,
+     {16, 50000, 0.045, 1.05},
+     {160, 600000, 0.015, 1.02}},
+    {"ShiningBoardAndDiscs",
+     [] { return lamp(true, 0.3); },
+     test::mis,
+     {16, 50000, 0.05, 1.08},
+     {160, 600000, 0.02, 1.02}}};
+
+// All entries at once at 0.1 %.
+void expect_agreement(const Store& store, const Effort& effort) {
+  const Scene scene = store.scene();
+  const test::Comparison entries =
+      test::compare(test::path_reuse.simulate(scene, effort.reuse * test::reuse_samples),
+                    store.reference.simulate(scene, effort.samples, 77, {.direct = DirectLight::exact}));
+  EXPECT_TRUE(entries.agrees(0.001));
+  double squares = 0;
+  for (std::size_t k = 0; k < entries.values.size(); ++k)
+    squares += std::pow(entries.standard_errors[k] / entries.references[k], 2);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(entries.values.size())), effort.largest_error);
+  EXPECT_FALSE(entries.with_references_times(effort.wrong).agrees(0.001));
 }
 
-// Errors of 0.7 to 2 %.
-TEST(ReuseAgreementSlow, DiffuseAndGlossy) {
-  expect_agreement(glossy(), test::nee, {80, 500000}, 0.01, 1.01);
+void PrintTo(const Store& store, std::ostream* to) {
+  *to << store.name;
 }
-TEST(ReuseAgreementSlow, MirrorPaneAndGlassWithPoints) {
-  expect_agreement(glass(false), test::nee, {80, 300000}, 0.015, 1.01);
+class ReuseAgreement : public testing::TestWithParam<Store> {};
+class ReuseAgreementSlow : public testing::TestWithParam<Store> {};
+
+TEST_P(ReuseAgreement, WithStrategies) {
+  expect_agreement(GetParam(), GetParam().fast);
 }
-TEST(ReuseAgreementSlow, MirrorPaneAndGlassWithDiscsAndRectangles) {
-  expect_agreement(glass(true), test::mis, {80, 300000}, 0.03, 1.03);
+TEST_P(ReuseAgreementSlow, WithStrategies) {
+  expect_agreement(GetParam(), GetParam().slow);
 }
-TEST(ReuseAgreementSlow, LopsidedUnitsAndRoughThings) {
-  expect_agreement(lopsided(), test::nee, {320, 1200000}, 0.025, 1.02);
-}
-TEST(ReuseAgreementSlow, Coats) {
-  expect_agreement(coats(), test::nee, {80, 600000}, 0.02, 1.02);
-}
-TEST(ReuseAgreementSlow, DarkDoors) {
-  expect_agreement(dark_doors(), test::nee, {160, 1000000}, 0.01, 1.01);
-}
-TEST(ReuseAgreementSlow, OtherUnitsAndResponses) {
-  expect_agreement(other_devices(), test::nee, {160, 1200000}, 0.01, 1.01);
-}
-TEST(ReuseAgreementSlow, ShiningBoard) {
-  expect_agreement(lamp(false, 0), test::mis, {160, 400000}, 0.015, 1.03);
-  expect_agreement(lamp(true, 0), test::mis, {160, 600000}, 0.015, 1.02);
-  expect_agreement(lamp(true, 0.3), test::mis, {160, 600000}, 0.02, 1.02);
-}
+const auto name_of = [](const auto& info) { return std::string(info.param.name); };
+INSTANTIATE_TEST_SUITE_P(In, ReuseAgreement, testing::ValuesIn(stores), name_of);
+INSTANTIATE_TEST_SUITE_P(In, ReuseAgreementSlow, testing::ValuesIn(stores), name_of);
 
 }  // namespace
 }  // namespace shelfbeam

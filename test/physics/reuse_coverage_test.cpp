@@ -7,13 +7,12 @@
 #include <cstdint>
 #include <vector>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 
 #include "physics/reuse_matrix.hpp"
+#include "unit/transport/zoo.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -24,27 +23,14 @@ constexpr std::array<double, 4> classes{0.02, 0.1, 0.3, 1e9};  // of the require
 
 // Three rows of shelves, their labels in several clusters, and a grid of 28 units.
 Scene store() {
-  std::string gondolas, units;
+  test::ZooStore store(9.5, 9.5, 3.2, 0.7);
+  store.requirement(requirement).paint("floor", 0.3).cover("floor", "floor").paint("goods", 0.5);
   for (int g = 0; g < 3; ++g)
-    gondolas += fmt::format(
-        R"({}{{"type": "gondola", "id": "A{}", "at": [1.2, {}], "length": 7, "depth": 0.9, "height": 1.8,
-            "material": "steel", "goods": "pack", "shelves": [0.5, 1.1], "stocking": 0.7,
-            "labels": {{"type": "standard", "spacing": 2}}}})",
-        g == 0 ? "" : ",", g, 1.5 + 2.7 * g);
+    store.shelves(1.2, 1.5 + 2.7 * g, 7, 1.8, {0.5, 1.1}, 2, "goods",
+                  {{"depth", 0.9}, {"goods", "goods"}, {"stocking", 0.7}});
   for (int x = 0; x < 7; ++x)
-    for (int y = 0; y < 4; ++y)
-      units += fmt::format(R"({}{{"id": "T{}-{}", "position": [{}, {}, 3.1], "type": "wide"}})",
-                           x + y == 0 ? "" : ",", x, y, 0.8 + 1.3 * x, 0.8 + 2.6 * y);
-  return make_scene(parse_store(fmt::format(R"({{
-      "room": {{"size": [9.5, 9.5, 3.2], "floor": "floor", "ceiling": "paint", "walls": "paint"}},
-      "materials": {{"paint": {{"type": "lambertian", "reflectance": 0.7}},
-        "floor": {{"type": "lambertian", "reflectance": 0.3}}, "steel": {{"type": "lambertian", "reflectance": 0.5}},
-        "pack": {{"type": "lambertian", "reflectance": 0.5}}}},
-      "label_types": {{"standard": {{"threshold": {}}}}},
-      "transceiver_types": {{"wide": {{"emission": {{"type": "sin2theta", "peak": 1}}}}}},
-      "fixtures": [{}], "transceivers": {{"list": [{}]}}}})",
-                                            requirement, gondolas, units),
-                                "coverage", "."));
+    for (int y = 0; y < 4; ++y) store.unit({0.8 + 1.3 * x, 0.8 + 2.6 * y, 3.1});
+  return make_scene(parse_store(store.text(), "coverage", "."));
 }
 
 // Student's intervals, `factor` times as wide as they should be.

@@ -44,20 +44,19 @@ void check_efforts(std::uint32_t factor) {
   const ReuseEffort least{.lookups = 8,
                           .points = 1,
                           .stake = 0.3,
-                          .later_stake = 0.3,
-                          .tails = 3,
-                          .later_tails = 2,
+                          .gather_rays = 3,
+                          .later_gather_rays = 2,
                           .group = 1,
                           .survival = 0.5};
   std::vector<std::pair<const char*, ReuseEffort>> efforts{
-      {"few tails", {.tails = 1, .later_tails = 1}},
+      {"few gathering rays", {.gather_rays = 1, .later_gather_rays = 1}},
       {"no groups", {.group = 1}},
       {"tiny groups", {.group = 3}},
       {"large groups", {.group = 128}},
       {"long paths", {.survival = 0.94}},
       {"one point", {.points = 1}},
       {"many points", {.points = 7}},
-      {"few shadow rays", {.stake = 0.3, .later_stake = 2}},
+      {"few shadow rays", {.stake = 0.5}},
       {"few lookups", {.lookups = 2}},
       {"large spots", {.spots = {.cap_at = 3}}},
       {"spots of old", {.spots = {.cap_at = 4, .near = 0, .for_vertices = false}}},
@@ -71,7 +70,7 @@ void check_efforts(std::uint32_t factor) {
 }
 
 // From little in the cache, or nothing, to everything. What is far below the requirement may be sampled so
-// rarely that it takes many batches to see it. Returns what the caches hold.
+// rarely that it takes many batches to see it. Returns how large the caches are.
 std::vector<std::size_t> check_caches(std::uint32_t factor, const std::vector<double>& requirements) {
   const SignalMatrix reference = test::reuse(store(), 8 * factor, 1000);
   std::vector<std::size_t> kept;
@@ -79,7 +78,7 @@ std::vector<std::size_t> check_caches(std::uint32_t factor, const std::vector<do
   for (const double requirement : requirements) {
     const Scene scene = store(requirement);
     const World world(scene);
-    kept.push_back(ReuseEstimator(world, 1).cache().entries());
+    kept.push_back(ReuseEstimator(world, 1).bytes());
     expect_same(test::reuse(scene, requirement >= 30 ? 6 * factor : factor, ++seed), reference,
                 "requirement x " + std::to_string(requirement));
   }

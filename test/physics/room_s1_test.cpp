@@ -10,62 +10,62 @@
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
+#include "physics/comparison.hpp"
 #include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {
 
+using test::Way;
+
 const std::filesystem::path folder = std::filesystem::path(SHELFBEAM_SOURCE_DIR) / "test/data/room_s1";
 
-struct Reference {
-  JsonCursor json = JsonCursor::parse_file(folder / "reference.json");
-  std::vector<double> direct = json["E_direct"].numbers();
-  std::vector<double> total = json["E_total"].numbers();
-  std::vector<double> error = json["stderr"].numbers();
-  std::vector<double> radiance = json["radiance"]["E_total"].numbers();
-  std::vector<double> radiance_error = json["radiance"]["stderr"].numbers();
-};
-
-SignalMatrix simulate_room(double albedo_factor, DirectLight direct, std::uint64_t samples,
-                           Strategy strategy = Strategy::mis) {
+SignalMatrix simulate_room(const Way& way, std::uint64_t samples, DirectLight direct,
+                           double albedo_factor = 1) {
   Store store = read_store(folder / "store.json");
   std::get<Lambertian>(store.materials[0].material).reflectance *= albedo_factor;
-  return simulate(make_scene(store), {EstimatorKind::uniform, samples, direct, 7, strategy}).matrix;
+  return way.simulate(make_scene(store), samples, 7, {.direct = direct});
 }
 
-// All twelve totals at once at a level of 1 %.
-bool agrees(const SignalMatrix& matrix, const std::vector<double>& total, const std::vector<double>& error) {
-  std::vector<double> values, errors;
-  for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    values.push_back(matrix.mean[i]);
-    errors.push_back(std::hypot(matrix.standard_error[i], error[i]));
+test::Comparison compare(const SignalMatrix& matrix, const JsonCursor& reference) {
+  const std::vector<double> total = reference["E_total"].numbers(), error = reference["stderr"].numbers();
+  test::Comparison result;
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    result.add(matrix.mean[i], total[i], std::hypot(matrix.standard_error[i], error[i]));
+  return result;
+}
+
+// All twelve totals at once at 1 %, at combined errors below `precision`. The control is an albedo 2 % off.
+void expect_agreement(const Way& way, std::uint64_t samples, DirectLight direct, double precision) {
+  const JsonCursor reference = JsonCursor::parse_file(folder / "reference.json");
+  const SignalMatrix matrix = simulate_room(way, samples, direct);
+  for (const JsonCursor& of_program : {reference, reference["radiance"]}) {
+    const test::Comparison found = compare(matrix, of_program);
+    EXPECT_TRUE(found.agrees(0.01)) << way.name;
+    EXPECT_LT(found.precision(), precision) << way.name;
   }
-  return z_test(values, total, errors, 0.01, batch_count - 1).pass;
+  EXPECT_FALSE(compare(simulate_room(way, samples, direct, 1.02), reference).agrees(0.01)) << way.name;
 }
 
 TEST(RoomS1, DirectPartIsExact) {
-  const Reference reference;
-  const SignalMatrix matrix = simulate_room(1, DirectLight::exact, 64);
+  const auto direct = JsonCursor::parse_file(folder / "reference.json")["E_direct"].numbers();
+  const SignalMatrix matrix = simulate_room(test::mis, 64, DirectLight::exact);
   for (std::size_t i = 0; i < matrix.rows(); ++i)
-    EXPECT_NEAR(matrix.direct[i], reference.direct[i], 1e-5 * reference.direct[i]) << matrix.labels[i].id;
+    EXPECT_NEAR(matrix.direct[i], direct[i], 1e-5 * direct[i]) << matrix.labels[i].id;
 }
 
-// Relative standard errors of 0.1 to 0.3 % (150,000 samples), 0.2 to 0.5 % (50,000) and 0.2 to 1 % (50,000
-// particles). The control is an albedo 2 % off; box_room_test.cpp has those of the estimator itself.
 TEST(RoomS1, TotalsAgreeWithBothSimulators) {
-  const Reference reference;
-  const auto test = [&](DirectLight direct, std::uint64_t samples, Strategy strategy) {
-    const SignalMatrix matrix = simulate_room(1, direct, samples, strategy);
-    EXPECT_TRUE(agrees(matrix, reference.total, reference.error));
-    EXPECT_TRUE(agrees(matrix, reference.radiance, reference.radiance_error));
-    EXPECT_FALSE(agrees(simulate_room(1.02, direct, samples, strategy), reference.total, reference.error));
-  };
-  test(DirectLight::sampled, 150000, Strategy::mis);
-  test(DirectLight::exact, 50000, Strategy::mis);
-  test(DirectLight::sampled, 50000, Strategy::particle);
+  expect_agreement(test::mis, 150000, DirectLight::sampled, 0.005);
+  expect_agreement(test::mis, 50000, DirectLight::exact, 0.005);
+  expect_agreement(test::particle, 50000, DirectLight::sampled, 0.01);
+  expect_agreement(test::path_reuse, 16 * test::reuse_samples, DirectLight::exact, 0.01);
   // Points are never met by chance.
-  EXPECT_EQ(simulate_room(1, DirectLight::sampled, 640, Strategy::nee).mean,
-            simulate_room(1, DirectLight::sampled, 640, Strategy::mis).mean);
+  EXPECT_EQ(simulate_room(test::nee, 640, DirectLight::sampled).mean,
+            simulate_room(test::mis, 640, DirectLight::sampled).mean);
+}
+
+TEST(RoomS1Slow, TotalsOfPathReuseAgree) {
+  expect_agreement(test::path_reuse, 200 * test::reuse_samples, DirectLight::exact, 0.005);
 }
 
 }  // namespace

@@ -34,20 +34,14 @@ SimulationOptions walks(std::uint64_t samples = 6400) {
   return options;
 }
 
-TEST(ShadowRays, NoneIsOccludedInAnEmptyRoom) {
-  Room room;
-  room.unit(1, false);
-  const ShadowRays counts = room.shadow_rays(walks());
-  EXPECT_GT(counts.traced, 6400U);
-  EXPECT_EQ(counts.occluded, 0U);
-}
-
-TEST(ShadowRays, AllAreOccludedWhereTheUnitIsInAClosedBox) {
-  Room room;
-  room.unit(1, true);
-  const ShadowRays counts = room.shadow_rays(walks());
-  EXPECT_GT(counts.traced, 6400U);
-  EXPECT_EQ(counts.occluded, counts.traced);
+TEST(ShadowRays, AreOccludedByAClosedBoxAndNotInAnEmptyRoom) {
+  for (const bool is_boxed : {false, true}) {
+    Room room;
+    room.unit(1, is_boxed);
+    const ShadowRays counts = room.shadow_rays(walks());
+    EXPECT_GT(counts.traced, 6400U);
+    EXPECT_EQ(counts.occluded, is_boxed ? counts.traced : 0U);
+  }
 }
 
 // Without bounces every walk makes one connection, to one of three units of which one is in a box: the count

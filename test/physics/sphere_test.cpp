@@ -61,7 +61,7 @@ double tessellation_error(int level) {
   return std::sqrt(squares / static_cast<double>(first.values.size()));
 }
 
-// z-test of bounces 1 to 4 for all labels and sources at 0.1 %, with relative standard errors up to 1.8 %
+// Bounces 1 to 4 for all labels and sources, z-test at 0.1 %, with relative standard errors up to 1.8 %
 // (walks 4.5 %). The control is an albedo 2 % off, 8 % of the fourth bounce (for walks 5 %).
 void expect_uniform(const Way& way, double disc_radius, std::uint64_t samples) {
   const bool walks = way.strategy == Strategy::walk;
@@ -82,6 +82,25 @@ TEST(DiffuseSphere, EveryBounceOfAPointSourceIsUniform) {
 TEST(DiffuseSphere, EveryBounceOfADiscIsUniform) {
   for (const Way& way : {test::walk, test::nee, test::mis, test::mis_power}) expect_uniform(way, 0.8, 100000);
   expect_uniform(test::particle, 0.8, 100000);
+}
+
+// All bounces together, without direct light. The control is an albedo 2 % off.
+void expect_uniform_sum(std::uint64_t samples, double precision) {
+  const test::BareScene room = sphere(5, 0);
+  const SignalMatrix matrix = test::path_reuse.simulate(room.scene, samples);
+  const auto all = [](double albedo) { return albedo / (1 - albedo); };
+  test::Comparison found;
+  for (std::size_t e = 0; e < matrix.mean.size(); ++e)
+    found.add(matrix.mean[e] - matrix.direct[e],
+              all(rho) * flux_of(room, e % matrix.columns()) / room.mesh_area(), matrix.standard_error[e]);
+  test::expect_agreement(found, precision, all(1.02 * rho) / all(rho), "path reuse");
+}
+
+TEST(DiffuseSphere, IsUniformForPathReuse) {
+  expect_uniform_sum(16 * test::reuse_samples, 0.02);
+}
+TEST(DiffuseSphereSlow, IsUniformForPathReuse) {
+  expect_uniform_sum(200 * test::reuse_samples, 0.005);
 }
 
 // The error of a coarse sphere falls with the square of its edges, by four a level. 0.4 % on level 2

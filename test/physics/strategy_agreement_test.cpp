@@ -9,32 +9,18 @@
 
 #include "shelfbeam/transport/run/simulate.hpp"
 
+#include "physics/comparison.hpp"
 #include "physics/strategy_store.hpp"
 #include "support/hypothesis.hpp"
 
 namespace shelfbeam {
 namespace {
 
-SignalMatrix run(const test::StrategyStore& store, Strategy strategy, std::uint64_t samples,
-                 Heuristic heuristic = Heuristic::balance, DirectLight direct = DirectLight::sampled) {
-  SimulationOptions options{EstimatorKind::uniform};
-  options.samples = samples;
-  options.strategy = strategy;
-  options.heuristic = heuristic;
-  options.direct = direct;
-  options.seed = 10 * static_cast<std::uint64_t>(strategy) + (heuristic == Heuristic::power ? 1 : 2);
-  return simulate(store.scene(), options).matrix;
-}
-
-// All 80 entries at once at a level of 0.1 %.
-ZTest compare(const SignalMatrix& a, const SignalMatrix& b) {
-  std::vector<double> values, references, errors;
-  for (std::size_t e = 0; e < a.mean.size(); ++e) {
-    values.push_back(a.mean[e]);
-    references.push_back(b.mean[e]);
-    errors.push_back(std::hypot(a.standard_error[e], b.standard_error[e]));
-  }
-  return z_test(values, references, errors, 0.001, batch_count - 1);
+SignalMatrix run(const test::StrategyStore& store, const test::Way& way, std::uint64_t samples,
+                 DirectLight direct = DirectLight::sampled) {
+  const std::uint64_t seed =
+      10 * static_cast<std::uint64_t>(way.strategy) + (way.heuristic == Heuristic::power ? 1 : 2);
+  return way.simulate(store.scene(), samples, seed, {.direct = direct});
 }
 
 double relative_error(const SignalMatrix& matrix) {
@@ -44,14 +30,17 @@ double relative_error(const SignalMatrix& matrix) {
   return std::sqrt(squares / static_cast<double>(matrix.mean.size()));
 }
 
+// All 80 entries at once at a level of 0.1 %.
+testing::AssertionResult agree(const SignalMatrix& a, const SignalMatrix& b) {
+  return test::compare(a, b).agrees(0.001);
+}
+
 void expect_agreement(const std::vector<SignalMatrix>& all, double largest_error) {
   for (std::size_t a = 0; a < all.size(); ++a) {
     EXPECT_LT(relative_error(all[a]), largest_error) << all[a].provenance.estimator;
-    for (std::size_t b = 0; b < a; ++b) {
-      const ZTest test = compare(all[a], all[b]);
-      EXPECT_TRUE(test.pass) << all[a].provenance.estimator << " against " << all[b].provenance.estimator
-                             << ": " << test.largest << " of " << test.limit;
-    }
+    for (std::size_t b = 0; b < a; ++b)
+      EXPECT_TRUE(agree(all[a], all[b]))
+          << all[a].provenance.estimator << " against " << all[b].provenance.estimator;
   }
 }
 
@@ -75,29 +64,28 @@ test::StrategyStore glass() {
 // another index, or without the paths of more than four bounces.
 void check_glossy(double effort, double largest_error) {
   const auto samples = [&](double n) { return static_cast<std::uint64_t>(n * effort); };
-  const std::vector<SignalMatrix> all{
-      run(glossy(), Strategy::nee, samples(120000)),
-      run(glossy(), Strategy::mis, samples(120000), Heuristic::power, DirectLight::exact),
-      run(glossy(), Strategy::particle, samples(90000))};
+  const std::vector<SignalMatrix> all{run(glossy(), test::nee, samples(120000)),
+                                      run(glossy(), test::mis_power, samples(120000), DirectLight::exact),
+                                      run(glossy(), test::particle, samples(90000))};
   expect_agreement(all, largest_error);
 
   test::StrategyStore other = glossy();
   other.set("paint", make_lambertian(0.72));
-  EXPECT_FALSE(compare(run(other, Strategy::particle, samples(90000)), all[0]).pass);
+  EXPECT_FALSE(agree(run(other, test::particle, samples(90000)), all[0]));
   other = glossy();
   other.set("floor", make_plastic(1.5, 0.6, make_microfacets(FacetDistribution::beckmann, 0.25, 0.25)));
-  EXPECT_FALSE(compare(run(other, Strategy::particle, samples(90000)), all[0]).pass);
+  EXPECT_FALSE(agree(run(other, test::particle, samples(90000)), all[0]));
 }
 
 // With a mirror, a pane and a glass block, `effort` times the samples of about 3 %. The controls are what is
 // found without one of these.
 void check_glass(double effort, double largest_error) {
   const auto samples = [&](double n) { return static_cast<std::uint64_t>(n * effort); };
-  const std::vector<SignalMatrix> all{
-      run(glass(), Strategy::walk, samples(350000)), run(glass(), Strategy::nee, samples(75000)),
-      run(glass(), Strategy::mis, samples(75000), Heuristic::balance),
-      run(glass(), Strategy::mis, samples(75000), Heuristic::power, DirectLight::exact),
-      run(glass(), Strategy::particle, samples(120000))};
+  const std::vector<SignalMatrix> all{run(glass(), test::walk, samples(350000)),
+                                      run(glass(), test::nee, samples(75000)),
+                                      run(glass(), test::mis, samples(75000)),
+                                      run(glass(), test::mis_power, samples(75000), DirectLight::exact),
+                                      run(glass(), test::particle, samples(120000))};
   expect_agreement(all, largest_error);
 
   for (const auto& [name, material] :
@@ -106,7 +94,7 @@ void check_glass(double effort, double largest_error) {
                                                      {"glass", make_lambertian(0)}}) {
     test::StrategyStore other = glass();
     other.set(name, material);
-    EXPECT_FALSE(compare(run(other, Strategy::mis, samples(75000)), all[2]).pass) << name;
+    EXPECT_FALSE(agree(run(other, test::mis, samples(75000)), all[2])) << name;
   }
 }
 

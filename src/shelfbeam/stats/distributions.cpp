@@ -1,6 +1,8 @@
 #include "shelfbeam/stats/distributions.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -32,6 +34,15 @@ double success_limit(std::uint64_t successes, std::uint64_t trials, double level
 
 double sidak_level(double level, double statements) {
   return -std::expm1(std::log1p(-level) / statements);
+}
+
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const double place = q * static_cast<double>(values.size() - 1);
+  const auto low = static_cast<std::size_t>(place);
+  const std::size_t high = std::min(low + 1, values.size() - 1);
+  return values[low] + (place - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
 }  // namespace shelfbeam

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace shelfbeam {
 
@@ -22,5 +23,8 @@ double success_limit(std::uint64_t successes, std::uint64_t trials, double level
 /// 1 - (1 - level)^(1 / statements) (Sidak 1967). Where dependence is unknown it is Bonferroni's to first
 /// order.
 double sidak_level(double level, double statements);
+
+/// Quantile q in [0, 1] of values with linear interpolation between order statistics; 0 for no values.
+double quantile(std::vector<double> values, double q);
 
 }  // namespace shelfbeam

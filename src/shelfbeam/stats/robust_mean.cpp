@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "shelfbeam/stats/quantile.hpp"
+#include "shelfbeam/stats/distributions.hpp"
 
 namespace shelfbeam {
 

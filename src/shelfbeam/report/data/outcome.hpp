@@ -6,7 +6,7 @@
 
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
-#include "shelfbeam/stats/quantile.hpp"
+#include "shelfbeam/stats/distributions.hpp"
 
 namespace shelfbeam {
 

@@ -13,7 +13,6 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/stats/distributions.hpp"
-#include "shelfbeam/stats/quantile.hpp"
 #include "shelfbeam/stats/robust_mean.hpp"
 
 namespace shelfbeam {

@@ -38,7 +38,7 @@ struct Asked {
 }  // namespace
 
 CellLight straight_light(const World& world, const UnitGroups& units, const SurfaceCells& cells,
-                         std::size_t cell, float least, std::uint64_t& rays) {
+                         std::size_t cell, float least) {
   const std::size_t width = units.size() * lanes;
   std::array<std::vector<Asked>, SurfaceCells::quadrants> asked;
   for (auto& of_quadrant : asked) of_quadrant.resize(width);
@@ -65,7 +65,6 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
     }
     shares.resize(targets.size());
     world.rays.shares(place, targets, shares);
-    rays += targets.size();
     for (std::size_t t = 0; t < targets.size(); ++t) {
       const std::size_t g = which[t] / lanes;
       (shares[t] > 0 ? seen : hidden)[which[t]] = 1;
@@ -106,12 +105,12 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
 }
 
 std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells, std::size_t cell,
-                                   const std::vector<SurfaceGuide>& guides, std::uint64_t seed,
-                                   std::uint64_t& rays) {
+                                   const std::vector<SurfaceGuide>& guides, std::uint64_t seed) {
   const auto places = cells.places(cell);
   const std::uint64_t stream = mix_key(seed, cells.key(cell));
   const ScrambledSobol square(stream);
   std::vector<CellLink> links;
+  std::uint64_t rays = 0;
   for (std::uint32_t r = 0; r < gather_rays; ++r) {
     const SurfacePoint& at = places[r % places.size()];
     const auto [u1, u2] = square.point(r);

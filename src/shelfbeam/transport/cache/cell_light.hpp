@@ -21,7 +21,7 @@ struct CellLight {
 /// Shadow rays from a place in each quadrant of the cell, and from a second to units on which these disagree.
 /// Groups that cannot give `least` W/m^2 are not asked.
 CellLight straight_light(const World& world, const UnitGroups& units, const SurfaceCells& cells,
-                         std::size_t cell, float least, std::uint64_t& rays);
+                         std::size_t cell, float least);
 
 /// A cell from which light comes to another.
 struct CellLink {
@@ -31,7 +31,6 @@ struct CellLink {
 
 /// By rays from the places of a cell; `guides` tell the radiance per irradiance, by material.
 std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells, std::size_t cell,
-                                   const std::vector<SurfaceGuide>& guides, std::uint64_t seed,
-                                   std::uint64_t& rays);
+                                   const std::vector<SurfaceGuide>& guides, std::uint64_t seed);
 
 }  // namespace shelfbeam::detail

@@ -70,41 +70,16 @@ SHELFBEAM_INLINE inline void for_lanes(const Group& group, int profile, const fl
   }
 }
 
-// A LaneScatter in the registers and on the stack of one loop.
-struct Facets {
+// In the registers and on the stack of one loop.
+struct Facets : LaneScatter, LaneMaterial {
   Facets() = default;
-  explicit Facets(const LaneScatter& s)
-      : ox(s.ox),
-        oy(s.oy),
-        oz(s.oz),
-        on(s.on),
-        base(s.base),
-        scale(s.highlight),
-        alpha2(s.alpha2),
-        tx(s.tx),
-        ty(s.ty),
-        tz(s.tz),
-        narrow(s.narrow),
-        skew(s.skew),
-        across2(s.across2),
-        more(s.more),
-        is_beckmann(s.is_beckmann) {
-    for (std::size_t k = 0; k < CosineCurve::nodes; ++k) {
-      entry[k] = s.entry->factor[k];
-      fresnel[k] = s.fresnel->factor[k];
-    }
-  }
-
-  float ox = 0, oy = 0, oz = 0, on = 0, base = 0, scale = 0, alpha2 = 1;
-  float tx = 0, ty = 0, tz = 0, narrow = 1, skew = 0, across2 = 1, more = 0;
-  bool is_beckmann = false;
-  float entry[CosineCurve::nodes] = {}, fresnel[CosineCurve::nodes] = {};
+  explicit Facets(const LaneScatter& scatter) : LaneScatter(scatter), LaneMaterial(*scatter.material) {}
 };
 
-SHELFBEAM_INLINE inline float on_curve(const float* factor, float cosine) {
-  float value = factor[CosineCurve::nodes - 1];
+SHELFBEAM_INLINE inline float on_curve(const CosineCurve& curve, float cosine) {
+  float value = curve.factor[CosineCurve::nodes - 1];
   for (std::size_t k = CosineCurve::nodes - 1; k-- > 0;)
-    value = value * (cosine - CosineCurve::at[k]) + factor[k];
+    value = value * (cosine - CosineCurve::at[k]) + curve.factor[k];
   return value;
 }
 
@@ -147,11 +122,11 @@ SHELFBEAM_INLINE inline float highlight(const Facets& f, const Way& way) {
     const float a = ln / root;
     const float seen = (3.535F + 2.181F * a) / ((1 + (2.276F + 2.577F * a) * a) * root);  // G1 / cos
     const float g = a < 1.6F ? seen : 1 / ln;
-    return f.scale * g / (static_cast<float>(pi) * f.alpha2 * level * level * power) * fresnel;
+    return f.highlight * g / (static_cast<float>(pi) * f.alpha2 * level * level * power) * fresnel;
   } else {
     const float d = slope + f.alpha2 * (1 - across);
     const float g = ln + std::sqrt(f.across2 + (1 - f.across2) * ln * ln + side);
-    return f.scale * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) * fresnel;
+    return f.highlight * 2 * f.alpha2 / (static_cast<float>(pi) * d * d * g) * fresnel;
   }
 }
 
@@ -230,7 +205,7 @@ void LaneKernels::add_radiance(const UnitGroups& groups, const std::uint16_t* li
     const std::uint16_t* const d = indirect + c * lanes;
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < lanes; ++k) rest[k] = indirect_factor * PackedLane::value(d[k]);
-    if (facets.scale > 0) {
+    if (facets.highlight > 0) {
       for_highlights(group, p, facets, [&](std::size_t k, float ln, float highlight) SHELFBEAM_INLINE {
         f[k] = facets.base * on_curve(facets.entry, ln) + highlight;
       });
@@ -273,7 +248,7 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
     unpack(s, part);
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < lanes; ++k) more[k] = 1;
-    if (facets.scale > 0)
+    if (facets.highlight > 0)
       for_highlights(group, p, facets, [&](std::size_t k, float, float highlight) SHELFBEAM_INLINE {
         more[k] += static_cast<float>(pi) * highlight;
       });

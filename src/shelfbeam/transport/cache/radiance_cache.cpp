@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -49,14 +48,10 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
   const std::size_t count = cells_.size();
   std::vector<CellLight> light(count);
   std::vector<std::vector<CellLink>> links(count);
-  std::atomic<std::uint64_t> rays{cells_.rays()};
   for_cells(count, control, [&](std::size_t cell) {
-    std::uint64_t traced = 0;
-    light[cell] = detail::straight_light(world, units, cells_, cell, least, traced);
-    links[cell] = detail::gather_links(world, cells_, cell, guides_, seed, traced);
-    rays.fetch_add(traced, std::memory_order_relaxed);
+    light[cell] = detail::straight_light(world, units, cells_, cell, least);
+    links[cell] = detail::gather_links(world, cells_, cell, guides_, seed);
   });
-  rays_ = rays;
   cells_.forget_places();
   control.report("preparing", 0.5);
   choose_groups(units.size(), light, links, least, control);

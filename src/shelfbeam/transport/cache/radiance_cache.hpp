@@ -54,7 +54,6 @@ class RadianceCache {
   }
   std::size_t entries() const { return groups_.size() * lanes; }
   std::size_t bytes() const;
-  std::uint64_t rays() const { return rays_; }
 
  private:
   void choose_groups(std::size_t n_groups, const std::vector<detail::CellLight>& light,
@@ -69,7 +68,6 @@ class RadianceCache {
   std::vector<std::uint16_t> groups_;
   std::vector<std::uint8_t> share_;      // by cell, quadrant, group and lane
   std::vector<std::uint16_t> indirect_;  // `lanes` for each of groups_
-  std::uint64_t rays_ = 0;
 };
 
 }  // namespace shelfbeam

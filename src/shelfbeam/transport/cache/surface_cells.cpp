@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <tuple>
 
@@ -59,10 +58,10 @@ struct Found {
 };
 
 // Walks from a label that scatter like white paint.
-std::vector<Found> explore(const World& world, std::size_t i, std::uint32_t walks, std::uint64_t seed,
-                           std::uint64_t& rays) {
+std::vector<Found> explore(const World& world, std::size_t i, std::uint32_t walks, std::uint64_t seed) {
   constexpr std::uint32_t bounces = 4;
   std::vector<Found> found;
+  std::uint64_t rays = 0;
   const std::uint64_t stream = mix_key(seed, hash64(world.scene.labels[i].id));
   for (std::uint32_t w = 0; w < walks; ++w) {
     RandomStream random(stream, w, 0, 0xCAC4E);
@@ -93,14 +92,10 @@ SurfaceCells::SurfaceCells(const World& world, std::uint64_t seed, const RunCont
   const auto walks =
       static_cast<std::uint32_t>(std::clamp<std::size_t>(100000 / std::max<std::size_t>(1, m), 8, 128));
   std::vector<std::vector<Found>> by_label(m);
-  std::atomic<std::uint64_t> rays{0};
   for_parts(m, [&](std::size_t first, std::size_t last) {
-    std::uint64_t traced = 0;
     for (std::size_t i = first; i < last && !control.cancelled(); ++i)
-      by_label[i] = explore(world, i, walks, seed, traced);
-    rays.fetch_add(traced, std::memory_order_relaxed);
+      by_label[i] = explore(world, i, walks, seed);
   });
-  rays_ = rays;
   std::vector<Found> all;
   for (std::vector<Found>& some : by_label) {
     all.insert(all.end(), some.begin(), some.end());

@@ -42,7 +42,6 @@ class SurfaceCells {
   void forget_places();
 
   std::size_t bytes() const;
-  std::uint64_t rays() const { return rays_; }
 
  private:
   std::uint32_t find_key(std::uint64_t key) const;
@@ -51,7 +50,6 @@ class SurfaceCells {
   std::vector<std::size_t> first_;  // of the places, by cell and quadrant
   std::vector<SurfacePoint> places_;
   std::vector<std::uint32_t> slots_;  // cells, by the hash of their keys: open addressing
-  std::uint64_t rays_ = 0;
 };
 
 }  // namespace shelfbeam::detail

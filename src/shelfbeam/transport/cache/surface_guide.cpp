@@ -37,20 +37,26 @@ SurfaceGuide::SurfaceGuide(const Material& material) : plastic_(std::get_if<Plas
   if (conductor != nullptr && conductor->facets) facets = &*conductor->facets;
   has_highlight_ = plastic_ == nullptr || facets != nullptr;
   if (facets != nullptr) {  // others are taken for plain ones
-    is_beckmann_ = facets->distribution == FacetDistribution::beckmann;
-    alpha_x_ = std::max(smoothest, facets->alpha_x);
-    alpha_y_ = std::max(smoothest, facets->alpha_y);
+    const double x = std::max(smoothest, facets->alpha_x), y = std::max(smoothest, facets->alpha_y);
+    facets_ = Microfacets{facets->distribution, x, y};
+    lane_.is_beckmann = facets->distribution == FacetDistribution::beckmann;
+    lane_.alpha2 = static_cast<float>(x * y);
+    lane_.narrow = static_cast<float>(x / y);
+    lane_.skew = static_cast<float>(y / x - x / y);
+    lane_.across2 = static_cast<float>(y * y);
+    lane_.more = static_cast<float>(x * x - y * y);
   }
   is_loose_ = has_highlight_ && (facets == nullptr || !is_plain(*facets));
   if (plastic_ != nullptr) {
     has_base_ = is_detailed_ = true;
     base_albedo_ = plastic_->base_albedo;
     base_ = plastic_->base_scale / pi;
-    entry_ = CosineCurve::through([&](double cosine) { return plastic_->transmission(cosine); });
-    fresnel_ = CosineCurve::through([&](double cosine) { return fresnel_dielectric(cosine, plastic_->ior); });
-  } else if (alpha_x_ > 0) {
+    lane_.entry = CosineCurve::through([&](double cosine) { return plastic_->transmission(cosine); });
+    lane_.fresnel =
+        CosineCurve::through([&](double cosine) { return fresnel_dielectric(cosine, plastic_->ior); });
+  } else if (facets_) {
     is_detailed_ = true;
-    fresnel_ = CosineCurve::through(
+    lane_.fresnel = CosineCurve::through(
         [&](double cosine) { return fresnel_conductor(cosine, conductor->eta, conductor->k); });
   }
 }
@@ -64,11 +70,10 @@ LaneScatter SurfaceGuide::towards(const Vec3& outgoing, const Vec3& normal, doub
   scatter.oz = static_cast<float>(outgoing.z);
   scatter.on = static_cast<float>(c);
   if (has_base_) scatter.base = static_cast<float>(base_ * exit);
-  scatter.entry = &entry_;
-  scatter.fresnel = &fresnel_;
-  if (alpha_x_ > 0) {
+  scatter.material = &lane_;
+  if (facets_) {
     Vec3 local{std::sqrt(1 - c * c), 0, c};  // azimuths are all the same but where facets are brushed
-    if (alpha_x_ != alpha_y_) {
+    if (!facets_->isotropic()) {
       const Frame frame = Frame::of_surface(normal);
       local = frame.to_local(outgoing);
       local.z = c;
@@ -76,15 +81,7 @@ LaneScatter SurfaceGuide::towards(const Vec3& outgoing, const Vec3& normal, doub
       scatter.ty = static_cast<float>(frame.x.y);
       scatter.tz = static_cast<float>(frame.x.z);
     }
-    const Microfacets facets{is_beckmann_ ? FacetDistribution::beckmann : FacetDistribution::ggx, alpha_x_,
-                             alpha_y_};
-    scatter.is_beckmann = is_beckmann_;
-    scatter.alpha2 = static_cast<float>(alpha_x_ * alpha_y_);
-    scatter.narrow = static_cast<float>(alpha_x_ / alpha_y_);
-    scatter.skew = static_cast<float>(alpha_y_ / alpha_x_ - alpha_x_ / alpha_y_);
-    scatter.across2 = static_cast<float>(alpha_y_ * alpha_y_);
-    scatter.more = static_cast<float>(alpha_x_ * alpha_x_ - alpha_y_ * alpha_y_);
-    scatter.highlight = static_cast<float>(facets.masking_of(local, {0, 0, 1}) / (4 * c));
+    scatter.highlight = static_cast<float>(facets_->masking_of(local, {0, 0, 1}) / (4 * c));
   }
   return scatter;
 }

@@ -1,23 +1,30 @@
 #pragma once
 
+#include <optional>
+
 #include "shelfbeam/material/material.hpp"
 #include "shelfbeam/transport/cache/cosine_curve.hpp"
 
 namespace shelfbeam {
+
+/// What vectorised code has of a material: its facets, and curves of cosines.
+struct LaneMaterial {
+  float alpha2 = 1;  ///< product of the roughness along the surface's x, alpha_x, and across, alpha_y
+  float narrow = 1, skew = 0;   ///< alpha_x / alpha_y, and alpha_y / alpha_x less that
+  float across2 = 1, more = 0;  ///< alpha_y^2, and alpha_x^2 less that
+  bool is_beckmann = false;     ///< D is Beckmann's, else that of GGX
+  CosineCurve entry;            ///< share of light that gets into the base
+  CosineCurve fresnel;
+};
 
 /// How a point of a surface scatters light towards one direction o: radiance per irradiance from a unit in
 /// direction l is base x entry(cos l), and the highlight of facets (2.23).
 struct LaneScatter {
   float ox = 0, oy = 0, oz = 0, on = 0;  ///< o, and its cosine
   float base = 0;
-  float highlight = 0;  ///< G1(o) / (4 cos o), 0 without one
-  float alpha2 = 1;     ///< product of the roughness along the surface's x, alpha_x, and across, alpha_y
-  float tx = 0, ty = 0, tz = 0;  ///< x of the surface (Frame::of_surface) where they differ, and then
-  float narrow = 1, skew = 0;    ///< alpha_x / alpha_y, and alpha_y / alpha_x less that,
-  float across2 = 1, more = 0;   ///< alpha_y^2, and alpha_x^2 less that
-  bool is_beckmann = false;      ///< D is Beckmann's, else that of GGX
-  const CosineCurve* entry = nullptr;
-  const CosineCurve* fresnel = nullptr;
+  float highlight = 0;           ///< G1(o) / (4 cos o), 0 without one
+  float tx = 0, ty = 0, tz = 0;  ///< x of the surface (Frame::of_surface) where its roughness has a direction
+  const LaneMaterial* material = nullptr;
 };
 
 /// What the control variate of the reuse estimator takes a material to do. The light of a base (Lambertian,
@@ -55,9 +62,8 @@ class SurfaceGuide {
   float flat_ = 0;
   bool has_base_ = false, is_detailed_ = false, has_highlight_ = false, is_loose_ = false;
   double base_ = 0, base_albedo_ = 0;
-  double alpha_x_ = 0, alpha_y_ = 0;  ///< of facets as LaneScatter has them; 0: none
-  bool is_beckmann_ = false;
-  CosineCurve entry_, fresnel_;
+  std::optional<Microfacets> facets_;  ///< as LaneMaterial has them
+  LaneMaterial lane_;
 };
 
 }  // namespace shelfbeam

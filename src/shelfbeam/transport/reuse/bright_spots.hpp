@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,16 +9,17 @@
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/transport/reuse/path_vertex.hpp"
+#include "shelfbeam/transport/world/area_density.hpp"
 
 namespace shelfbeam {
 
 /// How the light of a unit on the surfaces beside it is divided between two techniques: rays of the receivers
 /// (labels, vertices of paths) take min(e, C) of its irradiance e, rays from the unit the excess e - C, with
 ///
-///     C = cap max(1, near^2 p),    p = pi R(theta) cos(theta_y) / (W r^2),
+///     C = cap max(1, pi near^2 p),    p = R(theta) cos(theta_y) / (W r^2),
 ///
-/// where p / pi is the density, per area, with which one ray of the receiver meets the point. So a ray from
-/// the unit adds no more to a receiver than its power times f (W / pi) e / (cap near^2), however close the
+/// where p is the density, per area, with which one ray of the receiver meets the point. So a ray from the
+/// unit adds no more to a receiver than its power times f (W / pi) e / (cap near^2), however close the
 /// receiver is to the surface.
 struct SpotRule {
   /// The cap is the irradiance that the unit's largest intensity gives at a distance, m: at the larger one
@@ -90,7 +90,7 @@ class BrightSpots {
   void draw(std::span<const Vec3> points, const Effort& effort, const Key& key,
             std::vector<SpotLight>& lights, std::uint64_t& rays) const;
 
-  /// The share that rays from the unit bring to a receiver, 1 - C / e; `p` as in SpotRule, over pi.
+  /// The share that rays from the unit bring to a receiver, 1 - C / e.
   double excess(const SpotLight& light, double p) const {
     return std::max(0.0, 1 - light.capped * std::max(1.0, rule_.near * rule_.near * pi * p));
   }
@@ -107,17 +107,14 @@ class BrightSpots {
       scratch.targets.clear();
       scratch.values.clear();
       for (std::uint32_t k = 0; k < points.size(); ++k) {
-        const Vec3 way = points[k] - light.point.position;
-        const double squared = length_squared(way);
-        if (!(squared > 0)) continue;
-        const Vec3 direction = way / std::sqrt(squared);
-        const double cosine = dot(direction, light.point.normal);
-        if (!(cosine > 0)) continue;  // what touches a surface from behind takes its light itself
-        const SpotReceiver receiver = receive(k, -direction);
+        const auto seen = sight(points[k], light.point);
+        if (!seen) continue;  // what touches a surface from behind takes its light itself
+        const SpotReceiver receiver = receive(k, seen->direction);
         if (!(receiver.response > 0)) continue;
-        const double share = excess(light, receiver.density * cosine / squared);
+        const double share = excess(light, seen->area_density(receiver.density));
         if (!(share > 0)) continue;
-        const double value = light.intensity(world_.scene, direction) * share * receiver.response / squared;
+        const double value =
+            light.intensity(world_.scene, -seen->direction) * share * receiver.response / seen->squared;
         if (!(value > 0)) continue;
         scratch.receivers.push_back(k);
         scratch.targets.push_back(points[k]);
@@ -133,7 +130,7 @@ class BrightSpots {
   }
 
   /// What a receiver's own ray takes between the cap and C of a vertex that it has met straight on: adds
-  /// `weight` times the radiance to the row. `p` as in SpotRule, over pi.
+  /// `weight` times the radiance to the row.
   void add_near(const PathVertex& vertex, double p, double weight, RandomStream& random, LaneRow& row,
                 std::uint64_t& rays) const;
 

@@ -72,6 +72,15 @@ std::optional<PathVertex::Scattered> PathVertex::scatter_otherwise(double u_lobe
   return Scattered{frame.to_world(drawn->direction), drawn->weight, departure};
 }
 
+PathVertex::Guided PathVertex::guided(const UnitGroups& units, std::size_t g, std::size_t lane,
+                                      const LanePoint& point) const {
+  if (guide->is_detailed()) {
+    const LaneKernels::Parts parts = LaneKernels::parts(units, g, lane, point, scatter);
+    return {static_cast<float>(guide->bare_base()) * parts.entry, parts.highlight};
+  }
+  return has_base() ? Guided{guide->flat(), 0} : Guided{0, guide->flat()};
+}
+
 void PathVertex::look_up(const UnitGroups& units, float weight, LaneRow& to) const {
   to.use(row.groups, row.count);
   const LanePoint point(end.point);

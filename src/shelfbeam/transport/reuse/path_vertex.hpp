@@ -42,6 +42,12 @@ struct PathVertex {
   /// By what is not the base; nothing when the light is absorbed.
   std::optional<Scattered> scatter_otherwise(double u_lobe, double u1, double u2) const;
 
+  /// What the cache takes f to be for a unit: of the base without its exit, and otherwise.
+  struct Guided {
+    float base, own;
+  };
+  Guided guided(const UnitGroups& units, std::size_t g, std::size_t lane, const LanePoint& point) const;
+
   /// Adds the cache's radiance towards where the path came from.
   void look_up(const UnitGroups& units, float weight, LaneRow& to) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shelfbeam/math/sobol.hpp"
+#include "shelfbeam/transport/world/area_density.hpp"
 
 namespace shelfbeam {
 
@@ -25,11 +26,11 @@ double share_otherwise(const PathVertex& vertex) {
 }
 
 // Of so many rays; one is enough for a mirror, and none for nothing.
-std::uint32_t tails_otherwise(const PathVertex& vertex, double share, std::uint32_t tails) {
+std::uint32_t rays_otherwise(const PathVertex& vertex, double share, std::uint32_t rays) {
   if (share == 0) return 0;
   if (!vertex.guide->has_highlight()) return 1;
-  if (share == 1) return tails;
-  return std::max(1U, static_cast<std::uint32_t>(std::lround(share * tails)));
+  if (share == 1) return rays;
+  return std::max(1U, static_cast<std::uint32_t>(std::lround(share * rays)));
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ Residual::Residual(const World& world, const UnitGroups& units, const RadianceCa
 void Residual::add_spots(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
                          Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const {
   if (spots_.size() == 0 || !spots_.rule().for_vertices) return;
-  std::vector<std::uint32_t>& with_base = scratch.sharers;
+  std::vector<std::uint32_t>& with_base = scratch.with_base;
   with_base.clear();
   scratch.targets.clear();
   for (std::uint32_t a = 0; a < vertices.size(); ++a) {
@@ -92,23 +93,19 @@ void Residual::subtract_indirect(const PathVertex& vertex, ResidualRows& rows) c
 
 // Looks the cache up with rays that leave by the base or otherwise; returns where the first of them has
 // ended.
-std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool by_base, std::uint32_t tails,
+std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool by_base, std::uint32_t count,
                                                 std::uint64_t points, RandomStream& random, LaneRow& row,
                                                 std::uint64_t& rays) const {
   std::optional<Found> first, last;
   const ScrambledSobol square(points);
   // A row of the cache is used one ray later, when it has come from memory.
   const auto use = [&](const Found& found) {
-    found.vertex.look_up(units_, static_cast<float>(found.weight / tails), row);
+    found.vertex.look_up(units_, static_cast<float>(found.weight / count), row);
     if (!found.vertex.is_capped) return;
-    const Vec3 way = found.vertex.end.point.position - vertex.end.point.position;
-    const double squared = length_squared(way);
-    if (!(squared > 0)) return;
-    const double cosines = dot(way, vertex.end.point.normal) * -dot(way, found.vertex.end.point.normal);
-    spots_.add_near(found.vertex, cosines / (pi * squared * squared), found.weight / tails, random, row,
-                    rays);
+    spots_.add_near(found.vertex, cosine_area_density(vertex.end.point, found.vertex.end.point),
+                    found.weight / count, random, row, rays);
   };
-  for (std::uint32_t t = 0; t < tails; ++t) {
+  for (std::uint32_t t = 0; t < count; ++t) {
     const auto [u1, u2] = square.point(t);
     const auto scattered =
         by_base ? vertex.scatter_by_base(u1, u2) : vertex.scatter_otherwise(random.unit(), u1, u2);
@@ -116,7 +113,7 @@ std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool b
     const double weight = scattered->weight;
     const auto end =
         follow_chain(world_, vertex.end.point, scattered->direction, scattered->departure, random, rays,
-                     [&](std::size_t j, double value) { row.add(units_.place(j), weight * value / tails); });
+                     [&](std::size_t j, double value) { row.add(units_.place(j), weight * value / count); });
     if (!end) continue;
     Found found{PathVertex(world_, cache_, *end), weight * end->throughput};
     found.vertex.is_capped = by_base && end->is_straight && spots_.rule().for_vertices;
@@ -164,8 +161,7 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
   next.vertices.clear();
   next.continuations.clear();
   next.chances.assign(vertices.size(), 0);
-  const std::uint32_t tails = generation == 0 ? effort_.tails : effort_.later_tails;
-  const double stake = generation == 0 ? effort_.stake : effort_.later_stake;
+  const std::uint32_t count = generation == 0 ? effort_.gather_rays : effort_.later_gather_rays;
 
   add_spots(vertices, key, generation, scratch, rows, rays);
   for (std::size_t a = 0; a < vertices.size(); ++a) {
@@ -174,13 +170,13 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
     RandomStream random(key.stream, key.batch, key.group, (generation << 16) + place);
     const std::uint64_t points = mix_key(mix_key(key.stream, (std::uint64_t{key.batch} << 32) | key.group),
                                          (generation << 16) + place);
-    add_direct(vertex, stake, random, scratch, rows[a], rays);
+    add_direct(vertex, random, scratch, rows[a], rays);
     add_far(vertex, random, rows[a], rays);
     subtract_indirect(vertex, rows[a]);
 
     const double otherwise = share_otherwise(vertex);
-    const std::uint32_t others = tails_otherwise(vertex, otherwise, tails);
-    const std::uint32_t of_base = otherwise == 1 ? 0 : std::max(others + 1, tails) - others;
+    const std::uint32_t others = rays_otherwise(vertex, otherwise, count);
+    const std::uint32_t of_base = otherwise == 1 ? 0 : std::max(others + 1, count) - others;
     const auto by_base = gather(vertex, true, of_base, points, random, rows[a].base, rays);
     const auto by_other = gather(vertex, false, others, mix_key(points, 0x0FF), random, rows[a].own, rays);
 
@@ -196,7 +192,7 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
     const ChainEnd& end = found->vertex.end;
     next.vertices.push_back(found->vertex);
     next.continuations.push_back(
-        {a,
+        {place,
          found->weight / (goes_by_base ? next.chances[a] : survival - next.chances[a]),
          goes_by_base,
          goes_by_base && end.is_straight && found->vertex.has_base(),
@@ -204,49 +200,37 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
   }
 }
 
+// The vertices of a group, which share what their rays by the base have found.
+struct Residual::Sharers {
+  std::span<const PathVertex> vertices;
+  const std::vector<double>& chances;
+  const PathVertex& found;
+
+  std::size_t size() const { return vertices.size(); }
+  const Vec3& position(std::uint32_t a) const { return vertices[a].end.point.position; }
+  double rays(std::uint32_t a) const { return chances[a]; }
+  double density(std::uint32_t a) const {
+    return chances[a] > 0 ? cosine_area_density(vertices[a].end.point, found.end.point) : 0;
+  }
+  double gain(std::uint32_t a) const {
+    const SurfacePoint& here = vertices[a].end.point;
+    const double cosine = dot(here.normal, normalized(found.end.point.position - here.position));
+    return pi * vertices[a].guide->base(cosine) * found.exit_towards(here.position);
+  }
+};
+
 // What a new vertex sends to its parent and, by its base, to all of the group that see it.
 void Residual::share(std::span<const PathVertex> vertices, const std::vector<double>& chances,
                      const Continuation& from, const PathVertex& found, const ResidualRows& carried,
                      Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const {
   LaneRow& to_parent = from.by_base ? rows[from.parent].base : rows[from.parent].own;
   to_parent.add(carried.own, from.weight);
-  if (!from.is_shared) {
+  if (from.is_shared)
+    share_point(world_, found.end.point, Sharers{vertices, chances, found}, from.parent, from.passage,
+                scratch.sharing, rays,
+                [&](std::uint32_t a, double weight) { rows[a].base.add(carried.base, weight); });
+  else
     to_parent.add(carried.base, found.exit * from.weight);
-    return;
-  }
-  const SurfacePoint& there = found.end.point;
-  scratch.sharers.clear();
-  scratch.targets.clear();
-  scratch.density.resize(vertices.size());
-  for (std::size_t c = 0; c < vertices.size(); ++c) {
-    if (!(chances[c] > 0)) continue;
-    const Vec3 way = there.position - vertices[c].end.point.position;
-    const double squared = length_squared(way);
-    const double cosines =
-        std::max(0.0, dot(way, vertices[c].end.point.normal)) * std::max(0.0, -dot(way, there.normal));
-    scratch.density[c] = squared > 0 ? cosines / (squared * squared) : 0;
-    if (c == from.parent || !(scratch.density[c] > 0)) continue;
-    scratch.sharers.push_back(static_cast<std::uint32_t>(c));
-    scratch.targets.push_back(vertices[c].end.point.position);
-  }
-  scratch.passages.resize(scratch.targets.size());
-  world_.rays.passages(there, scratch.targets, scratch.passages);
-  rays += scratch.targets.size();
-  scratch.sharers.push_back(static_cast<std::uint32_t>(from.parent));
-  scratch.passages.push_back(from.passage);
-  double sum = 0;
-  for (std::size_t t = 0; t < scratch.sharers.size(); ++t)
-    sum +=
-        chances[scratch.sharers[t]] * scratch.density[scratch.sharers[t]] * scratch.passages[t].probability;
-  if (!(sum > 0)) return;
-  for (std::size_t t = 0; t < scratch.sharers.size(); ++t) {
-    const std::uint32_t c = scratch.sharers[t];
-    if (scratch.passages[t].share == 0) continue;
-    const SurfacePoint& here = vertices[c].end.point;
-    const double cosine = dot(here.normal, normalized(there.position - here.position));
-    rows[c].base.add(carried.base, pi * vertices[c].guide->base(cosine) * found.exit_towards(here.position) *
-                                       scratch.density[c] * scratch.passages[t].share / sum);
-  }
 }
 
 }  // namespace shelfbeam

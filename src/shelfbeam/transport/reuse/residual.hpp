@@ -9,6 +9,7 @@
 
 #include "shelfbeam/transport/reuse/bright_spots.hpp"
 #include "shelfbeam/transport/reuse/path_vertex.hpp"
+#include "shelfbeam/transport/reuse/shared_point.hpp"
 
 namespace shelfbeam {
 
@@ -23,17 +24,17 @@ struct ResidualRows {
   LaneRow base, own;
 };
 
-/// How much is spent where on paths.
+/// How much is spent where on paths; tau is the smallest requirement.
 struct ReuseEffort {
   std::uint32_t lookups = 128;  ///< rays a label and batch that only look the cache up
-  std::uint32_t points = 3;     ///< first hits a label and batch from which paths start
-  double stake = 0.05;          ///< of the requirement: units with more at stake get a shadow ray, others
-  double later_stake = 0.05;  ///< one in proportion; the second at later vertices. More where units are many
-  std::uint32_t tails = 24;   ///< rays that look the cache up at such a point,
-  std::uint32_t later_tails = 16;  ///< and at later vertices
-  std::size_t group = 96;          ///< vertices that share their continuations
-  std::uint32_t spot_rays =
-      8;  ///< from a unit beside a surface at most, for a cluster, or vertices of a group
+  std::uint32_t points = 3;     ///< K: first hits a label and batch from which paths start
+  /// Of tau: units with more at stake at a vertex get a shadow ray, others one in proportion. More where
+  /// units are many.
+  double stake = 0.05;
+  std::uint32_t gather_rays = 24;        ///< that look the cache up at such a point,
+  std::uint32_t later_gather_rays = 16;  ///< and at later vertices
+  std::size_t group = 96;                ///< vertices that share their continuations
+  std::uint32_t spot_rays = 8;           ///< from a unit at most, for a cluster or the vertices of a group
   SpotRule spots = {};
   double survival = 0.7;  ///< least chance of a continuation; brighter surfaces have their albedo
 };
@@ -41,8 +42,7 @@ struct ReuseEffort {
 /// The difference between the radiance that leaves vertices and what the cache says, L - h, for all units at
 /// once, without bias: shadow rays to units chosen by what is at stake, several rays that look up the cache
 /// for what comes over further bounces, and one that goes on to where the same is asked of it. Vertices of a
-/// group share those that go on by their base (path reuse with the balance heuristic, Bekaert et al. 2002):
-/// each is weighted by the densities with which all of the group would have sent it.
+/// group share those that go on by their base (share_point). docs/methods/reuse.md has the quantities.
 class Residual {
  public:
   /// `requirement`: the smallest signal that matters. Units that may give a twentieth of it to a vertex are
@@ -58,11 +58,21 @@ class Residual {
 
   /// A path that goes on.
   struct Continuation {
-    std::size_t parent;
+    std::uint32_t parent;
     double weight;  ///< of what the new vertex sends to its parent, over the chance of going on
     bool by_base;
     bool is_shared;
     Passage passage;  ///< straight from the parent
+  };
+
+  /// A ray that asks for V in e V - e v, the straight light of a unit or shining surface j at a vertex less
+  /// what the cache has of it.
+  struct ShadowRay {
+    std::uint32_t place = 0;       ///< of j, UnitGroups::place
+    LightPoint light = {};         ///< on j
+    double weight = 1;             ///< 1 / q_j, q_j being the chance with which j is asked
+    double taken = 1;              ///< min(e, cap) / e: the share that is not left to rays from bright spots
+    double h_base = 0, h_own = 0;  ///< what the cache makes of min(e, cap) v, in the parts of PathVertex
   };
 
   /// Memory that one thread works in.
@@ -74,15 +84,14 @@ class Residual {
       std::vector<double> chances;              ///< of their parents to go on by the base
     };
     std::deque<Generation> generations;
-    std::vector<float> irradiance, importance, shares;
-    std::vector<std::uint8_t> zeros;
-    std::vector<std::uint16_t> list;
+    std::vector<std::uint16_t> list;            ///< groups of units in reach of a vertex,
+    std::vector<float> irradiance, importance;  ///< e_j and s_j of their lanes,
+    std::vector<std::uint8_t> zeros;            ///< and v_j where the cache knows nothing
+    std::vector<ShadowRay> shadow_rays;
     std::vector<Vec3> targets;
-    std::vector<std::uint32_t> places, sharers;
-    std::vector<double> inverse_probability;
-    std::vector<double> known_base, known_own, taken, density;
-    std::vector<LightPoint> lights;
-    std::vector<Passage> passages;
+    std::vector<float> shares;  ///< V
+    std::vector<std::uint32_t> with_base;
+    Sharing sharing;
     BrightSpots::Scratch spots;
   };
 
@@ -92,16 +101,19 @@ class Residual {
 
  private:
   struct Found;
+  struct Sharers;
   void extend(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
               Scratch& scratch, std::span<ResidualRows> rows, Scratch::Generation& next,
               std::uint64_t& rays) const;
-  void add_direct(const PathVertex& vertex, double stake, RandomStream& random, Scratch& scratch,
-                  ResidualRows& rows, std::uint64_t& rays) const;
+  double weigh_units(const PathVertex& vertex, Scratch& scratch) const;
+  void choose_units(const PathVertex& vertex, RandomStream& random, Scratch& scratch) const;
+  void add_direct(const PathVertex& vertex, RandomStream& random, Scratch& scratch, ResidualRows& rows,
+                  std::uint64_t& rays) const;
   void add_far(const PathVertex& vertex, RandomStream& random, ResidualRows& rows, std::uint64_t& rays) const;
   void add_spots(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
                  Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const;
   void subtract_indirect(const PathVertex& vertex, ResidualRows& rows) const;
-  std::optional<Found> gather(const PathVertex& vertex, bool by_base, std::uint32_t tails,
+  std::optional<Found> gather(const PathVertex& vertex, bool by_base, std::uint32_t count,
                               std::uint64_t points, RandomStream& random, LaneRow& row,
                               std::uint64_t& rays) const;
   void share(std::span<const PathVertex> vertices, const std::vector<double>& chances,

@@ -13,6 +13,8 @@
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/sobol.hpp"
 #include "shelfbeam/transport/reuse/bright_spots.hpp"
+#include "shelfbeam/transport/reuse/shared_point.hpp"
+#include "shelfbeam/transport/world/area_density.hpp"
 #include "shelfbeam/transport/world/direct.hpp"
 #include "shelfbeam/transport/world/label_clusters.hpp"
 
@@ -41,14 +43,16 @@ struct ReuseEstimator::Impl {
     std::vector<LaneRow> labels;
     std::vector<ResidualRows> points;
     std::vector<SurfacePoint> at;
+    // Points found by rays of labels: the vertices there, and whose they are.
+    struct Found {
+      std::uint32_t owner;
+      double weight;  // of the radiance that comes from there
+      bool is_shared;
+    };
     std::vector<PathVertex> vertices;
-    std::vector<std::uint32_t> owner;
-    std::vector<double> weight;
-    std::vector<bool> is_shared;
-    std::vector<double> density;
-    std::vector<std::uint32_t> sharers;
+    std::vector<Found> found;
+    Sharing sharing;
     std::vector<Vec3> targets;
-    std::vector<Passage> passages;
     std::vector<double> direct;
   };
 
@@ -76,6 +80,7 @@ struct ReuseEstimator::Impl {
                  std::uint64_t& rays) const;
   void add_residual(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
                     std::uint64_t& rays) const;
+  struct Sharers;
   void share_points(const Block& block, Workspace& work, std::uint64_t& rays) const;
   bool looks_large(std::size_t i, std::size_t j) const;
   double direct_chance(std::size_t i, std::size_t j) const;
@@ -164,14 +169,10 @@ double ReuseEstimator::Impl::direct_chance(std::size_t i, std::size_t j) const {
 // Density per area with which a label's rays hit a point, but for what stands between.
 double ReuseEstimator::Impl::pdf_of(std::uint32_t label, const SurfacePoint& at,
                                     const SurfacePoint& there) const {
-  const Vec3 way = there.position - at.position;
-  const double squared = length_squared(way);
-  if (!(squared > 0)) return 0;
-  const Vec3 direction = way / std::sqrt(squared);
-  const double facing = -dot(direction, there.normal);
-  if (facing <= 0) return 0;
-  return pdf(world.receivers.responsivity(label), world.receivers.frame(label).to_local(direction)) * facing /
-         squared;
+  const auto seen = sight(at.position, there);
+  if (!seen) return 0;
+  return seen->area_density(
+      pdf(world.receivers.responsivity(label), world.receivers.frame(label).to_local(seen->direction)));
 }
 
 // What bright spots send straight to the labels.
@@ -201,9 +202,7 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
                       std::span(work.points).first(work.vertices.size()), rays);
     share_points(block, work, rays);
     work.vertices.clear();
-    work.owner.clear();
-    work.weight.clear();
-    work.is_shared.clear();
+    work.found.clear();
   };
   for (std::uint32_t s = 0; s < effort.points; ++s)
     for (std::size_t c = 0; c < block.rows.size(); ++c) {
@@ -219,51 +218,43 @@ void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, s
       if (!end) continue;
       work.vertices.emplace_back(world, cache, *end);
       work.vertices.back().is_capped = end->is_straight;
-      work.owner.push_back(static_cast<std::uint32_t>(c));
-      work.weight.push_back(weight * end->throughput);
-      work.is_shared.push_back(end->is_straight && work.vertices.back().has_base());
+      work.found.push_back({static_cast<std::uint32_t>(c), weight * end->throughput,
+                            end->is_straight && work.vertices.back().has_base()});
       if (work.vertices.size() == effort.group) flush();
     }
   flush();
 }
 
-// Every label of the cluster takes every point that it sees, weighted by the densities with which all of them
-// would have found it (equation and proof in docs/methods/reuse.md).
+// The labels of a cluster, which share a point. All of them send K rays, which `gain` has: W_c / K.
+struct ReuseEstimator::Impl::Sharers {
+  const Impl& impl;
+  const Block& block;
+  const std::vector<SurfacePoint>& at;
+  const PathVertex& vertex;
+
+  std::size_t size() const { return block.rows.size(); }
+  const Vec3& position(std::uint32_t c) const { return at[c].position; }
+  double rays(std::uint32_t) const { return 1; }
+  double density(std::uint32_t c) const { return impl.pdf_of(block.rows[c], at[c], vertex.end.point); }
+  double gain(std::uint32_t c) const {
+    return integral(impl.world.receivers.responsivity(block.rows[c])) / impl.effort.points *
+           vertex.exit_towards(at[c].position);
+  }
+};
+
+// Every label of the cluster takes what the base of a point sends to it.
 void ReuseEstimator::Impl::share_points(const Block& block, Workspace& work, std::uint64_t& rays) const {
-  work.density.resize(block.rows.size());
   for (std::size_t b = 0; b < work.vertices.size(); ++b) {
-    const std::uint32_t owner = work.owner[b];
+    const auto& [owner, weight, is_shared] = work.found[b];
     const PathVertex& vertex = work.vertices[b];
-    work.labels[owner].add(work.points[b].own, work.weight[b]);
-    if (!work.is_shared[b]) {
-      work.labels[owner].add(work.points[b].base, vertex.exit * work.weight[b]);
-      continue;
-    }
     const ChainEnd& end = vertex.end;
-    work.sharers.clear();
-    work.targets.clear();
-    for (std::uint32_t c = 0; c < block.rows.size(); ++c) {
-      work.density[c] = pdf_of(block.rows[c], work.at[c], end.point);
-      if (c == owner || !(work.density[c] > 0)) continue;
-      work.sharers.push_back(c);
-      work.targets.push_back(work.at[c].position);
-    }
-    work.passages.resize(work.targets.size());
-    world.rays.passages(end.point, work.targets, work.passages);
-    rays += work.targets.size();
-    work.sharers.push_back(owner);
-    work.passages.push_back({end.throughput * end.probability, end.probability});
-    double sum = 0;
-    for (std::size_t t = 0; t < work.sharers.size(); ++t)
-      sum += work.density[work.sharers[t]] * work.passages[t].probability;
-    if (!(sum > 0)) continue;
-    for (std::size_t t = 0; t < work.sharers.size(); ++t) {
-      const std::uint32_t c = work.sharers[t];
-      if (work.passages[t].share == 0) continue;
-      work.labels[c].add(work.points[b].base, integral(world.receivers.responsivity(block.rows[c])) /
-                                                  effort.points * vertex.exit_towards(work.at[c].position) *
-                                                  work.density[c] * work.passages[t].share / sum);
-    }
+    work.labels[owner].add(work.points[b].own, weight);
+    if (is_shared)
+      share_point(world, end.point, Sharers{*this, block, work.at, vertex}, owner,
+                  {end.throughput * end.probability, end.probability}, work.sharing, rays,
+                  [&](std::uint32_t c, double of_base) { work.labels[c].add(work.points[b].base, of_base); });
+    else
+      work.labels[owner].add(work.points[b].base, vertex.exit * weight);
   }
 }
 
@@ -286,9 +277,6 @@ std::string ReuseEstimator::name() const {
 }
 std::size_t ReuseEstimator::bytes() const {
   return impl_->cache.bytes();
-}
-const RadianceCache& ReuseEstimator::cache() const {
-  return impl_->cache;
 }
 
 bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,

@@ -29,8 +29,6 @@ class ReuseEstimator : public Estimator {
   bool sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
               BatchValues& values) const override;
 
-  const RadianceCache& cache() const;
-
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -49,6 +49,7 @@ Engine::Engine(const World& world, const Estimator& estimator, const SimulationO
       control_(control),
       known_(world, options.rules(), control),
       limit_(batches_for(estimator, options)),
+      driver_(world.scene, estimator, control, [this] { report(); }),
       survey_(world, estimator, sums_, known_),
       paused_(estimator.items()),
       precision_(estimator.items()) {
@@ -118,61 +119,24 @@ bool Engine::is_done(std::uint32_t round) {
   return all.is_enough() || (round >= judged_batches && all.is_hopeless());
 }
 
-// Few items take several batches between two barriers, so that threads need not wait for the largest.
-// Nor do they overtake those that are ahead of them after an interruption, for all are judged together.
+// Items do not overtake those that are ahead of them after an interruption, for all are judged together.
 std::uint32_t Engine::batches_at_once(std::size_t items, std::uint32_t round) const {
-  constexpr std::size_t enough_tasks = 16;
-  const auto wanted = static_cast<std::uint32_t>(std::max<std::size_t>(1, enough_tasks / items));
   std::uint32_t end = round < least_batches ? least_batches : limit_;
   for (std::size_t item = 0; item < sums_.size(); ++item)
     if (is_running(item) && sums_[item].batches > round) end = std::min(end, sums_[item].batches);
-  return std::min(wanted, end - round);
+  return std::min(BatchDriver::at_once(items), end - round);
 }
 
-// The next batches of items, each added to its item's sums after those before it, whichever thread was first.
-// Batches that come after the end have been in vain.
+// The next batches of items, each added to its item's sums after those before it.
 void Engine::sample(const std::vector<std::uint32_t>& items, std::uint32_t round) {
-  const std::uint32_t batches = batches_at_once(items.size(), round);
-  std::vector<BatchValues> waiting(batches > 1 ? items.size() * batches : 0);
-  std::vector<char> is_complete(waiting.size());
-  for_parts(items.size() * batches, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last && !control_.cancelled(); ++k) {
-      const std::uint32_t item = items[k % items.size()];
-      const auto batch = round + static_cast<std::uint32_t>(k / items.size());
-      BatchValues& values = waiting.empty() ? values_.local() : waiting[k];
-      if (!sample(item, batch, values)) return;
-      if (waiting.empty())
-        sums_[item].add(values);
-      else
-        is_complete[k] = 1;
-    }
+  const auto add = [&](std::uint32_t item, std::uint32_t batch, const BatchValues& values) {
+    if (is_running(item) && sums_[item].batches == batch) sums_[item].add(values);
+  };
+  // Time does not undo what is done.
+  driver_.run(items, round, batches_at_once(items.size(), round), add, [&](std::uint32_t batch) {
+    judge(items, batch + 1);
+    return options_.time_s || !is_done(batch + 1);
   });
-  for (std::uint32_t b = 0; b < batches; ++b) {
-    for (std::size_t k = b * items.size(); k < std::min(waiting.size(), (b + 1) * items.size()); ++k) {
-      const std::uint32_t item = items[k % items.size()];
-      if (is_complete[k] != 0 && is_running(item) && sums_[item].batches == round + b)
-        sums_[item].add(waiting[k]);
-    }
-    judge(items, round + b + 1);
-    // Time does not undo what is done; an interruption leaves all items within one batch of each other.
-    if ((!options_.time_s && is_done(round + b + 1)) || control_.cancelled()) return;
-  }
-}
-
-bool Engine::sample(std::uint32_t item, std::uint32_t batch, BatchValues& values) {
-  values.clear();
-  values.rays = 0;
-  values.shadow_rays = {};
-  if (!estimator_.sample(item, batch, control_.cancel, values)) return false;
-  expect_numbers(world_.scene, estimator_.block(item), values);
-  rays_.fetch_add(values.rays, std::memory_order_relaxed);
-  {
-    const std::scoped_lock lock(shadow_rays_mutex_);
-    shadow_rays_ += values.shadow_rays;
-  }
-  done_.fetch_add(1, std::memory_order_relaxed);
-  report();
-  return true;
 }
 
 // Pauses the items that are precise enough after so many batches, or never will be, if this is a point to
@@ -214,7 +178,7 @@ double Engine::seconds() const {
 
 // Errors fall with the square root of the batches.
 double Engine::seconds_to_halve() const {
-  const auto now = static_cast<double>(done_), all = now + static_cast<double>(done_before_);
+  const auto now = static_cast<double>(driver_.batches()), all = now + static_cast<double>(done_before_);
   return now > 0 ? seconds() / now * 3 * all : 0;
 }
 
@@ -263,7 +227,7 @@ void Engine::save_checkpoint_if_due() {
 void Engine::foresee() {
   if (control_.progress == nullptr) return;
   const std::uint32_t most = most_batches();
-  const auto all = static_cast<double>(done_before_ + done_);
+  const auto all = static_cast<double>(done_before_ + driver_.batches());
   if (most >= next_look_) {
     next_look_ = most < least_batches ? 2 * most : most + most / 16;
     const double share = options_.relative_error ? options_.relative_error->above : 0.3;
@@ -282,13 +246,13 @@ void Engine::report() {
   if (control_.progress == nullptr) return;
   const std::unique_lock lock(report_mutex_, std::try_to_lock);
   if (!lock.owns_lock()) return;
-  const auto all = static_cast<double>(done_before_ + done_);
+  const auto all = static_cast<double>(done_before_ + driver_.batches());
   double total = predicted_;
   if (options_.has_fixed_samples()) total = static_cast<double>(limit_) * static_cast<double>(sums_.size());
   const double fraction = total > 0 ? std::min(1.0, all / total) : -1;
-  control_.report(
-      "simulating", fraction,
-      fmt::format("{:.2f} million rays/s{}", static_cast<double>(rays_) / seconds() / 1e6, error_text_));
+  control_.report("simulating", fraction,
+                  fmt::format("{:.2f} million rays/s{}",
+                              static_cast<double>(driver_.rays()) / seconds() / 1e6, error_text_));
 }
 
 }  // namespace shelfbeam::detail

@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
+#include "shelfbeam/transport/run/batch_driver.hpp"
 #include "shelfbeam/transport/run/error_survey.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
 #include "shelfbeam/transport/run/simulation_summary.hpp"
@@ -49,8 +48,8 @@ class Engine {
   /// Saves what there is, if that can be done.
   void try_to_save() noexcept;
   bool has_checkpoint() const { return checkpoint_ && checkpoint_->has_saved(); }
-  std::uint64_t rays() const { return rays_ + known_.rays(); }
-  const ShadowRays& shadow_rays() const { return shadow_rays_; }
+  std::uint64_t rays() const { return driver_.rays() + known_.rays(); }
+  const ShadowRays& shadow_rays() const { return driver_.shadow_rays(); }
   /// Predicted until the errors are half as large.
   double seconds_to_halve() const;
 
@@ -68,7 +67,6 @@ class Engine {
   bool is_done(std::uint32_t round);
   std::uint32_t batches_at_once(std::size_t items, std::uint32_t round) const;
   void sample(const std::vector<std::uint32_t>& items, std::uint32_t round);
-  bool sample(std::uint32_t item, std::uint32_t batch, BatchValues& values);
   void judge(const std::vector<std::uint32_t>& items, std::uint32_t round);
   void foresee();
   void report();
@@ -80,20 +78,16 @@ class Engine {
   const RunControl& control_;
   KnownLight known_;
   std::uint32_t limit_;  ///< batches an item
+  BatchDriver driver_;
   std::vector<ItemSums> sums_;
   ErrorSurvey survey_;
   std::vector<char> paused_;
   std::vector<Precision> precision_;  ///< of each item, where it was last looked at
-  tbb::enumerable_thread_specific<BatchValues> values_;
   Clock::time_point started_ = Clock::now();
-  std::atomic<std::uint64_t> rays_{0}, done_{0};  ///< item batches of this run
-  std::uint64_t done_before_ = 0;                 ///< item batches of the checkpoint
+  std::uint64_t done_before_ = 0;  ///< item batches of the checkpoint
 
   std::optional<CheckpointFile> checkpoint_;
   double saved_at_ = 0, save_took_ = 0;  ///< s
-
-  ShadowRays shadow_rays_;
-  std::mutex shadow_rays_mutex_;
 
   double last_batch_s_ = 0;
   std::uint32_t next_look_ = 2;       ///< batches after which the errors are looked at for those who watch

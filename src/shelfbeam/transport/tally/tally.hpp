@@ -25,15 +25,12 @@ class Tally {
     const auto step = static_cast<std::size_t>(std::min(length / lengths_.step, lengths_.count - 1.0));
     sums_[(levels_ + step) * width_ + k] += value;
   }
-  void clear() { std::fill(sums_.begin(), sums_.end(), 0.0); }
 
-  std::size_t width() const { return width_; }
-  std::size_t levels() const { return levels_; }
   double sum(std::size_t level, std::size_t k) const { return sums_[level * width_ + k]; }
   double sum_of_length(std::size_t step, std::size_t k) const { return sum(levels_ + step, k); }
 
-  std::uint64_t rays = 0;  ///< traced in all; not cleared
-  ShadowRays shadow_rays;  ///< of walks from labels; not cleared
+  std::uint64_t rays = 0;  ///< traced in all
+  ShadowRays shadow_rays;  ///< of walks from labels
 
  private:
   std::size_t width_, levels_;

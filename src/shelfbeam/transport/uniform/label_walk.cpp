@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/transport/world/mis_weights.hpp"
+#include "shelfbeam/transport/world/next_event.hpp"
 
 namespace shelfbeam {
 
@@ -43,7 +45,7 @@ class LabelWalk {
     }
     vertex_ = from_.position;
     if (rules_.samples_direct && rules_.strategy != Strategy::walk)
-      connect(
+      connect_to_source(
           from_, random[0], 0, [&](const Vec3& to_source) { return receivers.response(label_, to_source); },
           [&](const Vec3& to_source) {
             return pdf(receivers.responsivity(label_), receivers.frame(label_).to_local(to_source));
@@ -67,7 +69,7 @@ class LabelWalk {
     const auto random = key_.draw(step);
 
     if (rules_.strategy != Strategy::walk && !has_only_specular(material))
-      connect(
+      connect_to_source(
           hit.point, random[0], step,
           [&](const Vec3& to_source) {
             const Vec3 incoming = frame.to_local(to_source);
@@ -102,12 +104,12 @@ class LabelWalk {
     return true;
   }
 
-  // Next event estimation with one source, and over the mirrors: at a surface the path has one more bounce
-  // than the walk has made so far. For a direction `scatter` gives f |cos|, at the label R, and `density`
-  // that with which the walk would have gone there.
+  // Next-event estimation with one source: at a surface the path has one more bounce than the walk has made
+  // so far. For a direction `scatter` gives f |cos|, at the label R, and `density` that with which the walk
+  // would have gone there.
   template <class Scatter, class Density>
-  void connect(const SurfacePoint& at, std::uint32_t choice, std::uint32_t step, const Scatter& scatter,
-               const Density& density) {
+  void connect_to_source(const SurfacePoint& at, std::uint32_t choice, std::uint32_t step,
+                         const Scatter& scatter, const Density& density) {
     const double travelled = travelled_ + length(at.position - vertex_);
     const std::uint32_t bounces = step == 0 ? 0 : bounces_ + 1;
     if (bounces > rules_.max_bounces) return;
@@ -124,41 +126,32 @@ class LabelWalk {
     const double weight = n_ * (step == 0 ? 1 : throughput_);
     ++tally_.shadow_rays.connections;
 
-    const Vec3 way = light.position - at.position;
-    const double squared = length_squared(way);
-    if (squared > 0) {
-      const Vec3 to_source = way / std::sqrt(squared);
-      const double scattered = scatter(to_source);
-      const double value =
-          scattered > 0 ? weight * scattered * emitters.intensity(j, light, -to_source) / squared : 0;
-      if (value > 0) {
-        const Passage passage = world_.rays.passage(at, light.position);
-        ++tally_.rays;
-        ++tally_.shadow_rays.traced;
-        if (passage.share == 0) ++tally_.shadow_rays.occluded;
-        const bool shared = rules_.strategy == Strategy::mis && !is_point;
-        if (passage.share > 0)
-          tally_.add(bounces, j,
-                     value * passage.share *
-                         (shared ? mis_weight(rules_.heuristic, light_pdf(light, at.position) / n_,
-                                              density(to_source) * passage.probability)
-                                 : 1),
-                     travelled + std::sqrt(squared));
-      }
-    }
-    if (!rules_.uses_images(world_.receivers.is_point(label_), emitters.is_transceiver(j)) ||
-        bounces == rules_.max_bounces)
-      return;
-    for (std::size_t g = 0; g < world_.mirrors.size(); ++g) {
-      const auto bend = world_.mirrors.bend(g, at.position, light.position);
-      if (!bend) continue;
-      const double value = weight * scatter(bend->from_first) *
-                           emitters.intensity(j, light, bend->from_second) / bend->length_squared;
-      if (!(value > 0)) continue;
-      tally_.rays += 2;
-      tally_.add(bounces + 1, j, value * world_.mirrors.share(g, *bend, at, light.position, world_.rays),
-                 travelled + std::sqrt(bend->length_squared));
-    }
+    connect(
+        world_, at, light.position,
+        bounces < rules_.max_bounces &&
+            rules_.uses_images(world_.receivers.is_point(label_), emitters.is_transceiver(j)),
+        [&](const Connection& way) {
+          const double scattered = weight * scatter(way.from_first);
+          return scattered > 0 ? scattered * emitters.intensity(j, light, way.from_second) : 0;
+        },
+        [&](double open, const Connection& way) {
+          const Passage passage = world_.rays.passage(at, light.position);
+          ++tally_.rays;
+          ++tally_.shadow_rays.traced;
+          if (passage.share == 0) {
+            ++tally_.shadow_rays.occluded;
+            return;
+          }
+          const double share = rules_.strategy == Strategy::mis && !is_point
+                                   ? mis_weight(rules_.heuristic, light_pdf(light, at.position) / n_,
+                                                density(way.from_first) * passage.probability)
+                                   : 1;
+          tally_.add(bounces, j, open * passage.share * share, travelled + std::sqrt(way.length_squared));
+        },
+        [&](double value, const Connection& way) {
+          tally_.rays += 2;
+          tally_.add(bounces + 1, j, value, travelled + std::sqrt(way.length_squared));
+        });
   }
 
   // Sources that the walk meets on its way to the next surface, and that surface itself where it shines.

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/transport/world/next_event.hpp"
 
 namespace shelfbeam {
 
@@ -33,7 +34,7 @@ class Particle {
     if (!emitted) return false;
     from_ = {emitted->from.position, emitted->from.normal};
     if (rules_.samples_direct)
-      connect(from_, 1, 0, [&](const Vec3& to_label) {
+      connect_to_labels(from_, 1, 0, [&](const Vec3& to_label) {
         return world_.emitters.intensity(source_, emitted->from, to_label);
       });
     vertex_ = from_.position;
@@ -50,7 +51,7 @@ class Particle {
     const Frame frame = Frame::of_surface(hit.point.normal);
     const Vec3 incoming = frame.to_local(-direction_);
     if (!has_only_specular(material))
-      connect(hit.point, flux_, step, [&](const Vec3& to_label) {
+      connect_to_labels(hit.point, flux_, step, [&](const Vec3& to_label) {
         const Vec3 outgoing = frame.to_local(to_label);
         return eval(material, incoming, outgoing) * std::abs(outgoing.z);
       });
@@ -76,40 +77,32 @@ class Particle {
     return true;
   }
 
-  // Joins the particle to every label, straight and over the mirrors. `scatter` gives 1/sr towards a
-  // direction (W/sr at the source).
+  // Next-event estimation with every label. `scatter` gives f |cos| towards a direction, in 1/sr (at the
+  // source the intensity, W/sr).
   template <class Scatter>
-  void connect(const SurfacePoint& at, double flux, std::uint32_t step, const Scatter& scatter) {
+  void connect_to_labels(const SurfacePoint& at, double flux, std::uint32_t step, const Scatter& scatter) {
     const std::uint32_t bounces = step == 0 ? 0 : bounces_ + 1;
     const Receivers& receivers = world_.receivers;
     const auto place = key_.draw(step, 1);
     const double u1 = to_unit(place[0]), u2 = to_unit(place[1]);
     for (std::size_t i = 0; i < receivers.size(); ++i) {
       const Vec3 label = receivers.point(i, u1, u2).position;
-      const Vec3 way = label - at.position;
-      const double squared = length_squared(way);
-      if (!(squared > 0)) continue;
-      const Vec3 to_label = way / std::sqrt(squared);
-      const double response = receivers.response(i, -to_label);
-      const double value = response > 0 ? flux * scatter(to_label) * response / squared : 0;
-      if (value > 0) {
-        ++tally_.rays;
-        tally_.add(bounces, i, value * world_.rays.passage(at, label).share);
-      }
-    }
-    if (bounces == rules_.max_bounces) return;
-    for (std::size_t i = 0; i < receivers.size(); ++i) {
-      if (!rules_.uses_images(receivers.is_point(i), world_.emitters.is_transceiver(source_))) continue;
-      const Vec3 label = receivers.point(i, 0, 0).position;
-      for (std::size_t g = 0; g < world_.mirrors.size(); ++g) {
-        const auto bend = world_.mirrors.bend(g, at.position, label);
-        if (!bend) continue;
-        const double value = flux * scatter(bend->from_first) * receivers.response(i, bend->from_second) /
-                             bend->length_squared;
-        if (!(value > 0)) continue;
-        tally_.rays += 2;
-        tally_.add(bounces + 1, i, value * world_.mirrors.share(g, *bend, at, label, world_.rays));
-      }
+      connect(
+          world_, at, label,
+          bounces < rules_.max_bounces &&
+              rules_.uses_images(receivers.is_point(i), world_.emitters.is_transceiver(source_)),
+          [&](const Connection& way) {
+            const double response = receivers.response(i, way.from_second);
+            return response > 0 ? flux * scatter(way.from_first) * response : 0;
+          },
+          [&](double open, const Connection&) {
+            ++tally_.rays;
+            tally_.add(bounces, i, open * world_.rays.passage(at, label).share);
+          },
+          [&](double value, const Connection&) {
+            tally_.rays += 2;
+            tally_.add(bounces + 1, i, value);
+          });
     }
   }
 

@@ -88,10 +88,13 @@ bool UniformEstimator::sample(std::size_t item, std::uint32_t batch, const Cance
   return true;
 }
 
-// As many direct samples as connections would have been made, in whole squares of strata.
+std::uint32_t direct_strata(std::uint32_t samples, std::size_t width) {
+  const double each = static_cast<double>(samples) / static_cast<double>(width);
+  return static_cast<std::uint32_t>(std::clamp(std::ceil(std::sqrt(each)), 2.0, 64.0));
+}
+
 void UniformEstimator::sample_direct_light(std::size_t item, std::uint32_t batch, Tally& tally) const {
-  const double each = static_cast<double>(per_batch_) / static_cast<double>(width_);
-  const auto side = static_cast<std::uint32_t>(std::clamp(std::ceil(std::sqrt(each)), 2.0, 64.0));
+  const std::uint32_t side = direct_strata(per_batch_, width_);
   for (std::size_t k = 0; k < width_; ++k) {
     const std::size_t i = label_of(item, k), j = source_of(item, k);
     if (is_point_to_point(world_, i, j)) continue;

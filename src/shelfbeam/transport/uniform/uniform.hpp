@@ -47,4 +47,8 @@ class UniformEstimator : public Estimator {
   std::vector<std::uint64_t> label_keys_, source_keys_;
 };
 
+/// Strata each way of the direct light between a label and a source in a batch (sample_direct): for as many
+/// samples in all `width` entries as connections would have been made, in whole squares.
+std::uint32_t direct_strata(std::uint32_t samples, std::size_t width);
+
 }  // namespace shelfbeam

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
+#include "shelfbeam/transport/world/next_event.hpp"
 #include "shelfbeam/transport/world/path_rules.hpp"
 #include "shelfbeam/transport/world/world.hpp"
 
@@ -18,33 +18,27 @@ struct DirectSignal {
   DirectSignal& operator+=(const DirectSignal& other);
 };
 
-/// Light from a point of source j to a point, in closed form but for visibility: over every way (straight,
-/// and over plane mirrors where `images`) weight(unit direction) I_j(omega) / d^2 times the share that gets
-/// through. `share_of` gives the share of the straight way, and is asked only if it matters.
+/// Light from a point of source j to a point (connect): the sums over the straight way and over plane mirrors
+/// of weight(unit direction) I_j(omega) / d^2 times the share that gets through. `share_of` gives that of the
+/// straight way, and is asked only if it matters.
 template <class Weight, class Share>
 DirectSignal light_from(const World& world, std::size_t j, const LightPoint& light, const SurfacePoint& at,
-                        bool images, Weight&& weight, const Share& share_of) {
+                        bool images, const Weight& weight, const Share& share_of) {
   DirectSignal signal;
-  const Vec3 way = light.position - at.position;
-  const double squared = length_squared(way);
-  if (!(squared > 0)) return signal;
-  const Vec3 to_source = way / std::sqrt(squared);
-  const double weighted = weight(to_source);
-  const double value = weighted > 0 ? weighted * world.emitters.intensity(j, light, -to_source) / squared : 0;
-  if (value > 0) {
-    ++signal.rays;
-    signal.straight = value * share_of();
-  }
-  if (!images) return signal;
-  for (std::size_t g = 0; g < world.mirrors.size(); ++g) {
-    const auto bend = world.mirrors.bend(g, at.position, light.position);
-    if (!bend) continue;
-    const double mirrored = weight(bend->from_first) * world.emitters.intensity(j, light, bend->from_second) /
-                            bend->length_squared;
-    if (!(mirrored > 0)) continue;
-    signal.rays += 2;
-    signal.mirrored += mirrored * world.mirrors.share(g, *bend, at, light.position, world.rays);
-  }
+  connect(
+      world, at, light.position, images,
+      [&](const Connection& way) {
+        const double weighted = weight(way.from_first);
+        return weighted > 0 ? weighted * world.emitters.intensity(j, light, way.from_second) : 0;
+      },
+      [&](double open, const Connection&) {
+        ++signal.rays;
+        signal.straight = open * share_of();
+      },
+      [&](double value, const Connection&) {
+        signal.rays += 2;
+        signal.mirrored += value;
+      });
   return signal;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "shelfbeam/base/names.hpp"
+#include "shelfbeam/transport/world/mis_weights.hpp"
 
 namespace shelfbeam {
 
@@ -21,15 +22,6 @@ inline constexpr auto names_of<Strategy> = std::to_array<Named<Strategy>>({{"wal
                                                                            {"nee", Strategy::nee},
                                                                            {"mis", Strategy::mis},
                                                                            {"particle", Strategy::particle}});
-
-/// How multiple importance sampling weights a technique of density p among all (Veach 1997).
-enum class Heuristic {
-  balance,  ///< p / sum p
-  power     ///< p^2 / sum p^2
-};
-template <>
-inline constexpr auto names_of<Heuristic> = std::to_array<Named<Heuristic>>({{"balance", Heuristic::balance},
-                                                                             {"power", Heuristic::power}});
 
 /// How a ray has left its last vertex, which decides whether connections find the sources that it meets.
 enum class Departure {
@@ -67,11 +59,5 @@ struct LengthSteps {
   double step = 1;          ///< m
   std::uint32_t count = 0;  ///< 0: lengths are not told apart
 };
-
-/// Weight of a technique of density p where another one of density q draws the same path.
-inline double mis_weight(Heuristic heuristic, double p, double q) {
-  const double ratio = q / p;
-  return 1 / (1 + (heuristic == Heuristic::power ? ratio * ratio : ratio));
-}
 
 }  // namespace shelfbeam

@@ -82,7 +82,7 @@ PlaneMirrors::PlaneMirrors(const Scene& scene) : scene_(scene), left_out_(scene.
   }
 }
 
-std::optional<Bend> PlaneMirrors::bend(std::size_t g, const Vec3& first, const Vec3& second) const {
+std::optional<Connection> PlaneMirrors::bend(std::size_t g, const Vec3& first, const Vec3& second) const {
   const Mirror& mirror = mirrors_[g];
   const double a = dot(mirror.normal, first) - mirror.offset, b = dot(mirror.normal, second) - mirror.offset;
   if (!(a * b > 0)) return std::nullopt;
@@ -95,18 +95,18 @@ std::optional<Bend> PlaneMirrors::bend(std::size_t g, const Vec3& first, const V
   if (!(squared > 0)) return std::nullopt;
   // By the law of reflection, which holds its digits where `second` all but touches the mirror.
   const Vec3 from_first = whole / std::sqrt(squared);
-  return Bend{from_first, mirror.normal * (2 * dot(mirror.normal, from_first)) - from_first, squared};
+  return Connection{from_first, mirror.normal * (2 * dot(mirror.normal, from_first)) - from_first, squared};
 }
 
-double PlaneMirrors::share(std::size_t g, const Bend& bend, const SurfacePoint& first, const Vec3& second,
-                           const RayScene& rays) const {
+double PlaneMirrors::share(std::size_t g, const Connection& way, const SurfacePoint& first,
+                           const Vec3& second, const RayScene& rays) const {
   double share = 1;
   SurfacePoint from = first;
   for (;;) {
-    const auto hit = rays.intersect(from, bend.from_first);
+    const auto hit = rays.intersect(from, way.from_first);
     if (!hit) return 0;
     const Material& material = scene_.materials[hit->material.value].material;
-    const double cosine = -dot(hit->point.normal, bend.from_first);
+    const double cosine = -dot(hit->point.normal, way.from_first);
     if (mirror_of_[hit->triangle] == g) {
       share *= specular_reflectance(material, {std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine});
       return share > 0 ? share * rays.passage(hit->point, second).share : 0;

@@ -14,10 +14,10 @@ namespace shelfbeam {
 /// Whether a surface reflects a share as a mirror does.
 bool mirrors_a_share(const Material& material);
 
-/// The way from one point to another over one mirror.
-struct Bend {
-  Vec3 from_first;   ///< unit, from the first point to the mirror
-  Vec3 from_second;  ///< unit, from the second point to the mirror
+/// The way from one point to another, straight or over one mirror.
+struct Connection {
+  Vec3 from_first;   ///< unit, from the first point to the second or to the mirror
+  Vec3 from_second;  ///< unit, from the second point likewise
   double length_squared = 0;
 };
 
@@ -44,10 +44,10 @@ class PlaneMirrors {
 
   /// The way over the plane of mirror g, if both points lie on one side of it and the way meets the mirror's
   /// bounding box.
-  std::optional<Bend> bend(std::size_t g, const Vec3& first, const Vec3& second) const;
+  std::optional<Connection> bend(std::size_t g, const Vec3& first, const Vec3& second) const;
 
   /// The share of the light that takes this way: reflectance of the mirror where it is met, panes, obstacles.
-  double share(std::size_t g, const Bend& bend, const SurfacePoint& first, const Vec3& second,
+  double share(std::size_t g, const Connection& way, const SurfacePoint& first, const Vec3& second,
                const RayScene& rays) const;
 
  private:

@@ -27,86 +27,81 @@ test::BareScene room(double of_all = albedo) {
   return room;
 }
 
-double cached(const RadianceCache& cache, const UnitGroups& groups, const SurfacePoint& at, std::size_t j) {
-  const RadianceCache::Row row = cache.row(at);
-  double sum = 0;
-  for (std::size_t c = 0; c < row.count; ++c) {
-    if (row.groups[c] != groups.place(j) / lanes) continue;
-    LaneValues e;
-    groups.irradiance(row.groups[c], LanePoint(at), e);
-    const std::size_t k = groups.place(j) % lanes;
-    sum += static_cast<double>(e[k] * PackedLane::share(row.share[c * lanes + k]) +
-                               PackedLane::value(row.indirect[c * lanes + k]));
-  }
-  return sum;
-}
+struct Prepared {
+  test::BareScene scene;
+  World world{scene.scene};
+  UnitGroups groups{world};
+  RadianceCache cache;
 
-// Root mean square and largest deviation of a cache on the floor from a room of some albedo, as shares.
-std::pair<double, double> deviation(const test::BareScene& scene, const UnitGroups& groups,
-                                    const RadianceCache& cache, double real_albedo) {
-  const SignalMatrix truth =
-      simulate(room(real_albedo).scene, {EstimatorKind::uniform, 60000, DirectLight::exact, 3}).matrix;
-  double squares = 0, largest = 0;
-  for (std::size_t i = 0; i < truth.rows(); ++i)
-    for (std::size_t j = 0; j < 2; ++j) {
-      const double ratio = cached(cache, groups, {scene.scene.labels[i].position, {0, 0, 1}}, j) /
-                           static_cast<double>(truth.mean[truth.at(i, j)]);
-      squares += std::pow(ratio - 1, 2) / static_cast<double>(truth.mean.size());
-      largest = std::max(largest, std::abs(ratio - 1));
+  explicit Prepared(double of_all = albedo, float least = 1e-4F, std::uint64_t seed = 5)
+      : scene(room(of_all)), cache(world, groups, least, seed) {}
+
+  double cached(const SurfacePoint& at, std::size_t j) const {
+    const RadianceCache::Row row = cache.row(at);
+    double sum = 0;
+    for (std::size_t c = 0; c < row.count; ++c) {
+      if (row.groups[c] != groups.place(j) / lanes) continue;
+      LaneValues e;
+      groups.irradiance(row.groups[c], LanePoint(at), e);
+      const std::size_t k = groups.place(j) % lanes;
+      sum += static_cast<double>(e[k] * PackedLane::share(row.share[c * lanes + k]) +
+                                 PackedLane::value(row.indirect[c * lanes + k]));
     }
-  return {std::sqrt(squares), largest};
-}
+    return sum;
+  }
+
+  // Root mean square and largest deviation on the floor from a room of some albedo, as shares.
+  std::pair<double, double> deviation(double real_albedo) const {
+    const SignalMatrix truth =
+        simulate(room(real_albedo).scene, {EstimatorKind::uniform, 60000, DirectLight::exact, 3}).matrix;
+    double squares = 0, largest = 0;
+    for (std::size_t i = 0; i < truth.rows(); ++i)
+      for (std::size_t j = 0; j < 2; ++j) {
+        const double ratio = cached({scene.scene.labels[i].position, {0, 0, 1}}, j) /
+                             static_cast<double>(truth.mean[truth.at(i, j)]);
+        squares += std::pow(ratio - 1, 2) / static_cast<double>(truth.mean.size());
+        largest = std::max(largest, std::abs(ratio - 1));
+      }
+    return {std::sqrt(squares), largest};
+  }
+};
+
+const SurfacePoint floor_point{{1.5, 2.5, 0}, {0, 0, 1}};
 
 // Coarse: irradiance on the floor within 30 %, within 12 % as root mean square (the reference to 1 %). The
 // control is a room with the albedo of 0.45.
 TEST(RadianceCache, HoldsRoughlyTheIrradiance) {
-  const test::BareScene scene = room();
-  const World world(scene.scene);
-  const UnitGroups groups(world);
-  const RadianceCache cache(world, groups, 1e-4F, 5);
-  EXPECT_GT(cache.cells(), 100U);
-  EXPECT_GT(cache.rays(), 10000U);
-  EXPECT_NEAR(static_cast<double>(cache.guide(MaterialId{0}).flat()) * pi, albedo, 1e-6);
-  const auto [typical, largest] = deviation(scene, groups, cache, albedo);
+  const Prepared room;
+  EXPECT_GT(room.cache.cells(), 100U);
+  EXPECT_NEAR(static_cast<double>(room.cache.guide(MaterialId{0}).flat()) * pi, albedo, 1e-6);
+  const auto [typical, largest] = room.deviation(albedo);
   EXPECT_LT(typical, 0.12);
   EXPECT_LT(largest, 0.3);
-  EXPECT_GT(deviation(scene, groups, cache, 0.45).first, 0.12);
+  EXPECT_GT(room.deviation(0.45).first, 0.12);
 }
 
 // The rounds bring 1 - 0.95^7, less than a third, of what white walls have in the end; rays that the cells
 // lose cost a fifth. The control is a room with the albedo of 0.9, whose walls have half as much.
 TEST(RadianceCache, ExtrapolatesTheBouncesBetweenWhiteWalls) {
-  const test::BareScene scene = room(0.95);
-  const World world(scene.scene);
-  const UnitGroups groups(world);
-  const RadianceCache cache(world, groups, 1e-4F, 5);
-  EXPECT_LT(deviation(scene, groups, cache, 0.95).first, 0.3);
-  EXPECT_GT(deviation(scene, groups, cache, 0.9).first, 0.3);
+  const Prepared room(0.95);
+  EXPECT_LT(room.deviation(0.95).first, 0.3);
+  EXPECT_GT(room.deviation(0.9).first, 0.3);
 }
 
 TEST(RadianceCache, IsBlankWhereNothingIsKnown) {
-  const test::BareScene scene = room();
-  const World world(scene.scene);
-  const UnitGroups groups(world);
-  const SurfacePoint floor{{1.5, 2.5, 0}, {0, 0, 1}};
-  const RadianceCache cache(world, groups, 1e-4F, 5);
-  EXPECT_GT(cache.row(floor).count, 0U);
-  EXPECT_EQ(cache.row({{60, 2.5, 0}, {0, 0, 1}}).count, 0U);
-  EXPECT_EQ(cache.row({{1.5, 2.5, 0}, {0, 0, -1}}).count, 0U);
-  EXPECT_EQ(cache.row({{1.5, 2.5, 1.5}, {0, 0, 1}}).count, 0U);
+  const Prepared room;
+  EXPECT_GT(room.cache.row(floor_point).count, 0U);
+  EXPECT_EQ(room.cache.row({{60, 2.5, 0}, {0, 0, 1}}).count, 0U);
+  EXPECT_EQ(room.cache.row({{1.5, 2.5, 0}, {0, 0, -1}}).count, 0U);
+  EXPECT_EQ(room.cache.row({{1.5, 2.5, 1.5}, {0, 0, 1}}).count, 0U);
   // Nor is anything kept that is too faint.
-  EXPECT_EQ(RadianceCache(world, groups, 1e6F, 5).row(floor).count, 0U);
+  EXPECT_EQ(Prepared(albedo, 1e6F).cache.row(floor_point).count, 0U);
 }
 
 TEST(RadianceCache, FollowsFromTheSeedAlone) {
-  const test::BareScene scene = room();
-  const World world(scene.scene);
-  const UnitGroups groups(world);
-  const SurfacePoint floor{{1.5, 2.5, 0}, {0, 0, 1}};
-  const RadianceCache one(world, groups, 1e-4F, 5), same(world, groups, 1e-4F, 5),
-      other(world, groups, 1e-4F, 6);
-  EXPECT_EQ(cached(one, groups, floor, 1), cached(same, groups, floor, 1));
-  EXPECT_NE(cached(one, groups, floor, 1), cached(other, groups, floor, 1));
+  const Prepared one, same, other(albedo, 1e-4F, 6);
+  EXPECT_EQ(one.cached(floor_point, 1), same.cached(floor_point, 1));
+  EXPECT_NE(one.cached(floor_point, 1), other.cached(floor_point, 1));
 }
 
 }  // namespace

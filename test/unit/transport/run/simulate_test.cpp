@@ -10,6 +10,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
+#include "physics/comparison.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/hypothesis.hpp"
 #include "support/small_store.hpp"
@@ -18,35 +19,8 @@ namespace shelfbeam {
 namespace {
 
 SimulationResult run(const Scene& scene, std::uint64_t samples, DirectLight direct = DirectLight::sampled,
-                     std::uint64_t seed = 1, unsigned threads = 0) {
-  RunControl control;
-  control.threads = threads;
-  return simulate(scene, {EstimatorKind::uniform, samples, direct, seed}, control);
-}
-
-// z-test of two independent estimates entry by entry; entries that neither run ever hit are left out.
-ZTest compare(const SignalMatrix& a, const SignalMatrix& b, double factor = 1) {
-  std::vector<double> values, references, errors;
-  for (std::size_t e = 0; e < a.mean.size(); ++e) {
-    const double error = std::hypot(a.standard_error[e] * factor, b.standard_error[e]);
-    if (error == 0) continue;
-    values.push_back(a.mean[e] * factor);
-    references.push_back(b.mean[e]);
-    errors.push_back(error);
-  }
-  return z_test(values, references, errors, 0.001, batch_count - 1);
-}
-
-TEST(Simulate, IsBitwiseTheSameForAnyNumberOfThreads) {
-  const Scene scene = test::SmallStore{}.scene();
-  const SignalMatrix one = run(scene, 640, DirectLight::sampled, 1, 1).matrix;
-  for (const unsigned threads : {2U, 3U, 8U}) {
-    const SignalMatrix many = run(scene, 640, DirectLight::sampled, 1, threads).matrix;
-    EXPECT_EQ(one.mean, many.mean);
-    EXPECT_EQ(one.standard_error, many.standard_error);
-    EXPECT_EQ(one.direct, many.direct);
-  }
-  EXPECT_NE(one.mean, run(scene, 640, DirectLight::sampled, 2, 1).matrix.mean);
+                     std::uint64_t seed = 1) {
+  return simulate(scene, {EstimatorKind::uniform, samples, direct, seed});
 }
 
 TEST(Simulate, EveryStrategyIsBitwiseTheSameForAnyNumberOfThreads) {
@@ -66,12 +40,15 @@ TEST(Simulate, EveryStrategyIsBitwiseTheSameForAnyNumberOfThreads) {
         control.threads = threads;
         return simulate(scene, options, control).matrix;
       };
-      const SignalMatrix one = with(1), many = with(3);
-      EXPECT_EQ(one.mean, many.mean);
-      EXPECT_EQ(one.standard_error, many.standard_error);
-      EXPECT_EQ(one.direct, many.direct);
-      ASSERT_EQ(one.by_bounce.size(), 5u);
-      for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(one.by_bounce[k].mean, many.by_bounce[k].mean);
+      const SignalMatrix one = with(1);
+      for (const unsigned threads : {2U, 3U, 8U}) {
+        const SignalMatrix many = with(threads);
+        EXPECT_EQ(one.mean, many.mean);
+        EXPECT_EQ(one.standard_error, many.standard_error);
+        EXPECT_EQ(one.direct, many.direct);
+        ASSERT_EQ(one.by_bounce.size(), 5u);
+        for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(one.by_bounce[k].mean, many.by_bounce[k].mean);
+      }
       options.seed = 2;
       EXPECT_NE(one.mean, with(1).mean);
     }
@@ -132,44 +109,8 @@ TEST(Simulate, AnotherTransceiverLeavesTheOtherColumns) {
       old.mean[old.at(i, j)] = five.mean[five.at(i, j)];
       old.standard_error[old.at(i, j)] = five.standard_error[five.at(i, j)];
     }
-  EXPECT_TRUE(compare(old, four).pass) << compare(old, four).largest;
-  EXPECT_FALSE(compare(old, four, 5.0 / 4).pass);
-}
-
-// Both ways of direct light estimate the same matrix: z-test at 0.1 %, relative standard error 1 to 5 %. The
-// control is a matrix 5 % off.
-TEST(Simulate, SampledAndExactDirectLightAgree) {
-  const Scene scene = test::SmallStore{}.scene();
-  const SignalMatrix sampled = run(scene, 40000, DirectLight::sampled, 1).matrix;
-  const SignalMatrix exact = run(scene, 40000, DirectLight::exact, 2).matrix;
-  const ZTest test = compare(sampled, exact);
-  EXPECT_TRUE(test.pass) << test.largest << " of " << test.limit;
-  EXPECT_FALSE(compare(sampled, exact, 1.05).pass);
-  for (std::size_t e = 0; e < exact.direct.size(); ++e) EXPECT_LE(exact.direct[e], exact.mean[e]);
-}
-
-// What the walk's first connection collects is an estimate of the closed form: the sum over all entries, from
-// 40 seeds, z-test at 0.1 % with a standard error of about 1 %. The control leaves out one unit in n of the
-// weight.
-TEST(Simulate, SampledDirectPartIsAnEstimateOfTheClosedForm) {
-  const Scene scene = test::SmallStore{}.scene();
-  const auto sum = [](const SignalMatrix& matrix) {
-    double total = 0;
-    for (const float value : matrix.direct) total += value;
-    return total;
-  };
-  const double expected = sum(run(scene, 64, DirectLight::exact).matrix);
-  Moments sums;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed)
-    sums.add(sum(run(scene, 320, DirectLight::sampled, seed).matrix));
-  const auto agrees = [&](double factor) {
-    return z_test(std::vector{factor * sums.mean()}, std::vector{expected},
-                  std::vector{factor * sums.standard_error()}, 0.001, 39)
-        .pass;
-  };
-  EXPECT_LT(sums.standard_error() / expected, 0.02);
-  EXPECT_TRUE(agrees(1));
-  EXPECT_FALSE(agrees(3.0 / 4));
+  EXPECT_TRUE(test::compare(old, four).agrees(0.001));
+  EXPECT_FALSE(test::compare(old, four, 4.0 / 5).agrees(0.001));
 }
 
 // The standard errors are what the spread over seeds says: pooled over the entries, the variance of 60
@@ -223,8 +164,8 @@ TEST(Simulate, KeepsWhatItHasWhenCancelled) {
     EXPECT_EQ(row.samples, row.batches * 6400 / batch_count);
   }
   const SignalMatrix whole = run(scene, 6400, DirectLight::sampled, 2).matrix;
-  EXPECT_TRUE(compare(result.matrix, whole).pass);
-  EXPECT_FALSE(compare(result.matrix, whole, 0.5).pass);
+  EXPECT_TRUE(test::compare(result.matrix, whole).agrees(0.001));
+  EXPECT_FALSE(test::compare(result.matrix, whole, 2).agrees(0.001));
 }
 
 TEST(Simulate, SaysSoWhenCancelledTooEarly) {

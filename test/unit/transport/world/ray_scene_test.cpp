@@ -2,39 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/math/warp.hpp"
-#include "shelfbeam/scene/store/store.hpp"
 
+#include "physics/strategy_store.hpp"
+#include "support/empty_room.hpp"
 #include "support/small_store.hpp"
 
 namespace shelfbeam {
 namespace {
-
-Scene empty_room(double x, double y, double z) {
-  return make_scene(parse_store(
-      fmt::format(R"({{"room": {{"size": [{}, {}, {}], "floor": "w", "ceiling": "w", "walls": "w"}},
-        "materials": {{"w": {{"type": "lambertian", "reflectance": 0.5}}}},
-        "label_types": {{"s": {{"threshold": 1}}}},
-        "transceiver_types": {{"u": {{"emission": {{"type": "sin2theta", "peak": 1}}}}}},
-        "labels": [{{"id": "L", "position": [{}, {}, {}], "normal": [0, 0, 1], "type": "s"}}],
-        "transceivers": {{"list": [{{"id": "T", "position": [{}, {}, {}], "type": "u"}}]}}}})",
-                  x, y, z, x / 2, y / 2, z / 2, x / 2, y / 2, z),
-      "room", "."));
-}
 
 bool blocked(const RayScene& rays, const Vec3& from, const Vec3& to) {
   return rays.passage({from, {0, 0, 1}}, to).share == 0;
 }
 
 TEST(RayScene, FindsTheWallItLooksAt) {
-  const RayScene rays(empty_room(6, 5, 3));
+  const RayScene rays(test::empty_room({6, 5, 3}));
   const auto hit = rays.intersect({{3, 2, 1}, {1, 0, 0}}, normalized({1, 0.25, -0.1}));
   ASSERT_TRUE(hit);
   // The start is moved by 16 x 2^-24 of 6 m, 6e-6 m.
@@ -61,7 +51,7 @@ TEST(RayScene, LightDoesNotLeakOutOfAClosedRoom) {
 // walls and edges included. The control is an offset-free start below the surface, which must be blocked.
 TEST(RayScene, ConvexRoomsShadowNothingAtAnyScale) {
   for (const double scale : {0.05, 1.0, 20.0, 200.0}) {
-    const Scene scene = empty_room(scale, 0.7 * scale, 0.3 * scale);
+    const Scene scene = test::empty_room({scale, 0.7 * scale, 0.3 * scale});
     const RayScene rays(scene);
     int controls = 0;
     for (std::uint32_t k = 0; k < 20000; ++k) {
@@ -78,7 +68,7 @@ TEST(RayScene, ConvexRoomsShadowNothingAtAnyScale) {
 // Walks between the walls of a convex room never leave it and always find the far side.
 TEST(RayScene, WalksStayInsideAtAnyScale) {
   for (const double scale : {0.05, 1.0, 200.0}) {
-    const Scene scene = empty_room(scale, 0.7 * scale, 0.3 * scale);
+    const Scene scene = test::empty_room({scale, 0.7 * scale, 0.3 * scale});
     const RayScene rays(scene);
     Vec3 position{0.3 * scale, 0.2 * scale, 0}, normal{0, 0, 1};
     for (std::uint32_t k = 0; k < 20000; ++k) {
@@ -102,7 +92,7 @@ TEST(RayScene, AskewHallsNeitherShadowNorHitThemselves) {
   for (const double size : {20.0, 200.0})
     for (const Vec3& up : {Vec3{0.37, -0.52, 0.8}, Vec3{2.37, -0.52, 0.2}, Vec3{-0.1, 0.05, 1}}) {
       const Frame frame = Frame::about(normalized(up));
-      Scene scene = empty_room(size, 0.7 * size, 4);
+      Scene scene = test::empty_room({size, 0.7 * size, 4});
       const auto place = [&](const Vec3& p) { return frame.to_world(p - Vec3{0.43 * size, 0.31 * size, 0}); };
       for (Vec3& vertex : scene.mesh.vertices) vertex = place(vertex);
       const RayScene rays(scene);
@@ -132,7 +122,7 @@ TEST(RayScene, AskewHallsNeitherShadowNorHitThemselves) {
 // A sheet 1.5 mm thick far from the origin in a hall of 200 m is opaque, from its own faces and from afar,
 // for what touches the other face, too. The control passes beside it.
 TEST(RayScene, ThinSheetsBlockInAHall) {
-  Scene scene = empty_room(200, 140, 6);
+  Scene scene = test::empty_room({200, 140, 6});
   const Vec3 low{180.3, 120.2, 1}, high{180.3015, 121.2, 2};
   const auto first = static_cast<std::uint32_t>(scene.mesh.vertices.size());
   for (const double x : {low.x, high.x}) {
@@ -160,6 +150,39 @@ TEST(RayScene, FixturesBlock) {
   const RayScene rays(scene);
   EXPECT_EQ(rays.passage({{2, 1.0, 0.3}, {0, -1, 0}}, {2, 4.5, 0.4}).share, 0);
   EXPECT_EQ(rays.passage({{2, 1.0, 0.3}, {0, -1, 0}}, {2, 0.2, 2.9}).share, 1);
+}
+
+// From points on what lies below to others in the air, in packets of every size from 1 to 40: equal, each
+// kind of answer at least 500 times. Chances are no shares, which the control takes for them.
+TEST(RayScene, PacketsGiveWhatSingleRaysDo) {
+  test::StrategyStore store;
+  store.add_glass();
+  store.set("pane", make_thin_dielectric(1.5, 0.01, 20));
+  const RayScene rays(store.scene());
+  const auto place = [](std::uint32_t k, std::uint32_t stream) {
+    const auto u = philox({k, stream, 0, 0}, 9);
+    return Vec3{6 * to_unit(u[0]), 5 * to_unit(u[1]), 3 * to_unit(u[2])};
+  };
+  int blocked = 0, dimmed = 0, open = 0, differ = 0;
+  for (std::uint32_t k = 0; k < 600; ++k) {
+    const auto hit = rays.intersect({place(k, 0), {0, 0, 1}}, {0, 0, -1});
+    const SurfacePoint from{hit ? hit->point.position : place(k, 0), {0, 0, 1}};
+    std::vector<Vec3> to;
+    for (std::uint32_t t = 0; t < 1 + k % 40; ++t) to.push_back(place(k, t + 1));
+    std::vector<float> shares(to.size(), -1);
+    std::vector<Passage> passages(to.size());
+    rays.shares(from, to, shares);
+    rays.passages(from, to, passages);
+    for (std::size_t t = 0; t < to.size(); ++t) {
+      const Passage expected = rays.passage(from, to[t]);
+      EXPECT_EQ(shares[t], static_cast<float>(expected.share)) << k << ", " << t;
+      EXPECT_EQ(passages[t].share, expected.share) << k << ", " << t;
+      EXPECT_EQ(passages[t].probability, expected.probability) << k << ", " << t;
+      ++(expected.share == 0 ? blocked : expected.share < 1 ? dimmed : open);
+      differ += expected.probability != expected.share ? 1 : 0;
+    }
+  }
+  for (const int times : {blocked, dimmed, open, differ}) EXPECT_GT(times, 500);
 }
 
 }  // namespace
