@@ -6,9 +6,10 @@ set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shelfbeam)
 set_target_properties(shelfbeam_library PROPERTIES EXPORT_NAME shelfbeam)
 
 install(TARGETS shelfbeam COMPONENT program)
-install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/man ${PROJECT_BINARY_DIR}/manual/bash-completion
-                  ${PROJECT_BINARY_DIR}/manual/zsh
-        DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT program)
+install(FILES data/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        RENAME shelfbeam COMPONENT program)
+install(FILES data/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
+        RENAME _shelfbeam COMPONENT program)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES data/store.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/shelfbeam COMPONENT program)
@@ -29,6 +30,21 @@ configure_package_config_file(cmake/shelfbeamConfig.cmake.in ${PROJECT_BINARY_DI
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/shelfbeamConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/shelfbeamConfig.cmake ${PROJECT_BINARY_DIR}/shelfbeamConfigVersion.cmake
         DESTINATION ${config_dir} COMPONENT library)
+
+# Manual pages, of the program and of each verb, from what --help says.
+find_program(SHELFBEAM_HELP2MAN help2man)
+if(SHELFBEAM_HELP2MAN)
+  set(manual ${PROJECT_BINARY_DIR}/manual)
+  set(make_pages ${PROJECT_SOURCE_DIR}/cmake/manual_pages.sh)
+  add_custom_command(OUTPUT ${manual}/written
+    COMMAND ${make_pages} ${SHELFBEAM_HELP2MAN} $<TARGET_FILE:shelfbeam> ${manual}
+    COMMAND ${CMAKE_COMMAND} -E touch ${manual}/written
+    DEPENDS shelfbeam ${make_pages} COMMENT "Writing the manual pages" VERBATIM)
+  add_custom_target(shelfbeam_manual_pages ALL DEPENDS ${manual}/written)
+  install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
+else()
+  message(WARNING "help2man is missing (package help2man): there will be no manual pages")
+endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The shelfbeam developers <shelfbeam@localhost>")

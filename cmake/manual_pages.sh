@@ -1,0 +1,32 @@
+#!/bin/sh
+# Usage: manual_pages.sh HELP2MAN PROGRAM FOLDER
+#
+# Writes the manual pages of shelfbeam and of each verb to FOLDER/man1, from what their --help says.
+set -eu
+
+help2man=$1 program=$2 folder=$3
+PATH=$(dirname "$program"):$PATH
+version=$(shelfbeam --version)
+
+rm -rf "$folder"
+mkdir -p "$folder/man1"
+cat >"$folder/see_also" <<END
+[see also]
+.BR shelfbeam (1)
+lists the verbs; each has a page of its own, such as
+.BR shelfbeam-plan (1).
+END
+
+# help2man wants a prompt before commands, and two spaces before the description of an option (in column 30).
+as_wanted='s/^  shelfbeam /  $ shelfbeam /; s/^(  -.{26} )([A-Z])/\1 \2/'
+
+# page TITLE SUMMARY COMMAND
+page() {
+  "$help2man" --no-info --output "$folder/man1/$1.1" --name "$2" --version-string "$1 $version" \
+    --source "shelfbeam $version" --include "$folder/see_also" --help-option "--help | sed -E '$as_wanted'" "$3"
+}
+
+shelfbeam --help >"$folder/help"
+page shelfbeam "$(head -n 1 "$folder/help")" shelfbeam
+sed -nE '/^Subcommands:/,/^$/s/^  ([a-z]+) +/\1 /p' "$folder/help" |
+  while read -r verb summary; do page "shelfbeam-$verb" "$summary" "shelfbeam $verb"; done

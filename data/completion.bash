@@ -1,0 +1,28 @@
+#compdef shelfbeam
+# Completion for bash and, by way of bashcompinit, for zsh: verbs, options and choices as --help has them.
+
+_shelfbeam() {
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} verb='' wanted
+  ((COMP_CWORD == 1)) || verb=${COMP_WORDS[1]}
+  if [[ $word == -* ]]; then
+    wanted='s/^  (-.,)?(--[a-z-]+).*/\2/p'
+  elif [[ ! $verb ]]; then
+    wanted='/^Subcommands:/,/^$/s/^  ([a-z]+) .*/\1/p'
+  elif [[ $before == -* ]]; then
+    wanted="s/^  (-.,)?${before//[^a-z-]/} [A-Z]+:\{([^}]*)\}.*/\2/p"
+  elif ((COMP_CWORD == 2)); then
+    wanted='/^Positionals:/,/^$/s/^  [A-Z]+ \{([^}]*)\}.*/\1/p'
+  else
+    return 0
+  fi
+  wanted=$("${COMP_WORDS[0]}" ${verb:+"$verb"} --help 2>/dev/null | sed -nE "$wanted")
+  # shellcheck disable=SC2207
+  COMPREPLY=($(compgen -W "${wanted//,/ }" -- "$word"))
+}
+
+if [[ ${ZSH_VERSION-} ]]; then
+  autoload -Uz bashcompinit && bashcompinit
+fi
+complete -o default -F _shelfbeam shelfbeam
+# zsh loads this file when it is first asked to complete.
+[[ ${funcstack[1]-} != _shelfbeam ]] || _bash_complete -o default -F _shelfbeam
