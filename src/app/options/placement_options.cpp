@@ -19,7 +19,8 @@ void add_question_options(CLI::App& verb, Question& question) {
   auto* weighted = verb.add_flag_callback(
       "--weighted", [&question] { question.combination = Combination::weighted; },
       "Minimise the cost of units plus the objective");
-  verb.add_flag("--lexicographic", "Fewest transceivers first, then the objective (default)")
+  verb.add_flag("--lexicographic")
+      ->description("Fewest transceivers first, then the objective (default)")
       ->excludes(weighted);
   verb.add_option("--share", question.share, "Share of the requirement from which an effective link counts")
       ->check(positive_number())

@@ -226,7 +226,7 @@ LaneKernels::Parts LaneKernels::parts(const UnitGroups& groups, std::size_t g, s
   const Facets facets(scatter);
   const Way way = way_to(groups.groups_[g], point, facets, lane);
   return {on_curve(facets.entry, way.ln), scatter.highlight == 0 ? 0
-                                          : scatter.is_beckmann  ? highlight<true>(facets, way)
+                                          : facets.is_beckmann   ? highlight<true>(facets, way)
                                                                  : highlight<false>(facets, way)};
 }
 
