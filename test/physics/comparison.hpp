@@ -101,7 +101,7 @@ struct Way {
 inline constexpr Way walk{"walk", Strategy::walk}, nee{"nee", Strategy::nee}, mis{"mis", Strategy::mis},
     mis_power{"mis, power heuristic", Strategy::mis, Heuristic::power},
     particle{"particle", Strategy::particle},
-    path_reuse{"path reuse", Strategy::nee, Heuristic::balance, EstimatorKind::reuse};
+    path_reuse{"path reuse", Strategy::mis, Heuristic::balance, EstimatorKind::reuse};
 /// First rays a label in 32 batches of path reuse.
 inline constexpr std::uint64_t reuse_samples = 32 * 131;
 

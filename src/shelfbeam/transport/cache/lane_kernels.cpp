@@ -225,9 +225,9 @@ LaneKernels::Parts LaneKernels::parts(const UnitGroups& groups, std::size_t g, s
                                       const LanePoint& point, const LaneScatter& scatter) {
   const Facets facets(scatter);
   const Way way = way_to(groups.groups_[g], point, facets, lane);
-  return {on_curve(facets.entry, way.ln), scatter.highlight == 0 ? 0
-                                          : facets.is_beckmann   ? highlight<true>(facets, way)
-                                                                 : highlight<false>(facets, way)};
+  return {on_curve(facets.entry, way.ln), facets.highlight == 0 ? 0
+                                          : facets.is_beckmann  ? highlight<true>(facets, way)
+                                                                : highlight<false>(facets, way)};
 }
 
 SHELFBEAM_FOR_EACH_CPU

@@ -11,6 +11,7 @@
 #include "shelfbeam/report/data/distributions.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
 #include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/report/data/report_data.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
@@ -159,7 +160,7 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificateAsTheJsonHasThem) {
     at = table.find("<tr><td>" + escape(data.label(row).id) + "</td>", at);
     ASSERT_NE(at, std::string::npos) << data.label(row).id;
     const std::string cells = table.substr(at, table.find("</tr>", at) - at);
-    EXPECT_NE(cells.find(">" + std::string(verdict_name(s.placement.certificate->labels[row].verdict)) + "<"),
+    EXPECT_NE(cells.find(">" + std::string(to_text(s.placement.certificate->labels[row].verdict)) + "<"),
               std::string::npos)
         << cells;
   }

@@ -211,7 +211,7 @@ TEST(ResolvedStore, ComparisonAndHashSeeEveryChange) {
            {"/transceiver_types/wide/emission/intensity", "0.5000000000000001"},
            {"/transceiver_types/fan/emission/theta_deg/1", "45.00000000000001"},
            {"/transceiver_types/fan/emission/intensity/2/2", "9.000000000000002"},
-           {"/fixtures/0/rotation_deg", "15.000000000000002"},
+           {"/fixtures/0/rotation_deg", "15.0000000001"},
            {"/fixtures/0/stocking", "0.61"},
            {"/fixtures/0/goods", "\"steel\""},
            {"/fixtures/1/doors", "\"tile\""},
