@@ -18,7 +18,6 @@
 
 #include "placement_bounds.hpp"
 #include "placement_instances.hpp"
-#include "placement_symmetry.hpp"
 #include "support.hpp"
 
 namespace {
@@ -28,7 +27,6 @@ using namespace shelfbeam::bench;
 
 constexpr const char* usage =
     R"(bench_placement [SIGNAL...] [--limit S] [--scale X,Y...] [--only-count] [--json]
-bench_placement --symmetry [SIGNAL...] [--limit S] [--scale X,Y...]
 bench_placement --bounds [SIGNAL...] [--limit S] [--scale X,Y...]
 
 Asks our search and every MIP solver the same placement questions, and prints times and their ratios.
@@ -40,7 +38,6 @@ SIGNAL        any matrix that 'shelfbeam place' reads; without one the thesis en
 --scale X,Y   all of it again with the requirements times X, Y, ..., for answers of more units
 --only-count  without second objectives
 --json        rows as JSON
---symmetry    instead: what neighbouring and mirrored candidates cost the tree search
 --bounds      instead: what reductions leave, and the bounds of linear programs with and without shares
 )";
 
@@ -50,7 +47,6 @@ struct Settings {
   double limit = 60;
   bool only_count = false;
   bool json = false;
-  bool symmetry = false;
   bool bounds = false;
   bool help = false;
 };
@@ -179,8 +175,6 @@ Settings parse(int argc, char** argv) {
       settings.only_count = true;
     } else if (word == "--json") {
       settings.json = true;
-    } else if (word == "--symmetry") {
-      settings.symmetry = true;
     } else if (word == "--bounds") {
       settings.bounds = true;
     } else if (word == "--help") {
@@ -191,8 +185,8 @@ Settings parse(int argc, char** argv) {
       settings.files.push_back(word);
     }
   }
-  if (int{settings.symmetry} + int{settings.bounds} + int{settings.json || settings.only_count} > 1)
-    throw std::invalid_argument("--symmetry and --bounds go with --limit and --scale alone");
+  if (settings.bounds && (settings.json || settings.only_count))
+    throw std::invalid_argument("--bounds goes with --limit and --scale alone");
   return settings;
 }
 
@@ -203,8 +197,6 @@ int main(int argc, char** argv) {
     const Settings settings = parse(argc, argv);
     if (settings.help)
       fmt::print("{}", usage);
-    else if (settings.symmetry)
-      print_symmetry(settings.files, settings.scales, settings.limit);
     else if (settings.bounds)
       print_bounds(settings.files, settings.scales, settings.limit);
     else

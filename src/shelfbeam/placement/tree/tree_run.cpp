@@ -20,7 +20,6 @@ TreeRun::TreeRun(const SearchProblem& p, const SearchMatrix& a, const SearchMatr
       is_searched_(a.rows(), false),
       most_work_(l.work > 0 ? l.work : std::numeric_limits<std::uint64_t>::max()),
       most_cost_(g.most_cost),
-      margin_(g.least_margin),
       widest_(g.start) {
   if (goal.kind == TreeGoal::Kind::widest) {
     std::vector<float> memory;
@@ -95,7 +94,7 @@ Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float
   std::sort(sorted.begin(), sorted.end());
   switch (goal.kind) {
     case TreeGoal::Kind::any:
-      if (margin.smallest < goal.least_margin || found_any()) break;
+      if (found_any()) break;
       best = std::move(sorted);
       found_.store(true, std::memory_order_relaxed);
       break;

@@ -18,7 +18,7 @@ namespace shelfbeam::detail {
 /// most `most_units` units and cost at most `most_cost`.
 struct TreeGoal {
   enum class Kind {
-    any,       ///< one with a margin of `least_margin` at least
+    any,       ///< one of them
     cheapest,  ///< the least cost
     widest     ///< the largest margin, of equal ones the fewest units, of these the first by id, if that
                ///< is better than `start`
@@ -26,10 +26,7 @@ struct TreeGoal {
   Kind kind = Kind::any;
   std::size_t most_units = 0;
   std::int64_t most_cost = std::numeric_limits<std::int64_t>::max();
-  double least_margin = 0;              ///< for any
-  std::vector<std::uint32_t> start;     ///< for widest: ascending; a selection that meets every label
-  std::vector<std::uint32_t> included;  ///< further columns that it must hold
-  std::vector<std::uint32_t> excluded;  ///< columns that it must not hold
+  std::vector<std::uint32_t> start;  ///< for widest: ascending; a selection that meets every label
 };
 
 struct TreeAnswer {

@@ -22,7 +22,6 @@ TreeWalk::TreeWalk(TreeRun& run, std::span<const float> weights, std::uint32_t n
     : run_(run), logs_(run.limits.wants_proof), number_(number) {
   const SearchProblem& problem = run.problem;
   chosen_ = problem.installed;
-  chosen_.insert(chosen_.end(), run.goal.included.begin(), run.goal.included.end());
   most_units_ = run.goal.most_units >= chosen_.size() ? run.goal.most_units - chosen_.size() : 0;
   frames_.resize(most_units_ + 1);
   for (const std::uint32_t j : chosen_) spent_ += problem.cost[j];
@@ -41,14 +40,8 @@ TreeWalk::TreeWalk(TreeRun& run, std::span<const float> weights, std::uint32_t n
   for (const std::uint32_t j : chosen_)
     SearchKernels::receive(run.rule, root.window->column(j), root.value.size(), root.value.data(),
                            root.best.data());
-  std::vector<bool> allowed = problem.available;
-  for (const std::uint32_t j : run.goal.excluded) allowed[j] = false;
-  for (const std::uint32_t j : run.goal.included) {
-    allowed[j] = false;
-    for (const std::uint32_t other : problem.excludes[j]) allowed[other] = false;
-  }
-  for (std::uint32_t j = 0; j < allowed.size(); ++j)
-    if (allowed[j]) root.allowed.push_back(j);
+  for (std::uint32_t j = 0; j < problem.available.size(); ++j)
+    if (problem.available[j]) root.allowed.push_back(j);
 }
 
 // Nothing received, and nothing lacking in the padding.
@@ -302,8 +295,7 @@ void TreeWalk::complete(std::size_t depth) {
   const double target = std::min(run_.exact_target(), largest);
   const std::size_t units = units_left(depth);
   const bool may_improve =
-      !margin.is_met || (run_.goal.kind == TreeGoal::Kind::widest && margin.smallest < padding) ||
-      (run_.goal.kind == TreeGoal::Kind::any && margin.smallest < run_.goal.least_margin);
+      !margin.is_met || (run_.goal.kind == TreeGoal::Kind::widest && margin.smallest < padding);
   if (margin.smallest < target) run_.miss(margin.label);
   if (!may_improve || run_.found_any()) {
     log(Proof::cost_fails);  // an answer: whatever is better is cheaper

@@ -72,7 +72,7 @@ class TreeRun {
   bool is_part_cut_ = false;
   std::atomic<std::uint64_t> nodes_{0}, misses_{0}, logged_{0}, work_{0};
   std::atomic<std::int64_t> most_cost_;
-  std::atomic<double> margin_;
+  std::atomic<double> margin_{0};  ///< of the widest so far
   std::vector<std::uint32_t> widest_;
   std::atomic<bool> found_{false}, cut_{false};
 };
