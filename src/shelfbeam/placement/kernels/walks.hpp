@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <tbb/task_arena.h>
-
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/kernels/search_effort.hpp"
@@ -15,9 +13,7 @@ namespace shelfbeam::detail {
 /// one reports progress.
 template <class Walk>
 void for_each_walk(const SearchEffort& effort, const RunControl& control, const Walk& walk) {
-  tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(control.threads));
-  arena.execute([&] {
+  with_threads(control.threads, [&] {
     for_each_task(effort.walks, [&](std::size_t k) {
       walk(k, effort.seed + static_cast<std::uint32_t>(k),
            k == 0 ? control : RunControl{control.threads, control.cancel});

@@ -61,7 +61,7 @@ std::size_t most_units(const SignalTable& table, std::span<const double> cost, d
 
 CoverModel::CoverModel(const SignalTable& table, const Question& question, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control)
-    : table_(table), question_(question), solve_(solve), control_(control), time_limit_s_(time_limit_s) {}
+    : table_(table), question_(question), solve_(solve), control_(control), deadline_(time_limit_s) {}
 
 void CoverModel::build() {
   model_ = model_without_failures(table_, question_);
@@ -124,14 +124,10 @@ bool CoverModel::let_fail(const std::vector<std::uint32_t>& selected,
   return added;
 }
 
-double CoverModel::seconds_left() const {
-  return time_limit_s_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
-
 CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double known,
                                          std::optional<std::size_t> count) {
   Outcome outcome;
-  if (seconds_left() <= 0 || control_.cancelled()) return outcome;
+  if (deadline_.has_passed() || control_.cancelled()) return outcome;
   if (!built_) build();
   for (std::size_t j = 0; j < cost.size(); ++j) {
     milp::Column& column = model_.columns[j];
@@ -146,9 +142,9 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
     for (std::uint32_t j = 0; j < table_.columns(); ++j) count_row.entries.push_back({j, 1.0});
   }
 
-  while (seconds_left() > 0 && !control_.cancelled()) {
+  while (!deadline_.has_passed() && !control_.cancelled()) {
     if (count) model_.rows.push_back(count_row);
-    const milp::Result result = solve_(model_, {.time_limit_s = seconds_left()}, control_);
+    const milp::Result result = solve_(model_, {.time_limit_s = deadline_.seconds_left()}, control_);
     const bool empty_handed = result.solution.empty() && !model_.columns.empty();
     const bool wrong =
         !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;

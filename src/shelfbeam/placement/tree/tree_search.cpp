@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <tbb/task_arena.h>
-
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/tree/tree_walk.hpp"
 
 namespace shelfbeam::detail {
@@ -78,13 +77,11 @@ TreeAnswer TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const R
   if (rows_.empty()) choose_rows(wanted.most_units);
   TreeGoal goal = wanted;
   Limits left = limits;
-  const int threads = control.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(control.threads);
-  tbb::task_arena arena(threads);
   while (true) {
     if (!matrix_) matrix_.emplace(problem_.table, problem_.question.model, rows_);
     TreeRun run(problem_, all_, *matrix_, goal, left, control);
     TreeWalk root(run, weights_, 0);
-    arena.execute([&] { root.from_root(); });
+    with_threads(control.threads, [&] { root.from_root(); });
     std::copy_n(root.weights().begin(), weights_.size(), weights_.begin());
     answer.nodes += run.nodes();
     if (run.best) {
