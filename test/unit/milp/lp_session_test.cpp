@@ -122,7 +122,7 @@ TEST_P(MilpLpSession, DualsProveTheOptimum) {
   EXPECT_GT(wrong_sign, solved / 2);
 }
 
-TEST_P(MilpLpSession, AgreesWithASolveFromScratchAfterEveryChange) {
+TEST_P(MilpLpSession, AgreesWithASolveFromScratchAfterEveryRow) {
   std::mt19937_64 random(5);
   int changed = 0;
   for (int k = 0; k < 40; ++k) {
@@ -134,16 +134,6 @@ TEST_P(MilpLpSession, AgreesWithASolveFromScratchAfterEveryChange) {
     for (const Row& row : rows) {
       model.rows.push_back(row);
       lp->add_rows({&row, 1});
-      const auto j = random() % model.columns.size();
-      Column& column = model.columns[j];
-      if (random() % 3 == 0) {
-        column.upper = column.lower + 0.5;
-        lp->set_bounds(j, column.lower, column.upper);
-      }
-      if (random() % 3 == 0) {
-        column.cost += 0.5;
-        lp->set_cost(j, column.cost);
-      }
       const LpResult warm = lp->solve(infinity, {});
       const Result cold = GetParam().solve(model, {}, {});
       ASSERT_EQ(warm.termination, cold.termination) << k;
@@ -209,10 +199,8 @@ TEST_P(MilpLpSession, IsSilentAndLivesBesideOthers) {
   b->add_rows({model.rows.data(), 1});
   EXPECT_NEAR(a->solve(infinity, {}).objective, 1.5, 1e-9);
   EXPECT_NEAR(b->solve(infinity, {}).objective, 1, 1e-9);
-  EXPECT_EQ(GetParam().solve(model, {.threads = 2}, {}).primal_bound, 2);
+  EXPECT_EQ(GetParam().solve(model, {}, {.threads = 2}).primal_bound, 2);
   EXPECT_NEAR(a->solve(infinity, {}).objective, 1.5, 1e-9);
-  a->set_bounds(0, 1, 1);
-  EXPECT_NEAR(a->solve(infinity, {}).objective, 2, 1e-9);
   const Row impossible{5, infinity, {{0, 1.0}}, {}};
   a->add_rows({&impossible, 1});
   EXPECT_EQ(a->solve(infinity, {}).termination, Termination::infeasible);

@@ -187,7 +187,7 @@ TEST_P(MilpSolver, IsSilent) {
 
 TEST_P(MilpSolver, AcceptsAnotherNumberOfThreadsEachTime) {
   for (const unsigned threads : {1U, 2U, 1U, 3U})
-    EXPECT_EQ(solve(test::triangle(), {.threads = threads}).primal_bound, 2) << threads;
+    EXPECT_EQ(solve(test::triangle(), {}, {.threads = threads}).primal_bound, 2) << threads;
 }
 
 }  // namespace
