@@ -298,7 +298,7 @@ class Engine {
     if (is_weighted_) {
       TreeGoal goal;
       goal.kind = TreeGoal::Kind::cheapest;
-      goal.most_units = affordable(best_value_);
+      goal.most_units = bounds_.affordable(best_value_);
       if (!has_tree(goal.most_units)) return;
       goal.most_cost = clearly_less(problem_.cost_of(best_));
       const TreeAnswer answer = tree_->run(goal, limits, control_);
@@ -320,30 +320,11 @@ class Engine {
     }
   }
 
-  // Most units of a selection that costs no more.
-  std::size_t affordable(double cost) const {
-    std::vector<double> ascending;
-    double spent = 0;
-    for (std::size_t j = 0; j < first_cost_.size(); ++j)
-      if (table_.transceivers[j].installed)
-        spent += first_cost_[j];
-      else
-        ascending.push_back(first_cost_[j]);
-    std::sort(ascending.begin(), ascending.end());
-    std::size_t count = problem_.installed.size();
-    for (const double one : ascending) {
-      spent += one;
-      if (spent > cost * (1 + equal_values)) break;
-      ++count;
-    }
-    return count;
-  }
-
   // Units that no better selection has, by their reduced costs, and what such a selection costs at most.
   std::vector<std::uint32_t> useless_units(double& worth) const {
     const bool is_whole = bounds_.rounded(0.5) > 0.5;
     worth = is_whole ? best_value_ - 1 : best_value_ * (1 - equal_values);
-    return relaxation_ ? fix_columns(*relaxation_, worth).left_out : std::vector<std::uint32_t>{};
+    return relaxation_ ? useless_columns(*relaxation_, worth) : std::vector<std::uint32_t>{};
   }
 
   void ask_mip(double seconds) {
@@ -457,7 +438,7 @@ class Engine {
   // Nothing dearer may win, but for what sums of prices such as 0.1 and 0.2 are off. Limited by work, and
   // from nothing that timing may have had a part in: the same for any number of threads, settled or not.
   void settle_ties() {
-    const std::size_t most_units = is_weighted_ ? affordable(best_value_) : best_.size();
+    const std::size_t most_units = is_weighted_ ? bounds_.affordable(best_value_) : best_.size();
     if (!has_tree(most_units) || out_of_time()) return;
     TreeGoal goal;
     goal.kind = TreeGoal::Kind::widest;

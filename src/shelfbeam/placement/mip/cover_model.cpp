@@ -6,6 +6,7 @@
 
 #include "shelfbeam/milp/verify.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
+#include "shelfbeam/placement/problem/bounds.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam::detail {
@@ -33,31 +34,6 @@ milp::Row relaxed(milp::Row row) {
   std::erase_if(row.entries, [](const milp::Entry& entry) { return entry.value == 0; });
   return row;
 }
-
-namespace {
-
-// The most units that a selection of at most this cost can have: the installed ones and the cheapest others.
-std::size_t most_units(const SignalTable& table, std::span<const double> cost, double known) {
-  const double most = known * (1 + 1e-9);
-  std::vector<double> others;
-  double spent = 0;
-  std::size_t count = 0;
-  for (std::size_t j = 0; j < cost.size(); ++j) {
-    if (table.transceivers[j].installed)
-      spent += cost[j], ++count;
-    else
-      others.push_back(cost[j]);
-  }
-  std::sort(others.begin(), others.end());
-  for (const double one : others) {
-    spent += one;
-    if (spent > most) break;
-    ++count;
-  }
-  return count;
-}
-
-}  // namespace
 
 CoverModel::CoverModel(const SignalTable& table, const Question& question, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control)
@@ -135,7 +111,7 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
     column.cost = too_dear ? 0 : cost[j];
     column.upper = too_dear ? 0 : 1;
   }
-  bound_label_rows(count ? *count : most_units(table_, cost, known));
+  bound_label_rows(count ? *count : CostBounds(table_, cost).affordable(known));
   milp::Row count_row;
   if (count) {
     count_row.lower = count_row.upper = static_cast<double>(*count);
