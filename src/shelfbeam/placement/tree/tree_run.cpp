@@ -1,10 +1,10 @@
+#include "shelfbeam/placement/tree/tree_run.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
 
 #include <fmt/format.h>
-
-#include "shelfbeam/placement/tree/tree_walk.hpp"
 
 namespace shelfbeam::detail {
 

@@ -17,7 +17,6 @@ namespace shelfbeam::detail {
 namespace {
 
 using test::BruteForce;
-using test::Omission;
 using Columns = std::vector<std::uint32_t>;
 using Kind = TreeGoal::Kind;
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
@@ -28,8 +27,8 @@ struct Expected {
   std::optional<std::int64_t> least_cost;
   std::optional<Columns> widest;
 
-  Expected(const SearchProblem& problem, const TreeGoal& goal, Omission omission = Omission::nothing)
-      : Expected(problem, goal, BruteForce::answers(problem.table, problem.question, omission)) {}
+  Expected(const SearchProblem& problem, const TreeGoal& goal)
+      : Expected(problem, goal, BruteForce::answers(problem.table, problem.question)) {}
 
   Expected(const SearchProblem& problem, const TreeGoal& goal, std::vector<BruteForce::Answer> answers)
       : allowed(std::move(answers)) {
@@ -101,22 +100,9 @@ TreeGoal random_goal(test::RandomTables& random, const SearchProblem& problem,
 
 struct Tally {
   int found = 0, proven = 0, checked = 0;
-  int last_label = 0, installed = 0, tolerance = 0, mounts = 0, apart = 0, failure = 0;
 };
 
-void look(const SearchProblem& problem, const TreeGoal& goal, const TreeAnswer& answer, Tally& tally) {
-  const auto differs = [&](Omission omission) {
-    return !agrees(problem, goal, answer, Expected(problem, goal, omission));
-  };
-  tally.last_label += differs(Omission::last_label);
-  tally.installed += differs(Omission::installed);
-  tally.tolerance += differs(Omission::tolerance);
-  tally.mounts += differs(Omission::mounts);
-  tally.apart += differs(Omission::apart);
-  tally.failure += differs(Omission::failure);
-}
-
-Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
+void run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
   test::RandomTables random(seed, limits);
   Tally tally;
   for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
@@ -136,29 +122,17 @@ Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) 
       }
     if (goal.kind != Kind::widest && answer.proof.is_complete) {
       ++tally.checked;
-      EXPECT_TRUE(check_proof(table, question, answer.proof));
+      EXPECT_EQ(judge_proof(table, question, answer.proof), ProofVerdict::holds);
     }
-    if (k % 4 == 0) look(problem, goal, answer, tally);
   }
   EXPECT_GT(tally.found, cases / 5);
   EXPECT_GT(tally.proven, cases / 5);
   EXPECT_GT(tally.checked, cases / 5);
-  return tally;
 }
 
 TEST(TreeSearch, EqualsEnumeration) {
-  const Tally tally = run(1, 4000, {.transceivers = 11});
-  EXPECT_GT(tally.last_label, 50);
-  EXPECT_GT(tally.installed, 50);
-  EXPECT_GT(tally.tolerance, 10);
-}
-
-TEST(TreeSearch, EqualsEnumerationWhereCandidatesExcludeOneAnotherAndUnitsMayFail) {
-  const Tally tally =
-      run(2, 4000, {.labels = 6, .transceivers = 11, .mounts = true, .apart = true, .redundant = true});
-  EXPECT_GT(tally.mounts, 50);
-  EXPECT_GT(tally.apart, 50);
-  EXPECT_GT(tally.failure, 50);
+  run(1, 4000, {.transceivers = 11});
+  run(2, 4000, {.labels = 6, .transceivers = 11, .mounts = true, .apart = true, .redundant = true});
 }
 
 TEST(TreeSearchSlow, EqualsEnumerationOnManyMore) {
@@ -221,7 +195,7 @@ TEST(TreeSearch, EndsAtItsLimitsAndSaysSo) {
   EXPECT_FALSE(none.is_complete);
   EXPECT_FALSE(none.selected);
   EXPECT_FALSE(none.proof.is_complete);
-  EXPECT_FALSE(check_proof(table, question, none.proof));
+  EXPECT_NE(judge_proof(table, question, none.proof), ProofVerdict::holds);
 }
 
 TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
