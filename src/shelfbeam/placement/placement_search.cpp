@@ -197,20 +197,19 @@ class Engine {
 
   void improve(std::uint64_t moves, Clock::time_point until = Clock::time_point::max()) {
     if (out_of_time()) return;
-    constexpr std::uint32_t walks = 2;
     constexpr std::uint64_t cover_moves = 10;  // in the time of one move of local search
     const std::uint64_t exchanges = is_small() ? 10 : 40;
     until = std::min(until, end_);
     if (is_plain_cover(table_, question_) && !is_small()) {
       moves = std::min(moves, std::numeric_limits<std::uint64_t>::max() / cover_moves) * cover_moves;
-      offer(cover_search(table_, question_, reduction(), best_, {moves, walks, until, seed_}, control_));
+      offer(cover_search(table_, question_, reduction(), best_, {moves, until}, seed_, control_));
     } else if (matrix_ && can_anneal(question_)) {
       moves = std::min(moves, std::numeric_limits<std::uint64_t>::max() / exchanges) * exchanges;
-      offer(anneal(problem_, *matrix_, best_, {moves, walks, until, seed_}, control_));
+      offer(anneal(problem_, *matrix_, best_, {moves, until}, seed_, control_));
     } else if (matrix_) {
-      offer(local_search(problem_, *matrix_, best_, {moves, walks, until, seed_}, control_));
+      offer(local_search(problem_, *matrix_, best_, {moves, until}, seed_, control_));
     }
-    seed_ += walks;  // from the same start the same numbers would lead the same way
+    seed_ += walks_at_once;  // from the same start the same numbers would lead the same way
   }
 
   const Reduction& reduction() {
@@ -292,8 +291,8 @@ class Engine {
   void climb(double seconds, std::uint64_t nodes = std::numeric_limits<std::uint64_t>::max()) {
     if (!has_tree(best_.size()) || out_of_time()) return;
     TreeSearch::Limits limits;
-    limits.until = after(seconds);
-    limits.nodes = nodes;
+    limits.effort.until = after(seconds);
+    limits.effort.steps = nodes;
     limits.wants_proof = true;
     if (is_weighted_) {
       TreeGoal goal;
@@ -308,7 +307,7 @@ class Engine {
         raise(surely(answer.proof.most_cost, goal.most_units), *strength);
       return;
     }
-    while (!closed() && !control_.cancelled() && Clock::now() < limits.until) {
+    while (!closed() && !control_.cancelled() && Clock::now() < limits.effort.until) {
       TreeGoal goal;
       goal.most_units = static_cast<std::size_t>(std::llround(bound_));
       const TreeAnswer answer = tree_->run(goal, limits, control_);
@@ -403,7 +402,7 @@ class Engine {
       goal.most_units = best_.size();
       goal.most_cost = clearly_less(problem_.cost_of(best_));
       TreeSearch::Limits limits;
-      limits.until = after(part_of_rest(0.6));
+      limits.effort.until = after(part_of_rest(0.6));
       limits.wants_proof = true;
       const TreeAnswer answer = tree_->run(goal, limits, control_);
       take(answer.selected);
@@ -452,7 +451,7 @@ class Engine {
     TreeSearch::Limits limits;
     constexpr std::uint64_t most_work = 2'000'000'000;  // some tenths of a second
     limits.work = most_work;
-    limits.until = after(part_of_rest(0.5));
+    limits.effort.until = after(part_of_rest(0.5));
     TreeSearch tree(problem_, *matrix_);
     const TreeAnswer answer = tree.run(goal, limits, control_);
     if (answer.selected) accept(*answer.selected);
@@ -494,12 +493,12 @@ std::optional<std::vector<std::uint32_t>> first_selection(const SignalTable& tab
   if (table.rows() * table.columns() > limits.most_places_of_local_search) return std::nullopt;
   const SearchProblem problem(table, question);
   const SearchMatrix matrix(table, question.model);
-  SearchEffort effort;
-  effort.moves = 5000;
+  Effort effort;
+  effort.steps = 5000;
   effort.until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                     std::chrono::duration<double>(std::clamp(time_limit_s, 0.0, 1e8)));
-  effort.seed = static_cast<std::uint32_t>(mix_key(seed, 1));
-  const auto found = local_search(problem, matrix, start, effort, control);
+  const auto own_seed = static_cast<std::uint32_t>(mix_key(seed, 1));
+  const auto found = local_search(problem, matrix, start, effort, own_seed, control);
   return found && check_selection(table, question, *found).met() ? found : std::nullopt;
 }
 

@@ -1,7 +1,6 @@
 #include "shelfbeam/placement/tree/tree_run.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include <fmt/format.h>
@@ -63,8 +62,7 @@ bool TreeRun::ends() {
   const std::uint64_t node = nodes_.fetch_add(1, std::memory_order_relaxed);
   if (work() >= most_work_) cut_.store(true, std::memory_order_relaxed);
   if (node % between_looks == 0) {
-    if (control_.cancelled() || node >= limits.nodes || std::chrono::steady_clock::now() >= limits.until ||
-        misses_rows())
+    if (node >= limits.effort.steps || misses_rows() || limits.effort.is_over(control_))
       cut_.store(true, std::memory_order_relaxed);
     if (const std::unique_lock lock(reporting_, std::try_to_lock); lock.owns_lock() && control_.progress)
       control_.report("tree search", -1,

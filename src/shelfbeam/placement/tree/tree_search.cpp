@@ -80,8 +80,8 @@ TreeAnswer TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const R
       if (goal.kind == TreeGoal::Kind::widest) goal.start = *run.best;
     }
     answer.is_complete = run.is_complete() || (goal.kind == TreeGoal::Kind::any && run.best.has_value());
-    if (answer.is_complete || !run.misses_rows() || control.cancelled() ||
-        std::chrono::steady_clock::now() >= limits.until || answer.nodes >= limits.nodes) {
+    if (answer.is_complete || !run.misses_rows() || limits.effort.is_over(control) ||
+        answer.nodes >= limits.effort.steps) {
       if (limits.wants_proof) {
         answer.proof.most_units = goal.most_units;
         answer.proof.most_cost = goal.most_cost;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/kernels/effort.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/search_problem.hpp"
 #include "shelfbeam/placement/tree/proof.hpp"
@@ -52,8 +52,7 @@ class TreeSearch {
   void begin_with(std::span<const std::uint32_t> rows, std::span<const double> weights);
 
   struct Limits {
-    std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
-    std::uint64_t nodes = std::numeric_limits<std::uint64_t>::max();
+    Effort effort = {};
     bool wants_proof = false;
     /// Places of the matrix that may be looked at; 0: as many as it takes. A search with such a limit finds
     /// the same for any number of threads, complete or not, as long as no other limit comes first.

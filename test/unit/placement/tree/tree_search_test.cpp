@@ -186,7 +186,7 @@ TEST(TreeSearch, EndsAtItsLimitsAndSaysSo) {
   const SearchMatrix all(table, question.model);
   TreeGoal goal;
   goal.most_units = 7;
-  const TreeAnswer few = TreeSearch(problem, all).run(goal, {.nodes = 100}, {});
+  const TreeAnswer few = TreeSearch(problem, all).run(goal, {{.steps = 100}}, {});
   EXPECT_FALSE(few.is_complete);
   EXPECT_LT(few.nodes, 1000U);
   CancelToken token;
