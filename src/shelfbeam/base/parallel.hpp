@@ -41,6 +41,13 @@ void for_each_task(std::size_t count, Body body) {
   for_parts(count, part, tbb::simple_partitioner());
 }
 
+/// Calls body() in an arena of so many threads (0: one a core).
+template <class Body>
+auto with_threads(unsigned threads, const Body& body) {
+  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
+  return arena.execute(body);
+}
+
 /// While it lives, as many threads are made as are asked for (0: one a core), however few cores there are.
 class ThreadsAllowed {
  public:

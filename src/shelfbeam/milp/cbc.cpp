@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 #include <CbcConfig.h>
@@ -12,18 +11,11 @@
 #include <CoinPackedMatrix.hpp>
 #include <OsiClpSolverInterface.hpp>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/milp/bound_report.hpp"
-#include "shelfbeam/milp/lp_session.hpp"
-#include "shelfbeam/milp/objective_scale.hpp"
-#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/milp/backend.hpp"
 
 namespace shelfbeam::milp {
-
-std::string_view cbc_version();
-Result solve_cbc(const Model& model, const SolveOptions& options, const RunControl& control);
-Model read_cbc(const std::filesystem::path& path);
-std::unique_ptr<LpSession> lp_cbc(std::span<const Column> columns);
 
 namespace {
 
@@ -92,24 +84,19 @@ Termination to_termination(const CbcModel& cbc, const RunControl& control) {
 }
 
 // Clp's own limit counts the processor time of all threads.
-class Deadline final : public ClpEventHandler {
+class TimeLimit final : public ClpEventHandler {
  public:
-  using Clock = std::chrono::steady_clock;
+  TimeLimit(const RunControl& control, double seconds) : control_(control), deadline_(seconds) {}
 
-  Deadline(const RunControl& control, double time_limit_s) : control_(control) {
-    const std::chrono::duration<double> limit(std::clamp(time_limit_s, 0.0, 1e8));
-    end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
-  }
-
-  ClpEventHandler* clone() const override { return new Deadline(*this); }
+  ClpEventHandler* clone() const override { return new TimeLimit(*this); }
   int event(Event which) override {
     const bool between_iterations = which == endOfIteration || which == endOfFactorization;
-    return between_iterations && (control_.cancelled() || Clock::now() >= end_) ? 0 : -1;
+    return between_iterations && (control_.cancelled() || deadline_.has_passed()) ? 0 : -1;
   }
 
  private:
   const RunControl& control_;
-  Clock::time_point end_{};
+  Deadline deadline_;
 };
 
 class ClpSession final : public LpSession {
@@ -146,19 +133,11 @@ class ClpSession final : public LpSession {
                  values.data());
   }
 
-  void set_bounds(std::size_t column, double lower, double upper) override {
-    clp_.setColumnBounds(static_cast<int>(column), clp_bound(lower), clp_bound(upper));
-  }
-
-  void set_cost(std::size_t column, double cost) override {
-    clp_.setObjectiveCoefficient(static_cast<int>(column), cost * scale_);
-  }
-
   LpResult solve(double time_limit_s, const RunControl& control) override {
     if (control.cancelled()) return {Termination::interrupted, infinity, {}, {}};
     if (time_limit_s <= 0) return {Termination::limit, infinity, {}, {}};
-    Deadline deadline(control, time_limit_s);
-    clp_.passInEventHandler(&deadline);
+    TimeLimit limit(control, time_limit_s);
+    clp_.passInEventHandler(&limit);
     clp_.dual();
     LpResult result;
     switch (clp_.status()) {

@@ -6,17 +6,9 @@
 #include <Highs.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/milp/bound_report.hpp"
-#include "shelfbeam/milp/lp_session.hpp"
-#include "shelfbeam/milp/objective_scale.hpp"
-#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/milp/backend.hpp"
 
 namespace shelfbeam::milp {
-
-std::string_view highs_version();
-Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control);
-Model read_highs(const std::filesystem::path& path);
-std::unique_ptr<LpSession> lp_highs(std::span<const Column> columns);
 
 namespace {
 
@@ -117,17 +109,6 @@ class HighsSession final : public LpSession {
     loaded_ = loaded_ && status != HighsStatus::kError;
   }
 
-  void set_bounds(std::size_t column, double lower, double upper) override {
-    columns_[column].lower = lower;
-    columns_[column].upper = upper;
-    highs_.changeColBounds(static_cast<HighsInt>(column), lower, upper);
-  }
-
-  void set_cost(std::size_t column, double cost) override {
-    columns_[column].cost = cost;
-    highs_.changeColCost(static_cast<HighsInt>(column), cost * scale_);
-  }
-
   LpResult solve(double time_limit_s, const RunControl& control) override {
     if (control.cancelled()) return {Termination::interrupted, infinity, {}, {}};
     if (!loaded_) return {};
@@ -165,10 +146,9 @@ std::string_view highs_version() {
 Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control) {
   const SchedulerGuard guard;
   const double scale = detail::objective_scale(model.columns);
-  const unsigned asked = options.threads != 0 ? options.threads : control.threads;
   // Its workers spin: more than there are cores only get in each other's way.
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  const unsigned threads = asked != 0 ? std::min(asked, cores) : cores;
+  const unsigned threads = control.threads != 0 ? std::min(control.threads, cores) : cores;
 
   Highs highs;
   highs.setOptionValue("output_flag", false);

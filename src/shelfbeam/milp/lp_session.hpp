@@ -21,7 +21,7 @@ struct LpResult {
 };
 
 /// A linear program that stays loaded: what the solver knows of one solve (its basis) is where the next one
-/// starts, so that adding rows or moving bounds costs a few pivots of the dual simplex method. It begins
+/// starts, so that adding rows costs a few pivots of the dual simplex method. It begins
 /// without rows; `Column::integer` and names are ignored.
 ///
 /// Silent, on one thread. Costs of any magnitude are fine (all are scaled by what the first ones need); rows
@@ -32,8 +32,6 @@ class LpSession {
   virtual ~LpSession() = default;
 
   virtual void add_rows(std::span<const Row> rows) = 0;
-  virtual void set_bounds(std::size_t column, double lower, double upper) = 0;
-  virtual void set_cost(std::size_t column, double cost) = 0;
 
   /// Ends early at the limit or when cancelled; the next solve goes on from there.
   virtual LpResult solve(double time_limit_s, const RunControl& control) = 0;

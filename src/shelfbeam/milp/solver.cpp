@@ -8,23 +8,10 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/milp/lp_session.hpp"
+#include "shelfbeam/milp/backend.hpp"
 #include "shelfbeam/milp/verify.hpp"
 
 namespace shelfbeam::milp {
-
-#ifdef SHELFBEAM_HAS_HIGHS
-std::string_view highs_version();
-Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control);
-Model read_highs(const std::filesystem::path& path);
-std::unique_ptr<LpSession> lp_highs(std::span<const Column> columns);
-#endif
-#ifdef SHELFBEAM_HAS_CBC
-std::string_view cbc_version();
-Result solve_cbc(const Model& model, const SolveOptions& options, const RunControl& control);
-Model read_cbc(const std::filesystem::path& path);
-std::unique_ptr<LpSession> lp_cbc(std::span<const Column> columns);
-#endif
 
 namespace {
 

@@ -22,7 +22,6 @@ enum class Termination {
 struct SolveOptions {
   double time_limit_s = infinity;
   double relative_gap = 1e-6;
-  unsigned threads = 0;  ///< 0: as RunControl says; a back end may use fewer
 };
 
 struct Result {
@@ -35,13 +34,15 @@ struct Result {
 class LpSession;
 
 /// A MIP solver. To add one: write `solve_x`, `read_x` and `lp_x` in a .cpp of their own (the only file that
-/// includes the solver's headers), and name them in the table in solver.cpp behind the build option.
+/// includes the solver's headers), declare them in backend.hpp and name them in the table in solver.cpp
+/// behind the build option.
 ///
-/// `solve` is silent and reports incumbent and bound to `control.progress`. Costs of any magnitude are fine
-/// (they are scaled inside); rows should have coefficients of order 1, because solvers test them with an
-/// absolute tolerance of about 1e-7. Whatever the solver says has been through `verified` (verify.hpp).
-/// `read` reads an MPS or LP file (by its ending) with the solver's own reader; throws InputError.
-/// `lp` loads columns into a linear program that stays loaded (lp_session.hpp).
+/// `solve` is silent, uses no more threads than `control` allows and reports incumbent and bound to
+/// `control.progress`. Costs of any magnitude are fine (they are scaled inside); rows should have
+/// coefficients of order 1, because solvers test them with an absolute tolerance of about 1e-7. Whatever the
+/// solver says has been through `verified` (verify.hpp). `read` reads an MPS or LP file (by its ending) with
+/// the solver's own reader; throws InputError. `lp` loads columns into a linear program that stays loaded
+/// (lp_session.hpp).
 struct Backend {
   std::string_view name;
   std::string_view version;

@@ -9,7 +9,7 @@ import unittest
 
 PROGRAM = os.environ["SHELFBEAM"]
 PAGES = pathlib.Path(os.environ["SHELFBEAM_BUILD"]) / "manual/man1"
-COMPLETION = pathlib.Path(__file__).parents[2] / "data/completion.bash"
+COMPLETION = pathlib.Path(__file__).parents[3] / "data/completion.bash"
 
 
 def output(*command):

@@ -105,33 +105,6 @@ TEST(ModelFile, IsReadBackAsItWasByEverySolver) {
   }
 }
 
-// Whole and quarter coefficients: optima are exact up to the solvers' relative gap of 1e-6.
-TEST(ModelFile, KeepsTheOptimum) {
-  const test::TempFolder folder;
-  std::mt19937_64 random(11);
-  int different = 0;
-  double previous = 0;
-  for (int k = 0; k < 60; ++k) {
-    const Model model = test::random_model(random);
-    const double expected = test::try_everything(model);
-    for (const Format& format : formats) {
-      format.write(model, folder / format.file);
-      for (const Backend& backend : backends()) {
-        const Result result = backend.solve(backend.read(folder / format.file), {}, {});
-        if (expected == infinity)
-          EXPECT_EQ(result.termination, Termination::infeasible) << k << format.file << backend.name;
-        else
-          EXPECT_NEAR(result.primal_bound, expected, 1e-6 * std::max(1.0, std::abs(expected)))
-              << k << format.file << backend.name;
-      }
-    }
-    // Negative control: the optima are not all the same number.
-    if (std::abs(expected - previous) > 1e-3) ++different;
-    previous = expected;
-  }
-  EXPECT_GT(different, 30);
-}
-
 TEST(ModelFile, WritesModelsWithoutColumns) {
   const test::TempFolder folder;
   Model model;

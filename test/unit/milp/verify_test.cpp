@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/milp/objective_scale.hpp"
+#include "shelfbeam/milp/backend.hpp"
 
 #include "unit/milp/example_models.hpp"
 

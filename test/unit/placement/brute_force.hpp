@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "shelfbeam/placement/problem/instance.hpp"
@@ -17,51 +18,36 @@ enum class Omission { nothing, last_label, installed, second_objective, toleranc
 /// Answers of the paper's models by trying every selection, written from the formulas of chapter 3 with dense
 /// matrices M, l and t, sharing no code with the library.
 struct BruteForce {
+  using Columns = std::vector<std::uint32_t>;
+
   bool feasible = false;
-  std::size_t fewest = 0;        ///< least number of transceivers
-  double best_at_fewest = 0;     ///< least second objective among the selections of that many
-  double best_sum = 0;           ///< least sum of transceiver costs and second objective
-  double best_second_objective;  ///< least second objective of all
-  std::uint32_t set_at_fewest = 0, set_of_best_sum = 0;  ///< selections of these values, a bit a column
+  std::size_t fewest = 0;     ///< least number of transceivers
+  double best_at_fewest = 0;  ///< least second objective among the selections of that many
+  double best_sum = 0;        ///< least sum of transceiver costs and second objective
+  Columns at_fewest, of_best_sum;
 
-  BruteForce(const SignalTable& table, const Question& question, Omission omission = Omission::nothing) {
-    const std::size_t m = table.labels.size();
-    const std::size_t n = table.transceivers.size();
-    const std::vector<std::vector<double>> signal = dense(table);
-
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    best_at_fewest = best_sum = best_second_objective = infinite;
-    fewest = n + 1;
-    const double tolerance = omission == Omission::tolerance ? -2e-9 : 1e-9;
-    const std::size_t tested = m - (omission == Omission::last_label && m > 0 ? 1 : 0);
-    for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
-      const auto in = [&](std::size_t j) { return (set >> j & 1U) != 0; };
-      bool allowed = (omission == Omission::mounts || one_at_a_point(table, set)) &&
-                     (omission == Omission::apart || kept_apart(table, set));
-      double price = 0;
-      std::size_t count = 0;
-      for (std::size_t j = 0; j < n; ++j) {
-        if (!in(j) && table.transceivers[j].installed && omission != Omission::installed) allowed = false;
-        if (in(j)) price += table.transceivers[j].cost, ++count;
-      }
-      for (std::size_t i = 0; i < tested && allowed; ++i) {
-        allowed = met(table, question, signal[i], i, set, tolerance, omission);
-      }
-      if (!allowed) continue;
+  BruteForce(const SignalTable& table, const Question& question, Omission omission = Omission::nothing)
+      : fewest(table.columns() + 1), best_at_fewest(infinite), best_sum(infinite) {
+    for_each_answer(table, question, omission, [&](const Answer& answer) {
       feasible = true;
-      const double second =
-          omission == Omission::second_objective ? 0 : second_objective(table, question, signal, set);
-      best_second_objective = std::min(best_second_objective, second);
-      if (price + second < best_sum) {
-        best_sum = price + second;
-        set_of_best_sum = set;
+      const double second = omission == Omission::second_objective ? 0 : answer.second_objective;
+      const std::size_t count = answer.columns.size();
+      if (answer.price + second < best_sum) {
+        best_sum = answer.price + second;
+        of_best_sum = answer.columns;
       }
       if (count < fewest || (count == fewest && second < best_at_fewest)) {
         fewest = count;
         best_at_fewest = second;
-        set_at_fewest = set;
+        at_fewest = answer.columns;
       }
-    }
+    });
+  }
+
+  /// The value that the question minimises.
+  double best(const Question& question) const {
+    if (question.combination == Combination::weighted) return best_sum;
+    return question.objective == Objective::count ? static_cast<double>(fewest) : best_at_fewest;
   }
 
   /// What each label gets from the selection that gives it most, whatever becomes of the others. Pairs that
@@ -79,20 +65,8 @@ struct BruteForce {
         excluded =
             excluded || ((set >> a & set >> b & 1U) != 0 && ((installed >> a | installed >> b) & 1U) != 0);
       if (excluded) continue;
-      for (std::size_t i = 0; i < signal.size(); ++i) {
-        const auto got_without = [&](std::size_t failed) {
-          double got = 0;
-          for (std::size_t j = 0; j < signal[i].size(); ++j)
-            if ((set >> j & 1U) != 0 && j != failed)
-              got = question.model == CommunicationModel::cooperative ? got + signal[i][j]
-                                                                      : std::max(got, signal[i][j]);
-          return got;
-        };
-        double got = got_without(signal[i].size());
-        for (std::size_t failed = 0; failed < signal[i].size() && question.redundant; ++failed)
-          if ((set >> failed & 1U) != 0) got = std::min(got, got_without(failed));
-        result[i] = std::max(result[i], got);
-      }
+      for (std::size_t i = 0; i < signal.size(); ++i)
+        result[i] = std::max(result[i], got(question, signal[i], set));
     }
     return result;
   }
@@ -102,41 +76,36 @@ struct BruteForce {
     std::size_t reached = 0, units = 0;
   };
   /// For every number of units up to all; nothing where more are installed.
-  static std::vector<std::optional<Budget>> budgets(const SignalTable& table, const Question& question,
-                                                    Omission omission = Omission::nothing) {
-    const std::size_t n = table.transceivers.size();
+  static std::vector<std::optional<Budget>> budgets(const SignalTable& table, const Question& question) {
     const std::vector<std::vector<double>> signal = dense(table);
-    std::vector<std::optional<Budget>> best(n + 1);
-    const std::size_t tested = signal.size() - (omission == Omission::last_label && !signal.empty() ? 1 : 0);
-    for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
-      bool allowed = (omission == Omission::mounts || one_at_a_point(table, set)) &&
-                     (omission == Omission::apart || kept_apart(table, set));
-      std::size_t count = 0;
-      for (std::size_t j = 0; j < n; ++j) {
-        if ((set >> j & 1U) != 0) ++count;
-        if ((set >> j & 1U) == 0 && table.transceivers[j].installed && omission != Omission::installed)
-          allowed = false;
-      }
-      if (!allowed) continue;
+    std::vector<std::optional<Budget>> best(table.columns() + 1);
+    for_each_allowed(table, Omission::nothing, [&](std::uint32_t set, const Columns& columns) {
+      const std::size_t count = columns.size();
       std::size_t reached = 0;
-      for (std::size_t i = 0; i < tested; ++i)
-        if (met(table, question, signal[i], i, set, 1e-9, omission)) ++reached;
-      for (std::size_t k = count; k <= n; ++k)
+      for (std::size_t i = 0; i < table.rows(); ++i)
+        if (got(question, signal[i], set) >= requirement(table.labels[i], question) * (1 - 1e-9)) ++reached;
+      for (std::size_t k = count; k < best.size(); ++k)
         if (!best[k] || reached > best[k]->reached || (reached == best[k]->reached && count < best[k]->units))
           best[k] = Budget{reached, count};
-    }
+    });
     return best;
   }
 
   /// A selection that meets every label.
   struct Answer {
-    std::uint32_t set = 0;
-    std::vector<std::uint32_t> columns;
+    Columns columns;
     double second_objective = 0, price = 0;
     double margin = 0;  ///< the least of what labels receive over their requirement; infinite without labels
   };
+  static std::vector<Answer> answers(const SignalTable& table, const Question& question,
+                                     Omission omission = Omission::nothing) {
+    std::vector<Answer> result;
+    for_each_answer(table, question, omission, [&](const Answer& answer) { result.push_back(answer); });
+    return result;
+  }
+
   /// In order: ties are settled by them.
-  static std::vector<std::string> ids(const SignalTable& table, const std::vector<std::uint32_t>& columns) {
+  static std::vector<std::string> ids(const SignalTable& table, const Columns& columns) {
     std::vector<std::string> result;
     result.reserve(columns.size());
     for (const std::uint32_t j : columns) result.push_back(table.transceivers[j].id);
@@ -144,63 +113,69 @@ struct BruteForce {
     return result;
   }
 
-  static std::vector<Answer> answers(const SignalTable& table, const Question& question,
-                                     Omission omission = Omission::nothing) {
-    const std::size_t n = table.transceivers.size();
-    const std::vector<std::vector<double>> signal = dense(table);
-    const double tolerance = omission == Omission::tolerance ? -2e-9 : 1e-9;
-    const std::size_t tested = signal.size() - (omission == Omission::last_label && !signal.empty() ? 1 : 0);
-    std::vector<Answer> result;
-    for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
+ private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+  /// Calls visit(set, columns) for every selection that breaks no rule, whatever it meets.
+  template <class Visit>
+  static void for_each_allowed(const SignalTable& table, Omission omission, const Visit& visit) {
+    Columns columns;
+    for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
       bool allowed = (omission == Omission::mounts || one_at_a_point(table, set)) &&
                      (omission == Omission::apart || kept_apart(table, set));
-      Answer answer;
-      answer.set = set;
-      for (std::uint32_t j = 0; j < n; ++j) {
+      columns.clear();
+      for (std::uint32_t j = 0; j < table.columns(); ++j) {
         const bool in = (set >> j & 1U) != 0;
-        if (!in && table.transceivers[j].installed && omission != Omission::installed) allowed = false;
-        if (in) answer.columns.push_back(j), answer.price += table.transceivers[j].cost;
+        if (in) columns.push_back(j);
+        allowed = allowed && (in || !table.transceivers[j].installed || omission == Omission::installed);
       }
-      answer.margin = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 0; i < tested && allowed; ++i) {
-        const double requirement = question.model == CommunicationModel::cooperative
-                                       ? table.labels[i].requirement
-                                       : table.labels[i].single_requirement;
-        const double got = received(question, signal[i], set, omission);
-        allowed = got >= requirement * (1 - tolerance);
-        answer.margin = std::min(answer.margin, got / requirement);
-      }
-      if (!allowed) continue;
-      answer.second_objective = second_objective(table, question, signal, set);
-      result.push_back(std::move(answer));
+      if (allowed) visit(set, columns);
     }
-    return result;
   }
 
-  /// Whether the selection meets label i.
-  static bool met(const SignalTable& table, const Question& question, const std::vector<double>& signal,
-                  std::size_t i, std::uint32_t set, double tolerance, Omission omission) {
-    const auto in = [&](std::size_t j) { return (set >> j & 1U) != 0; };
-    const std::size_t n = signal.size();
-    const auto met_without = [&](std::size_t failed) {
-      double sum = 0;
-      bool reached = false;
-      for (std::size_t j = 0; j < n; ++j) {
-        if (!in(j) || j == failed) continue;
-        sum += signal[j];
-        reached = reached || signal[j] >= table.labels[i].single_requirement * (1 - tolerance);
+  template <class Visit>
+  static void for_each_answer(const SignalTable& table, const Question& question, Omission omission,
+                              const Visit& visit) {
+    const std::vector<std::vector<double>> signal = dense(table);
+    const double tolerance = omission == Omission::tolerance ? -2e-9 : 1e-9;
+    const std::size_t tested = table.rows() - (omission == Omission::last_label && table.rows() > 0 ? 1 : 0);
+    Answer answer;
+    for_each_allowed(table, omission, [&](std::uint32_t set, const Columns& columns) {
+      answer.margin = infinite;
+      for (std::size_t i = 0; i < tested; ++i) {
+        const double needed = requirement(table.labels[i], question);
+        const double has = received(question, signal[i], set, omission);
+        if (has < needed * (1 - tolerance)) return;
+        answer.margin = std::min(answer.margin, has / needed);
       }
-      return question.model == CommunicationModel::cooperative
-                 ? sum >= table.labels[i].requirement * (1 - tolerance)
-                 : reached;
-    };
-    bool all = met_without(n);
-    for (std::size_t failed = 0; failed < n && question.redundant && omission != Omission::failure; ++failed)
-      all = all && (!in(failed) || met_without(failed));
-    return all;
+      answer.columns = columns;
+      answer.price = 0;
+      for (const std::uint32_t j : columns) answer.price += table.transceivers[j].cost;
+      answer.second_objective = second_objective(table, question, signal, set);
+      visit(answer);
+    });
   }
 
- private:
+  // What a label gets from a selection by the definition: where one unit may fail, in the worst failure.
+  static double got(const Question& question, const std::vector<double>& signal, std::uint32_t set) {
+    const auto got_without = [&](std::size_t failed) {
+      double sum = 0;
+      for (std::size_t j = 0; j < signal.size(); ++j)
+        if ((set >> j & 1U) != 0 && j != failed)
+          sum =
+              question.model == CommunicationModel::cooperative ? sum + signal[j] : std::max(sum, signal[j]);
+      return sum;
+    };
+    double least = got_without(signal.size());
+    for (std::size_t failed = 0; failed < signal.size() && question.redundant; ++failed)
+      if ((set >> failed & 1U) != 0) least = std::min(least, got_without(failed));
+    return least;
+  }
+
+  static double requirement(const SignalTable::Label& label, const Question& question) {
+    return question.model == CommunicationModel::cooperative ? label.requirement : label.single_requirement;
+  }
+
   // Added up in the order of the columns, without the best of them where one may fail: to the last bit what
   // the contract says, for the order of sums decides near-ties.
   static double received(const Question& question, const std::vector<double>& signal, std::uint32_t set,
@@ -253,15 +228,14 @@ struct BruteForce {
       const SignalTable::Label& label = table.labels[i];
       const double given = question.objective == Objective::signal ? label.signal_cost : label.link_cost;
       const double cost = priced ? given : 1;
-      const double requirement = cooperative ? label.requirement : label.single_requirement;
+      const double needed = requirement(label, question);
       for (std::size_t j = 0; j < table.transceivers.size(); ++j) {
         if ((set >> j & 1U) == 0) continue;
         if (question.objective == Objective::signal) value += cost * signal[i][j];
-        if (question.objective == Objective::links &&
-            (cooperative || signal[i][j] >= requirement * (1 - 1e-9)))
+        if (question.objective == Objective::links && (cooperative || signal[i][j] >= needed * (1 - 1e-9)))
           value += cost;
         if (question.objective == Objective::effective_links &&
-            signal[i][j] >= question.share * requirement * (1 - 1e-9))
+            signal[i][j] >= question.share * needed * (1 - 1e-9))
           value += cost;
       }
     }

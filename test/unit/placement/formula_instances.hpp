@@ -16,7 +16,6 @@ namespace shelfbeam::test {
 /// | instance | rows x columns | optimum | from |
 /// | --- | --- | --- | --- |
 /// | affine_lines(2), A9 | 12 x 9 | 5 | Fulkerson, Nemhauser, Trotter 1974 |
-/// | bose_triples(2), a Steiner system of 15 points | 35 x 15 | 9 | enumeration (in the tests) |
 /// | affine_lines(3), A27 | 117 x 27 | 18 | Fulkerson, Nemhauser, Trotter 1974 |
 /// | affine_lines(4), A81 | 1080 x 81 | 61 | Mannino, Sassano 1995 |
 /// | cube_cycles(3), (4), (5) | 6 x 12, 24 x 32, 80 x 80 | 3, 8, 24 | edges less ex(Q_n, C_4) |
@@ -24,8 +23,6 @@ namespace shelfbeam::test {
 /// | cube_cycles(7), CYC07 | 672 x 448 | 144 | best published |
 /// | colourings(6, 3), (7, 3) | 31 x 20, 63 x 35 | 10, 7 | complementary triples; the Fano plane |
 /// | colourings(10, 4), CLR10 | 511 x 210 | 25 | best published |
-/// | colourings(11, 4), CLR11 | 1023 x 330 | 23 | best published; no fewer: Ostergard 2014, m(4) = 23 |
-/// | colourings(12, 4), (13, 4) | 2047 x 495, 4095 x 715 | 23 | the same |
 
 /// Labels that any one of some columns meets.
 inline SignalTable cover_table(const std::vector<std::vector<std::uint32_t>>& rows, std::size_t columns) {
@@ -51,19 +48,6 @@ inline SignalTable affine_lines(int dimension) {
       if (c > b) lines.push_back({a, b, c});
     }
   return cover_table(lines, points);
-}
-
-/// Bose's Steiner triple system of 6 t + 3 points (x, i), x modulo 2 t + 1 and i modulo 3: the triples of one
-/// x, and (x, i), (y, i), ((x + y) / 2, i + 1). Columns: points; rows: triples.
-inline SignalTable bose_triples(std::uint32_t t) {
-  const std::uint32_t q = 2 * t + 1;
-  std::vector<std::vector<std::uint32_t>> triples;
-  for (std::uint32_t x = 0; x < q; ++x) triples.push_back({x, q + x, 2 * q + x});
-  for (std::uint32_t i = 0; i < 3; ++i)
-    for (std::uint32_t x = 0; x < q; ++x)
-      for (std::uint32_t y = x + 1; y < q; ++y)
-        triples.push_back({i * q + x, i * q + y, (i + 1) % 3 * q + (x + y) * (t + 1) % q});
-  return cover_table(triples, std::size_t{3} * q);
 }
 
 /// Grossman and Wool's CYC: columns are the edges of the hypercube, rows its cycles of four edges.

@@ -23,18 +23,10 @@ struct Size {
 };
 
 TEST(FormulaInstances, HaveTheKnownSizesAndDegrees) {
-  const Size sizes[] = {{"A9", test::affine_lines(2), 12, 9, 3, 4},
-                        {"Bose 15", test::bose_triples(2), 35, 15, 3, 7},
-                        {"A27", test::affine_lines(3), 117, 27, 3, 13},
-                        {"Bose 45", test::bose_triples(7), 330, 45, 3, 22},
-                        {"A81", test::affine_lines(4), 1080, 81, 3, 40},
-                        {"CYC06", test::cube_cycles(6), 240, 192, 4, 5},
-                        {"CYC07", test::cube_cycles(7), 672, 448, 4, 6},
-                        {"CYC08", test::cube_cycles(8), 1792, 1024, 4, 7},
-                        {"CLR10", test::colourings(10, 4), 511, 210, 0, 63},
-                        {"CLR11", test::colourings(11, 4), 1023, 330, 0, 127},
-                        {"CLR12", test::colourings(12, 4), 2047, 495, 0, 255},
-                        {"CLR13", test::colourings(13, 4), 4095, 715, 0, 511}};
+  const Size sizes[] = {
+      {"A9", test::affine_lines(2), 12, 9, 3, 4},      {"A27", test::affine_lines(3), 117, 27, 3, 13},
+      {"A81", test::affine_lines(4), 1080, 81, 3, 40}, {"CYC06", test::cube_cycles(6), 240, 192, 4, 5},
+      {"CYC07", test::cube_cycles(7), 672, 448, 4, 6}, {"CLR10", test::colourings(10, 4), 511, 210, 0, 63}};
   for (const Size& size : sizes) {
     SCOPED_TRACE(size.name);
     EXPECT_EQ(size.table.rows(), size.rows);
@@ -52,24 +44,11 @@ TEST(FormulaInstances, HaveTheKnownSizesAndDegrees) {
   }
 }
 
-// In a Steiner system two points are in exactly one triple.
-TEST(FormulaInstances, AreSteinerSystems) {
-  for (const SignalTable& table : {test::affine_lines(3), test::bose_triples(2), test::bose_triples(4)}) {
-    std::vector<std::size_t> together(table.columns() * table.columns(), 0);
-    for (std::size_t i = 0; i < table.rows(); ++i)
-      for (const SignalEntry& a : table.row(i))
-        for (const SignalEntry& b : table.row(i)) ++together[a.transceiver * table.columns() + b.transceiver];
-    for (std::size_t a = 0; a < table.columns(); ++a)
-      for (std::size_t b = 0; b < table.columns(); ++b)
-        ASSERT_EQ(together[a * table.columns() + b], a == b ? (table.columns() - 1) / 2 : 1);
-  }
-}
-
 TEST(FormulaInstances, HaveTheKnownOptima) {
   const std::pair<SignalTable, std::size_t> known[] = {
-      {test::affine_lines(2), 5},   {test::bose_triples(2), 9}, {test::affine_lines(3), 18},
-      {test::cube_cycles(3), 3},    {test::cube_cycles(4), 8},  {test::colourings(3, 2), 3},
-      {test::colourings(6, 3), 10}, {test::colourings(7, 3), 7}};
+      {test::affine_lines(2), 5}, {test::affine_lines(3), 18}, {test::cube_cycles(3), 3},
+      {test::cube_cycles(4), 8},  {test::colourings(3, 2), 3}, {test::colourings(6, 3), 10},
+      {test::colourings(7, 3), 7}};
   for (const auto& [table, optimum] : known) {
     SCOPED_TRACE(table.rows());
     const Placement placement = place(table, alone, {});
@@ -80,8 +59,7 @@ TEST(FormulaInstances, HaveTheKnownOptima) {
 
 // Nothing to reduce in them, and their LP bounds are what symmetry says: columns over row degree.
 TEST(FormulaInstances, AreNeitherReducedNorBoundedWell) {
-  const std::pair<SignalTable, double> known[] = {
-      {test::affine_lines(4), 27}, {test::cube_cycles(6), 48}, {test::bose_triples(2), 5}};
+  const std::pair<SignalTable, double> known[] = {{test::affine_lines(4), 27}, {test::cube_cycles(6), 48}};
   for (const auto& [table, bound] : known) {
     const std::vector<double> cost(table.columns(), 1.0);
     const detail::Reduction reduction = detail::reduce_cover(table, alone, cost);

@@ -69,35 +69,6 @@ TEST(Placement, KeepsInstalledUnits) {
   }
 }
 
-TEST(Placement, AnInstalledUnitTakesItsMountingPoint) {
-  SignalTable table = test::make_table({{1, 0, 1}, {0, 1, 1}}, 3);
-  table.mounts = {{0, 2}};
-  EXPECT_EQ(place(table, {coop}, {}).selected, Columns{2});
-  table.transceivers[0].installed = true;
-  for (const auto solver : {SolverChoice::mip, SolverChoice::greedy})
-    EXPECT_EQ(place(table, {coop}, {.solver = solver}).selected, (Columns{0, 1}));
-  table.entries.erase(table.entries.begin() + 2);  // unit 1 reaches nobody, unit 2 cannot be mounted
-  table.row_begin = {0, 2, 3};
-  const Placement found = place(table, {coop}, {});
-  EXPECT_EQ(found.status, Status::infeasible);
-  ASSERT_EQ(found.unreachable.size(), 1U);
-  EXPECT_EQ(found.unreachable[0].label, 1U);
-  EXPECT_EQ(found.unreachable[0].most, 0);
-}
-
-TEST(Placement, TheMostALabelGetsIsFromTheBestOptionOfEveryPoint) {
-  SignalTable table = test::make_table({{0.5, 0.4, 0.25}}, 3);
-  table.mounts = {{0, 1}};
-  Placement found = place(table, {coop}, {});
-  EXPECT_EQ(found.status, Status::infeasible);
-  ASSERT_EQ(found.unreachable.size(), 1U);
-  EXPECT_EQ(found.unreachable[0].most, 0.75);
-  found = place(table, {alone}, {});
-  EXPECT_EQ(found.unreachable[0].most, 0.5);
-  table.mounts.clear();
-  EXPECT_EQ(place(table, {coop}, {}).status, Status::optimal);
-}
-
 TEST(Placement, ProvesThatOptionsExcludeOneAnother) {
   SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
   table.mounts = {{0, 1}};

@@ -1,10 +1,7 @@
 #include "shelfbeam/placement/placement_search.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
-#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -13,136 +10,20 @@
 #include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
-#include "unit/placement/brute_force.hpp"
+#include "unit/placement/enumeration.hpp"
 #include "unit/placement/formula_instances.hpp"
-#include "unit/placement/random_table.hpp"
 
 namespace shelfbeam {
 namespace {
 
-using test::BruteForce;
-using Answer = BruteForce::Answer;
+using test::compare;
+using test::Tally;
 constexpr auto coop = CommunicationModel::cooperative;
 constexpr auto alone = CommunicationModel::non_cooperative;
 
-double value_of(const Answer& answer, const Question& question) {
-  if (question.combination == Combination::weighted) return answer.price + answer.second_objective;
-  return question.objective == Objective::count ? static_cast<double>(answer.columns.size())
-                                                : answer.second_objective;
-}
-
-// Of the best answers that with the largest smallest margin, then the fewest units, then the first by id.
-std::vector<std::uint32_t> by_tie_rule(const SignalTable& table, const std::vector<Answer>& best) {
-  const auto rank = [&](const Answer& one) {
-    return std::tuple(-one.margin, one.columns.size(), BruteForce::ids(table, one.columns));
-  };
-  return std::min_element(best.begin(), best.end(),
-                          [&](const Answer& a, const Answer& b) { return rank(a) < rank(b); })
-      ->columns;
-}
-
-struct Tally {
-  int optimal = 0, settled = 0, more_than_one = 0, infeasible = 0, stopped = 0;
-  int by[5] = {};
-};
-
-void compare(const SignalTable& table, const Question& question, const Placement& answer, Tally& tally) {
-  std::vector<Answer> best = BruteForce::answers(table, question);
-  if (best.empty()) {
-    EXPECT_EQ(answer.status, Status::infeasible);
-    ++tally.infeasible;
-    return;
-  }
-  EXPECT_TRUE(answer.has_selection());
-  EXPECT_TRUE(check_selection(table, question, answer.selected).met());
-  EXPECT_TRUE(std::any_of(best.begin(), best.end(),
-                          [&](const Answer& one) { return one.columns == answer.selected; }));
-  std::size_t fewest = table.columns();
-  for (const Answer& one : best) fewest = std::min(fewest, one.columns.size());
-  EXPECT_LE(answer.count_lower_bound, static_cast<double>(fewest));
-  if (question.combination == Combination::lexicographic)
-    std::erase_if(best, [&](const Answer& one) { return one.columns.size() > fewest; });
-  double least = std::numeric_limits<double>::infinity();
-  for (const Answer& one : best) least = std::min(least, value_of(one, question));
-  const double rounding = answer.bound_proof == BoundProof::solver ? 2e-6 : 2e-9;
-  EXPECT_LE(answer.lower_bound, least * (1 + rounding));
-  if (answer.status == Status::stopped) {
-    ++tally.stopped;
-    EXPECT_FALSE(answer.ties_settled);
-    return;
-  }
-  ++tally.optimal;
-  ++tally.by[static_cast<int>(answer.bound_proof)];
-  EXPECT_EQ(answer.status, Status::optimal);
-  EXPECT_NEAR(answer.objective_value, least, 2e-6 * least);
-  EXPECT_NEAR(answer.lower_bound, least, 2e-6 * least);
-  if (question.combination == Combination::lexicographic) {
-    EXPECT_EQ(answer.count(), fewest);
-  }
-  if (!answer.ties_settled) return;
-  ++tally.settled;
-  // What costs no more than the answer, up to 1e-12 of it (the least is proven to 1e-9); the tables of
-  // near-ties have some that are about that far off.
-  const double value = answer.objective_value;
-  std::erase_if(best, [&](const Answer& one) { return value_of(one, question) > value * (1 + 1e-11); });
-  if (std::any_of(best.begin(), best.end(),
-                  [&](const Answer& one) { return value_of(one, question) > value * (1 + 1e-14); }))
-    return;
-  // Margins that are the same but for the order of a sum: nobody can say which is larger.
-  const double widest = std::max_element(best.begin(), best.end(), [](const Answer& a, const Answer& b) {
-                          return a.margin < b.margin;
-                        })->margin;
-  if (std::any_of(best.begin(), best.end(), [&](const Answer& one) {
-        return one.margin < widest && one.margin > widest * (1 - 1e-12);
-      }))
-    return;
-  tally.more_than_one += best.size() > 1;
-  EXPECT_EQ(answer.selected, by_tie_rule(table, best));
-}
-
-Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits,
-          const PlaceOptions& options = {}) {
-  test::RandomTables random(seed, limits);
-  Tally tally;
-  for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
-    SCOPED_TRACE(testing::Message() << "case " << k);
-    const SignalTable table = random.next();
-    const Question question = random.next_question();
-    const auto begin = std::chrono::steady_clock::now();
-    const Placement answer = place(table, question, options, {.threads = 1});
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(4));
-    compare(table, question, answer, tally);
-    if (k % 8 == 0 && answer.ties_settled) {
-      EXPECT_EQ(place(table, question, options, {.threads = 4}).selected, answer.selected);
-    }
-  }
-  return tally;
-}
-
-void expect_kinds(const Tally& tally, int cases) {
-  EXPECT_GT(tally.infeasible, cases / 20);
-  EXPECT_EQ(tally.stopped, 0);
-  EXPECT_GT(tally.settled, tally.optimal * 9 / 10);
-  EXPECT_GT(tally.more_than_one, cases / 50);
-  EXPECT_GT(tally.by[static_cast<int>(BoundProof::log)], cases / 20);
-  EXPECT_LT(tally.by[static_cast<int>(BoundProof::search)], cases / 20);
-}
-
-constexpr test::RandomTableLimits beyond_the_paper{
-    .labels = 6, .transceivers = 12, .mounts = true, .apart = true, .redundant = true};
-
-TEST(PlacementSearch, EqualsEnumeration) {
-  expect_kinds(run(11, 1500, {.transceivers = 11}), 1500);
-}
-
-TEST(PlacementSearch, EqualsEnumerationWhereCandidatesExcludeOneAnotherAndUnitsMayFail) {
-  expect_kinds(run(12, 1500, beyond_the_paper), 1500);
-}
-
 TEST(PlacementSearch, EqualsEnumerationWithoutAMip) {
-  const Tally tally = run(17, 500, {.transceivers = 11}, {.solver = SolverChoice::search});
-  expect_kinds(tally, 500);
-  EXPECT_EQ(tally.by[static_cast<int>(BoundProof::solver)], 0);
+  const Tally tally = test::compare_random(17, 500, {.transceivers = 11}, {.solver = SolverChoice::search});
+  EXPECT_EQ(tally.count(BoundProof::solver), 0);
 }
 
 // Trees on several threads find one or another selection first; the answer must not show it.
@@ -161,12 +42,6 @@ TEST(PlacementSearchSlow, IsTheSameForAnyNumberOfThreadsWhereTiesAreLeftOpen) {
     }
   }
   EXPECT_GT(open, 0);
-}
-
-TEST(PlacementSearchSlow, EqualsEnumerationOnManyMore) {
-  expect_kinds(run(13, 15000, {.transceivers = 13}), 15000);
-  expect_kinds(run(14, 15000, {.labels = 30, .transceivers = 12}), 15000);
-  expect_kinds(run(15, 15000, beyond_the_paper), 15000);
 }
 
 // Costs that differ by more digits than a number has: what the search cannot tell, it does not claim.
@@ -229,13 +104,13 @@ TEST(PlacementSearch, EqualsEnumerationWithoutTrees) {
   const detail::SearchLimits without_trees{.most_units_of_trees = 0, .small_answer = 0};
   for (const std::uint64_t seed : {21U, 22U}) {
     const Tally tally =
-        run_with(seed, 300, seed == 21 ? test::RandomTableLimits{.transceivers = 11} : beyond_the_paper,
+        run_with(seed, 300, seed == 21 ? test::RandomTableLimits{.transceivers = 11} : test::beyond_the_paper,
                  without_trees);
     EXPECT_GT(tally.optimal, 60);
     EXPECT_LT(tally.stopped, tally.optimal / 5);
-    EXPECT_GT(tally.by[static_cast<int>(BoundProof::solver)], 20);
-    EXPECT_GT(tally.by[static_cast<int>(BoundProof::dual)], 20);
-    EXPECT_EQ(tally.by[static_cast<int>(BoundProof::log)], 0);
+    EXPECT_GT(tally.count(BoundProof::solver), 20);
+    EXPECT_GT(tally.count(BoundProof::dual), 20);
+    EXPECT_EQ(tally.count(BoundProof::log), 0);
   }
 }
 
@@ -246,7 +121,7 @@ TEST(PlacementSearch, IsValidWithoutWhatLargeTablesHaveNoRoomFor) {
                                      .most_places_of_local_search = 0,
                                      .small_answer = 0,
                                      .most_mip_entries = 0};
-  const Tally tally = run_with(23, 300, beyond_the_paper, nothing);
+  const Tally tally = run_with(23, 300, test::beyond_the_paper, nothing);
   EXPECT_GT(tally.optimal, 50);
   EXPECT_GT(tally.stopped, 20);
 }
@@ -345,52 +220,20 @@ TEST(PlacementSearch, FindsASelectionWhereTheGreedyMethodGetsStuck) {
   EXPECT_EQ(place(table, {coop}, {}).status, Status::infeasible);
 }
 
-// The random numbers of local search are the seed's, and no proven value depends on them.
-TEST(PlacementSearch, ProvesTheSameWithAnySeed) {
-  const SignalTable table = test::affine_lines(2);
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    const Placement answer = place(table, {alone}, {.seed = seed});
-    EXPECT_EQ(answer.status, Status::optimal);
-    EXPECT_EQ(answer.count(), 5U);
+// A proof takes longer than five minutes.
+TEST(PlacementSearchSlow, FindsTheBestKnownOfWhatItDoesNotProve) {
+  const struct {
+    SignalTable table;
+    std::size_t best, least_bound;
+  } known[] = {{test::colourings(10, 4), 25, 1}, {test::affine_lines(4), 61, 27}};
+  for (const auto& [table, best, least_bound] : known) {
+    const Placement found = place(table, {alone}, {.time_limit_s = 20});
+    EXPECT_TRUE(check_selection(table, {alone}, found.selected).met());
+    EXPECT_EQ(found.count(), best);
+    EXPECT_GE(found.count_lower_bound, least_bound);
+    EXPECT_LE(found.count_lower_bound, best);
+    EXPECT_LT(found.seconds, 40);
   }
-}
-
-struct Known {
-  SignalTable table;
-  std::size_t optimum;
-  double seconds;
-};
-
-TEST(PlacementSearchSlow, ProvesSteinerSystems) {
-  const Known known[] = {
-      {test::affine_lines(2), 5, 5}, {test::bose_triples(2), 9, 5}, {test::affine_lines(3), 18, 60}};
-  for (const Known& one : known) {
-    SCOPED_TRACE(one.table.rows());
-    const Placement found = place(one.table, {alone}, {.time_limit_s = one.seconds});
-    EXPECT_EQ(found.status, Status::optimal);
-    EXPECT_EQ(found.count(), one.optimum);
-    RecordProperty("seconds", std::to_string(found.seconds));
-  }
-}
-
-// The best known, 25, is found; a proof takes longer than five minutes.
-TEST(PlacementSearchSlow, FindsTheBestKnownOfColourings) {
-  const SignalTable table = test::colourings(10, 4);
-  const Placement found = place(table, {alone}, {.time_limit_s = 20});
-  EXPECT_TRUE(check_selection(table, {alone}, found.selected).met());
-  EXPECT_EQ(found.count(), 25U);
-  EXPECT_LE(found.count_lower_bound, 25);
-  EXPECT_LT(found.seconds, 40);
-}
-
-TEST(PlacementSearchSlow, ComesNearTheBestKnownOfALargeSteinerSystem) {
-  const SignalTable table = test::affine_lines(4);
-  const Placement found = place(table, {alone}, {.time_limit_s = 20});
-  EXPECT_TRUE(check_selection(table, {alone}, found.selected).met());
-  EXPECT_LE(found.count(), 62U);
-  EXPECT_GE(found.count_lower_bound, 27);
-  EXPECT_LE(found.count_lower_bound, 61);
-  EXPECT_LT(found.seconds, 30);
 }
 
 }  // namespace

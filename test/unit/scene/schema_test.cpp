@@ -468,7 +468,8 @@ class Schema : public testing::Test {
  protected:
   // What the schema says of each text: "ok", or "bad: " and why.
   std::vector<std::string> verdicts(const std::vector<std::string>& texts) {
-    std::vector<std::string> command{"/usr/bin/python3", SHELFBEAM_SOURCE_DIR "/test/unit/scene/check_schema.py",
+    std::vector<std::string> command{"/usr/bin/python3",
+                                     SHELFBEAM_SOURCE_DIR "/test/unit/scene/check_schema.py",
                                      SHELFBEAM_SOURCE_DIR "/data/store.schema.json"};
     for (std::size_t i = 0; i < texts.size(); ++i)
       command.push_back(folder.write(std::to_string(i) + ".json", texts[i]).string());

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/bound/lp_bound.hpp"
 
 namespace shelfbeam::detail {
@@ -22,10 +22,7 @@ std::vector<BoundRow> rows_for(const LpBound& bound, std::size_t count) {
 
 CountBound count_bound(const SignalTable& table, const Question& question, const milp::Backend& backend,
                        double time_limit_s, const RunControl& control) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto seconds_left = [&] {
-    return time_limit_s - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
+  const Deadline deadline(time_limit_s);
   const std::vector<double> ones(table.columns(), 1.0);
   CountBound result;
   result.relaxation = lp_bound(table, question, ones, backend, {.time_limit_s = time_limit_s}, control);
@@ -38,14 +35,14 @@ CountBound count_bound(const SignalTable& table, const Question& question, const
     // Anything above k will do, and what is not clearly above it is none the better for rounding up.
     const double enough = static_cast<double>(result.count) + 1e-6;
     const LpBound limited = lp_bound(table, question, ones, backend,
-                                     {.time_limit_s = seconds_left(),
+                                     {.time_limit_s = deadline.seconds_left(),
                                       .enough = enough,
                                       .answers = {.most = result.count},
                                       .rows = std::move(rows)},
                                      control);
     if (limited.dual.bound < enough &&
         !(limited.complete &&
-          needs_more(table, question, backend, result.count, limited, seconds_left(), control))) {
+          needs_more(table, question, backend, result.count, limited, deadline.seconds_left(), control))) {
       result.complete = limited.complete;
       break;
     }

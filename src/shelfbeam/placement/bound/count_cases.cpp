@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -7,14 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/bound/lp_bound.hpp"
 #include "shelfbeam/placement/problem/cover_rows.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // A label, and the columns that give it a share or more.
 struct Split {
@@ -31,8 +29,7 @@ class Cases {
         backend_(backend),
         most_(most),
         enough_(static_cast<double>(most) + 1e-6),
-        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                std::chrono::duration<double>(std::clamp(time_limit_s, 0.0, 1e8)))),
+        deadline_(time_limit_s),
         control_(control),
         cover_(table, question, most),
         ones_(table.columns(), 1.0) {}
@@ -69,7 +66,7 @@ class Cases {
 
   bool close_case(const LpBound& open, std::vector<BoundRow> rows,
                   const std::vector<std::uint32_t>& without) {
-    const double left = std::chrono::duration<double>(end_ - Clock::now()).count();
+    const double left = deadline_.seconds_left();
     if (left <= 0 || control_.cancelled() || ++cases_ > most_cases) return false;
     control_.report("bound", -1, fmt::format("at most {} units, case {}", most_, cases_));
     const LpBound bound = lp_bound(table_, question_, ones_, backend_,
@@ -129,7 +126,7 @@ class Cases {
   const milp::Backend& backend_;
   std::size_t most_;
   double enough_;
-  Clock::time_point end_;
+  Deadline deadline_;
   const RunControl& control_;
   CoverRows cover_;
   std::vector<double> ones_;

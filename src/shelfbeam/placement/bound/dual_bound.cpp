@@ -31,19 +31,13 @@ struct WeighedRows {
 /// A mounting point that no unit is installed at, or a column with a point of its own.
 struct Point {
   std::vector<std::uint32_t> options;
-  double least = infinite;   ///< r_j of its best option
-  double second = infinite;  ///< of the next one
+  double least = infinite;  ///< r_j of its best option
 };
 
 Point make_point(std::vector<std::uint32_t> options, const std::vector<double>& reduced_cost) {
-  Point point;
-  for (const std::uint32_t j : options) {
-    const double r = reduced_cost[j];
-    point.second = std::min(point.second, std::max(point.least, r));
-    point.least = std::min(point.least, r);
-  }
-  point.options = std::move(options);
-  return point;
+  double least = infinite;
+  for (const std::uint32_t j : options) least = std::min(least, reduced_cost[j]);
+  return {std::move(options), least};
 }
 
 /// The units that may be chosen: points without an installed unit. Adds the installed ones to the bound and
@@ -70,18 +64,15 @@ std::vector<Point> free_points(const SignalTable& table, const std::vector<std::
     if (!taken && !options.empty()) points.push_back(make_point(std::move(options), dual.reduced_cost));
   }
   for (std::uint32_t j = 0; j < table.columns(); ++j) {
-    if (table.transceivers[j].installed) {
+    if (table.transceivers[j].installed)
       dual.bound += dual.reduced_cost[j];
-      dual.if_left_out[j] = infinite;
-    } else if (!shares[j] && !is_out[j]) {
+    else if (!shares[j] && !is_out[j])
       points.push_back(make_point({j}, dual.reduced_cost));
-    }
   }
   return points;
 }
 
-/// Adds the points that are taken to the bound; `if_chosen` and `if_left_out` become what a column in or out
-/// adds to it.
+/// Adds the points that are taken to the bound; `if_chosen` becomes what a column adds to it.
 void take_points(std::vector<Point> points, std::size_t least, std::size_t most, DualBound& dual) {
   std::stable_sort(points.begin(), points.end(),
                    [](const Point& a, const Point& b) { return a.least < b.least; });
@@ -91,7 +82,6 @@ void take_points(std::vector<Point> points, std::size_t least, std::size_t most,
   least = std::min(least, most);
   const std::size_t taken = std::clamp(negative, least, most);
   const double last = taken > 0 ? points[taken - 1].least : 0;
-  const double next = taken < points.size() ? points[taken].least : infinite;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point& point = points[k];
     const bool is_taken = k < taken;
@@ -104,10 +94,6 @@ void take_points(std::vector<Point> points, std::size_t least, std::size_t most,
         dual.if_chosen[j] = r - point.least;
       else
         dual.if_chosen[j] = most == 0 ? infinite : r - (replaces ? last : 0);
-      if (is_taken && r == point.least) {
-        const double without = taken > least ? 0 : infinite;
-        dual.if_left_out[j] = std::min({point.second, next, without}) - point.least;
-      }
     }
   }
 }
@@ -118,7 +104,7 @@ DualBound dual_bound(const SignalTable& table, const Question& question, std::sp
                      std::span<const double> y, std::span<const double> cost, const AnswerSet& answers) {
   const std::size_t n = table.columns();
   const WeighedRows weighed(table, question, rows, y, answers.most);
-  DualBound dual{weighed.bound, std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), {}};
+  DualBound dual{weighed.bound, std::vector<double>(n, 0.0), {}};
   double added = weighed.bound;
   for (std::size_t j = 0; j < n; ++j) {
     dual.reduced_cost.push_back(cost[j] - weighed.weight[j]);
@@ -127,7 +113,7 @@ DualBound dual_bound(const SignalTable& table, const Question& question, std::sp
 
   if (!std::isfinite(added)) {
     dual.bound = -infinite;
-    dual.if_chosen = dual.if_left_out = std::vector<double>(n, -infinite);
+    dual.if_chosen.assign(n, -infinite);
     return dual;
   }
 
@@ -141,20 +127,15 @@ DualBound dual_bound(const SignalTable& table, const Question& question, std::sp
   const double slack =
       static_cast<double>(rows.size() + n + 8) * std::numeric_limits<double>::epsilon() * added;
   dual.bound -= slack;
-  for (std::size_t j = 0; j < n; ++j) {
-    dual.if_chosen[j] += dual.bound;
-    dual.if_left_out[j] += dual.bound;
-  }
+  for (double& cost_with : dual.if_chosen) cost_with += dual.bound;
   return dual;
 }
 
-FixedColumns fix_columns(const DualBound& dual, double worth) {
-  FixedColumns fixed;
-  for (std::uint32_t j = 0; j < dual.if_chosen.size(); ++j) {
-    if (dual.if_left_out[j] > worth) fixed.chosen.push_back(j);
-    if (dual.if_chosen[j] > worth) fixed.left_out.push_back(j);
-  }
-  return fixed;
+std::vector<std::uint32_t> useless_columns(const DualBound& dual, double worth) {
+  std::vector<std::uint32_t> useless;
+  for (std::uint32_t j = 0; j < dual.if_chosen.size(); ++j)
+    if (dual.if_chosen[j] > worth) useless.push_back(j);
+  return useless;
 }
 
 }  // namespace shelfbeam::detail

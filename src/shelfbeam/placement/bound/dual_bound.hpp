@@ -45,7 +45,6 @@ struct AnswerSet {
 struct DualBound {
   double bound = 0;                  ///< no answer costs less
   std::vector<double> if_chosen;     ///< per column: no answer with it costs less; infinite: there is none
-  std::vector<double> if_left_out;   ///< per column: no answer without it costs less
   std::vector<double> reduced_cost;  ///< per column: c_j - sum_i y_i a_ij
 };
 
@@ -56,22 +55,15 @@ struct DualBound {
 /// costs r_j = c_j - sum_i y_i a_ij. The right-hand side is least over all T with the installed units in, at
 /// most one unit a mounting point and what `answers` allows, where of every other point the option
 /// of least r_j competes: the points of least r_j are taken, at least so many, and further ones as long as
-/// they are negative, at most so many. `if_chosen` and `if_left_out` are the same minimum with one T_j given.
+/// they are negative, at most so many. `if_chosen` is the same minimum with one T_j = 1.
 /// This holds for every y; multipliers that are negative or not finite count as 0. Errors of rounding are
 /// bounded by (rows + columns + 8) 2^-52 times the sum of what was added up.
 DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
                      std::span<const double> y, std::span<const double> cost, const AnswerSet& answers = {});
 
-/// What every answer that costs at most `worth` has in common.
-struct FixedColumns {
-  std::vector<std::uint32_t> chosen;    ///< in all of them, installed units among them; ascending
-  std::vector<std::uint32_t> left_out;  ///< in none; ascending
-};
-
-/// Reduced-cost fixing: a column is left out where `if_chosen` exceeds `worth`, chosen where `if_left_out`
-/// does: the contrary costs more than `worth` by the definition of these bounds. To look for something better
-/// than a known cost, `worth` is that cost less 1 where all costs are whole numbers, or else less what would
-/// count as better.
-FixedColumns fix_columns(const DualBound& dual, double worth);
+/// Reduced-cost fixing: the columns, ascending, that no answer has which costs at most `worth`, as their
+/// `if_chosen` exceeds it. To look for something better than a known cost, `worth` is that cost less 1 where
+/// all costs are whole numbers, or else less what would count as better.
+std::vector<std::uint32_t> useless_columns(const DualBound& dual, double worth);
 
 }  // namespace shelfbeam::detail

@@ -1,14 +1,14 @@
 #include "shelfbeam/placement/bound/lp_bound.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
+#include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/milp/lp_session.hpp"
 #include "shelfbeam/placement/bound/bound_row.hpp"
 #include "shelfbeam/placement/bound/cover_cuts.hpp"
@@ -24,7 +24,8 @@ class RowGeneration {
  public:
   RowGeneration(const SignalTable& table, const Question& question, std::span<const double> cost,
                 const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control)
-      : table_(table),
+      : deadline_(options.time_limit_s),
+        table_(table),
         question_(question),
         cost_(cost),
         options_(options),
@@ -79,11 +80,6 @@ class RowGeneration {
     return lp;
   }
 
-  double seconds_left() const {
-    return options_.time_limit_s -
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
   void add(const std::vector<BoundRow>& batch) {
     std::vector<milp::Row> rows;
     for (const BoundRow& row : batch) {
@@ -99,8 +95,8 @@ class RowGeneration {
   }
 
   bool solve() {
-    if (seconds_left() <= 0) return false;
-    milp::LpResult solved = lp_->solve(seconds_left(), control_);
+    if (deadline_.has_passed()) return false;
+    milp::LpResult solved = lp_->solve(deadline_.seconds_left(), control_);
     if (solved.termination != milp::Termination::optimal) return false;
     ++result_.rounds;
     result_.x = std::move(solved.x);
@@ -141,7 +137,7 @@ class RowGeneration {
     return batch;
   }
 
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Deadline deadline_;
   const SignalTable& table_;
   const Question& question_;
   std::span<const double> cost_;
@@ -167,9 +163,8 @@ std::vector<BoundRow> rows_of(const LpBound& bound) {
 
 LpBound lp_bound(const SignalTable& table, const Question& question, std::span<const double> cost,
                  const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control) {
-  tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(control.threads));
-  return arena.execute([&] { return RowGeneration(table, question, cost, backend, options, control).run(); });
+  return with_threads(control.threads,
+                      [&] { return RowGeneration(table, question, cost, backend, options, control).run(); });
 }
 
 }  // namespace shelfbeam::detail

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/coverage/reach_bound.hpp"
 #include "shelfbeam/placement/coverage/reach_search.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
@@ -126,11 +127,9 @@ void agree(Placement& placement, ReachCurve& curve, const SignalTable& table) {
 ReachCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
                      const RunControl& control) {
   const Clock::time_point start = Clock::now();
-  constexpr double longest_s = 1e8;
-  const double seconds = std::min(longest_s, std::max(time_limit_s - placement.seconds, 0.1 * time_limit_s));
-  ReachCurve curve = reach_curve(
-      table, placement.question, placement.selected, control,
-      start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
+  const double seconds = std::max(time_limit_s - placement.seconds, 0.1 * time_limit_s);
+  ReachCurve curve =
+      reach_curve(table, placement.question, placement.selected, control, Deadline(seconds).end());
   agree(placement, curve, table);
   placement.seconds += std::chrono::duration<double>(Clock::now() - start).count();
   return curve;

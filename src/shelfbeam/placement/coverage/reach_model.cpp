@@ -1,10 +1,10 @@
 #include "shelfbeam/placement/coverage/reach_model.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/milp/verify.hpp"
 #include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
@@ -68,15 +68,12 @@ void ReachModel::cut_off(const std::vector<std::uint32_t>& selected, std::size_t
 
 ReachModel::Outcome ReachModel::solve(const SolveFunction& solve, double time_limit_s,
                                       const RunControl& control) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto seconds_left = [&] {
-    return time_limit_s - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
+  const Deadline deadline(time_limit_s);
   Outcome outcome;
   outcome.most_reached = table_.rows();
   const auto price = static_cast<double>(table_.columns() + 1);
-  while (seconds_left() > 0 && !control.cancelled()) {
-    const milp::Result result = solve(model_, {.time_limit_s = seconds_left()}, control);
+  while (!deadline.has_passed() && !control.cancelled()) {
+    const milp::Result result = solve(model_, {.time_limit_s = deadline.seconds_left()}, control);
     const bool empty_handed = result.solution.empty() && !model_.columns.empty();
     const bool wrong =
         !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;

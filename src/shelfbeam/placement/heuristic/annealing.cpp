@@ -45,20 +45,17 @@ class Annealing {
     recount();
   }
 
-  void run(const SearchEffort& effort, const RunControl& control) {
+  void run(const Effort& effort, const RunControl& control) {
     constexpr std::uint64_t between_looks = 4096;
-    const std::uint64_t cooling = std::clamp(effort.moves / coolings, shortest_cooling, longest_cooling);
-    const auto is_over = [&] {
-      return control.cancelled() || std::chrono::steady_clock::now() >= effort.until;
-    };
-    for (std::uint64_t move = 0; move < effort.moves; ++move) {
+    const std::uint64_t cooling = std::clamp(effort.steps / coolings, shortest_cooling, longest_cooling);
+    for (std::uint64_t move = 0; move < effort.steps; ++move) {
       if (move % between_looks == 0) {
-        if (is_over()) return;
+        if (effort.is_over(control)) return;
         control.report("annealing", -1, fmt::format("{} moves", move));
         recount();  // sums that were added to and taken from drift
       }
       while (lack_ <= 0 && !has_failed_ && meets_all()) {
-        if (free_.empty() || is_over()) return;
+        if (free_.empty() || effort.is_over(control)) return;
         drop_least();
       }
       if (free_.empty() || free_.size() == candidates_.size()) return;
@@ -67,7 +64,7 @@ class Annealing {
     }
   }
 
-  const std::optional<std::vector<std::uint32_t>>& best() const { return best_; }
+  Found best() const { return {best_, static_cast<double>(fewest_)}; }
 
  private:
   std::vector<std::uint32_t> selection() const {
@@ -184,18 +181,14 @@ bool can_anneal(const Question& question) {
 
 std::optional<std::vector<std::uint32_t>> anneal(const SearchProblem& problem, const SearchMatrix& all,
                                                  const std::vector<std::uint32_t>& start,
-                                                 const SearchEffort& effort, const RunControl& control) {
+                                                 const Effort& effort, std::uint32_t seed,
+                                                 const RunControl& control) {
   if (!can_anneal(problem.question)) return std::nullopt;
-  std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
-  for_each_walk(effort, control, [&](std::size_t k, std::uint32_t seed, const RunControl& own) {
-    Annealing walk(problem, all, start, seed);
+  return best_of_walks(seed, control, [&](std::uint32_t own_seed, const RunControl& own) -> Found {
+    Annealing walk(problem, all, start, own_seed);
     walk.run(effort, own);
-    found[k] = walk.best();
+    return walk.best();
   });
-  std::optional<std::vector<std::uint32_t>> best;
-  for (auto& one : found)
-    if (one && (!best || one->size() < best->size())) best = std::move(one);
-  return best;
 }
 
 }  // namespace shelfbeam::detail

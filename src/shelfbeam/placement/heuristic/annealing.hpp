@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/kernels/search_effort.hpp"
+#include "shelfbeam/placement/kernels/effort.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/search_problem.hpp"
 
@@ -19,10 +19,11 @@ bool can_anneal(const Question& question);
 /// but has enough units: simulated annealing (Kirkpatrick, Gelatt and Vecchi, Science 220, 1983) of what the
 /// labels lack in all, for a number of units that falls by one whenever a selection passes the contract's
 /// rule. A move exchanges one unit for another, mostly for one whose signals are like its own, and costs one
-/// scan of the rows that were ever unmet. Limited by moves, so that it is reproducible, but where
-/// `effort.until` comes first. Nothing where none was found.
+/// scan of the rows that were ever unmet. Walks begin with `seed` and those that follow. Nothing where none
+/// was found.
 std::optional<std::vector<std::uint32_t>> anneal(const SearchProblem& problem, const SearchMatrix& all,
                                                  const std::vector<std::uint32_t>& start,
-                                                 const SearchEffort& effort, const RunControl& control);
+                                                 const Effort& effort, std::uint32_t seed,
+                                                 const RunControl& control);
 
 }  // namespace shelfbeam::detail

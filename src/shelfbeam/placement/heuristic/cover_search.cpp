@@ -65,13 +65,13 @@ class CoverWalk {
       score_[c] = static_cast<std::int64_t>(cover.rows_of[c].size());
   }
 
-  void run(const SearchEffort& effort, const RunControl& control) {
+  void run(const Effort& effort, const RunControl& control) {
     while (!open_.empty()) add(best_for(open_[random_() % open_.size()], true));
     constexpr std::uint64_t between_looks = 1024;
     std::uint32_t last = SparseCover::none;
-    for (std::uint64_t move = 1; move <= effort.moves; ++move) {
+    for (std::uint64_t move = 1; move <= effort.steps; ++move) {
       if (move % between_looks == 0) {
-        if (control.cancelled() || std::chrono::steady_clock::now() >= effort.until) return;
+        if (effort.is_over(control)) return;
         control.report("local search", -1, fmt::format("{} moves", move));
       }
       now_ = move;
@@ -94,7 +94,7 @@ class CoverWalk {
     }
   }
 
-  const std::optional<std::vector<std::uint32_t>>& best() const { return best_; }
+  Found best() const { return {best_, static_cast<double>(fewest_)}; }
 
  private:
   std::uint32_t best_for(std::uint32_t row, bool may_return) const {
@@ -191,25 +191,21 @@ bool is_plain_cover(const SignalTable& table, const Question& question) {
 std::optional<std::vector<std::uint32_t>> cover_search(const SignalTable& table, const Question& question,
                                                        const Reduction& reduction,
                                                        const std::vector<std::uint32_t>& start,
-                                                       const SearchEffort& effort,
+                                                       const Effort& effort, std::uint32_t seed,
                                                        const RunControl& control) {
-  if (!is_plain_cover(table, question) || effort.walks == 0) return std::nullopt;
+  if (!is_plain_cover(table, question)) return std::nullopt;
   if (reduction.infeasible || start.size() <= reduction.forced.size()) return std::nullopt;
   const SparseCover cover(table, question, reduction);
-  std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
-  for_each_walk(effort, control, [&](std::size_t k, std::uint32_t seed, const RunControl& own) {
-    CoverWalk walk(cover, start.size() - reduction.forced.size(), seed);
+  const auto columns = best_of_walks(seed, control, [&](std::uint32_t own_seed, const RunControl& own) {
+    CoverWalk walk(cover, start.size() - reduction.forced.size(), own_seed);
     walk.run(effort, own);
-    found[k] = walk.best();
+    return walk.best();
   });
-  std::optional<std::vector<std::uint32_t>> best;
-  for (const auto& columns : found) {
-    if (!columns || (best && reduction.forced.size() + columns->size() >= best->size())) continue;
-    best = reduction.forced;
-    for (const std::uint32_t c : *columns) best->push_back(cover.column[c]);
-    std::sort(best->begin(), best->end());
-  }
-  return best;
+  if (!columns) return std::nullopt;
+  std::vector<std::uint32_t> selected = reduction.forced;
+  for (const std::uint32_t c : *columns) selected.push_back(cover.column[c]);
+  std::sort(selected.begin(), selected.end());
+  return selected;
 }
 
 }  // namespace shelfbeam::detail

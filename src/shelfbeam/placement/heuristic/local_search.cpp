@@ -43,20 +43,17 @@ class Walk {
     follow_rows();
   }
 
-  void run(const SearchEffort& effort, const RunControl& control) {
+  void run(const Effort& effort, const RunControl& control) {
     constexpr std::uint64_t between_looks = 64;
-    const auto is_over = [&] {
-      return control.cancelled() || std::chrono::steady_clock::now() >= effort.until;
-    };
-    for (std::uint64_t move = 1; move <= effort.moves; ++move) {
+    for (std::uint64_t move = 1; move <= effort.steps; ++move) {
       if (move % between_looks == 0) {
-        if (is_over()) return;
+        if (effort.is_over(control)) return;
         control.report("local search", -1, fmt::format("{} moves", move));
       }
       if (move % between_looks == 0) recount();  // sums that were added to and taken from drift
       now_ = move;
       while (meets_rows()) {
-        if (is_over()) return;
+        if (effort.is_over(control)) return;
         if (!try_on_all()) continue;  // more is asked for
         if (!remove_cheapest()) return;
       }
@@ -64,8 +61,7 @@ class Walk {
     }
   }
 
-  const std::optional<std::vector<std::uint32_t>>& best() const { return best_; }
-  double best_cost() const { return best_cost_; }
+  Found best() const { return {best_, best_cost_}; }
 
  private:
   // Prices may be zero: such units are worth taking whatever they give.
@@ -233,18 +229,13 @@ class Walk {
 
 std::optional<std::vector<std::uint32_t>> local_search(const SearchProblem& problem, const SearchMatrix& all,
                                                        const std::vector<std::uint32_t>& start,
-                                                       const SearchEffort& effort,
+                                                       const Effort& effort, std::uint32_t seed,
                                                        const RunControl& control) {
-  std::vector<std::optional<std::vector<std::uint32_t>>> found(effort.walks);
-  std::vector<double> cost(effort.walks, std::numeric_limits<double>::infinity());
-  for_each_walk(effort, control, [&](std::size_t k, std::uint32_t seed, const RunControl& own) {
-    Walk walk(problem, all, start, seed);
+  return best_of_walks(seed, control, [&](std::uint32_t own_seed, const RunControl& own) {
+    Walk walk(problem, all, start, own_seed);
     walk.run(effort, own);
-    found[k] = walk.best();
-    cost[k] = walk.best_cost();
+    return walk.best();
   });
-  const auto best = static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
-  return found.empty() ? std::nullopt : found[best];
 }
 
 }  // namespace shelfbeam::detail

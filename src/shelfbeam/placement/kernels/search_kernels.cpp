@@ -22,6 +22,17 @@ SHELFBEAM_INLINE inline float sum_of(const float* lanes) {
   return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
+// The sum of term(i) over the rows, a lane for each of `width` rows that follow one another.
+template <class Term>
+SHELFBEAM_INLINE inline float sum_over(std::size_t rows, const Term& term) {
+  alignas(64) float total[width] = {};
+  for (std::size_t i = 0; i < rows; i += width) {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < width; ++k) total[k] += term(i + k);
+  }
+  return sum_of(total);
+}
+
 template <bool sums>
 SHELFBEAM_INLINE inline float given(float signal, float target) {
   if constexpr (sums)
@@ -133,12 +144,7 @@ float SearchKernels::gain(Receiving rule, const float* column, float scale, cons
 
 SHELFBEAM_FOR_EACH_CPU
 float SearchKernels::need(const float* lacking, const float* weight, std::size_t rows) {
-  alignas(64) float total[width] = {};
-  for (std::size_t i = 0; i < rows; i += width) {
-    SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < width; ++k) total[k] += weight[i + k] * lacking[i + k];
-  }
-  return sum_of(total);
+  return sum_over(rows, [=](std::size_t i) { return weight[i] * lacking[i]; });
 }
 
 SHELFBEAM_FOR_EACH_CPU
@@ -151,37 +157,22 @@ bool SearchKernels::suffices(Receiving rule, const float* column, const float* l
 SHELFBEAM_FOR_EACH_CPU
 float SearchKernels::worth(const float* column, const float* weight, const float* held, float demand,
                            std::size_t rows) {
-  alignas(64) float total[width] = {};
-  for (std::size_t i = 0; i < rows; i += width) {
-    SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < width; ++k)
-      total[k] += weight[i + k] * smaller(column[i + k], larger(0.0F, demand - held[i + k]));
-  }
-  return sum_of(total);
+  return sum_over(
+      rows, [=](std::size_t i) { return weight[i] * smaller(column[i], larger(0.0F, demand - held[i])); });
 }
 
 SHELFBEAM_FOR_EACH_CPU
 float SearchKernels::loss(const float* column, const float* weight, const float* held, float demand,
                           std::size_t rows) {
-  alignas(64) float total[width] = {};
-  for (std::size_t i = 0; i < rows; i += width) {
-    SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < width; ++k)
-      total[k] += weight[i + k] * larger(0.0F, column[i + k] - larger(0.0F, held[i + k] - demand));
-  }
-  return sum_of(total);
+  return sum_over(rows, [=](std::size_t i) {
+    return weight[i] * larger(0.0F, column[i] - larger(0.0F, held[i] - demand));
+  });
 }
 
 SHELFBEAM_FOR_EACH_CPU
 float SearchKernels::lack_after(const float* held, const float* out, const float* in, float demand,
                                 std::size_t rows) {
-  alignas(64) float total[width] = {};
-  for (std::size_t i = 0; i < rows; i += width) {
-    SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < width; ++k)
-      total[k] += larger(0.0F, demand - (held[i + k] - out[i + k] + in[i + k]));
-  }
-  return sum_of(total);
+  return sum_over(rows, [=](std::size_t i) { return larger(0.0F, demand - (held[i] - out[i] + in[i])); });
 }
 
 SHELFBEAM_FOR_EACH_CPU
@@ -192,13 +183,7 @@ void SearchKernels::exchange(const float* out, const float* in, std::size_t rows
 
 SHELFBEAM_FOR_EACH_CPU
 float SearchKernels::distance(const float* a, const float* b, std::size_t rows) {
-  alignas(64) float total[width] = {};
-  for (std::size_t i = 0; i < rows; i += width) {
-    SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < width; ++k)
-      total[k] += larger(a[i + k], b[i + k]) - smaller(a[i + k], b[i + k]);
-  }
-  return sum_of(total);
+  return sum_over(rows, [=](std::size_t i) { return larger(a[i], b[i]) - smaller(a[i], b[i]); });
 }
 
 SHELFBEAM_FOR_EACH_CPU

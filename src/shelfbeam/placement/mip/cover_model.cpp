@@ -6,6 +6,7 @@
 
 #include "shelfbeam/milp/verify.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
+#include "shelfbeam/placement/problem/bounds.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam::detail {
@@ -34,34 +35,9 @@ milp::Row relaxed(milp::Row row) {
   return row;
 }
 
-namespace {
-
-// The most units that a selection of at most this cost can have: the installed ones and the cheapest others.
-std::size_t most_units(const SignalTable& table, std::span<const double> cost, double known) {
-  const double most = known * (1 + 1e-9);
-  std::vector<double> others;
-  double spent = 0;
-  std::size_t count = 0;
-  for (std::size_t j = 0; j < cost.size(); ++j) {
-    if (table.transceivers[j].installed)
-      spent += cost[j], ++count;
-    else
-      others.push_back(cost[j]);
-  }
-  std::sort(others.begin(), others.end());
-  for (const double one : others) {
-    spent += one;
-    if (spent > most) break;
-    ++count;
-  }
-  return count;
-}
-
-}  // namespace
-
 CoverModel::CoverModel(const SignalTable& table, const Question& question, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control)
-    : table_(table), question_(question), solve_(solve), control_(control), time_limit_s_(time_limit_s) {}
+    : table_(table), question_(question), solve_(solve), control_(control), deadline_(time_limit_s) {}
 
 void CoverModel::build() {
   model_ = model_without_failures(table_, question_);
@@ -124,14 +100,10 @@ bool CoverModel::let_fail(const std::vector<std::uint32_t>& selected,
   return added;
 }
 
-double CoverModel::seconds_left() const {
-  return time_limit_s_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
-
 CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double known,
                                          std::optional<std::size_t> count) {
   Outcome outcome;
-  if (seconds_left() <= 0 || control_.cancelled()) return outcome;
+  if (deadline_.has_passed() || control_.cancelled()) return outcome;
   if (!built_) build();
   for (std::size_t j = 0; j < cost.size(); ++j) {
     milp::Column& column = model_.columns[j];
@@ -139,16 +111,16 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
     column.cost = too_dear ? 0 : cost[j];
     column.upper = too_dear ? 0 : 1;
   }
-  bound_label_rows(count ? *count : most_units(table_, cost, known));
+  bound_label_rows(count ? *count : CostBounds(table_, cost).affordable(known));
   milp::Row count_row;
   if (count) {
     count_row.lower = count_row.upper = static_cast<double>(*count);
     for (std::uint32_t j = 0; j < table_.columns(); ++j) count_row.entries.push_back({j, 1.0});
   }
 
-  while (seconds_left() > 0 && !control_.cancelled()) {
+  while (!deadline_.has_passed() && !control_.cancelled()) {
     if (count) model_.rows.push_back(count_row);
-    const milp::Result result = solve_(model_, {.time_limit_s = seconds_left()}, control_);
+    const milp::Result result = solve_(model_, {.time_limit_s = deadline_.seconds_left()}, control_);
     const bool empty_handed = result.solution.empty() && !model_.columns.empty();
     const bool wrong =
         !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -8,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/mip/mip.hpp"
 
 namespace shelfbeam::detail {
@@ -39,7 +39,6 @@ class CoverModel {
 
  private:
   void build();
-  double seconds_left() const;
   void bound_label_rows(std::size_t most_units);
   bool let_fail(const std::vector<std::uint32_t>& selected, const std::vector<std::uint32_t>& unmet);
   bool add_failure(std::size_t label, std::uint32_t failed);
@@ -49,8 +48,7 @@ class CoverModel {
   const Question& question_;
   const SolveFunction& solve_;
   const RunControl& control_;
-  double time_limit_s_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Deadline deadline_;
   milp::Model model_;  ///< built when it is first needed
   bool built_ = false;
   /// Redundant, cooperative: the pairs (label, unit) whose rows are in the model.

@@ -54,6 +54,18 @@ std::size_t CostBounds::fewest(double cost) const {
   return count;
 }
 
+std::size_t CostBounds::affordable(double cost) const {
+  const double most = cost * (1 + 1e-9);
+  double spent = installed_cost_;
+  std::size_t count = installed_;
+  for (const double one : ascending_) {
+    spent += one;
+    if (spent > most) break;
+    ++count;
+  }
+  return count;
+}
+
 double CostBounds::rounded(double bound) const {
   const double slack = solver_tolerance * std::max(1.0, std::abs(bound));
   if (!whole_ || !(slack < 0.5)) return bound;

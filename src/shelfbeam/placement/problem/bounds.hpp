@@ -23,6 +23,10 @@ class CostBounds {
   /// No selection that costs at least `cost` has fewer units: the installed ones and the dearest others.
   std::size_t fewest(double cost) const;
 
+  /// No selection that costs at most `cost`, or 1e-9 of it more, has more units: the installed ones and the
+  /// cheapest others.
+  std::size_t affordable(double cost) const;
+
   /// A solver's bound, rounded up where every cost is a whole number (less 1e-6, the solvers' tolerance).
   double rounded(double bound) const;
 

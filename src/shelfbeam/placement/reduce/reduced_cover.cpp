@@ -1,8 +1,8 @@
 #include "shelfbeam/placement/reduce/reduced_cover.hpp"
 
 #include <algorithm>
-#include <chrono>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
@@ -48,10 +48,7 @@ SignalTable table_of(const SignalTable& table, std::span<const double> cost, con
 ReducedAnswer place_reduced(const SignalTable& table, const Question& question, std::span<const double> cost,
                             const Reduction& reduction, std::span<const std::uint32_t> left_out,
                             const SolveFunction& solve, double time_limit_s, const RunControl& control) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto left = [&] {
-    return time_limit_s - std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
+  const Deadline deadline(time_limit_s);
   ReducedAnswer answer;
   if (reduction.infeasible) return answer;
   std::vector<std::uint32_t> selected = reduction.forced;
@@ -71,7 +68,7 @@ ReducedAnswer place_reduced(const SignalTable& table, const Question& question, 
     Question sum;
     sum.model = question.model;
     sum.combination = Combination::weighted;
-    const MipAnswer best = place_by_mip(own, sum, std::nullopt, solve, left(), control);
+    const MipAnswer best = place_by_mip(own, sum, std::nullopt, solve, deadline.seconds_left(), control);
     answer.proven = answer.proven && best.placement.status == Status::optimal;
     answer.failed = answer.failed || best.solver_failed;
     answer.bound += std::max(0.0, best.placement.lower_bound);

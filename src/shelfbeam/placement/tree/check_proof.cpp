@@ -282,8 +282,4 @@ ProofVerdict judge_proof(const SignalTable& table, const Question& question, con
   }
 }
 
-bool check_proof(const SignalTable& table, const Question& question, const Proof& proof) {
-  return judge_proof(table, question, proof) == ProofVerdict::holds;
-}
-
 }  // namespace shelfbeam::detail

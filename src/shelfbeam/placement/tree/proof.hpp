@@ -69,7 +69,4 @@ enum class ProofVerdict {
 ProofVerdict judge_proof(const SignalTable& table, const Question& question, const Proof& proof,
                          const CheckLimits& limits = {});
 
-/// Whether it holds.
-bool check_proof(const SignalTable& table, const Question& question, const Proof& proof);
-
 }  // namespace shelfbeam::detail

@@ -1,10 +1,9 @@
+#include "shelfbeam/placement/tree/tree_run.hpp"
+
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include <fmt/format.h>
-
-#include "shelfbeam/placement/tree/tree_walk.hpp"
 
 namespace shelfbeam::detail {
 
@@ -20,7 +19,6 @@ TreeRun::TreeRun(const SearchProblem& p, const SearchMatrix& a, const SearchMatr
       is_searched_(a.rows(), false),
       most_work_(l.work > 0 ? l.work : std::numeric_limits<std::uint64_t>::max()),
       most_cost_(g.most_cost),
-      margin_(g.least_margin),
       widest_(g.start) {
   if (goal.kind == TreeGoal::Kind::widest) {
     std::vector<float> memory;
@@ -64,8 +62,7 @@ bool TreeRun::ends() {
   const std::uint64_t node = nodes_.fetch_add(1, std::memory_order_relaxed);
   if (work() >= most_work_) cut_.store(true, std::memory_order_relaxed);
   if (node % between_looks == 0) {
-    if (control_.cancelled() || node >= limits.nodes || std::chrono::steady_clock::now() >= limits.until ||
-        misses_rows())
+    if (node >= limits.effort.steps || misses_rows() || limits.effort.is_over(control_))
       cut_.store(true, std::memory_order_relaxed);
     if (const std::unique_lock lock(reporting_, std::try_to_lock); lock.owns_lock() && control_.progress)
       control_.report("tree search", -1,
@@ -95,7 +92,7 @@ Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float
   std::sort(sorted.begin(), sorted.end());
   switch (goal.kind) {
     case TreeGoal::Kind::any:
-      if (margin.smallest < goal.least_margin || found_any()) break;
+      if (found_any()) break;
       best = std::move(sorted);
       found_.store(true, std::memory_order_relaxed);
       break;

@@ -1,11 +1,10 @@
 #include "shelfbeam/placement/tree/tree_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
-#include <tbb/task_arena.h>
-
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/placement/tree/row_weights.hpp"
 #include "shelfbeam/placement/tree/tree_walk.hpp"
 
 namespace shelfbeam::detail {
@@ -26,31 +25,21 @@ void TreeSearch::choose_rows(std::size_t units) {
   weights_.assign(all_.rows(), 1.0F);
   if (all_.rows() <= rows_at_first) return;
   const std::size_t padded = all_.padded_rows();
-  std::vector<float> weight(padded, 1.0F), lacking(padded, 0.0F), share(padded, 0.0F), shift(padded, 0.0F),
-      unused(padded, 0.0F), load(padded), gain(all_.columns());
+  std::vector<float> weight(padded, 1.0F), lacking(padded, 0.0F), nothing(padded, 0.0F);
   std::fill_n(lacking.begin(), all_.rows(), 1.0F);
-  std::vector<std::uint32_t> order;
+  const SearchKernels::Rows rows{lacking.data(), weight.data(), nothing.data(), nothing.data(), 1.0F, padded};
+  std::vector<std::uint32_t> columns;
   for (std::uint32_t j = 0; j < all_.columns(); ++j)
-    if (problem_.available[j]) order.push_back(j);
-  const std::size_t count = std::min(units, order.size());
+    if (problem_.available[j]) columns.push_back(j);
+  std::vector<float> gain(columns.size()), supporters(padded, 0.0F);
+  RowWeights weights;
   constexpr int steps = 60;
-  constexpr float rate = 0.4F;
+  constexpr float least = 1e-12F;
   for (int step = 0; step < steps; ++step) {
-    const SearchKernels::Rows rows{lacking.data(), weight.data(), share.data(), shift.data(), 1.0F, padded};
-    for (const std::uint32_t j : order)
-      gain[j] = SearchKernels::gain(rule_, all_.column(j), 1.0F, rows, unused.data());
-    std::partial_sort(
-        order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-        [&](std::uint32_t a, std::uint32_t b) { return gain[a] > gain[b] || (gain[a] == gain[b] && a < b); });
-    std::fill(load.begin(), load.end(), 0.0F);
-    for (std::size_t k = 0; k < count; ++k)
-      SearchKernels::load(rule_, all_.column(order[k]), rows, load.data());
-    float largest = 0;
-    for (std::size_t i = 0; i < all_.rows(); ++i) {
-      weight[i] *= std::exp(rate * std::clamp(1 - load[i], -2.0F, 1.0F));
-      largest = std::max(largest, weight[i]);
-    }
-    for (float& w : weight) w = std::max(w / largest, 1e-12F);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      gain[k] = SearchKernels::gain(rule_, all_.column(columns[k]), 1.0F, rows, supporters.data());
+    weights.step(
+        rule_, rows, gain, units, [&](std::uint32_t k) { return all_.column(columns[k]); }, least, weight);
   }
   std::partial_sort(rows_.begin(), rows_.begin() + rows_at_first, rows_.end(),
                     [&](std::uint32_t a, std::uint32_t b) {
@@ -78,13 +67,11 @@ TreeAnswer TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const R
   if (rows_.empty()) choose_rows(wanted.most_units);
   TreeGoal goal = wanted;
   Limits left = limits;
-  const int threads = control.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(control.threads);
-  tbb::task_arena arena(threads);
   while (true) {
     if (!matrix_) matrix_.emplace(problem_.table, problem_.question.model, rows_);
     TreeRun run(problem_, all_, *matrix_, goal, left, control);
     TreeWalk root(run, weights_, 0);
-    arena.execute([&] { root.from_root(); });
+    with_threads(control.threads, [&] { root.from_root(); });
     std::copy_n(root.weights().begin(), weights_.size(), weights_.begin());
     answer.nodes += run.nodes();
     if (run.best) {
@@ -93,8 +80,8 @@ TreeAnswer TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const R
       if (goal.kind == TreeGoal::Kind::widest) goal.start = *run.best;
     }
     answer.is_complete = run.is_complete() || (goal.kind == TreeGoal::Kind::any && run.best.has_value());
-    if (answer.is_complete || !run.misses_rows() || control.cancelled() ||
-        std::chrono::steady_clock::now() >= limits.until || answer.nodes >= limits.nodes) {
+    if (answer.is_complete || !run.misses_rows() || limits.effort.is_over(control) ||
+        answer.nodes >= limits.effort.steps) {
       if (limits.wants_proof) {
         answer.proof.most_units = goal.most_units;
         answer.proof.most_cost = goal.most_cost;

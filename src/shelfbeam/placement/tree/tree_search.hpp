@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/kernels/effort.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/search_problem.hpp"
 #include "shelfbeam/placement/tree/proof.hpp"
@@ -18,7 +18,7 @@ namespace shelfbeam::detail {
 /// most `most_units` units and cost at most `most_cost`.
 struct TreeGoal {
   enum class Kind {
-    any,       ///< one with a margin of `least_margin` at least
+    any,       ///< one of them
     cheapest,  ///< the least cost
     widest     ///< the largest margin, of equal ones the fewest units, of these the first by id, if that
                ///< is better than `start`
@@ -26,10 +26,7 @@ struct TreeGoal {
   Kind kind = Kind::any;
   std::size_t most_units = 0;
   std::int64_t most_cost = std::numeric_limits<std::int64_t>::max();
-  double least_margin = 0;              ///< for any
-  std::vector<std::uint32_t> start;     ///< for widest: ascending; a selection that meets every label
-  std::vector<std::uint32_t> included;  ///< further columns that it must hold
-  std::vector<std::uint32_t> excluded;  ///< columns that it must not hold
+  std::vector<std::uint32_t> start;  ///< for widest: ascending; a selection that meets every label
 };
 
 struct TreeAnswer {
@@ -55,8 +52,7 @@ class TreeSearch {
   void begin_with(std::span<const std::uint32_t> rows, std::span<const double> weights);
 
   struct Limits {
-    std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
-    std::uint64_t nodes = std::numeric_limits<std::uint64_t>::max();
+    Effort effort = {};
     bool wants_proof = false;
     /// Places of the matrix that may be looked at; 0: as many as it takes. A search with such a limit finds
     /// the same for any number of threads, complete or not, as long as no other limit comes first.

@@ -31,6 +31,12 @@ std::string value_of(std::string_view text, const std::string& name) {
   return "unknown";
 }
 
+// Version 0.1.0 named options as the command line does, with dashes.
+std::string without_dashes(std::string text) {
+  for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) text.erase(at, 2);
+  return text;
+}
+
 }  // namespace
 
 CheckpointFile::CheckpointFile(fs::path path, CheckpointIdentity identity, std::uint32_t items)
@@ -45,15 +51,16 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
   if (!file.line(detail::checkpoint_line))
     throw InputError(path_.string(), "is no checkpoint of this version of the program",
                      "delete it, or begin anew without resuming", Setting::resumption);
-  const auto found = file.next();
-  if (!found) file.fail();
+  const auto first = file.next();
+  if (!first) file.fail();
+  const std::string found = without_dashes(*first);
   for (const auto& [name, value] : identity_)
-    if (const std::string theirs = value_of(*found, name); theirs != value)
+    if (const std::string theirs = value_of(found, name); theirs != value)
       throw InputError(
           path_.string(),
           fmt::format("is of another simulation: its {} is '{}', here it is '{}'", name, theirs, value),
           "resume with the same store and options, or begin anew without resuming", Setting::resumption);
-  if (*found != to_text(identity_)) file.fail();
+  if (found != to_text(identity_)) file.fail();
 
   std::vector<double> values;
   while (const auto record = file.next()) {

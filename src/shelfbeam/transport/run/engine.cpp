@@ -62,9 +62,9 @@ Engine::Engine(const World& world, const Estimator& estimator, const SimulationO
 }
 
 CheckpointIdentity Engine::identity(const std::string& hash) const {
-  std::string stop = fmt::format("{} samples", options_.samples);
+  std::string stop = fmt::format("samples {}", options_.samples);
   if (options_.relative_error)
-    stop = fmt::format("relative error {} above {}, at most {} samples", options_.relative_error->error,
+    stop = fmt::format("relative-error {} above {} max-samples {}", options_.relative_error->error,
                        options_.relative_error->above, options_.relative_error->most_samples);
   else if (options_.time_s)
     stop = "time";

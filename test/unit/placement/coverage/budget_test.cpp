@@ -18,7 +18,6 @@ namespace shelfbeam {
 namespace {
 
 using test::BruteForce;
-using test::Omission;
 constexpr auto coop = CommunicationModel::cooperative;
 constexpr auto alone = CommunicationModel::non_cooperative;
 
@@ -52,13 +51,9 @@ void expect_consistent(const SignalTable& table, const Question& question, std::
                 std::binary_search(reach.selected.begin(), reach.selected.end(), j));
 }
 
-struct Controls {
-  int last_label = 0, installed = 0, mounts = 0, apart = 0, failure = 0, one_more = 0;
-};
-
-void run(const milp::Backend& backend, std::uint64_t seed, int cases, Controls* controls = nullptr) {
+void run(const milp::Backend& backend, std::uint64_t seed, int cases) {
   test::RandomTables with_all(seed, everything), with_pairs(seed + 1000, pairs_only);
-  int stopped = 0;
+  int stopped = 0, one_more_reaches_more = 0;
   for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     test::RandomTables& tables = k % 8 < 4 ? with_all : with_pairs;
@@ -79,18 +74,9 @@ void run(const milp::Backend& backend, std::uint64_t seed, int cases, Controls* 
     } else {
       ++stopped;
     }
-    if (controls == nullptr) continue;
-    const auto differs = [&](Omission omission) {
-      const auto wrong = BruteForce::budgets(table, question, omission)[units].value();
-      return wrong.reached != best.reached || wrong.units != best.units;
-    };
-    controls->last_label += differs(Omission::last_label);
-    controls->installed += differs(Omission::installed);
-    controls->mounts += differs(Omission::mounts);
-    controls->apart += differs(Omission::apart);
-    controls->failure += differs(Omission::failure);
-    controls->one_more += units < table.columns() && brute[units + 1]->reached != best.reached;
+    one_more_reaches_more += units < table.columns() && brute[units + 1]->reached != best.reached;
   }
+  EXPECT_GT(one_more_reaches_more, cases / 4);  // negative control
   EXPECT_LE(stopped, cases / 500);  // solvers give up now and then on tables that are made to mislead them
 }
 
@@ -105,14 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Every, PlacementBudget, every_backend, name);
 INSTANTIATE_TEST_SUITE_P(Every, PlacementBudgetSlow, every_backend, name);
 
 TEST_P(PlacementBudget, EqualsEnumeration) {
-  Controls controls;
-  run(GetParam(), 71, 800, &controls);
-  EXPECT_GT(controls.last_label, 100);
-  EXPECT_GT(controls.installed, 40);
-  EXPECT_GT(controls.mounts, 10);
-  EXPECT_GT(controls.apart, 10);
-  EXPECT_GT(controls.failure, 100);
-  EXPECT_GT(controls.one_more, 200);
+  run(GetParam(), 71, 800);
 }
 
 TEST_P(PlacementBudgetSlow, EqualsEnumerationOnManyMore) {

@@ -71,12 +71,9 @@ TEST(PlacementCurve, EnclosesTheBestForEveryNumber) {
     const Question question = tables.next_question();
     const BruteForce brute(table, question);
     if (!brute.feasible) continue;
-    std::vector<std::uint32_t> selected;
+    const std::vector<std::uint32_t>& selected = brute.at_fewest;
     std::size_t first = 0;
-    for (std::uint32_t j = 0; j < table.columns(); ++j) {
-      if ((brute.set_at_fewest >> j & 1U) != 0) selected.push_back(j);
-      first += table.transceivers[j].installed ? 1 : 0;
-    }
+    for (const auto& unit : table.transceivers) first += unit.installed ? 1 : 0;
     const auto best = BruteForce::budgets(table, question);
     const ReachCurve found = reach_curve(table, question, selected);
     EXPECT_TRUE(found.is_complete);

@@ -18,10 +18,11 @@ namespace {
 constexpr Question alone{.model = CommunicationModel::non_cooperative};
 
 std::optional<std::vector<std::uint32_t>> search(const SignalTable& table, const Question& question,
-                                                 const std::vector<std::uint32_t>& start,
-                                                 const detail::SearchEffort& effort) {
+                                                 const std::vector<std::uint32_t>& start, std::uint64_t moves,
+                                                 std::uint32_t seed = 1) {
   const std::vector<double> ones(table.columns(), 1.0);
-  return detail::cover_search(table, question, detail::reduce_cover(table, alone, ones), start, effort, {});
+  const detail::Reduction reduction = detail::reduce_cover(table, alone, ones);
+  return detail::cover_search(table, question, reduction, start, {moves}, seed, {});
 }
 
 std::vector<std::uint32_t> everything(const SignalTable& table) {
@@ -39,7 +40,7 @@ TEST(CoverSearch, FindsTheKnownOptima) {
   } known[] = {{test::affine_lines(3), 18}, {test::affine_lines(4), 61}, {test::cube_cycles(5), 24}};
   for (const auto& [table, fewest] : known)
     for (const std::uint32_t seed : {1U, 7U}) {
-      const auto found = search(table, alone, everything(table), {.moves = 50000, .walks = 2, .seed = seed});
+      const auto found = search(table, alone, everything(table), 50000, seed);
       ASSERT_TRUE(found);
       EXPECT_TRUE(check_selection(table, alone, *found).met());
       EXPECT_EQ(found->size(), fewest);
@@ -50,24 +51,24 @@ TEST(CoverSearch, FindsTheKnownOptima) {
 TEST(CoverSearch, KeepsWhatIsInstalledAndClaimsNothing) {
   SignalTable table = test::affine_lines(3);
   table.transceivers[5].installed = table.transceivers[6].installed = true;
-  const detail::SearchEffort effort{.moves = 20000};
-  const auto found = search(table, alone, everything(table), effort);
+  constexpr std::uint64_t moves = 20000;
+  const auto found = search(table, alone, everything(table), moves);
   ASSERT_TRUE(found);
   EXPECT_TRUE(std::count(found->begin(), found->end(), 5U) == 1 &&
               std::count(found->begin(), found->end(), 6U) == 1);
   EXPECT_TRUE(check_selection(table, alone, *found).met());
-  EXPECT_EQ(search(table, alone, everything(table), effort), found);
-  EXPECT_FALSE(search(table, alone, *found, effort) &&
-               search(table, alone, *found, effort)->size() >= found->size());
+  EXPECT_EQ(search(table, alone, everything(table), moves), found);
+  EXPECT_FALSE(search(table, alone, *found, moves) &&
+               search(table, alone, *found, moves)->size() >= found->size());
 }
 
 TEST(CoverSearch, LeavesOtherQuestionsAlone) {
   SignalTable table = test::affine_lines(2);
   const auto all = everything(table);
-  EXPECT_FALSE(search(table, {}, all, {}));
-  EXPECT_FALSE(search(table, {.model = alone.model, .redundant = true}, all, {}));
+  EXPECT_FALSE(search(table, {}, all, 1000));
+  EXPECT_FALSE(search(table, {.model = alone.model, .redundant = true}, all, 1000));
   table.apart = {{0, 1}};
-  EXPECT_FALSE(search(table, alone, all, {}));
+  EXPECT_FALSE(search(table, alone, all, 1000));
 }
 
 }  // namespace

@@ -82,66 +82,67 @@ TEST(PlacementGreedy, ReachesItsBoundOnTheClassicFamily) {
   EXPECT_GT(cost, harmonic(m - 1) * least_cost(table, question));  // no smaller guarantee holds
 }
 
-TEST(PlacementGreedy, CoversAndStaysWithinHarmonicNumberOfTheOptimum) {
-  test::RandomTables tables(21);
+/// Asks random questions of one kind. Where nothing is excluded greedy finds an answer if there is one, and
+/// costs no more than factor(table, question, selected) times the least; a factor of 1 would not do.
+template <class Factor>
+void expect_within(std::uint64_t seed, const Question& kind, const Factor& factor) {
+  test::RandomTables tables(seed, {.redundant = kind.redundant});
   int solved = 0, above = 0;
-  for (int k = 0; k < 2500; ++k) {
+  for (int k = 0; k < 2500 && !testing::Test::HasFailure(); ++k) {
+    SCOPED_TRACE(k);
     const SignalTable table = tables.next();
     Question question = tables.next_question();
-    question.model = alone;
+    question.model = kind.model;
+    question.redundant = kind.redundant;
     const double least = least_cost(table, question);
+    const Columns selected = greedy_selection(table, question);
+    EXPECT_EQ(check_selection(table, question, selected).met(), std::isfinite(least));
     if (!std::isfinite(least)) continue;
     ++solved;
-    const Columns selected = greedy_selection(table, question);
-    ASSERT_TRUE(check_selection(table, question, selected).met()) << k;
     const double cost = total(greedy_costs(table, question), selected);
-    EXPECT_LE(cost, std::max(1.0, harmonic(table.rows())) * least * (1 + 1e-12)) << k;
-    EXPECT_GE(cost, least * (1 - 1e-12)) << k;
-    above += cost > least * (1 + 1e-9);  // negative control: a factor of 1 does not hold
+    EXPECT_GE(cost, least * (1 - 1e-12));
+    if (const double most = factor(table, question, selected); std::isfinite(most)) {
+      EXPECT_LE(cost, most * least * (1 + 1e-9));
+    }
+    above += cost > least * (1 + 1e-9);
   }
-  EXPECT_GT(solved, 1000);
-  EXPECT_GT(above, 100);
+  EXPECT_GT(solved, 700);
+  EXPECT_GT(above, 30);
+}
+
+double of_all_labels(const SignalTable& table, const Question&, const Columns&) {
+  return std::max(1.0, harmonic(table.rows()));
 }
 
 // Wolsey's theorem for f(S) = sum_i min(1, sum_{j in S} a_ij): cost <= (1 + ln(G / g)) optimum, with G what
 // the installed units leave lacking and g what was lacking before the last step.
-TEST(PlacementGreedy, CooperativeStaysWithinWolseysBound) {
-  test::RandomTables tables(22);
-  int solved = 0, above = 0;
-  for (int k = 0; k < 2500; ++k) {
-    const SignalTable table = tables.next();
-    Question question = tables.next_question();
-    question.model = coop;
-    const double least = least_cost(table, question);
-    if (!std::isfinite(least)) continue;
-    ++solved;
-    const Columns selected = greedy_selection(table, question);
-    ASSERT_TRUE(check_selection(table, question, selected).met()) << k;
-    const std::vector<double> costs = greedy_costs(table, question);
-    const double cost = total(costs, selected);
-
-    const auto lacking = [&](const Columns& chosen) {
-      const Check check = check_selection(table, question, chosen);
-      double sum = 0;
-      for (const std::uint32_t i : check.unmet) sum += 1 - check.signal[i] / table.labels[i].requirement;
-      return sum;
-    };
-    Columns installed;
-    for (const std::uint32_t j : selected)
-      if (table.transceivers[j].installed) installed.push_back(j);
-    double last = lacking(installed);  // the smallest g of any unit that could have come last
-    for (const std::uint32_t j : selected) {
-      if (table.transceivers[j].installed) continue;
-      Columns without = selected;
-      std::erase(without, j);
-      if (const double rest = lacking(without); rest > 0) last = std::min(last, rest);
-    }
-    const double factor = last > 0 ? 1 + std::log(lacking(installed) / last) : 1;
-    EXPECT_LE(cost, factor * least * (1 + 1e-9)) << k;
-    above += cost > least * (1 + 1e-9);  // negative control: a factor of 1 does not hold
+double of_what_was_lacking(const SignalTable& table, const Question& question, const Columns& selected) {
+  const auto lacking = [&](const Columns& chosen) {
+    const Check check = check_selection(table, question, chosen);
+    double sum = 0;
+    for (const std::uint32_t i : check.unmet) sum += 1 - check.signal[i] / table.labels[i].requirement;
+    return sum;
+  };
+  Columns installed;
+  for (const std::uint32_t j : selected)
+    if (table.transceivers[j].installed) installed.push_back(j);
+  double last = lacking(installed);  // the smallest g of any unit that could have come last
+  for (const std::uint32_t j : selected) {
+    if (table.transceivers[j].installed) continue;
+    Columns without = selected;
+    std::erase(without, j);
+    if (const double rest = lacking(without); rest > 0) last = std::min(last, rest);
   }
-  EXPECT_GT(solved, 1000);
-  EXPECT_GT(above, 100);
+  return last > 0 ? 1 + std::log(lacking(installed) / last) : 1;
+}
+
+TEST(PlacementGreedy, CoversAndStaysWithinItsBound) {
+  expect_within(21, {alone}, of_all_labels);
+  expect_within(22, {coop}, of_what_was_lacking);
+  // The units that reach a label count at most twice, a submodular function of whole numbers, so H(m) holds.
+  expect_within(24, {.model = alone, .redundant = true}, of_all_labels);
+  // No guarantee beyond an answer.
+  expect_within(24, {.model = coop, .redundant = true}, [](const auto&...) { return HUGE_VAL; });
 }
 
 // Unit 0 comes first, being cheap, and takes the point of unit 1, which alone reaches the last three labels.
@@ -160,26 +161,20 @@ TEST(PlacementGreedy, ExchangesOptionsWhereItGotStuck) {
   }
 }
 
-TEST(PlacementGreedy, AnInstalledUnitKeepsItsPoint) {
-  SignalTable table = test::make_table({{1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 0, 1}}, 3);
-  table.mounts = {{0, 1}};
-  EXPECT_EQ(greedy_selection(table, {alone}), (Columns{0, 2}));
-  table.transceivers[1].installed = true;
-  EXPECT_EQ(greedy_selection(table, {alone}), (Columns{1, 2}));
-}
-
-// It never puts two units at a point and keeps what is installed. Mostly it finds an answer where there is
-// one; where it does not, the exact search takes over. (It gets stuck more than three times as often if it
-// cannot exchange options.)
-TEST(PlacementGreedy, RespectsMountingPoints) {
-  test::RandomTables tables(23, {.mounts = true});
-  int solved = 0, stuck = 0, crowded_control = 0;
-  for (int k = 0; k < 3000; ++k) {
+// It never chooses what excludes one another and keeps what is installed. Mostly it finds an answer where
+// there is one; where it does not, the exact search takes over. (It gets stuck more than three times as often
+// if it cannot exchange options.)
+TEST(PlacementGreedy, RespectsWhatExcludesOneAnother) {
+  test::RandomTables points(23, {.mounts = true}),
+      all(25, {.mounts = true, .apart = true, .redundant = true});
+  int solved = 0, stuck = 0, crowded = 0, too_close = 0;
+  for (int k = 0; k < 6000; ++k) {
+    test::RandomTables& tables = k % 2 == 0 ? points : all;
     const SignalTable table = tables.next();
     const Question question = tables.next_question();
     const Columns selected = greedy_selection(table, question);
     const Check check = check_selection(table, question, selected);
-    ASSERT_TRUE(check.crowded.empty()) << k;
+    ASSERT_TRUE(check.allowed()) << k;
     for (std::uint32_t j = 0; j < table.columns(); ++j)
       ASSERT_TRUE(!table.transceivers[j].installed ||
                   std::find(selected.begin(), selected.end(), j) != selected.end());
@@ -187,15 +182,19 @@ TEST(PlacementGreedy, RespectsMountingPoints) {
     ASSERT_TRUE(feasible || !check.met());
     solved += feasible && check.met();
     stuck += feasible && !check.met();
+    // Negative control: who knows nothing of points and pairs breaks them.
     SignalTable ignorant = table;
     ignorant.mounts.clear();
-    crowded_control +=
-        !check_selection(table, question, greedy_selection(ignorant, question)).crowded.empty();
+    ignorant.apart.clear();
+    const Check broken = check_selection(table, question, greedy_selection(ignorant, question));
+    crowded += !broken.crowded.empty();
+    too_close += !broken.too_close.empty();
   }
-  EXPECT_GT(solved, 1000);
-  EXPECT_LT(stuck, solved / 20);
+  EXPECT_GT(solved, 1500);
+  EXPECT_LT(stuck, solved / 12);
   EXPECT_GT(stuck, 0);
-  EXPECT_GT(crowded_control, 200);
+  EXPECT_GT(crowded, 400);
+  EXPECT_GT(too_close, 200);
 }
 
 // Two units of 0.6 and 0.5 carry the label, and either may fail: a third is needed, though the first two
@@ -208,57 +207,6 @@ TEST(PlacementGreedy, GoesOnUntilAnyUnitMayFail) {
   EXPECT_EQ(
       greedy_selection(test::make_table({{1, 0, 7}, {1, 1, 0}}, 3), {.model = alone, .redundant = true}),
       (Columns{0, 1, 2}));
-}
-
-// It ends with an answer where there is one and nothing excludes anything. Non-cooperative: the units that
-// reach a label count at most twice, a submodular function of whole numbers, so Wolsey's bound H(m) holds.
-TEST(PlacementGreedy, CoversWhereAUnitMayFail) {
-  test::RandomTables tables(24, {.redundant = true});
-  int solved = 0, above = 0, ignorant = 0;
-  for (int k = 0; k < 2500; ++k) {
-    const SignalTable table = tables.next();
-    Question question = tables.next_question();
-    question.redundant = true;
-    const double least = least_cost(table, question);
-    const Columns selected = greedy_selection(table, question);
-    ASSERT_EQ(check_selection(table, question, selected).met(), std::isfinite(least)) << k;
-    if (!std::isfinite(least)) continue;
-    ++solved;
-    const double cost = total(greedy_costs(table, question), selected);
-    EXPECT_GE(cost, least * (1 - 1e-12)) << k;
-    if (question.model == alone) {
-      EXPECT_LE(cost, std::max(1.0, harmonic(table.rows())) * least * (1 + 1e-12)) << k;
-      above += cost > least * (1 + 1e-9);  // negative control: a factor of 1 does not hold
-    }
-    Question nothing_fails = question;
-    nothing_fails.redundant = false;
-    ignorant += !check_selection(table, question, greedy_selection(table, nothing_fails)).met();
-  }
-  EXPECT_GT(solved, 700);
-  EXPECT_GT(above, 30);
-  EXPECT_GT(ignorant, 400);
-}
-
-TEST(PlacementGreedy, KeepsPairsApart) {
-  test::RandomTables tables(25, {.mounts = true, .apart = true, .redundant = true});
-  int solved = 0, stuck = 0, control = 0;
-  for (int k = 0; k < 3000; ++k) {
-    const SignalTable table = tables.next();
-    const Question question = tables.next_question();
-    const Check check = check_selection(table, question, greedy_selection(table, question));
-    ASSERT_TRUE(check.allowed()) << k;
-    const bool feasible = test::BruteForce(table, question).feasible;
-    ASSERT_TRUE(feasible || !check.met());
-    solved += feasible && check.met();
-    stuck += feasible && !check.met();
-    SignalTable unaware = table;
-    unaware.apart.clear();
-    control += !check_selection(table, question, greedy_selection(unaware, question)).too_close.empty();
-  }
-  EXPECT_GT(solved, 500);
-  EXPECT_LT(stuck, solved / 10);
-  EXPECT_GT(stuck, 0);
-  EXPECT_GT(control, 200);
 }
 
 TEST(PlacementGreedy, HandlesTablesWithoutLabelsOrUnits) {

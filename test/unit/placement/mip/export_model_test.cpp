@@ -40,32 +40,25 @@ TEST(PlacementExport, DividesRowsByTheirRequirementAndClipsNothing) {
   EXPECT_EQ(model.rows[0].lower, 1);
 }
 
-TEST(PlacementExport, HasARowForEveryMountingPointWithOptions) {
+TEST(PlacementExport, HasARowForEveryPointWithOptionsAndEveryPairThatIsKeptApart) {
   SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
   table.mounts = {{0, 2}};
+  table.apart = {{1, 3}};
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
     const milp::Model built = placement_model(table, {model});
-    ASSERT_EQ(built.rows.size(), 2U);
-    const milp::Row& row = built.rows[1];
-    EXPECT_EQ(row.name, "mount_T0");
-    EXPECT_EQ(row.lower, -milp::infinity);
-    EXPECT_EQ(row.upper, 1);
-    ASSERT_EQ(row.entries.size(), 2U);
-    EXPECT_EQ(row.entries[0].column, 0U);
-    EXPECT_EQ(row.entries[1].column, 2U);
-    EXPECT_EQ(row.entries[1].value, 1);
+    ASSERT_EQ(built.rows.size(), 3U);
+    EXPECT_EQ(built.rows[1].name, "mount_T0");
+    EXPECT_EQ(built.rows[2].name, "apart_T1_T3");
+    for (const std::uint32_t first : {0U, 1U}) {
+      const milp::Row& row = built.rows[1 + first];
+      EXPECT_EQ(row.lower, -milp::infinity);
+      EXPECT_EQ(row.upper, 1);
+      ASSERT_EQ(row.entries.size(), 2U);
+      EXPECT_EQ(row.entries[0].column, first);
+      EXPECT_EQ(row.entries[1].column, first + 2);
+      EXPECT_EQ(row.entries[1].value, 1);
+    }
   }
-}
-
-TEST(PlacementExport, HasARowForEveryPairThatIsKeptApart) {
-  SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
-  table.apart = {{1, 3}};
-  const milp::Model model = placement_model(table, {});
-  ASSERT_EQ(model.rows.size(), 2U);
-  EXPECT_EQ(model.rows[1].name, "apart_T1_T3");
-  EXPECT_EQ(model.rows[1].upper, 1);
-  ASSERT_EQ(model.rows[1].entries.size(), 2U);
-  EXPECT_EQ(model.rows[1].entries[0].column + 10 * model.rows[1].entries[1].column, 31U);
 }
 
 TEST(PlacementExport, LetsEveryUnitFail) {
@@ -120,28 +113,21 @@ TEST(PlacementExport, HasTheOptimumOfThePlacement) {
         EXPECT_NEAR(result.primal_bound, found.objective_value, 2e-6 * found.objective_value);
       }
     }
-    // Negative control: without its first row the file has another optimum now and then.
-    if (found.status != Status::infeasible && model.rows.size() > 1) {
-      milp::Model relaxed = model;
-      relaxed.rows.erase(relaxed.rows.begin());
+    // Negative controls: another optimum now and then without its first row, without the rows of failures and
+    // of pairs, and without those of the mounting points.
+    const auto is_less = [&](const milp::Model& relaxed) {
       const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
-      control += result.primal_bound < found.objective_value * (1 - 1e-5);
-    }
-    // And so it has without the rows of failures and of pairs.
-    if (found.status != Status::infeasible && k % 3 == 2) {
-      SignalTable together = table;
-      together.apart.clear();
-      const milp::Model relaxed = model_without_failures(together, question);
-      const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
-      beyond_control += result.primal_bound < found.objective_value * (1 - 1e-5);
-    }
-    // And without the rows of the mounting points.
-    if (!table.mounts.empty()) {
-      milp::Model relaxed = model;
-      relaxed.rows.resize(table.rows());
-      const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
-      mount_control += result.primal_bound < found.objective_value * (1 - 1e-5);
-    }
+      return result.primal_bound < found.objective_value * (1 - 1e-5);
+    };
+    milp::Model without_first = model, without_points = model;
+    if (!model.rows.empty()) without_first.rows.erase(without_first.rows.begin());
+    without_points.rows.resize(table.rows());
+    SignalTable together = table;
+    together.apart.clear();
+    mount_control += !table.mounts.empty() && is_less(without_points);
+    if (found.status == Status::infeasible) continue;
+    control += is_less(without_first);
+    beyond_control += k % 3 == 2 && is_less(model_without_failures(together, question));
   }
   EXPECT_GT(feasible, 200);
   EXPECT_GT(control, 10);

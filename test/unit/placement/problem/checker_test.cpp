@@ -66,16 +66,6 @@ TEST(PlacementChecker, TakesAwayTheStrongestUnitWhereOneMayFail) {
   EXPECT_FALSE(check_selection(table, {.redundant = true}, Columns{1}).met());
 }
 
-TEST(PlacementChecker, NamesPairsThatMustBeApart) {
-  SignalTable table = example();
-  table.apart = {{0, 2}, {1, 3}};
-  const Check check = check_selection(table, {coop}, Columns{0, 1, 2});
-  EXPECT_TRUE(check.unmet.empty());
-  EXPECT_EQ(check.too_close, Columns{0});
-  EXPECT_FALSE(check.allowed());
-  EXPECT_FALSE(check.met());
-}
-
 TEST(PlacementChecker, AppliesTheToleranceOfTheContract) {
   SignalTable table = test::make_table({{0.5, 0.5 - 0.9e-9}}, 2);
   EXPECT_TRUE(check_selection(table, {coop}, Columns{0, 1}).met());
@@ -83,7 +73,7 @@ TEST(PlacementChecker, AppliesTheToleranceOfTheContract) {
   EXPECT_FALSE(check_selection(table, {coop}, Columns{0, 1}).met());
 }
 
-TEST(PlacementChecker, RejectsTwoUnitsAtAMountingPoint) {
+TEST(PlacementChecker, NamesPointsAndPairsThatAreBroken) {
   SignalTable table = example();
   table.mounts = {{0, 2}, {1, 3}};
   EXPECT_TRUE(check_selection(table, {coop}, Columns{2, 3, 3}).crowded.empty());
@@ -94,6 +84,12 @@ TEST(PlacementChecker, RejectsTwoUnitsAtAMountingPoint) {
   check = check_selection(table, {alone}, Columns{0, 1, 2, 3});
   EXPECT_EQ(check.crowded, (Columns{0, 1}));
   EXPECT_FALSE(check.met());
+  table.mounts.clear();
+  table.apart = {{0, 2}, {1, 3}};
+  check = check_selection(table, {coop}, Columns{0, 1, 2});
+  EXPECT_TRUE(check.unmet.empty());
+  EXPECT_EQ(check.too_close, Columns{0});
+  EXPECT_FALSE(check.allowed() || check.met());
 }
 
 TEST(PlacementChecker, CountsARepeatedColumnOnce) {

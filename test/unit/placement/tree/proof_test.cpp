@@ -28,6 +28,10 @@ Proof prove(const SignalTable& table, const Question& question, std::size_t unit
   return TreeSearch(problem, all).run(goal, {.wants_proof = true}, {.threads = 2}).proof;
 }
 
+bool holds(const SignalTable& table, const Question& question, const Proof& proof) {
+  return judge_proof(table, question, proof) == ProofVerdict::holds;
+}
+
 constexpr Question alone{.model = CommunicationModel::non_cooperative};
 
 // A9 has 5 as its optimum: the log of 4 has branches, filters and sums.
@@ -39,7 +43,7 @@ struct NineLines {
 TEST(Proof, OfASmallSteinerSystemHolds) {
   const NineLines a9;
   ASSERT_TRUE(a9.proof.is_complete);
-  EXPECT_TRUE(check_proof(a9.table, alone, a9.proof));
+  EXPECT_TRUE(holds(a9.table, alone, a9.proof));
   EXPECT_FALSE(prove(a9.table, alone, 5).is_complete);
   EXPECT_GT(std::count(a9.proof.steps.begin(), a9.proof.steps.end(), Proof::branch), 0);
 }
@@ -49,7 +53,7 @@ TEST(Proof, ThatWasTamperedWithIsRefused) {
   const auto refused = [&](auto change) {
     Proof proof = a9.proof;
     change(proof);
-    return !check_proof(a9.table, alone, proof);
+    return !holds(a9.table, alone, proof);
   };
   EXPECT_TRUE(refused([](Proof& p) { p.is_complete = false; }));
   EXPECT_TRUE(refused([](Proof& p) { p.most_units = 5; }));
@@ -84,15 +88,15 @@ TEST(Proof, WithoutAChildIsRefused) {
   proof.most_cost = std::numeric_limits<std::int64_t>::max();
   proof.rows = {0, 1, 2, 3, 4, 5};
   proof.steps = {Proof::branch, 0, 0, 2, 0, Proof::single_fails, 1, Proof::single_fails};
-  EXPECT_TRUE(check_proof(table, alone, proof));
+  EXPECT_TRUE(holds(table, alone, proof));
   for (const std::uint32_t left_out : {0U, 1U}) {
     proof.steps = {Proof::branch, 0, 0, 1, 1 - left_out, Proof::single_fails};
-    EXPECT_FALSE(check_proof(table, alone, proof));
+    EXPECT_FALSE(holds(table, alone, proof));
   }
   proof.steps = {Proof::branch, 0, 0, 2, 0, Proof::single_fails, 7, Proof::single_fails};
-  EXPECT_FALSE(check_proof(table, alone, proof)) << "there is no column 7";
+  EXPECT_FALSE(holds(table, alone, proof)) << "there is no column 7";
   proof.steps = {Proof::branch, 0, 0, 2, 0, Proof::row_fails, 0, 1, Proof::single_fails};
-  EXPECT_FALSE(check_proof(table, alone, proof)) << "label 0 is met by unit 0";
+  EXPECT_FALSE(holds(table, alone, proof)) << "label 0 is met by unit 0";
 }
 
 // A single unit of cost 8 does; with a price so high that its gain drowns in rounding it must not seem
@@ -113,13 +117,13 @@ TEST(Proof, WithABadPriceIsRefused) {
         std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
     const auto bits = std::bit_cast<std::uint32_t>(price);
     proof.steps = {Proof::sum_fails, 0, bits};
-    EXPECT_FALSE(check_proof(table, question, proof)) << price;
+    EXPECT_FALSE(holds(table, question, proof)) << price;
     proof.steps = {Proof::filter, 0, bits, Proof::single_fails};
-    EXPECT_FALSE(check_proof(table, question, proof)) << price;
+    EXPECT_FALSE(holds(table, question, proof)) << price;
   }
   proof.most_cost -= 1;
   proof.steps = {Proof::single_fails};
-  EXPECT_TRUE(check_proof(table, question, proof));
+  EXPECT_TRUE(holds(table, question, proof));
 }
 
 // Where no column is left to choose, the chosen ones may do.
@@ -133,9 +137,9 @@ TEST(Proof, ThatNoFurtherUnitHelpsDoesNotDenyTheChosenOnes) {
   proof.most_cost = std::numeric_limits<std::int64_t>::max();
   proof.rows = {0};
   proof.steps = {Proof::single_fails};
-  EXPECT_FALSE(check_proof(table, alone, proof));
+  EXPECT_FALSE(holds(table, alone, proof));
   table.entries[0].signal = 0.5;
-  EXPECT_TRUE(check_proof(table, alone, proof));
+  EXPECT_TRUE(holds(table, alone, proof));
 }
 
 void mutate(test::RandomTables& random, Proof& proof) {
@@ -220,18 +224,18 @@ Fuzzed fuzz(std::uint64_t seed, int cases, const test::RandomTableLimits& limits
     const Proof proof =
         by_cost ? prove(table, question, table.columns(), cheapest - 1) : prove(table, question, fewest - 1);
     EXPECT_TRUE(proof.is_complete);
-    EXPECT_TRUE(check_proof(table, question, proof));
+    EXPECT_TRUE(holds(table, question, proof));
     ++fuzzed.proofs;
     Proof raised = proof;
     if (by_cost)
       raised.most_cost = cheapest;
     else
       raised.most_units = fewest;
-    EXPECT_TRUE(answers.empty() || !check_proof(table, question, raised));
+    EXPECT_TRUE(answers.empty() || !holds(table, question, raised));
     for (int m = 0; m < 12; ++m) {
       Proof changed = random.chance(0.5) ? proof : raised;
       for (int times = random.whole(1, 3); times > 0; --times) mutate(random, changed);
-      const bool accepted = check_proof(table, question, changed);
+      const bool accepted = holds(table, question, changed);
       const bool falsehood = is_false(problem, answers, changed);
       EXPECT_FALSE(accepted && falsehood);
       (accepted ? fuzzed.accepted : fuzzed.refused) += 1;

@@ -17,7 +17,6 @@ namespace shelfbeam::detail {
 namespace {
 
 using test::BruteForce;
-using test::Omission;
 using Columns = std::vector<std::uint32_t>;
 using Kind = TreeGoal::Kind;
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
@@ -28,17 +27,13 @@ struct Expected {
   std::optional<std::int64_t> least_cost;
   std::optional<Columns> widest;
 
-  Expected(const SearchProblem& problem, const TreeGoal& goal, Omission omission = Omission::nothing)
-      : Expected(problem, goal, BruteForce::answers(problem.table, problem.question, omission)) {}
+  Expected(const SearchProblem& problem, const TreeGoal& goal)
+      : Expected(problem, goal, BruteForce::answers(problem.table, problem.question)) {}
 
   Expected(const SearchProblem& problem, const TreeGoal& goal, std::vector<BruteForce::Answer> answers)
       : allowed(std::move(answers)) {
     std::erase_if(allowed, [&](const BruteForce::Answer& answer) {
-      const auto has = [&](std::uint32_t j) { return (answer.set >> j & 1U) != 0; };
-      return answer.columns.size() > goal.most_units || problem.cost_of(answer.columns) > goal.most_cost ||
-             (goal.kind == Kind::any && answer.margin < goal.least_margin) ||
-             !std::all_of(goal.included.begin(), goal.included.end(), has) ||
-             std::any_of(goal.excluded.begin(), goal.excluded.end(), has);
+      return answer.columns.size() > goal.most_units || problem.cost_of(answer.columns) > goal.most_cost;
     });
     const auto rank = [&](const BruteForce::Answer& answer) {
       return std::tuple(-answer.margin, answer.columns.size(),
@@ -94,42 +89,20 @@ TreeGoal random_goal(test::RandomTables& random, const SearchProblem& problem,
         fewest + static_cast<std::size_t>(random.whole(0, 2)) - (random.chance(0.3) && fewest > 0);
   }
   if (!answers.empty() && random.chance(0.4)) goal.most_cost = problem.cost_of(some().columns);
-  if (!answers.empty() && goal.kind == Kind::any && random.chance(0.5))
-    goal.least_margin = std::min(some().margin, 1e4) * (random.chance(0.5) ? 1 : 1.001);
   if (goal.kind == Kind::widest) {
     const BruteForce::Answer& start = some();
     goal.start = start.columns;
     goal.most_units = std::max(goal.most_units, start.columns.size());
     goal.most_cost = std::max(goal.most_cost, problem.cost_of(start.columns));
   }
-  for (std::uint32_t j = 0; j < problem.table.columns() && goal.kind != Kind::widest; ++j) {
-    if (!problem.available[j]) continue;
-    if (random.chance(0.03))
-      goal.excluded.push_back(j);
-    else if (random.chance(0.03) && goal.included.empty())
-      goal.included.push_back(j);
-  }
   return goal;
 }
 
 struct Tally {
   int found = 0, proven = 0, checked = 0;
-  int last_label = 0, installed = 0, tolerance = 0, mounts = 0, apart = 0, failure = 0;
 };
 
-void look(const SearchProblem& problem, const TreeGoal& goal, const TreeAnswer& answer, Tally& tally) {
-  const auto differs = [&](Omission omission) {
-    return !agrees(problem, goal, answer, Expected(problem, goal, omission));
-  };
-  tally.last_label += differs(Omission::last_label);
-  tally.installed += differs(Omission::installed);
-  tally.tolerance += differs(Omission::tolerance);
-  tally.mounts += differs(Omission::mounts);
-  tally.apart += differs(Omission::apart);
-  tally.failure += differs(Omission::failure);
-}
-
-Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
+void run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
   test::RandomTables random(seed, limits);
   Tally tally;
   for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
@@ -147,33 +120,19 @@ Tally run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) 
       if (goal.kind == Kind::widest) {
         EXPECT_EQ(search(problem, goal, threads).selected, answer.selected);
       }
-    const bool is_claim_of_question = goal.kind != Kind::widest && goal.least_margin < 0.9 &&
-                                      goal.included.empty() && goal.excluded.empty();
-    if (is_claim_of_question && answer.proof.is_complete) {
+    if (goal.kind != Kind::widest && answer.proof.is_complete) {
       ++tally.checked;
-      EXPECT_TRUE(check_proof(table, question, answer.proof));
+      EXPECT_EQ(judge_proof(table, question, answer.proof), ProofVerdict::holds);
     }
-    if (k % 4 == 0) look(problem, goal, answer, tally);
   }
   EXPECT_GT(tally.found, cases / 5);
   EXPECT_GT(tally.proven, cases / 5);
   EXPECT_GT(tally.checked, cases / 5);
-  return tally;
 }
 
 TEST(TreeSearch, EqualsEnumeration) {
-  const Tally tally = run(1, 4000, {.transceivers = 11});
-  EXPECT_GT(tally.last_label, 50);
-  EXPECT_GT(tally.installed, 50);
-  EXPECT_GT(tally.tolerance, 10);
-}
-
-TEST(TreeSearch, EqualsEnumerationWhereCandidatesExcludeOneAnotherAndUnitsMayFail) {
-  const Tally tally =
-      run(2, 4000, {.labels = 6, .transceivers = 11, .mounts = true, .apart = true, .redundant = true});
-  EXPECT_GT(tally.mounts, 50);
-  EXPECT_GT(tally.apart, 50);
-  EXPECT_GT(tally.failure, 50);
+  run(1, 4000, {.transceivers = 11});
+  run(2, 4000, {.labels = 6, .transceivers = 11, .mounts = true, .apart = true, .redundant = true});
 }
 
 TEST(TreeSearchSlow, EqualsEnumerationOnManyMore) {
@@ -227,7 +186,7 @@ TEST(TreeSearch, EndsAtItsLimitsAndSaysSo) {
   const SearchMatrix all(table, question.model);
   TreeGoal goal;
   goal.most_units = 7;
-  const TreeAnswer few = TreeSearch(problem, all).run(goal, {.nodes = 100}, {});
+  const TreeAnswer few = TreeSearch(problem, all).run(goal, {{.steps = 100}}, {});
   EXPECT_FALSE(few.is_complete);
   EXPECT_LT(few.nodes, 1000U);
   CancelToken token;
@@ -236,7 +195,7 @@ TEST(TreeSearch, EndsAtItsLimitsAndSaysSo) {
   EXPECT_FALSE(none.is_complete);
   EXPECT_FALSE(none.selected);
   EXPECT_FALSE(none.proof.is_complete);
-  EXPECT_FALSE(check_proof(table, question, none.proof));
+  EXPECT_NE(judge_proof(table, question, none.proof), ProofVerdict::holds);
 }
 
 TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {

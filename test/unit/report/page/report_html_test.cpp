@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/placement/io/words.hpp"
 #include "shelfbeam/report/data/distributions.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
 #include "shelfbeam/report/data/report.hpp"
-#include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/report/data/report_data.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 

@@ -1,5 +1,6 @@
-#include "shelfbeam/milp/bound_report.hpp"
+#include "shelfbeam/milp/backend.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -17,6 +18,17 @@ void BoundReport::operator()(double primal, double dual) {
   if (bounded) text += fmt::format(", bound {:.6g}", dual);
   if (found && bounded && primal != 0) text += fmt::format(", gap {:.1f} %", 100 * (primal - dual) / primal);
   control_.report("solve", -1, text);
+}
+
+double objective_scale(std::span<const Column> columns) {
+  double largest = 0;
+  bool whole = true;
+  for (const Column& column : columns) {
+    largest = std::max(largest, std::abs(column.cost));
+    whole = whole && column.cost == std::round(column.cost);
+  }
+  if (largest == 0 || (whole && largest <= 1e6)) return 1;
+  return std::ldexp(1.0, std::clamp(10 - (std::ilogb(largest) + 1), -1020, 1020));
 }
 
 }  // namespace shelfbeam::milp::detail

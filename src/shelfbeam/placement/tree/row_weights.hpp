@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/placement/kernels/search_kernels.hpp"
+
+namespace shelfbeam::detail {
+
+/// Multiplicative steps of the weights of rows. With U the `count` columns of largest gain and
+///
+///   served_i = sum_{j in U} min(d_i, what j gives that counts) / d_i
+///
+/// a step is w_i <- w_i exp(0.4 (1 - served_i)), the exponent in [-0.8, 0.4], and a common factor that makes
+/// the largest weight of a row that lacks something 1: rows that the best columns serve ill count more.
+class RowWeights {
+ public:
+  /// `column(k)` has gain[k]; weights do not fall below `least`. The weights in `rows` are not looked at.
+  template <class Column>
+  void step(Receiving rule, const SearchKernels::Rows& rows, std::span<const float> gain, std::size_t count,
+            const Column& column, float least, std::span<float> weight) {
+    order_.resize(gain.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    const auto best = order_.begin() + static_cast<std::ptrdiff_t>(std::min(count, order_.size()));
+    std::partial_sort(order_.begin(), best, order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return gain[a] > gain[b] || (gain[a] == gain[b] && a < b);
+    });
+    load_.assign(rows.count, 0.0F);
+    for (auto k = order_.begin(); k != best; ++k) SearchKernels::load(rule, column(*k), rows, load_.data());
+
+    constexpr float rate = 0.4F;
+    constexpr float most = 1e20F;  // rows that lack nothing would gain for ever
+    float largest = 0;
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+      weight[i] *= std::exp(rate * std::clamp(1 - load_[i], -2.0F, 1.0F));
+      if (rows.lacking[i] > 0) largest = std::max(largest, weight[i]);
+    }
+    if (largest > 0)
+      for (float& w : weight) w = std::clamp(w / largest, least, most);
+  }
+
+ private:
+  std::vector<std::uint32_t> order_;
+  std::vector<float> load_;
+};
+
+}  // namespace shelfbeam::detail

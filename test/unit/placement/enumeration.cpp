@@ -1,0 +1,139 @@
+#include "unit/placement/enumeration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/problem/checker.hpp"
+
+namespace shelfbeam::test {
+
+namespace {
+
+using Answer = BruteForce::Answer;
+
+double value_of(const Answer& answer, const Question& question) {
+  if (question.combination == Combination::weighted) return answer.price + answer.second_objective;
+  return question.objective == Objective::count ? static_cast<double>(answer.columns.size())
+                                                : answer.second_objective;
+}
+
+// The labels that no selection meets, each with the most it could get; sums of 14 doubles in another order
+// differ by less than 1e-14. There are none where candidates exclude one another, and those that are within
+// 1e-12 of the rule's edge need not be named then.
+void expect_unreachable(const SignalTable& table, const Question& question, const Placement& answer) {
+  const std::vector<double> most = BruteForce::most(table, question);
+  std::vector<std::uint32_t> expected, named;
+  for (std::uint32_t i = 0; i < table.rows(); ++i) {
+    const double slack = table.mounts.empty() && !question.redundant ? 0 : 1e-12 * most[i];
+    if (!is_met(most[i] + slack, requirement_of(table.labels[i], question.model))) expected.push_back(i);
+  }
+  for (const Unreachable& label : answer.unreachable) {
+    named.push_back(label.label);
+    EXPECT_NEAR(label.most, most[label.label], 1e-14 * most[label.label]);
+  }
+  EXPECT_EQ(named, expected);
+}
+
+// Of the best answers that with the largest smallest margin, then the fewest units, then the first by id;
+// where sums of another order leave no doubt which that is.
+void expect_settled(const SignalTable& table, const Question& question, const Placement& answer,
+                    std::vector<Answer> best, Tally& tally) {
+  // What costs no more than the answer, up to 1e-12 of it (the least is proven to 1e-9); the tables of
+  // near-ties have some that are about that far off.
+  const double value = answer.objective_value;
+  std::erase_if(best, [&](const Answer& one) { return value_of(one, question) > value * (1 + 1e-11); });
+  const auto in_doubt = [&](const Answer& one) { return value_of(one, question) > value * (1 + 1e-14); };
+  if (std::any_of(best.begin(), best.end(), in_doubt)) return;
+  double widest = 0;
+  for (const Answer& one : best) widest = std::max(widest, one.margin);
+  const auto nearly = [&](const Answer& one) {
+    return one.margin < widest && one.margin > widest * (1 - 1e-12);
+  };
+  if (std::any_of(best.begin(), best.end(), nearly)) return;
+  tally.more_than_one += best.size() > 1;
+  const auto rank = [&](const Answer& one) {
+    return std::tuple(-one.margin, one.columns.size(), BruteForce::ids(table, one.columns));
+  };
+  const auto first = std::min_element(best.begin(), best.end(),
+                                      [&](const Answer& a, const Answer& b) { return rank(a) < rank(b); });
+  EXPECT_EQ(answer.selected, first->columns);
+}
+
+}  // namespace
+
+void compare(const SignalTable& table, const Question& question, const Placement& answer, Tally& tally) {
+  std::vector<Answer> best = BruteForce::answers(table, question);
+  if (best.empty()) {
+    EXPECT_EQ(answer.status, Status::infeasible);
+    EXPECT_TRUE(answer.selected.empty());
+    EXPECT_TRUE(std::isinf(answer.count_lower_bound) && std::isinf(answer.lower_bound));
+    expect_unreachable(table, question, answer);
+    ++tally.infeasible;
+    tally.by_exclusion += answer.unreachable.empty();
+    return;
+  }
+  EXPECT_TRUE(answer.unreachable.empty());
+  if (answer.has_selection()) {
+    EXPECT_TRUE(check_selection(table, question, answer.selected).met());
+    EXPECT_TRUE(std::any_of(best.begin(), best.end(),
+                            [&](const Answer& one) { return one.columns == answer.selected; }));
+  }
+  std::size_t fewest = table.columns();
+  for (const Answer& one : best) fewest = std::min(fewest, one.columns.size());
+  EXPECT_LE(answer.count_lower_bound, static_cast<double>(fewest));
+  const bool is_lexicographic = question.combination == Combination::lexicographic;
+  if (is_lexicographic) std::erase_if(best, [&](const Answer& one) { return one.columns.size() > fewest; });
+  double least = value_of(best.front(), question);
+  for (const Answer& one : best) least = std::min(least, value_of(one, question));
+  // Solvers prove optima within a relative gap of 1e-6; sums of up to 140 doubles add less than 1e-13.
+  const double rounding = answer.bound_proof == BoundProof::solver ? 2e-6 : 2e-9;
+  EXPECT_LE(answer.lower_bound, least * (1 + rounding));
+  if (answer.status == Status::stopped) {
+    ++tally.stopped;
+    EXPECT_FALSE(answer.ties_settled);
+    return;
+  }
+  ++tally.optimal;
+  ++tally.by[static_cast<int>(answer.bound_proof)];
+  EXPECT_EQ(answer.status, Status::optimal);
+  EXPECT_NEAR(answer.objective_value, least, 2e-6 * least);
+  EXPECT_NEAR(answer.lower_bound, least, 2e-6 * least);
+  if (is_lexicographic) {
+    EXPECT_EQ(answer.count(), fewest);
+    EXPECT_EQ(answer.count_lower_bound, static_cast<double>(fewest));
+  }
+  if (!answer.ties_settled) return;
+  ++tally.settled;
+  expect_settled(table, question, answer, std::move(best), tally);
+}
+
+Tally compare_random(std::uint64_t seed, int cases, const RandomTableLimits& limits,
+                     const PlaceOptions& options) {
+  RandomTables random(seed, limits);
+  Tally tally;
+  for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
+    SCOPED_TRACE(testing::Message() << "case " << k);
+    const SignalTable table = random.next();
+    const Question question = random.next_question();
+    const Placement answer = place(table, question, options, {.threads = 1});
+    compare(table, question, answer, tally);
+    if (k % 8 == 0 && answer.ties_settled) {
+      EXPECT_EQ(place(table, question, options, {.threads = 4}).selected, answer.selected);
+    }
+  }
+  EXPECT_GT(tally.infeasible, cases / 20);
+  EXPECT_LT(tally.infeasible, cases * 3 / 4);
+  // A quarter of the tables are made to mislead solvers. One that notices may give up on a case now and then
+  // (`place` then asks the next); it must never claim a wrong optimum.
+  EXPECT_LE(tally.stopped, cases / 1000);
+  EXPECT_GT(tally.settled, tally.optimal * 9 / 10);
+  EXPECT_GT(tally.more_than_one, cases / 50);
+  EXPECT_GT(tally.count(BoundProof::log), cases / 20);
+  EXPECT_LT(tally.count(BoundProof::search), cases / 20);
+  return tally;
+}
+
+}  // namespace shelfbeam::test
