@@ -2,7 +2,7 @@
 
 import math
 
-from reproduction import svg
+from study.draw import svg
 
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 560, 340, 76, 30, 48, 62
 SHAPES = (

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from reproduction import page
-from reproduction.charts import histogram, short
-from reproduction.findings import Section, verdict
-from reproduction.text import grouped, percent
+from study.core import page
+from study.draw.charts import histogram, short
+from study.core.findings import Section, verdict
+from study.core.text import grouped, percent
 
 
 def section(study):

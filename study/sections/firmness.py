@@ -2,11 +2,11 @@
 
 from collections import Counter
 
-from reproduction import page, seeds
-from reproduction.answers import MODELS
-from reproduction.findings import Section
-from reproduction.coverage import missed
-from reproduction.text import grouped, plural
+from study.core import page, seeds
+from study.core.answers import MODELS
+from study.core.findings import Section
+from study.core.coverage import missed
+from study.core.text import grouped, plural
 
 FACTORS = (0.98, 1, 1.02)
 

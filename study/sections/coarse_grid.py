@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from reproduction import page
-from reproduction.answers import MODELS
-from reproduction.findings import Section, verdict
-from reproduction.mirror import distance_to_mirror_image
-from reproduction.coverage import coverage_map
-from reproduction.signals import write_variant
-from reproduction.text import percent, seconds, spread
+from study.core import page
+from study.core.answers import MODELS
+from study.core.findings import Section, verdict
+from study.core.mirror import distance_to_mirror_image
+from study.core.coverage import coverage_map
+from study.core.signals import write_variant
+from study.core.text import percent, seconds, spread
 
 
 def grids(units):

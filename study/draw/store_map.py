@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from reproduction import svg
-from reproduction.text import escape
+from study.draw import svg
+from study.core.text import escape
 
 SCALE = 40  # units of the picture a metre
 MARGIN = 8

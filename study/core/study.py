@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from reproduction import paper
-from reproduction.answers import read_answer, table_answer
-from reproduction.mirror import Mirror
-from reproduction.program import Failure, Program, say
-from reproduction.signals import read_signals
-from reproduction.store_map import StoreMap
+from study.core import paper
+from study.core.answers import read_answer, table_answer
+from study.core.mirror import Mirror
+from study.core.program import Failure, Program, say
+from study.core.signals import read_signals
+from study.draw.store_map import StoreMap
 
 TOP = Path(__file__).resolve().parents[2]
 STORE = TOP / "examples/thesis/store.json"

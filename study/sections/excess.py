@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from reproduction import page, paper
-from reproduction.charts import histogram
-from reproduction.findings import Section, verdict
-from reproduction.text import grouped, percent
+from study.core import page, paper
+from study.draw.charts import histogram
+from study.core.findings import Section, verdict
+from study.core.text import grouped, percent
 
 
 def excess(signals, selected):

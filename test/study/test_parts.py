@@ -1,4 +1,4 @@
-"""The parts of scripts/reproduction, without the program."""
+"""The parts of the study, without the program."""
 
 import csv
 import io
@@ -17,18 +17,20 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from reproduction import certificate, hypothesis, page, spy
-from reproduction.answers import read_answer
-from reproduction.charts import Chart, histogram
-from reproduction.coarse_grid import grids, interchangeable
-from reproduction.findings import AGREES, DIFFERS, PARTLY, Section, verdict
-from reproduction.greedy import nearest_distances, picks
-from reproduction.mirror import distance_to_mirror_image, partners
-from reproduction.program import Failure, Program
-from reproduction.redundancy import corners_and_centre, redundancy
-from reproduction.signals import read_signals, write_variant
-from reproduction.store_map import CLASSES, class_floor, signal_class
-from reproduction.study import STORE, read_store
+from study.core import hypothesis, page
+from study.draw import spy
+from study.sections import certificate
+from study.core.answers import read_answer
+from study.draw.charts import Chart, histogram
+from study.sections.coarse_grid import grids, interchangeable
+from study.core.findings import AGREES, DIFFERS, PARTLY, Section, verdict
+from study.sections.greedy import nearest_distances, picks
+from study.core.mirror import distance_to_mirror_image, partners
+from study.core.program import Failure, Program
+from study.sections.redundancy import corners_and_centre, redundancy
+from study.core.signals import read_signals, write_variant
+from study.draw.store_map import CLASSES, class_floor, signal_class
+from study.core.study import STORE, read_store
 
 
 def signal_file(path, mean, positions=None):

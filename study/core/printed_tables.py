@@ -2,8 +2,8 @@
 
 import sys
 
-from reproduction import paper
-from reproduction.answers import table_answer
+from study.core import paper
+from study.core.answers import table_answer
 
 
 def print_table(title, samples, columns, row):

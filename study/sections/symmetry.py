@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from reproduction import page
-from reproduction.charts import histogram
-from reproduction.findings import Section, verdict
-from reproduction.hypothesis import pair_test
-from reproduction.text import percent
+from study.core import page
+from study.draw.charts import histogram
+from study.core.findings import Section, verdict
+from study.core.hypothesis import pair_test
+from study.core.text import percent
 
 LEVEL = 0.01
 

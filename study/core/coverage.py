@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from reproduction import page
-from reproduction.store_map import legend
-from reproduction.text import grouped
+from study.core import page
+from study.draw.store_map import legend
+from study.core.text import grouped
 
 LEGEND = [
     ("often", "reached by two or more"),

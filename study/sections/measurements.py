@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from reproduction import page
-from reproduction.findings import Section, verdict
-from reproduction.hypothesis import rank_correlation
-from reproduction.store_map import signal_legend
-from reproduction.text import listed, percent, spread
+from study.core import page
+from study.core.findings import Section, verdict
+from study.core.hypothesis import rank_correlation
+from study.draw.store_map import signal_legend
+from study.core.text import listed, percent, spread
 
 
 def maps(study, signals, column, strongest):

@@ -1,8 +1,8 @@
 """The test environment (2.10)."""
 
-from reproduction import page
-from reproduction.findings import Section
-from reproduction.store_map import legend
+from study.core import page
+from study.core.findings import Section
+from study.draw.store_map import legend
 
 
 def section(study):

@@ -1,11 +1,11 @@
 """Solver time against samples: 3.5.4."""
 
-from reproduction import page
-from reproduction.answers import MODELS
-from reproduction.charts import Chart, decades, series_legend
-from reproduction.coverage import missed
-from reproduction.findings import Section, verdict
-from reproduction.text import grouped, listed, percent, seconds, spread
+from study.core import page
+from study.core.answers import MODELS
+from study.draw.charts import Chart, decades, series_legend
+from study.core.coverage import missed
+from study.core.findings import Section, verdict
+from study.core.text import grouped, listed, percent, seconds, spread
 
 DAY = 86400
 

@@ -2,11 +2,11 @@
 
 from collections import Counter
 
-from reproduction.answers import MODELS
-from reproduction.coverage import noise
-from reproduction.findings import verdict
-from reproduction.study import STORE
-from reproduction.text import grouped, listed, plural, spread
+from study.core.answers import MODELS
+from study.core.coverage import noise
+from study.core.findings import verdict
+from study.core.study import STORE
+from study.core.text import grouped, listed, plural, spread
 
 
 def answers(study):

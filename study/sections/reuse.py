@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from reproduction import page, paper
-from reproduction.charts import Chart, decades, series_legend
-from reproduction.findings import Section
-from reproduction.coverage import missed
-from reproduction.sample_count import ABOVE, links, relative_error
-from reproduction.sparsity import zeros
-from reproduction.text import grouped, percent, seconds
+from study.core import page, paper
+from study.draw.charts import Chart, decades, series_legend
+from study.core.findings import Section
+from study.core.coverage import missed
+from study.sections.sample_count import ABOVE, links, relative_error
+from study.sections.sparsity import zeros
+from study.core.text import grouped, percent, seconds
 
 
 def _tables(study):

@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from reproduction import page, paper
-from reproduction.charts import series_legend
-from reproduction.coverage import missed
-from reproduction.findings import Section, verdict
-from reproduction.signals import write_variant
-from reproduction.solver_time import time_chart, time_words, timed
-from reproduction.text import grouped, percent, spread
+from study.core import page, paper
+from study.draw.charts import series_legend
+from study.core.coverage import missed
+from study.core.findings import Section, verdict
+from study.core.signals import write_variant
+from study.sections.solver_time import time_chart, time_words, timed
+from study.core.text import grouped, percent, spread
 
 
 def cut_file(study, samples, cut):

@@ -4,14 +4,14 @@ import math
 
 import numpy as np
 
-from reproduction import page
-from reproduction.answers import MODELS
-from reproduction.charts import Chart, decades, round_step, series_legend
-from reproduction.coverage import missed
-from reproduction.findings import Section, verdict
-from reproduction.hypothesis import student_limit
-from reproduction.store_map import signal_legend
-from reproduction.text import grouped, minus, percent, plural
+from study.core import page
+from study.core.answers import MODELS
+from study.draw.charts import Chart, decades, round_step, series_legend
+from study.core.coverage import missed
+from study.core.findings import Section, verdict
+from study.core.hypothesis import student_limit
+from study.draw.store_map import signal_legend
+from study.core.text import grouped, minus, percent, plural
 
 ABOVE = 0.3  # entries from this share of the requirement on count for errors
 

@@ -1,10 +1,10 @@
 """Optimal non-cooperative placements: Table 3.1 and Fig. 3.2."""
 
-from reproduction import page, paper
-from reproduction.coverage import coverage_map, missed
-from reproduction.findings import Section, verdict
-from reproduction.seeds import judge_trend
-from reproduction.text import grouped, listed, percent, seconds, spread
+from study.core import page, paper
+from study.core.coverage import coverage_map, missed
+from study.core.findings import Section, verdict
+from study.core.seeds import judge_trend
+from study.core.text import grouped, listed, percent, seconds, spread
 
 
 def section(study):

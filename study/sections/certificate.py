@@ -2,10 +2,10 @@
 
 import json
 
-from reproduction import page
-from reproduction.findings import Section
-from reproduction.study import STORE
-from reproduction.text import seconds
+from study.core import page
+from study.core.findings import Section
+from study.core.study import STORE
+from study.core.text import seconds
 
 CONFIDENCE = "0.99"
 

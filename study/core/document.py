@@ -2,7 +2,11 @@
 
 import time
 
-from reproduction import (
+from study.core import page, paper
+from study.core.findings import OURS
+from study.core.program import say, write_text
+from study.core.text import escape, grouped
+from study.sections import (
     certificate,
     coarse_grid,
     cooperative,
@@ -15,8 +19,6 @@ from reproduction import (
     measurements,
     non_cooperative,
     occlusion,
-    page,
-    paper,
     redundancy,
     reuse,
     sample_count,
@@ -24,9 +26,6 @@ from reproduction import (
     sparsity,
     symmetry,
 )
-from reproduction.findings import OURS
-from reproduction.program import say, write_text
-from reproduction.text import escape, grouped
 
 SECTIONS = (
     environment.section,
@@ -78,10 +77,7 @@ def write(study, is_quick):
     sections = []
     makers = [*SECTIONS, *([certificate.section] if certificate.is_there(study) else [])]
     for number, make in enumerate(makers, 1):
-        say(
-            f"section {number} of {len(makers)}:"
-            f" {make.__module__.removeprefix('reproduction.').replace('_', ' ')}"
-        )
+        say(f"section {number} of {len(makers)}: {make.__module__.split('.')[-1].replace('_', ' ')}")
         sections.append(make(study))
 
     for section in sections:

@@ -1,10 +1,10 @@
 """Optimal cooperative placements: Table 3.3 and Fig. 3.4."""
 
-from reproduction import page, paper
-from reproduction.coverage import coverage_map, missed
-from reproduction.findings import Section, verdict
-from reproduction.seeds import judge_trend
-from reproduction.text import grouped, listed, spread
+from study.core import page, paper
+from study.core.coverage import coverage_map, missed
+from study.core.findings import Section, verdict
+from study.core.seeds import judge_trend
+from study.core.text import grouped, listed, spread
 
 
 def section(study):

@@ -1,6 +1,6 @@
 """Pieces of SVG. Colours and sizes of text come from the classes of page.css."""
 
-from reproduction.text import escape
+from study.core.text import escape
 
 
 def number(value):

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from reproduction import page
-from reproduction.findings import Section, verdict
-from reproduction.coverage import coverage_map
-from reproduction.text import percent
+from study.core import page
+from study.core.findings import Section, verdict
+from study.core.coverage import coverage_map
+from study.core.text import percent
 
 
 def redundancy(signals, columns):

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from reproduction import page, paper
-from reproduction.charts import Chart, round_step, series_legend
-from reproduction.findings import Section, verdict
-from reproduction.coverage import coverage_map
-from reproduction.text import grouped, listed, percent, spread
+from study.core import page, paper
+from study.draw.charts import Chart, round_step, series_legend
+from study.core.findings import Section, verdict
+from study.core.coverage import coverage_map
+from study.core.text import grouped, listed, percent, spread
 
 
 def picks(reach, with_links):

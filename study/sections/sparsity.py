@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from reproduction import page, spy
-from reproduction.charts import Chart, series_legend
-from reproduction.findings import Section, verdict
-from reproduction.text import grouped, percent, spread
+from study.core import page
+from study.draw import spy
+from study.draw.charts import Chart, series_legend
+from study.core.findings import Section, verdict
+from study.core.text import grouped, percent, spread
 
 CUTS = (0, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 1)
 

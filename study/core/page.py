@@ -5,8 +5,8 @@ import io
 import re
 from pathlib import Path
 
-from reproduction.findings import AGREES, DIFFERS, OURS, PARTLY
-from reproduction.text import escape, listed, plural
+from study.core.findings import AGREES, DIFFERS, OURS, PARTLY
+from study.core.text import escape, listed, plural
 
 STYLE = Path(__file__).with_name("page.css")
 

@@ -1,8 +1,8 @@
 """Shadow rays in vain: the explanation of 2.11.2 for the variance."""
 
-from reproduction import page
-from reproduction.findings import Section, verdict
-from reproduction.text import grouped, percent
+from study.core import page
+from study.core.findings import Section, verdict
+from study.core.text import grouped, percent
 
 
 def section(study):
