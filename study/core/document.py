@@ -118,7 +118,6 @@ def write(study, is_quick):
         "The paper’s study, done again",
         introduction,
         _cards(study),
-        study.map.definitions(),
         sections,
         footer,
     )

@@ -1,8 +1,7 @@
 """The mirror symmetry of the environment: x to 20 - x. (From front to back it has none: the freezer is low.)"""
 
-from itertools import permutations
-
 import numpy as np
+from scipy.optimize import linear_sum_assignment
 
 
 def partners(points, normals, axis):
@@ -42,5 +41,4 @@ def distance_to_mirror_image(units, width):
     own = units[:, :2]
     images = own * [-1.0, 1.0] + [width, 0]
     apart = np.hypot(*(own[:, None, :] - images[None, :, :]).transpose(2, 0, 1))
-    rows = np.arange(len(own))
-    return float(min(apart[rows, list(order)].mean() for order in permutations(range(len(own)))))
+    return float(apart[linear_sum_assignment(apart)].mean())

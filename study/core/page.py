@@ -109,7 +109,7 @@ def summary_sentence(findings):
     return f"Of {plural(total, 'statement')} of the paper that can be examined here, {listed(parts)}."
 
 
-def document(title, introduction, cards, definitions, sections, footer):
+def document(title, introduction, cards, sections, footer):
     findings = [(number, one) for number, section in enumerate(sections, 1) for one in section.findings]
     contents = "".join(
         f'<li><a href="#s{number}">{escape(section.title)}</a></li>\n'
@@ -138,7 +138,7 @@ def document(title, introduction, cards, definitions, sections, footer):
         ' charset="utf-8"/>\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1"/>\n'
         f'<title>{escape(title)}</title>\n<style>\n{STYLE.read_text(encoding="utf-8")}</style>\n</head>\n<body>\n'
-        f'{definitions}<main>\n<p class="kicker">shelfbeam ·'
+        '<main>\n<p class="kicker">shelfbeam ·'
         f" scripts/reproduce</p>\n<h1>{escape(title)}</h1>\n"
         f'<p class="answer">{escape(summary_sentence([one for _, one in findings]))}</p>\n'
         f'{introduction}<dl class="cards">\n{shown}</dl>\n'

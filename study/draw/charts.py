@@ -1,128 +1,59 @@
-"""Charts with axes: histograms, bars and lines, in one frame of 560 x 340."""
+"""Charts with axes: histograms and lines."""
 
-import math
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator, NullLocator
+from matplotlib.transforms import offset_copy
 
-from study.draw import svg
+from study.draw.picture import colour, svg
 
-WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 560, 340, 76, 30, 48, 62
-SHAPES = (
-    "M0 -5.5A5.5 5.5 0 1 1 0 5.5A5.5 5.5 0 1 1 0 -5.5Z",
-    "M0 -7L6.5 5H-6.5Z",
-    "M-5 -5H5V5H-5Z",
-    "M0 -7L7 0L0 7L-7 0Z",
-)
+SIZE = (7.8, 4.7)  # inches of 72 units
 
 
-def round_step(most, steps=4.5):
-    """A step of 1, 2 or 5 times a power of ten that gives about so many ticks."""
-    raw = most / steps
-    power = 10 ** math.floor(math.log10(raw)) if raw > 0 else 1
-    return next(k * power for k in (1, 2, 5, 10) if k * power >= raw * 0.999)
+def axes(x_title, y_title, log="", percent="", x_ticks=None):
+    """Axes in a frame of their own; `log` and `percent` name those that are: "", "x", "y" or "xy".
+
+    Where there are `x_ticks`, the axis ends just beyond them.
+    """
+    result = Figure(figsize=SIZE).add_subplot()
+    result.set_xlabel(x_title)
+    result.set_title(y_title)
+    for name, axis in (("x", result.xaxis), ("y", result.yaxis)):
+        if name in log:
+            getattr(result, f"set_{name}scale")("log")
+            axis.set_minor_locator(NullLocator())
+        else:
+            axis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
+        axis.set_major_formatter((lambda share, _: f"{100 * share:g} %") if name in percent else "{x:,g}")
+    if x_ticks is not None:
+        scale = result.xaxis.get_transform()
+        low, high = scale.transform([min(x_ticks), max(x_ticks)])
+        margin = 0.05 * (high - low)
+        result.set_xticks(x_ticks)
+        result.set_xlim(scale.inverted().transform([low - margin, high + margin]))
+    return result
 
 
-def decades(low, high):
-    return [
-        10.0**k for k in range(math.floor(math.log10(low) + 1e-9), math.ceil(math.log10(high) - 1e-9) + 1)
-    ]
+def chart(drawn, description):
+    """The axes as a picture; lines that have a label are named below it."""
+    if drawn.get_legend_handles_labels()[0]:
+        below = offset_copy(drawn.transAxes, drawn.figure, y=-60, units="points")
+        drawn.legend(loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=below)
+    return svg(drawn.figure, description, "chart")
 
 
-def short(value):
-    """A tick's number."""
-    if value == 0:
-        return "0"
-    if abs(value) >= 1000:
-        return f"{value:,.0f}"
-    return f"{value:.10g}" if abs(value) >= 0.001 else f"{value:.0e}".replace("e-0", "e-")
-
-
-class Chart:
-    def __init__(self, x_range, y_range, x_title, y_title, log_x=False, log_y=False):
-        self.x_range, self.y_range = x_range, y_range
-        self.log_x, self.log_y = log_x, log_y
-        self.x_title, self.y_title = x_title, y_title
-        self.grid, self.body = "", ""
-
-    @staticmethod
-    def _share(value, low_high, is_log):
-        low, high = low_high
-        if is_log:
-            value, low, high = math.log(value), math.log(low), math.log(high)
-        return (value - low) / (high - low)
-
-    def x(self, value):
-        return LEFT + self._share(value, self.x_range, self.log_x) * (WIDTH - LEFT - RIGHT)
-
-    def y(self, value):
-        return HEIGHT - BOTTOM - self._share(value, self.y_range, self.log_y) * (HEIGHT - TOP - BOTTOM)
-
-    def ticks(self, x_ticks, y_ticks, x_words=None, y_words=None):
-        floor = HEIGHT - BOTTOM
-        for value, words in zip(y_ticks, y_words or map(short, y_ticks)):
-            self.grid += svg.line(LEFT, self.y(value), WIDTH - RIGHT, self.y(value), "grid")
-            self.grid += svg.text(LEFT - 8, self.y(value) + 4, words, "t end")
-        for value, words in zip(x_ticks, x_words or map(short, x_ticks)):
-            self.grid += svg.line(self.x(value), floor, self.x(value), floor + 5, "tick")
-            self.grid += svg.text(self.x(value), floor + 22, words, "t mid")
-        return self
-
-    def bar(self, low, high, height, css_class="bar", title=""):
-        if height <= 0:
-            return
-        floor = HEIGHT - BOTTOM
-        top = min(self.y(height), floor - 1)  # a single count among many stays visible
-        left, right = self.x(low), self.x(high)
-        self.body += svg.rect(left + 0.5, top, max(right - left - 1, 0.8), floor - top, css_class, title)
-
-    def line(self, points, series, titles=None):
-        """A line with marks: series 0 to 3 have their colour, dashes and shape."""
-        places = [(self.x(x), self.y(y)) for x, y in points]
-        self.body += svg.path(places, f"line s{series}")
-        for k, (x, y) in enumerate(places):
-            title = f"<title>{titles[k]}</title>" if titles else ""
-            self.body += (
-                f'<path class="dot s{series}" transform="translate({svg.number(x)} {svg.number(y)})" '
-                f'd="{SHAPES[series]}">{title}</path>\n'
-            )
-
-    def guide(self, points):
-        self.body += svg.path([(self.x(x), self.y(y)) for x, y in points], "guide")
-
-    def mark(self, value, words):
-        """A dashed line at a value of x."""
-        x = self.x(value)
-        to_left = x > (LEFT + WIDTH) / 2
-        self.body += svg.line(x, TOP - 14, x, HEIGHT - BOTTOM, "mark")
-        self.body += svg.text(
-            x + (-6 if to_left else 6), TOP - 2, words, "t strong end" if to_left else "t strong"
-        )
-
-    def svg(self, description):
-        floor = HEIGHT - BOTTOM
-        axis = svg.line(LEFT, floor, WIDTH - RIGHT, floor, "axis")
-        titles = svg.text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10, self.x_title, "t mid")
-        titles += svg.text(8, 18, self.y_title)
-        return svg.picture(WIDTH, HEIGHT, "chart", description, self.grid + self.body + axis + titles)
-
-
-def histogram(
-    edges, counts, x_title, y_title, description, mark=None, ticks=None, words=None, log_x=False, most=None
-):
-    most = most or max(1, max(counts))
-    step = round_step(most)
-    chart = Chart((edges[0], edges[-1]), (0, 1.05 * most), x_title, y_title, log_x=log_x)
-    chart.ticks(ticks, [k * step for k in range(int(most / step) + 1)], words)
-    for low, high, count in zip(edges, edges[1:], counts):
-        chart.bar(low, high, count, "bar", f"{short(low)} to {short(high)}: {count:,}")
+def histogram(edges, counts, x_title, y_title, description, mark=None, log="", ticks=None, most=None):
+    """`mark` is a value of x with a word for it; `most` the count that the axis reaches where charts are compared."""
+    drawn = axes(x_title, y_title, log)
+    bars = [(low, high - low, count) for low, high, count in zip(edges, edges[1:], counts) if count]
+    starts, widths, heights = zip(*bars)
+    # The outline keeps a single count among many visible.
+    drawn.bar(starts, heights, [0.92 * width for width in widths], align="edge", ec=colour("s0"), lw=0.8)
+    drawn.set_xlim(edges[0], edges[-1])
+    drawn.set_ylim(0, 1.05 * (most or max(counts)))
+    if ticks is not None:
+        drawn.set_xticks(ticks)
     if mark:
-        chart.mark(*mark)
-    return chart.svg(description)
-
-
-def series_legend(names):
-    items = ""
-    for k, name in enumerate(names):
-        items += (
-            f'<li><svg class="key" viewBox="-16 -16 32 32" aria-hidden="true"><path class="line s{k}" '
-            f'd="M-15 0H15"/><path class="dot s{k}" d="{SHAPES[k]}"/></svg>{name}</li>'
-        )
-    return f'<ul class="legend">{items}</ul>\n'
+        value, words = mark
+        drawn.axvline(value, color=colour("strong"), lw=1.6, linestyle=(0, (3, 2)))
+        drawn.text(value, 1.02, words, weight="bold", ha="center", transform=drawn.get_xaxis_transform())
+    return chart(drawn, description)

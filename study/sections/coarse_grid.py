@@ -6,9 +6,9 @@ from study.core import page
 from study.core.answers import MODELS
 from study.core.findings import Section, verdict
 from study.core.mirror import distance_to_mirror_image
-from study.core.coverage import coverage_map
 from study.core.signals import write_variant
 from study.core.text import percent, seconds, spread
+from study.draw.coverage_map import coverage_map
 
 
 def grids(units):
@@ -171,6 +171,7 @@ def section(study):
     )
     two = [more for model in MODELS for spacing, more in coarse[model] if spacing == 2]
     fits = [more for more in two if more == 0]
+    more_at_most = max((more for more in two if more != ""), default=0)
     result.find(
         "A less granular grid is justified",
         "argued, not tested",
@@ -179,7 +180,7 @@ def section(study):
         (
             f"Of {len(two)} questions on grids of 2 m with a quarter of the candidates {len(fits)} need no"
             " more transceivers; the others "
-            f"{'need up to ' + str(max(m for m in two if m != '')) + ' more' if len(fits) < len(two) else 'do not exist'}."
+            f"{f'need up to {more_at_most} more' if len(fits) < len(two) else 'do not exist'}."
         ),
     )
     result.find(

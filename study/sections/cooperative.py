@@ -1,10 +1,11 @@
 """Optimal cooperative placements: Table 3.3 and Fig. 3.4."""
 
 from study.core import page, paper
-from study.core.coverage import coverage_map, missed
+from study.core.coverage import missed
 from study.core.findings import Section, verdict
 from study.core.seeds import judge_trend
-from study.core.text import grouped, listed, spread
+from study.core.text import grouped
+from study.draw.coverage_map import coverage_map
 
 
 def section(study):

@@ -3,12 +3,11 @@
 import numpy as np
 
 from study.core import page, paper
-from study.draw.charts import series_legend
 from study.core.coverage import missed
 from study.core.findings import Section, verdict
 from study.core.signals import write_variant
-from study.sections.solver_time import time_chart, time_words, timed
 from study.core.text import grouped, percent, spread
+from study.sections.solver_time import time_chart, time_words, timed
 
 
 def cut_file(study, samples, cut):
@@ -62,7 +61,7 @@ def section(study):
                     missed(signals, found["search"].selected, "cooperative"),
                 )
             )
-            series.setdefault(samples, []).append(found[mip].seconds)
+            series.setdefault(f"{grouped(samples)} samples", []).append(found[mip].seconds)
     header = (
         "samples",
         "cut-off",
@@ -74,18 +73,10 @@ def section(study):
         "missed without the cut-off",
     )
     result.tables["cut_off"] = (header, rows)
-    chart = time_chart(
-        [100 * cut for cut in effort.cut_offs], list(series.values()), "cut-off, % of the requirement", False
-    )
+    cuts = [100 * cut for cut in effort.cut_offs]
+    chart = time_chart(cuts, series, "cut-off, % of the requirement", "y")
     result.add(
-        page.row_of(
-            [
-                page.figure(
-                    f"Time of the MIP solver ({mip}) against the cut-off",
-                    chart + series_legend([f"{grouped(n)} samples" for n in series]),
-                )
-            ]
-        ),
+        page.row_of([page.figure(f"Time of the MIP solver ({mip}) against the cut-off", chart)]),
         page.table(header, rows, numeric=range(1, 8)),
         page.paragraph(
             (

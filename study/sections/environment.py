@@ -9,8 +9,7 @@ def section(study):
     signals = study.reference
     store = study.store
     result = Section("The test environment", "2.10, Figs 2.7 and 2.8", "What is simulated?")
-    symbols = ["once"] * len(signals.labels)
-    marks = study.map.crosses(signals.units) + study.map.labels(signals, range(len(signals.labels)), symbols)
+    marks = [("cross", signals.units[:, :2]), ("once", study.map.places(signals))]
     result.add(
         page.figure(
             "Top-down view",

@@ -3,9 +3,9 @@
 import numpy as np
 
 from study.core import page, paper
-from study.draw.charts import histogram
 from study.core.findings import Section, verdict
 from study.core.text import grouped, percent
+from study.draw.charts import histogram
 
 
 def excess(signals, selected):

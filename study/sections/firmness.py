@@ -4,8 +4,8 @@ from collections import Counter
 
 from study.core import page, seeds
 from study.core.answers import MODELS
-from study.core.findings import Section
 from study.core.coverage import missed
+from study.core.findings import Section
 from study.core.text import grouped, plural
 
 FACTORS = (0.98, 1, 1.02)

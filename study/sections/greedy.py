@@ -3,10 +3,10 @@
 import numpy as np
 
 from study.core import page, paper
-from study.draw.charts import Chart, round_step, series_legend
 from study.core.findings import Section, verdict
-from study.core.coverage import coverage_map
 from study.core.text import grouped, listed, percent, spread
+from study.draw import charts
+from study.draw.coverage_map import coverage_map
 
 
 def picks(reach, with_links):
@@ -94,12 +94,11 @@ def section(study):
         )
     best = study.table_answer(samples, "non-cooperative", "links")
     near["optimal"] = nearest_distances(signals.units[signals.columns(best.selected)])
-    most = max(map(max, series))
-    step = round_step(most)
-    chart = Chart((0.5, max(map(len, series)) + 0.5), (0, 1.05 * most), "choice", "labels newly reached")
-    chart.ticks(list(range(1, max(map(len, series)) + 1)), [k * step for k in range(int(most / step) + 1)])
-    for k, gains in enumerate(series):
-        chart.line(list(enumerate(gains, 1)), k)
+    choices = range(1, max(map(len, series)) + 1)
+    axes = charts.axes("choice", "labels newly reached", x_ticks=choices)
+    for name, gains in zip(names, series):
+        axes.plot(choices[: len(gains)], gains, label=name)
+    axes.set_ylim(bottom=0)
     table_rows = [
         (name, len(values), f"{values.min():.1f}", f"{np.median(values):.1f}")
         for name, values in near.items()
@@ -117,8 +116,7 @@ def section(study):
         page.row_of(
             [
                 page.figure(
-                    "What each choice adds",
-                    chart.svg("Labels newly reached by each greedy choice") + series_legend(names),
+                    "What each choice adds", charts.chart(axes, "Labels newly reached by each greedy choice")
                 ),
                 page.figure("Clustering", page.table(*result.tables["clustering"], numeric=(1, 2, 3))),
             ]

@@ -3,9 +3,9 @@
 import numpy as np
 
 from study.core import page
-from study.draw.charts import histogram, short
 from study.core.findings import Section, verdict
 from study.core.text import grouped, percent
+from study.draw.charts import histogram
 
 
 def section(study):
@@ -19,7 +19,6 @@ def section(study):
     low, high = np.floor(np.log10(max(values.min(), 1e-6))), np.ceil(np.log10(values.max()))
     log_edges = list(10 ** np.arange(low, high + 0.01, 0.1))
     log_counts = [int(c) for c in np.histogram(np.clip(values, log_edges[0], None), log_edges)[0]]
-    ticks = [10.0**k for k in range(int(low), int(high) + 1)]
     mark = (threshold, "threshold")
     result.add(
         page.row_of(
@@ -33,7 +32,6 @@ def section(study):
                         "pairs",
                         "Histogram of M",
                         mark,
-                        [k * 0.02 for k in range(int(top / 0.02) + 1)],
                     ),
                     f"{grouped(study.most_samples)} samples. Entries beyond the axis are in the last bar.",
                     "as Fig. 3.7",
@@ -47,9 +45,7 @@ def section(study):
                         "pairs",
                         "Histogram of M, logarithmic",
                         mark,
-                        ticks,
-                        [short(t) for t in ticks],
-                        log_x=True,
+                        "x",
                     ),
                 ),
             ]

@@ -1,12 +1,12 @@
 """The signal of single transceivers: Figs 2.9 to 2.12 and 2.11.1."""
 
 import numpy as np
+from scipy.stats import spearmanr
 
 from study.core import page
 from study.core.findings import Section, verdict
-from study.core.hypothesis import rank_correlation
-from study.draw.store_map import signal_legend
 from study.core.text import listed, percent, spread
+from study.draw.store_map import signal_legend
 
 
 def maps(study, signals, column, strongest):
@@ -15,8 +15,8 @@ def maps(study, signals, column, strongest):
     for level, rows in enumerate(study.levels(signals), 1):
         pair = []
         for words, threshold in (("all", None), ("above the threshold", signals.requirement)):
-            marks = study.map.signals(signals, rows, column, strongest, threshold)
-            pair.append((f"Level {level}", words, study.map.picture(marks, f"Level {level}, {words}")))
+            picture = study.map.signals(signals, rows, column, strongest, threshold, f"Level {level}, {words}")
+            pair.append((f"Level {level}", words, picture))
         columns.append(pair)
     return columns
 
@@ -38,7 +38,7 @@ def section(study):
     for figure, words, column in sources:
         values = signals.mean[:, column]
         apart = np.linalg.norm(signals.labels - signals.units[column], axis=1)
-        correlations.append(-rank_correlation(apart, values))
+        correlations.append(-spearmanr(apart, values).statistic)
         means = [float(values[level].mean()) for level in levels]
         ratios.append(max(means) / min(means))
         shelves = [

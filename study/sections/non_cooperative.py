@@ -1,10 +1,11 @@
 """Optimal non-cooperative placements: Table 3.1 and Fig. 3.2."""
 
 from study.core import page, paper
-from study.core.coverage import coverage_map, missed
+from study.core.coverage import missed
 from study.core.findings import Section, verdict
 from study.core.seeds import judge_trend
-from study.core.text import grouped, listed, percent, seconds, spread
+from study.core.text import grouped, percent, seconds, spread
+from study.draw.coverage_map import coverage_map
 
 
 def section(study):

@@ -4,8 +4,8 @@ import numpy as np
 
 from study.core import page
 from study.core.findings import Section, verdict
-from study.core.coverage import coverage_map
 from study.core.text import percent
+from study.draw.coverage_map import coverage_map
 
 
 def redundancy(signals, columns):

@@ -3,12 +3,12 @@
 import numpy as np
 
 from study.core import page, paper
-from study.draw.charts import Chart, decades, series_legend
-from study.core.findings import Section
 from study.core.coverage import missed
+from study.core.findings import Section
+from study.core.text import grouped, percent, seconds
+from study.draw import charts
 from study.sections.sample_count import ABOVE, links, relative_error
 from study.sections.sparsity import zeros
-from study.core.text import grouped, percent, seconds
 
 
 def _tables(study):
@@ -106,20 +106,9 @@ def section(study):
         "missed in truth",
     )
     result.tables["reuse"] = (header, rows)
-    times = [t for one in points.values() for t, _ in one]
-    errors = [e for one in points.values() for _, e in one]
-    x_ticks, y_ticks = decades(min(times), max(times)), decades(min(errors), max(errors))
-    chart = Chart(
-        (x_ticks[0], x_ticks[-1]),
-        (y_ticks[0], y_ticks[-1]),
-        "simulation time, s",
-        "rms relative error",
-        log_x=True,
-        log_y=True,
-    )
-    chart.ticks(x_ticks, y_ticks, y_words=[percent(v, 0 if v >= 0.01 else 1) for v in y_ticks])
-    for k, kind in enumerate(("uniform", "reuse")):
-        chart.line(points[kind], k)
+    axes = charts.axes("simulation time, s", "rms relative error", "xy", "y")
+    for name, kind in (("uniform", "uniform"), ("path reuse", "reuse")):
+        axes.plot(*zip(*points[kind]), label=name)
     tables = _tables(study)
     result.tables["reuse_tables"] = tables
     result.add(
@@ -127,7 +116,7 @@ def section(study):
             [
                 page.figure(
                     "Error against time",
-                    chart.svg("Relative error against time") + series_legend(["uniform", "path reuse"]),
+                    charts.chart(axes, "Relative error against time"),
                     (
                         f"Entries from {percent(ABOVE)} of the requirement on, against the reference: path"
                         f" reuse with {grouped(reference.samples)} samples and another seed."

@@ -3,16 +3,18 @@
 import math
 
 import numpy as np
+from scipy.stats import t as student
 
 from study.core import page
 from study.core.answers import MODELS
-from study.draw.charts import Chart, decades, round_step, series_legend
 from study.core.coverage import missed
 from study.core.findings import Section, verdict
-from study.core.hypothesis import student_limit
-from study.draw.store_map import signal_legend
 from study.core.text import grouped, minus, percent, plural
+from study.draw import charts
+from study.draw.picture import colour
+from study.draw.store_map import signal_legend
 
+TICKS = [5000, 25000, 100000]
 ABOVE = 0.3  # entries from this share of the requirement on count for errors
 
 
@@ -25,7 +27,7 @@ def relative_error(signals, reference):
 def coverage(signals, reference):
     """How often the 95 % intervals of the entries that matter hold the reference."""
     matter = reference.mean >= ABOVE * reference.requirement[:, None]
-    limit = student_limit(0.05, signals.batches - 1)
+    limit = student.isf(0.025, signals.batches - 1)
     apart = np.abs(signals.mean - reference.mean) <= limit * np.hypot(signals.error, reference.error)
     return float(apart[matter].mean())
 
@@ -40,16 +42,13 @@ def _wrong_side(study, truth):
         (int((links(study.uniform(n)) & ~truth).sum()), int((~links(study.uniform(n)) & truth).sum()))
         for n in study.effort.samples
     ]
-    most = max(map(max, counts))
-    step = round_step(most)
-    chart = Chart((3000, 200000), (0, 1.1 * most), "samples a label", "pairs", log_x=True)
-    chart.ticks([5000, 25000, 100000], [k * step for k in range(int(1.1 * most / step) + 1)])
-    for k in range(2):
-        chart.line([(n, pair[k]) for n, pair in zip(study.effort.samples, counts)], k)
+    axes = charts.axes("samples a label", "pairs", "x", x_ticks=TICKS)
+    for words, of_kind in zip(("wrongly above", "wrongly below"), zip(*counts)):
+        axes.plot(study.effort.samples, of_kind, label=words)
+    axes.set_ylim(bottom=0)
     return page.figure(
         "Pairs on the wrong side of the threshold",
-        chart.svg("Pairs on the wrong side against samples")
-        + series_legend(["wrongly above", "wrongly below"]),
+        charts.chart(axes, "Pairs on the wrong side against samples"),
         f"Of {grouped(truth.size)}.",
     )
 
@@ -72,9 +71,7 @@ def section(study):
                 (
                     f"{grouped(samples)} samples",
                     words,
-                    study.map.picture(
-                        study.map.signals(signals, level_two, column, strongest, threshold), words
-                    ),
+                    study.map.signals(signals, level_two, column, strongest, threshold, words),
                 )
                 for words, threshold in (("all", None), ("above the threshold", signals.requirement))
             ]
@@ -84,9 +81,7 @@ def section(study):
             (
                 "Reference",
                 words,
-                study.map.picture(
-                    study.map.signals(reference, level_two, column, strongest, threshold), words
-                ),
+                study.map.signals(reference, level_two, column, strongest, threshold, words),
             )
             for words, threshold in (
                 ("path reuse, all", None),
@@ -135,25 +130,16 @@ def section(study):
         "95 % intervals hold",
     )
     result.tables["samples"] = (header, rows)
-    guide = [(x, errors[0] * math.sqrt(study.effort.samples[0] / x)) for x in (3000, 200000)]
-    low, high = 10 ** math.floor(math.log10(guide[1][1])), 10 ** math.ceil(math.log10(max(errors)))
-    chart = Chart(
-        (3000, 200000), (low, high), "samples a label", "rms relative error", log_x=True, log_y=True
-    )
-    chart.ticks(
-        [5000, 25000, 100000],
-        decades(low, high),
-        y_words=[percent(v, 0 if v >= 0.01 else 1) for v in decades(low, high)],
-    )
-    chart.guide(guide)
-    chart.line(list(zip(study.effort.samples, errors)), 0)
+    axes = charts.axes("samples a label", "rms relative error", "xy", "y", TICKS)
+    guide = [(x, errors[0] * math.sqrt(study.effort.samples[0] / x)) for x in axes.set_xlim(3000, 200000)]
+    axes.plot(study.effort.samples, errors, label="uniform estimator")
+    axes.plot(*zip(*guide), ":", color=colour("muted"), marker="", lw=1.4, label="1/√samples")
     result.add(
         page.row_of(
             [
                 page.figure(
                     "Error against samples",
-                    chart.svg("Relative error against samples")
-                    + series_legend(["uniform estimator; dotted: 1/√samples"]),
+                    charts.chart(axes, "Relative error against samples"),
                     f"Entries from {percent(ABOVE)} of the requirement on, against the reference.",
                 ),
                 _wrong_side(study, truth),

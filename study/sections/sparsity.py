@@ -3,10 +3,9 @@
 import numpy as np
 
 from study.core import page
-from study.draw import spy
-from study.draw.charts import Chart, series_legend
 from study.core.findings import Section, verdict
 from study.core.text import grouped, percent, spread
+from study.draw import charts, matrix_picture
 
 CUTS = (0, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 1)
 
@@ -39,7 +38,7 @@ def section(study):
     figures = [
         page.figure(
             f"{name}, cut at {100 * cut:g} %",
-            spy.picture(
+            matrix_picture.picture(
                 one.mean >= cut * one.requirement[:, None],
                 f"Entries of M above {100 * cut:g} % of the requirement",
             ),
@@ -49,24 +48,16 @@ def section(study):
         for name, one in shown
         for cut in (shown_cut, 1)
     ]
-    chart = Chart((0.01, 1), (0, 1.02), "cut-off, share of the requirement", "zeros", log_x=True)
-    chart.ticks(
-        [0.01, 0.03, 0.1, 0.3, 1],
-        [0, 0.2, 0.4, 0.6, 0.8, 1],
-        [percent(v) for v in (0.01, 0.03, 0.1, 0.3, 1)],
-        [percent(v) for v in (0, 0.2, 0.4, 0.6, 0.8, 1)],
-    )
-    lines = [0, len(samples) - 1, len(samples)]
-    for k, place in enumerate(lines):
-        chart.line([(cut, zeros(all_signals[place], cut)) for cut in CUTS[1:]], k)
+    axes = charts.axes("cut-off, share of the requirement", "zeros", "x", "xy", [0.01, 0.03, 0.1, 0.3, 1])
+    for place in (0, len(samples) - 1, len(samples)):
+        axes.plot(CUTS[1:], [zeros(all_signals[place], cut) for cut in CUTS[1:]], label=names[place])
+    axes.set_ylim(0, 1.02)
     result.add(
         page.row_of(figures, "quad"),
         page.row_of(
             [
                 page.figure(
-                    "Zeros against the cut-off",
-                    chart.svg("Share of zeros against the cut-off")
-                    + series_legend([names[place] for place in lines]),
+                    "Zeros against the cut-off", charts.chart(axes, "Share of zeros against the cut-off")
                 ),
                 page.figure(
                     "Zeros, by samples a label", page.table(header, rows, numeric=range(1, len(header)))

@@ -3,10 +3,10 @@
 import numpy as np
 
 from study.core import page
-from study.draw.charts import histogram
 from study.core.findings import Section, verdict
 from study.core.hypothesis import pair_test
 from study.core.text import percent
+from study.draw.charts import histogram
 
 LEVEL = 0.01
 

@@ -1,36 +1,38 @@
 """The parts of the study, without the program."""
 
+import base64
 import csv
 import io
 import json
 import math
 import os
+import re
 import stat
-import struct
 import tempfile
 import time
 import unittest
 import xml.etree.ElementTree as ElementTree
-import zlib
 from pathlib import Path
 
 import h5py
 import numpy as np
+from matplotlib.image import imread
 
-from study.core import hypothesis, page
-from study.draw import spy
-from study.sections import certificate
+from study.core import page
 from study.core.answers import read_answer
-from study.draw.charts import Chart, histogram
-from study.sections.coarse_grid import grids, interchangeable
 from study.core.findings import AGREES, DIFFERS, PARTLY, Section, verdict
-from study.sections.greedy import nearest_distances, picks
+from study.core.hypothesis import pair_test
 from study.core.mirror import distance_to_mirror_image, partners
 from study.core.program import Failure, Program
-from study.sections.redundancy import corners_and_centre, redundancy
 from study.core.signals import read_signals, write_variant
-from study.draw.store_map import CLASSES, class_floor, signal_class
 from study.core.study import STORE, read_store
+from study.draw import matrix_picture
+from study.draw.charts import histogram
+from study.draw.store_map import CLASSES, StoreMap, class_floor, signal_class
+from study.sections import certificate
+from study.sections.coarse_grid import grids, interchangeable
+from study.sections.greedy import nearest_distances, picks
+from study.sections.redundancy import corners_and_centre, redundancy
 
 
 def signal_file(path, mean, positions=None):
@@ -59,28 +61,12 @@ def signal_file(path, mean, positions=None):
     return Path(path)
 
 
-class Distributions(unittest.TestCase):
-    # Critical values of printed tables.
-    def test_student(self):
-        for t, freedom, tail in (
-            (2.042, 30, 0.05),
-            (2.576, 1e7, 0.01),
-            (12.706, 1, 0.05),
-            (3.646, 30, 0.001),
-        ):
-            self.assertAlmostEqual(
-                hypothesis.student_tail(t, freedom), tail, delta=3e-4 * max(1, tail / 0.01)
-            )
-            self.assertAlmostEqual(hypothesis.student_limit(tail, freedom), t, delta=2e-3 * t)
-        self.assertAlmostEqual(hypothesis.normal_tail(1.96), 0.025, places=4)
-
-
 class PairTests(unittest.TestCase):
     def pairs(self, random, shift=0.0, n=600):
         """Means and standard errors of 32 normal batches, twice."""
         a, b = random.normal(1, 1, (n, 32)), random.normal(1 + shift, 1, (n, 32))
         error = [one.std(axis=1, ddof=1) / math.sqrt(32) for one in (a, b)]
-        return hypothesis.pair_test(a.mean(axis=1), b.mean(axis=1), *error, 31)
+        return pair_test(a.mean(axis=1), b.mean(axis=1), *error, 31)
 
     # At 1 % about 3 of 300 true claims are rejected, more than 12 with a probability below 1e-4.
     def test_keeps_its_level(self):
@@ -93,12 +79,12 @@ class PairTests(unittest.TestCase):
         one = np.ones(50)
         outlier = one.copy()
         outlier[7] = 2
-        self.assertFalse(hypothesis.pair_test(one, outlier, 0.1 * one, 0.1 * one, 31).passes)
-        self.assertTrue(hypothesis.pair_test(one, one, 0.1 * one, 0.1 * one, 31).passes)
+        self.assertFalse(pair_test(one, outlier, 0.1 * one, 0.1 * one, 31).passes)
+        self.assertTrue(pair_test(one, one, 0.1 * one, 0.1 * one, 31).passes)
 
     def test_needs_errors(self):
         with self.assertRaises(ValueError):
-            hypothesis.pair_test(np.ones(3), np.ones(3), np.zeros(3), np.zeros(3), 31)
+            pair_test(np.ones(3), np.ones(3), np.zeros(3), np.zeros(3), 31)
 
 
 class Mirrors(unittest.TestCase):
@@ -273,7 +259,7 @@ class Pages(unittest.TestCase):
             page.table(("a", "b"), [("<", 1)], numeric=(1,)),
             page.figure("c", histogram([0, 1, 2], [3, 0], "x", "y", "d", (1, "mark"), [0, 1, 2])),
         )
-        html = page.document("T", "", [("n", "v", "w")], "", [section], "f")
+        html = page.document("T", "", [("n", "v", "w")], [section], "f")
         root = ElementTree.fromstring(html.split("\n", 1)[1])
         self.assertEqual(len(root.findall(".//{*}section")), 2)
         self.assertIn("Of 1 statement of the paper", html)
@@ -282,25 +268,39 @@ class Pages(unittest.TestCase):
         rows = list(csv.reader(io.StringIO(page.csv_text(("a", "b"), [("x, y", 0.1), ("12\u00a0%", 3)]))))
         self.assertEqual(rows, [["a", "b"], ["x, y", "0.1"], ["12 %", "3"]])
 
-    def test_axes(self):
-        chart = Chart((1, 100), (0, 10), "x", "y", log_x=True)
-        self.assertAlmostEqual(chart.x(10), (chart.x(1) + chart.x(100)) / 2)
-        self.assertLess(chart.y(10), chart.y(0))
+
+class Pictures(unittest.TestCase):
+    def test_histogram_has_bars_in_proportion_and_the_page_s_colours(self):
+        text = histogram([0.001, 0.002, 0.003, 0.004], [3, 0, 1], "x", "y", "d", (0.002, "mark"), ticks=[0.001, 0.004])
+        picture = ElementTree.fromstring(text)
+        words = {element.text.strip() for element in picture.iter("text")}
+        self.assertEqual(words - {"0.001", "0.004", "0", "1", "2", "3"}, {"x", "y", "mark"})
+        bars = [path.get("d") for path in picture.iter("path") if "fill: var(--s0)" in path.get("style", "")]
+        heights = [np.ptp([float(y) for y in re.findall(r"[ML] [\d.]+ ([\d.]+)", bar)]) for bar in bars]
+        self.assertEqual(len(heights), 2)
+        self.assertAlmostEqual(heights[0] / heights[1], 3, delta=0.01)
+        self.assertNotRegex(text, "#[0-9a-f]{6}")
 
     def test_signal_classes(self):
         self.assertEqual([signal_class(share) for share in (1, 0.01, 0.0099, 0)], [CLASSES - 1, 0, -1, -1])
         self.assertEqual([signal_class(class_floor(k)) for k in range(CLASSES)], list(range(CLASSES)))
 
-    def test_spy(self):
+    def test_map_marks_every_label_by_its_class(self):
+        with tempfile.TemporaryDirectory() as folder:
+            signals = read_signals(signal_file(f"{folder}/a.h5", np.array([[2.0], [1.0], [0.5], [0.002]])))
+        store = {"room": {"size": [5, 4, 3]}, "fixtures": []}
+
+        def fills(threshold):
+            text = StoreMap(store).signals(signals, [0, 1, 2, 3], 0, 2, threshold, "d")
+            return sorted(re.findall(r"<use [^>]*fill(?:: var\(--|-opacity: )(\w+)", text))
+
+        self.assertEqual(fills(None), ["0", "g5", "g6", "g7", "source"])
+        self.assertEqual(fills(signals.requirement), ["cand", "cand", "g6", "g7", "source"])
+
+    def test_matrix(self):
         bits = np.random.default_rng(3).random((5, 19)) < 0.4
-        data = spy.png(bits)
-        self.assertEqual(struct.unpack(">II", data[16:24]), (19, 5))
-        start = data.index(b"IDAT")
-        length = struct.unpack(">I", data[start - 4 : start])[0]
-        lines = np.frombuffer(zlib.decompress(data[start + 4 : start + 4 + length]), dtype=np.uint8).reshape(
-            5, -1
-        )
-        self.assertTrue((np.unpackbits(lines[:, 1:], axis=1)[:, :19] == bits).all())
+        data = re.search('base64,([^"]*)', matrix_picture.picture(bits, "d"))[1]
+        self.assertTrue(((imread(io.BytesIO(base64.b64decode(data)))[:, :, 3] > 0) == bits).all())
 
 
 if __name__ == "__main__":
