@@ -53,7 +53,7 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
                      "delete it, or begin anew without resuming", Setting::resumption);
   const auto first = file.next();
   if (!first) file.fail();
-  const std::string found = without_dashes(*first);
+  const std::string found = without_dashes(std::string(*first));
   for (const auto& [name, value] : identity_)
     if (const std::string theirs = value_of(found, name); theirs != value)
       throw InputError(
