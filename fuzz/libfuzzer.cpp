@@ -5,10 +5,6 @@
 #include <cstring>
 #include <string>
 
-#include <pthread.h>
-#include <sanitizer/common_interface_defs.h>
-#include <unistd.h>
-
 #include "shelfbeam/base/error.hpp"
 
 #include "reader.hpp"
@@ -25,13 +21,6 @@ const shelfbeam::fuzz::Reader& reader() {
   }
   return *found;
 }
-
-// A child process that a reader begins may crash or ask for too much (signal/detail/child_process.hpp): that
-// is no finding. What libFuzzer would write of it goes to a relative path, which the child does not have.
-const int quiet_children = ::pthread_atfork(nullptr, nullptr, [] {
-  __sanitizer_set_death_callback(nullptr);
-  if (::chdir("/") != 0) std::abort();
-});
 
 }  // namespace
 

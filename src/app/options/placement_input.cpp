@@ -45,8 +45,8 @@ SignalTable PlacementInput::table(const Question& question) const {
 
 void add_placement_input(CLI::App& verb, PlacementInput& input) {
   verb.add_option("SIGNAL", input.signals,
-                  "Signal file (HDF5), CSV, NPY, sparse text, or OR-Library scp or rail file; several are "
-                  "scenarios for one placement")
+                  "Signal file (HDF5; not safe to open if a stranger made it), CSV, NPY, sparse text, or "
+                  "OR-Library scp or rail file; several are scenarios for one placement")
       ->required()
       ->check(a_path());
   verb.add_option("--threshold", input.threshold,

@@ -205,7 +205,9 @@ void add_compare(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("compare", "Set measured signals beside the simulated ones and fit one factor");
   auto options = std::make_shared<Options>();
-  verb->add_option("SIGNAL", options->signal, "Signal file (HDF5)")->required()->check(a_path());
+  verb->add_option("SIGNAL", options->signal, "Signal file (HDF5; not safe to open if a stranger made it)")
+      ->required()
+      ->check(a_path());
   verb->add_option("MEASURED", options->measured,
                    "CSV with header label,transceiver,signal or label,signal; a column error may follow")
       ->required()

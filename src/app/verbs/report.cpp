@@ -54,7 +54,10 @@ void add_report(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("report", "Rebuild report.html, labels.csv and placement.csv of a plan");
   auto options = std::make_shared<Options>();
-  verb->add_option("DIR", options->folder, "Folder that 'shelfbeam plan' wrote")->required()->check(a_path());
+  verb->add_option("DIR", options->folder,
+                   "Folder that 'shelfbeam plan' wrote; its HDF5 is not safe to open if a stranger made it")
+      ->required()
+      ->check(a_path());
   add_common_options(*verb, options->common);
   verb->footer("Examples:\n  shelfbeam report plan");
   verb->callback([options, &chosen] { chosen = [options] { return run_report(*options); }; });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,9 @@ std::string_view program_version();
 
 /// 128-bit content hash (XXH3) as 32 hexadecimal digits.
 std::string content_hash(std::string_view content);
+
+/// The same of what the stream has from its place on, of which a megabyte at a time is in memory.
+std::string content_hash(std::istream& content);
 
 /// Well-mixed 64-bit hash of a text: the key of random streams that belong to a named thing.
 std::uint64_t hash64(std::string_view text);

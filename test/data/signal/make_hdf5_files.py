@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the HDF5 files beside it with h5py: what other programs write, and what nobody honest writes."""
+"""Makes the HDF5 files beside it with h5py: what other programs write, and what cannot be read."""
 
 import pathlib
 
@@ -44,11 +44,7 @@ signal_file("foreign.h5").close()
 signal_file("old_format.h5", libver="earliest").close()
 with signal_file("claims_labels.h5") as file:
     replace(file, "labels/id", shape=(10**12,), dtype="S8")
-with signal_file("claims_text_length.h5") as file:
-    replace(file, "labels/id", shape=(2,), dtype="S2000000000")
 with signal_file("claims_entries.h5") as file:
     replace(file, "mean", shape=(2, 3), dtype="f4", chunks=(1, 3))
-with signal_file("claims_chunk.h5") as file:
-    replace(file, "mean", data=np.ones((2, 3)), chunks=(3000, 3000), maxshape=(None, None), compression=9)
 with signal_file("variable_texts.h5") as file:
     replace(file, "labels/id", data=["L1", "L2"], dtype=h5py.string_dtype())

@@ -134,13 +134,9 @@ TEST_F(HostileFiles, MatricesThatClaimMore) {
   const auto place = [&](const std::string& file) {
     return "place " + file + " -o " + (folder / "placement.json").string() + " --threshold 1";
   };
-  const std::string data = SHELFBEAM_SOURCE_DIR "/test/data/signal/";
   expect_refused(place(folder.write("a.npy", npy("(4294967294, 4294967294)"))), "where its shape");
   expect_refused(place(folder.write("a.txt", "4000000000 4000000000 1\n0\n")), "more than a file");
   expect_refused(place(folder.write("b.txt", "4000000000 4000000000\n1 1\n")), "more than a file");
-  for (const char* name :
-       {"claims_chunk.h5", "claims_entries.h5", "claims_labels.h5", "claims_text_length.h5"})
-    expect_refused(place(data + name), name);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "shelfbeam/base/provenance.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -18,6 +19,16 @@ TEST(Provenance, HashesAreXxh3) {
   EXPECT_EQ(content_hash("abc"), "06b05ab6733a618578af5f94892f3950");
   EXPECT_EQ(hash64(""), 0x2d06800538d394c2u);
   EXPECT_EQ(hash64("abc"), 0x78af5f94892f3950u);
+}
+
+TEST(Provenance, HashesOfStreamsAreThoseOfTexts) {
+  for (const std::size_t size : {0, 3, 1 << 20, (5 << 19) + 1}) {
+    std::string text(size, 'x');
+    for (std::size_t k = 0; k < size; k += 7) text[k] = static_cast<char>(k);
+    std::istringstream stream("before" + text);
+    stream.seekg(6);
+    EXPECT_EQ(content_hash(stream), content_hash(text)) << size;
+  }
 }
 
 TEST(Provenance, HashesSeeEveryByte) {

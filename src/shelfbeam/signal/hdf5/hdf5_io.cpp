@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +12,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/signal/hdf5/file_checksum.hpp"
 #include "shelfbeam/signal/text_file.hpp"
 
 namespace shelfbeam::detail {
@@ -62,46 +61,28 @@ class Silence {
   void* data_ = nullptr;
 };
 
-template <class T>
-hid_t memory_type() {
-  if constexpr (std::is_same_v<T, float>) return H5T_NATIVE_FLOAT;
-  if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
-  if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
-  if constexpr (std::is_same_v<T, std::uint32_t>) return H5T_NATIVE_UINT32;
-  if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
+hid_t number_type(Hdf5Type type) {
+  if (type.kind == Hdf5Type::real) return type.size == 4 ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
+  return type.size == 1 ? H5T_NATIVE_UINT8 : type.size == 4 ? H5T_NATIVE_UINT32 : H5T_NATIVE_UINT64;
 }
 
-template <class T>
-hid_t file_type() {
-  if constexpr (std::is_same_v<T, float>) return H5T_IEEE_F32LE;
-  if constexpr (std::is_same_v<T, double>) return H5T_IEEE_F64LE;
-  if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_STD_U8LE;
-  if constexpr (std::is_same_v<T, std::uint32_t>) return H5T_STD_U32LE;
-  if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_STD_U64LE;
-}
-
-bool is_ascii(std::string_view text) {
-  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
-}
-
-// Fixed length, padded with zeros: nothing in the file points anywhere. Octave reads no texts that are marked
-// as UTF-8, so only those are marked that need it.
-Handle text_type(std::size_t length, bool ascii) {
-  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, std::max<std::size_t>(1, length));
-  H5Tset_strpad(type, H5T_STR_NULLPAD);
-  H5Tset_cset(type, ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8);
-  return type;
-}
-
-Handle scalar() {
-  return {H5Screate(H5S_SCALAR), H5Sclose};
+// In memory and in files: numbers are little-endian, as all machines are that this is built for.
+Handle make_type(Hdf5Type type) {
+  const bool is_text = type.kind == Hdf5Type::text;
+  Handle made(H5Tcopy(is_text ? H5T_C_S1 : number_type(type)), H5Tclose);
+  if (is_text) {
+    H5Tset_size(made, type.size);
+    H5Tset_strpad(made, H5T_STR_NULLPAD);
+    H5Tset_cset(made, type.is_ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8);
+  }
+  return made;
 }
 
 }  // namespace
 
 struct Hdf5Writer::File {
   Silence silence;
+  std::filesystem::path path;
   std::string name;
   Handle id;
 
@@ -138,29 +119,21 @@ struct Hdf5Writer::File {
     return {H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose};
   }
 
-  Handle create(const std::string& path, hid_t in_file, const Shape& shape) const {
-    const Handle plan = layout(shape, H5Tget_size(in_file));
-    return {H5Dcreate2(id, path.c_str(), in_file, space_of(shape), H5P_DEFAULT, plan, H5P_DEFAULT), H5Dclose};
-  }
-
-  void write(const std::string& path, hid_t in_memory, hid_t in_file, const Shape& shape,
-             const void* data) const {
-    Handle set = create(path, in_file, shape);
-    check(set && H5Dwrite(set, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0 && set.release(), path);
-  }
-
-  void write_attribute(const std::string& attribute, hid_t in_memory, hid_t in_file, const void* data) const {
-    Handle item(H5Acreate2(id, attribute.c_str(), in_file, scalar(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    check(item && H5Awrite(item, in_memory, data) >= 0 && item.release(), attribute);
+  Handle create(const std::string& set, Hdf5Type type, const Shape& shape) const {
+    return {H5Dcreate2(id, set.c_str(), make_type(type), space_of(shape), H5P_DEFAULT,
+                       layout(shape, type.size), H5P_DEFAULT),
+            H5Dclose};
   }
 };
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const std::string& name)
     : file_(std::make_unique<File>()) {
+  file_->path = path;
   file_->name = name;
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
-  // One version of the format whatever the library's: the same bytes, and checksums on all metadata.
+  H5Pset_userblock(creation, checksum_block);
+  // One version of the format whatever the library's: the same bytes.
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
   // AtomicFile has locked it; where both kinds of locks are one (NFS) the library's would fail.
@@ -178,59 +151,45 @@ void Hdf5Writer::group(const std::string& path) {
   file_->check(bool(group), path);
 }
 
-template <Hdf5Number T>
-void Hdf5Writer::numbers(const std::string& path, std::span<const T> values, const Shape& shape) {
-  file_->write(path, memory_type<T>(), file_type<T>(), shape, values.data());
+void Hdf5Writer::write(const std::string& path, Hdf5Type type, const Shape& shape, const void* data) {
+  Handle set = file_->create(path, type, shape);
+  file_->check(
+      set && H5Dwrite(set, make_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0 && set.release(), path);
 }
 
-template <Hdf5Number T>
-void Hdf5Writer::rows(const std::string& path, const Shape& shape, const FillRow<T>& fill) {
-  Handle set = file_->create(path, file_type<T>(), shape);
+void Hdf5Writer::write_rows(const std::string& path, Hdf5Type type, const Shape& shape,
+                            const std::function<void(std::size_t row, void* values)>& fill) {
+  Handle set = file_->create(path, type, shape);
   file_->check(bool(set), path);
-  const Handle space = File::space_of(shape);
-  const std::size_t columns = shape[1], at_once = File::chunk_of(shape, sizeof(T))[0];
-  std::vector<T> values;
+  const Handle space = File::space_of(shape), in_memory = make_type(type);
+  const std::size_t at_once = File::chunk_of(shape, type.size)[0], length = shape[1] * type.size;
+  std::vector<std::byte> values(at_once * length);
   for (std::size_t first = 0; first < shape[0]; first += at_once) {
     const std::size_t count = std::min(at_once, shape[0] - first);
-    values.resize(count * columns);
-    for (std::size_t k = 0; k < count; ++k) fill(first + k, std::span(values).subspan(k * columns, columns));
-    const hsize_t start[] = {first, 0}, extents[] = {count, columns};
+    for (std::size_t k = 0; k < count; ++k) fill(first + k, values.data() + k * length);
+    const hsize_t start[] = {first, 0}, extents[] = {count, shape[1]};
     const Handle part(H5Screate_simple(2, extents, nullptr), H5Sclose);
     file_->check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, extents, nullptr) >= 0 &&
-                     H5Dwrite(set, memory_type<T>(), part, space, H5P_DEFAULT, values.data()) >= 0,
+                     H5Dwrite(set, in_memory, part, space, H5P_DEFAULT, values.data()) >= 0,
                  path);
   }
   file_->check(set.release(), path);
 }
 
-void Hdf5Writer::texts(const std::string& path, std::span<const std::string> values) {
-  std::size_t length = 1;
-  for (const std::string& value : values) length = std::max(length, value.size());
-  std::vector<char> padded(length * values.size(), '\0');
-  for (std::size_t i = 0; i < values.size(); ++i)
-    std::copy(values[i].begin(), values[i].end(), padded.begin() + static_cast<std::ptrdiff_t>(i * length));
-  const Handle type = text_type(length, std::all_of(values.begin(), values.end(), is_ascii));
-  file_->write(path, type, type, {values.size()}, padded.data());
-}
-
-template <Hdf5Number T>
-void Hdf5Writer::attribute(const std::string& name, T value) {
-  file_->write_attribute(name, memory_type<T>(), file_type<T>(), &value);
-}
-
-void Hdf5Writer::attribute(const std::string& name, const std::string& value) {
-  const Handle type = text_type(value.size(), is_ascii(value));
-  file_->write_attribute(name, type, type, value.c_str());
+void Hdf5Writer::write_attribute(const std::string& name, Hdf5Type type, const void* value) {
+  const Handle id = make_type(type), scalar(H5Screate(H5S_SCALAR), H5Sclose);
+  Handle item(H5Acreate2(file_->id, name.c_str(), id, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  file_->check(item && H5Awrite(item, id, value) >= 0 && item.release(), name);
 }
 
 void Hdf5Writer::close() {
   file_->check(file_->id.release(), "its end");
+  write_file_checksum(file_->path, file_->name);
 }
 
 struct Hdf5Reader::File {
   Silence silence;
   std::string name;
-  std::size_t size = 0;
   Handle id;
 
   [[noreturn]] void fail(const std::string& place, const std::string& problem) const {
@@ -252,35 +211,6 @@ struct Hdf5Reader::File {
     return {extents.begin(), extents.end()};
   }
 
-  // Throws unless the data set has this shape, and the file the bytes for it: a claim alone takes no memory.
-  void check(const std::string& path, hid_t set, hid_t type, const Shape& expected) const {
-    if (const Shape found = shape(path, set); found != expected)
-      fail(path, fmt::format("has the shape ({}) where ({}) is expected", fmt::join(found, ", "),
-                             fmt::join(expected, ", ")));
-    const Handle plan(H5Dget_create_plist(set), H5Pclose);
-    double bytes = static_cast<double>(H5Tget_size(type));
-    for (const std::size_t extent : expected) bytes *= static_cast<double>(extent);
-    const auto stored = static_cast<double>(H5Dget_storage_size(set));
-    constexpr double best_deflate = 1032;  // no stream unpacks to a larger multiple (zlib's manual)
-    const double ratio = H5Pget_nfilters(plan) > 0 ? best_deflate : 1;
-    if (stored > static_cast<double>(size) || bytes > stored * ratio)
-      fail(path, fmt::format("claims {} bytes and holds {}", bytes, stored));
-    if (bytes > static_cast<double>(most_of_the_memory()))
-      fail(path, fmt::format("takes {} bytes, more than the memory holds", bytes));
-    if (H5Pget_layout(plan) == H5D_CHUNKED) {
-      hsize_t extents[2] = {1, 1};
-      H5Pget_chunk(plan, 2, extents);
-      const double chunk = static_cast<double>(extents[0]) * static_cast<double>(extents[1]) *
-                           static_cast<double>(H5Tget_size(type));
-      if (chunk > std::max(bytes, double{1 << 24})) fail(path, "has chunks that are larger than itself");
-    }
-  }
-
-  template <class T>
-  static bool fits(hid_t type) {
-    return H5Tget_class(type) == (std::is_floating_point_v<T> ? H5T_FLOAT : H5T_INTEGER);
-  }
-
   Handle open_attribute(const std::string& attribute) const {
     Handle item(H5Aopen(id, attribute.c_str(), H5P_DEFAULT), H5Aclose);
     if (!item) fail("attribute " + attribute, "is missing or damaged");
@@ -289,29 +219,26 @@ struct Hdf5Reader::File {
     return item;
   }
 
-  static bool is_fixed_text(hid_t type) {
-    return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
-  }
-
-  // The text type with zeros behind the text, however the file marks its end.
-  static Handle padded(hid_t type) {
-    Handle in_memory(H5Tcopy(type), H5Tclose);
-    H5Tset_strpad(in_memory, H5T_STR_NULLPAD);
-    return in_memory;
+  Hdf5Type type_of(const std::string& place, const Handle& type, Hdf5Type::Kind kind) const {
+    constexpr H5T_class_t classes[] = {H5T_FLOAT, H5T_INTEGER, H5T_STRING};  // of real, whole, text
+    if (H5Tget_class(type) != classes[kind] || H5Tis_variable_str(type) > 0)
+      fail(place, kind == Hdf5Type::text ? "holds no texts of fixed length" : "holds data of the wrong type");
+    return {kind, H5Tget_size(type), H5Tget_cset(type) == H5T_CSET_ASCII};
   }
 };
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : file_(std::make_unique<File>()) {
   file_->name = path.string();
-  // Byte 8 is the version of the superblock. The library trusts old metadata blindly where they are damaged.
-  if (const std::string head = read_first_bytes(path, 9); head.size() == 9 && head[8] < 2)
+  if (has_file_checksum(path))
+    verify_file_checksum(path);
+  else if (const std::string head = read_first_bytes(path, 9); head.size() == 9 && head[8] < 2)
+    // Byte 8 is the version of the superblock. Where old metadata are damaged, HDF5 follows them blindly.
     throw InputError(path.string(), "is in the old HDF5 format, whose metadata have no checksums",
                      "write it with libver='latest' (h5py) or convert it with h5repack --low=2");
   file_->id = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file_->id)
     throw InputError(path.string(), "is no HDF5 file, or a truncated or damaged one",
                      "simulate or export it again");
-  file_->size = static_cast<std::size_t>(std::filesystem::file_size(path));
 }
 
 Hdf5Reader::~Hdf5Reader() = default;
@@ -326,74 +253,37 @@ std::size_t Hdf5Reader::length(const std::string& path) const {
   return shape[0];
 }
 
-template <Hdf5Number T>
-std::vector<T> Hdf5Reader::numbers(const std::string& path, const Shape& shape) const {
+Hdf5Type Hdf5Reader::type_of(const std::string& path, Hdf5Type::Kind kind, const Shape& shape) const {
   const Handle set = file_->open(path);
-  const Handle type(H5Dget_type(set), H5Tclose);
-  if (!File::fits<T>(type)) file_->fail(path, "holds data of the wrong type");
-  file_->check(path, set, type, shape);
-  std::size_t count = 1;
-  for (const std::size_t extent : shape) count *= extent;
-  std::vector<T> values(count);
-  if (H5Dread(set, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
-    file_->fail(path, "cannot be read: the file is damaged");
-  return values;
+  const Hdf5Type type = file_->type_of(path, Handle(H5Dget_type(set), H5Tclose), kind);
+  if (const Shape found = file_->shape(path, set); found != shape)
+    file_->fail(path, fmt::format("has the shape ({}) where ({}) is expected", fmt::join(found, ", "),
+                                  fmt::join(shape, ", ")));
+  auto bytes = static_cast<double>(type.size);
+  for (const std::size_t extent : shape) bytes *= static_cast<double>(extent);
+  if (bytes > static_cast<double>(most_of_the_memory()))
+    file_->fail(path, fmt::format("takes {} bytes, more than the memory holds", bytes));
+  if (H5Dget_storage_size(set) == 0) file_->fail(path, "has a shape, but was never written");
+  return type;
 }
 
-std::vector<std::string> Hdf5Reader::texts(const std::string& path, std::size_t count) const {
-  const Handle set = file_->open(path);
-  const Handle type(H5Dget_type(set), H5Tclose);
-  if (!File::is_fixed_text(type)) file_->fail(path, "holds no texts of fixed length");
-  file_->check(path, set, type, {count});
-  const std::size_t length = H5Tget_size(type);
-  std::vector<char> bytes(length * count);
-  if (H5Dread(set, File::padded(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0)
+void Hdf5Reader::read(const std::string& path, Hdf5Type type, void* data) const {
+  if (H5Dread(file_->open(path), make_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
     file_->fail(path, "cannot be read: the file is damaged");
-  std::vector<std::string> values;
-  for (std::size_t i = 0; i < count; ++i) {
-    const char* begin = bytes.data() + i * length;
-    values.emplace_back(begin, strnlen(begin, length));
-  }
-  return values;
 }
 
 bool Hdf5Reader::has_attribute(const std::string& name) const {
   return H5Aexists(file_->id, name.c_str()) > 0;
 }
 
-template <Hdf5Number T>
-T Hdf5Reader::attribute(const std::string& name) const {
-  const Handle item = file_->open_attribute(name);
-  const Handle type(H5Aget_type(item), H5Tclose);
-  T value{};
-  if (!File::fits<T>(type) || H5Aread(item, memory_type<T>(), &value) < 0)
-    file_->fail("attribute " + name, "is of the wrong type");
-  return value;
+Hdf5Type Hdf5Reader::type_of_attribute(const std::string& name, Hdf5Type::Kind kind) const {
+  return file_->type_of("attribute " + name, Handle(H5Aget_type(file_->open_attribute(name)), H5Tclose),
+                        kind);
 }
 
-std::string Hdf5Reader::text_attribute(const std::string& name) const {
-  const Handle item = file_->open_attribute(name);
-  const Handle type(H5Aget_type(item), H5Tclose);
-  if (!File::is_fixed_text(type) || H5Tget_size(type) > file_->size)
-    file_->fail("attribute " + name, "is no text of fixed length");
-  std::string value(H5Tget_size(type), '\0');
-  if (H5Aread(item, File::padded(type), value.data()) < 0)
+void Hdf5Reader::read_attribute(const std::string& name, Hdf5Type type, void* value) const {
+  if (H5Aread(file_->open_attribute(name), make_type(type), value) < 0)
     file_->fail("attribute " + name, "cannot be read: the file is damaged");
-  value.resize(strnlen(value.data(), value.size()));
-  return value;
 }
-
-#define SHELFBEAM_INSTANTIATE(T)                                                              \
-  template void Hdf5Writer::numbers<T>(const std::string&, std::span<const T>, const Shape&); \
-  template void Hdf5Writer::rows<T>(const std::string&, const Shape&, const FillRow<T>&);     \
-  template void Hdf5Writer::attribute<T>(const std::string&, T);                              \
-  template std::vector<T> Hdf5Reader::numbers<T>(const std::string&, const Shape&) const;     \
-  template T Hdf5Reader::attribute<T>(const std::string&) const;
-SHELFBEAM_INSTANTIATE(float)
-SHELFBEAM_INSTANTIATE(double)
-SHELFBEAM_INSTANTIATE(std::uint8_t)
-SHELFBEAM_INSTANTIATE(std::uint32_t)
-SHELFBEAM_INSTANTIATE(std::uint64_t)
-#undef SHELFBEAM_INSTANTIATE
 
 }  // namespace shelfbeam::detail

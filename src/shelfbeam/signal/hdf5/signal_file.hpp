@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "shelfbeam/signal/signal_matrix.hpp"
@@ -9,10 +10,13 @@ namespace shelfbeam {
 
 class AtomicFile;
 
-/// Writes the signal file (HDF5, docs/formats/signal.md) through a temporary file and a rename. The content
-/// depends on the matrix alone: no time stamps. Throws InputError when it cannot be written, and
-/// std::invalid_argument for a matrix that is empty or whose arrays are not all of m n entries; flags may be
-/// missing.
+/// Written, and the only one that is read.
+inline constexpr std::uint32_t signal_format_version = 1;
+
+/// Writes the signal file (HDF5 behind a checksum, docs/formats/signal.md) through a temporary file and a
+/// rename. The content depends on the matrix alone: no time stamps. Throws InputError when it cannot be
+/// written, and std::invalid_argument for a matrix that is empty or whose arrays are not all of m n entries;
+/// flags may be missing.
 void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path);
 
 /// The same without the rename: the caller commits.
@@ -21,13 +25,14 @@ void write_signal_file(const SignalMatrix& matrix, AtomicFile& target);
 /// The same with the entries from elsewhere, a few rows at a time; those of `head` are not used.
 void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const std::filesystem::path& path);
 
-/// Throws InputError for a file that is not HDF5 (or in its old format without checksums), is truncated, is
-/// of an unknown format version, lacks a data set or has one of another shape, or holds NaN, infinite or
+/// Throws InputError for a file that is not HDF5 (or in its old format without checksums), is damaged, is of
+/// an unknown format version, lacks a data set or has one of another shape, or holds NaN, infinite or
 /// negative signals, errors, requirements or costs, or flags other than 0 and 1. A mean may be negative by
-/// less than ten standard errors.
+/// less than ten standard errors. Damage to a file with a checksum is always found; a file without one should
+/// not come from a stranger, as the HDF5 library is not safe against what may be in it.
 SignalMatrix read_signal_file(const std::filesystem::path& path);
 
-/// True when the file begins with the HDF5 signature.
+/// True when the file begins as a signal file, or with the HDF5 signature.
 bool is_hdf5(const std::filesystem::path& path);
 
 }  // namespace shelfbeam
