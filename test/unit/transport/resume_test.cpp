@@ -168,10 +168,10 @@ TEST_F(Resume, RefusesAnotherSimulationAndSaysWhatDiffers) {
   refused(other, "estimator is");
   other = options;
   other.samples = 64;
-  refused(other, "stopping rule is '640 samples', here it is '64 samples'");
+  refused(other, "stopping rule is 'samples 640', here it is 'samples 64'");
   other = options;
   other.relative_error = RelativeError{0.25, 0.3};
-  refused(other, "stopping rule is '640 samples', here it is 'relative error 0.25 above 0.3");
+  refused(other, "stopping rule is 'samples 640', here it is 'relative-error 0.25 above 0.3");
   EXPECT_TRUE(std::filesystem::exists(options.checkpoint.path));
   options.checkpoint.resume = true;
   EXPECT_TRUE(simulate(scene, options).summary.complete);
