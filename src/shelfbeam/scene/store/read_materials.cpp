@@ -10,7 +10,7 @@
 
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/material/reflectances_940nm.hpp"
-#include "shelfbeam/scene/store/read_values.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
