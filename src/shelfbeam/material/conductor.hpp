@@ -22,6 +22,7 @@ struct Conductor {
   double albedo(const Vec3& known) const;
   double specular_reflectance(const Vec3& known) const;
   bool has_only_specular() const { return !facets; }
+  bool is_opaque() const { return true; }
 };
 
 /// Throws std::invalid_argument unless eta and k are from 0 to 100 and not both 0. An ideal mirror is eta =

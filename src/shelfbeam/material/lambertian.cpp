@@ -19,6 +19,10 @@ std::optional<ScatterSample> Lambertian::sample(const Vec3&, double, double u1, 
   return ScatterSample{direction, reflectance, pdf_cosine_hemisphere(direction)};
 }
 
+Lambertian Lambertian::with_reflectance(double other) const {
+  return make_lambertian(other);
+}
+
 Lambertian make_lambertian(double reflectance) {
   detail::require_range("reflectance", reflectance, 0, 1);
   return {reflectance};

@@ -66,6 +66,10 @@ double Plastic::coat_probability(const Vec3& known) const {
   return e > 0 ? e / (e + base) : 0;
 }
 
+Plastic Plastic::with_reflectance(double other) const {
+  return make_plastic(ior, other, facets);
+}
+
 Plastic make_plastic(double ior, double reflectance, const std::optional<Microfacets>& facets) {
   detail::require_range("ior", ior, 1, detail::largest_ior);
   detail::require_range("reflectance", reflectance, 0, 1);

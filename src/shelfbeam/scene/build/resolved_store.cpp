@@ -2,6 +2,7 @@
 
 #include "shelfbeam/scene/build/resolved_types.hpp"
 #include "shelfbeam/scene/fixture/fixture_writer.hpp"
+#include "shelfbeam/scene/store/material_json.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 namespace shelfbeam {

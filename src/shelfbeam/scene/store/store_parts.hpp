@@ -10,7 +10,6 @@ namespace shelfbeam {
 
 // The sections of a store file; each reads one and throws InputError with its JSON path.
 
-void read_materials(const JsonCursor& section, Store& store);
 void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store);
 /// The `emission` of a transceiver type, and the photometric file it names; its power is positive. Throws at
 /// the JSON path, or in the photometric file at the line.
