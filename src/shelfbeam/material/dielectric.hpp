@@ -3,8 +3,8 @@
 #include <optional>
 #include <string_view>
 
-#include "shelfbeam/material/microfacets.hpp"
-#include "shelfbeam/material/scatter_sample.hpp"
+#include "shelfbeam/material/optics/microfacets.hpp"
+#include "shelfbeam/material/optics/scatter_sample.hpp"
 
 namespace shelfbeam {
 

@@ -2,11 +2,11 @@
 
 #include <stdexcept>
 
-#include "shelfbeam/material/coat_albedo.hpp"
-#include "shelfbeam/material/directions.hpp"
-#include "shelfbeam/material/facet_reflection.hpp"
-#include "shelfbeam/material/fresnel.hpp"
-#include "shelfbeam/material/require.hpp"
+#include "shelfbeam/material/optics/coat_albedo.hpp"
+#include "shelfbeam/material/optics/directions.hpp"
+#include "shelfbeam/material/optics/facet_reflection.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
+#include "shelfbeam/material/optics/require.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "shelfbeam/material/scatter_sample.hpp"
+#include "shelfbeam/material/optics/scatter_sample.hpp"
 
 namespace shelfbeam {
 
