@@ -1,7 +1,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "shelfbeam/scene/store/store_parts.hpp"
+#include "shelfbeam/scene/mesh/mesh_import.hpp"
 
 #include "reader.hpp"
 #include "scratch_folder.hpp"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/random.hpp"
 

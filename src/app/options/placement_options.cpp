@@ -1,5 +1,6 @@
 #include "app/options/placement_options.hpp"
 
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,10 +13,21 @@
 
 namespace shelfbeam::app {
 
+namespace {
+
+std::string objective_help() {
+  std::string help = "What to minimise beside the number of transceivers.";
+  for (const ObjectiveWords& words : objective_words)
+    help += fmt::format(" {}: {}{}", words.name, words.help, &words == &objective_words.back() ? "" : ";");
+  return help;
+}
+
+}  // namespace
+
 void add_question_options(CLI::App& verb, Question& question) {
   add_choice(verb, "--model", question.model,
              "cooperative: signals add up; non-cooperative: one unit must do");
-  add_choice(verb, "--objective", question.objective, "What to minimise beside the number of transceivers");
+  add_choice(verb, "--objective", question.objective, objective_help());
   auto* weighted = verb.add_flag_callback(
       "--weighted", [&question] { question.combination = Combination::weighted; },
       "Minimise the cost of units plus the objective");

@@ -23,10 +23,8 @@ std::vector<MaterialSummary> materials(const Scene& scene) {
   std::vector<MaterialSummary> result;
   for (const NamedMaterial& named : scene.materials) {
     const Material& material = named.material;
-    const bool is_transparent =
-        std::holds_alternative<ThinDielectric>(material) || std::holds_alternative<Dielectric>(material);
     result.push_back({named.name, type_name(material), shares_at_normal(material),
-                      hemispherical_shares(material), is_transparent});
+                      hemispherical_shares(material), !is_opaque(material)});
   }
   const TriangleMesh& mesh = scene.mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "shelfbeam/material/directions.hpp"
-#include "shelfbeam/material/facet_reflection.hpp"
-#include "shelfbeam/material/fresnel.hpp"
-#include "shelfbeam/material/require.hpp"
+#include "shelfbeam/material/optics/directions.hpp"
+#include "shelfbeam/material/optics/facet_reflection.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
+#include "shelfbeam/material/optics/require.hpp"
 
 namespace shelfbeam {
 

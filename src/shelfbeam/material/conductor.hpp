@@ -3,8 +3,8 @@
 #include <optional>
 #include <string_view>
 
-#include "shelfbeam/material/microfacets.hpp"
-#include "shelfbeam/material/scatter_sample.hpp"
+#include "shelfbeam/material/optics/microfacets.hpp"
+#include "shelfbeam/material/optics/scatter_sample.hpp"
 
 namespace shelfbeam {
 
@@ -22,6 +22,7 @@ struct Conductor {
   double albedo(const Vec3& known) const;
   double specular_reflectance(const Vec3& known) const;
   bool has_only_specular() const { return !facets; }
+  bool is_opaque() const { return true; }
 };
 
 /// Throws std::invalid_argument unless eta and k are from 0 to 100 and not both 0. An ideal mirror is eta =

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string_view>
 
-#include "shelfbeam/material/microfacets.hpp"
-#include "shelfbeam/material/scatter_sample.hpp"
+#include "shelfbeam/material/optics/microfacets.hpp"
+#include "shelfbeam/material/optics/scatter_sample.hpp"
 
 namespace shelfbeam {
 
@@ -23,6 +23,8 @@ struct Dielectric {
   double albedo(const Vec3& known) const;  ///< reflected and refracted share
   double specular_reflectance(const Vec3& known) const;
   bool has_only_specular() const { return !facets; }
+  bool is_opaque() const { return false; }
+  Dielectric from_below() const { return {1 / ior, facets}; }
 };
 
 /// Throws std::invalid_argument unless the index is from 1 to 4, from 1.01 for a rough surface (without a

@@ -1,6 +1,6 @@
 #include "shelfbeam/material/lambertian.hpp"
 
-#include "shelfbeam/material/require.hpp"
+#include "shelfbeam/material/optics/require.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
@@ -17,6 +17,10 @@ std::optional<ScatterSample> Lambertian::sample(const Vec3&, double, double u1, 
   if (reflectance <= 0) return std::nullopt;
   const Vec3 direction = sample_cosine_hemisphere(u1, u2);
   return ScatterSample{direction, reflectance, pdf_cosine_hemisphere(direction)};
+}
+
+Lambertian Lambertian::with_reflectance(double other) const {
+  return make_lambertian(other);
 }
 
 Lambertian make_lambertian(double reflectance) {

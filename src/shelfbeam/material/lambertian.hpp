@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "shelfbeam/material/scatter_sample.hpp"
+#include "shelfbeam/material/optics/scatter_sample.hpp"
 
 namespace shelfbeam {
 
@@ -19,6 +19,8 @@ struct Lambertian {
   double albedo(const Vec3&) const { return reflectance; }
   double specular_reflectance(const Vec3&) const { return 0; }
   bool has_only_specular() const { return false; }
+  bool is_opaque() const { return true; }
+  Lambertian with_reflectance(double other) const;
 };
 
 /// Throws std::invalid_argument unless the reflectance is in [0, 1].

@@ -7,11 +7,11 @@ namespace shelfbeam {
 namespace {
 
 template <class Model>
-const Model& from_below(const Model& model) {
-  return model;
-}
-Dielectric from_below(const Dielectric& model) {
-  return {1 / model.ior, model.facets};
+decltype(auto) from_below(const Model& model) {
+  if constexpr (requires { model.from_below(); })
+    return model.from_below();
+  else
+    return (model);
 }
 
 // Turns the surface over where the known direction lies below it, so that the models need not.
@@ -70,17 +70,28 @@ bool has_only_specular(const Material& material) {
   return std::visit([](const auto& m) { return m.has_only_specular(); }, material);
 }
 
+bool is_opaque(const Material& material) {
+  return std::visit([](const auto& m) { return m.is_opaque(); }, material);
+}
+
 std::optional<double> given_reflectance(const Material& material) {
-  if (const auto* diffuse = std::get_if<Lambertian>(&material)) return diffuse->reflectance;
-  if (const auto* coated = std::get_if<Plastic>(&material)) return coated->reflectance;
-  return std::nullopt;
+  const auto given = [](const auto& m) -> std::optional<double> {
+    if constexpr (requires { m.reflectance; })
+      return m.reflectance;
+    else
+      return std::nullopt;
+  };
+  return std::visit(given, material);
 }
 
 Material with_reflectance(const Material& material, double reflectance) {
-  if (std::holds_alternative<Lambertian>(material)) return make_lambertian(reflectance);
-  if (const auto* coated = std::get_if<Plastic>(&material))
-    return make_plastic(coated->ior, reflectance, coated->facets);
-  throw std::invalid_argument("a material without a reflectance of its own was to get one");
+  const auto changed = [&](const auto& m) -> Material {
+    if constexpr (requires { m.with_reflectance(reflectance); })
+      return m.with_reflectance(reflectance);
+    else
+      throw std::invalid_argument("a material without a reflectance of its own was to get one");
+  };
+  return std::visit(changed, material);
 }
 
 std::string_view type_name(const Material& material) {

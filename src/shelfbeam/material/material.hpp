@@ -13,7 +13,9 @@
 namespace shelfbeam {
 
 /// The closed set of surface models. To add one, write a struct with the members of `Lambertian` and name it
-/// here; its directions have known.z > 0, the functions below take care of the other side.
+/// here; its directions have known.z > 0, the functions below take care of the other side, by `from_below`
+/// where a model has it and it differs. `reflectance` and `with_reflectance` go together; a model without
+/// them has no reflectance of its own.
 using Material = std::variant<Lambertian, Conductor, Plastic, Dielectric, ThinDielectric>;
 
 // Directions are unit, point away from the surface and are in its local frame: +z is the triangle's geometric
@@ -44,6 +46,8 @@ double albedo(const Material& material, const Vec3& known);
 double specular_reflectance(const Material& material, const Vec3& known);
 /// Whether `eval` is always 0: no connection to such a surface carries anything.
 bool has_only_specular(const Material& material);
+/// Whether no light gets to the other side.
+bool is_opaque(const Material& material);
 
 /// The reflectance that a store file gives: of a diffuse surface, or of the base under a coat. Nothing for
 /// the others, whose reflectance follows from their indices.

@@ -2,11 +2,11 @@
 
 #include <stdexcept>
 
-#include "shelfbeam/material/coat_albedo.hpp"
-#include "shelfbeam/material/directions.hpp"
-#include "shelfbeam/material/facet_reflection.hpp"
-#include "shelfbeam/material/fresnel.hpp"
-#include "shelfbeam/material/require.hpp"
+#include "shelfbeam/material/optics/coat_albedo.hpp"
+#include "shelfbeam/material/optics/directions.hpp"
+#include "shelfbeam/material/optics/facet_reflection.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
+#include "shelfbeam/material/optics/require.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
@@ -64,6 +64,10 @@ double Plastic::specular_reflectance(const Vec3& known) const {
 double Plastic::coat_probability(const Vec3& known) const {
   const double e = coat->at(known.z), base = (1 - e) * base_albedo;
   return e > 0 ? e / (e + base) : 0;
+}
+
+Plastic Plastic::with_reflectance(double other) const {
+  return make_plastic(ior, other, facets);
 }
 
 Plastic make_plastic(double ior, double reflectance, const std::optional<Microfacets>& facets) {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string_view>
 
-#include "shelfbeam/material/microfacets.hpp"
-#include "shelfbeam/material/scatter_sample.hpp"
+#include "shelfbeam/material/optics/microfacets.hpp"
+#include "shelfbeam/material/optics/scatter_sample.hpp"
 
 namespace shelfbeam {
 
@@ -36,6 +36,8 @@ struct Plastic {
   double albedo(const Vec3& known) const;
   double specular_reflectance(const Vec3& known) const;
   bool has_only_specular() const { return false; }
+  bool is_opaque() const { return true; }
+  Plastic with_reflectance(double other) const;
 
   /// The base by itself is transmission(known.z) base_scale / pi transmission(sampled.z): the share 1 - E of
   /// light that passes the coat.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/material/directions.hpp"
-#include "shelfbeam/material/fresnel.hpp"
-#include "shelfbeam/material/require.hpp"
+#include "shelfbeam/material/optics/directions.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
+#include "shelfbeam/material/optics/require.hpp"
 
 namespace shelfbeam {
 

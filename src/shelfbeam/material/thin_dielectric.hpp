@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "shelfbeam/material/scatter_sample.hpp"
+#include "shelfbeam/material/optics/scatter_sample.hpp"
 
 namespace shelfbeam {
 
@@ -22,6 +22,7 @@ struct ThinDielectric {
   double albedo(const Vec3& known) const;  ///< reflected and transmitted share
   double specular_reflectance(const Vec3& known) const;
   bool has_only_specular() const { return true; }
+  bool is_opaque() const { return false; }
 };
 
 /// Throws std::invalid_argument unless the index is from 1 to 4, the thickness from 0 to 1 m and the

@@ -13,6 +13,8 @@
 
 namespace shelfbeam {
 
+using Vec2 = std::array<double, 2>;  ///< in plan, m
+
 struct Label {
   std::string id;
   Vec3 position;  ///< m
@@ -59,16 +61,16 @@ struct Part {
   PartKind kind = PartKind::solid;
   std::uint32_t fixture = 0;  ///< index into Scene::fixtures
   MaterialId material;
-  std::vector<std::array<double, 2>> footprint;          ///< counter-clockwise polygon in plan, m
+  std::vector<Vec2> footprint;                           ///< counter-clockwise polygon in plan, m
   double bottom = 0, top = 0;                            ///< m
   std::uint32_t first_triangle = 0, triangle_count = 0;  ///< in Scene::mesh, of a mesh; of others no matter
 };
 
 struct FixtureOutline {
   std::string id;
-  std::string type;                              ///< "gondola", "freezer", "box", "mesh"
-  std::vector<std::array<double, 2>> footprint;  ///< counter-clockwise polygon in plan, m
-  double height = 0;                             ///< m
+  std::string type;             ///< as in the store file: "gondola"
+  std::vector<Vec2> footprint;  ///< counter-clockwise polygon in plan, m
+  double height = 0;            ///< m
   double rotation_deg = 0;
 };
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/material/fresnel.hpp"
 #include "shelfbeam/material/material.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/stats/moments.hpp"
 

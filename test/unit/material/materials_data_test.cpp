@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/material/reflectances_940nm.hpp"
 #include "shelfbeam/math/warp.hpp"
 

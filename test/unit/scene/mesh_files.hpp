@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "support/temp_folder.hpp"
 #include "unit/scene/sample_store.hpp"
 
 namespace shelfbeam::test {
@@ -83,8 +84,16 @@ inline Json mesh_store(const std::string& file, const Json& materials = {{"*", "
   return store;
 }
 
+/// The scene of mesh_store, its mesh with this content.
+inline Scene read_mesh(const std::string& name, const std::string& content,
+                       const Json& materials = {{"*", "white"}}) {
+  const TempFolder folder;
+  folder.write(name, content);
+  return scene_of(mesh_store(name, materials), folder.path());
+}
+
 /// Of all triangles, m^2.
-inline double area(const Scene& scene) {
+inline double mesh_area(const Scene& scene) {
   double sum = 0;
   for (const auto& [a, b, c] : scene.mesh.triangles) {
     const auto& p = scene.mesh.vertices;

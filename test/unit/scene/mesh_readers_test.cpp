@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
 #include "unit/scene/mesh_files.hpp"
 
 // Areas of small whole numbers and halves, which doubles hold exactly.
@@ -13,25 +12,19 @@
 namespace shelfbeam {
 namespace {
 
-using test::area;
 using test::expect_input_error;
 using test::Json;
-using test::TempFolder;
-
-Scene read(const std::string& name, const std::string& content, const Json& materials = {{"*", "white"}}) {
-  const TempFolder folder;
-  folder.write(name, content);
-  return test::scene_of(test::mesh_store(name, materials), folder.path());
-}
+using test::mesh_area;
+using test::read_mesh;
 
 // An arrow: a fan from its first corner would cover 4 and not 2.
 const std::string arrow = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\n";
 
 TEST(MeshReaders, FacesWithADentAreCutAtTheDent) {
   for (const std::string corners : {"1 2 3 4", "2 3 4 1", "3 4 1 2", "4 1 2 3", "4 3 2 1"}) {
-    const Scene scene = read("a.obj", fmt::format("{}f {}\n", arrow, corners));
+    const Scene scene = read_mesh("a.obj", fmt::format("{}f {}\n", arrow, corners));
     EXPECT_EQ(scene.mesh.triangles.size(), 2u) << corners;
-    EXPECT_DOUBLE_EQ(area(scene), 1) << corners;
+    EXPECT_DOUBLE_EQ(mesh_area(scene), 1) << corners;
   }
 }
 
@@ -46,30 +39,35 @@ std::string star(int points) {
 }
 
 TEST(MeshReaders, StarsAreCutAndLargeOnesRefused) {
-  const Scene scene = read("a.obj", star(60));
+  const Scene scene = read_mesh("a.obj", star(60));
   EXPECT_EQ(scene.mesh.triangles.size(), 118u);
-  EXPECT_NEAR(area(scene), 120 * 0.5 * 2 * std::sin(std::acos(-1.0) / 60), 1e-12);
-  expect_input_error([] { read("a.obj", star(10'000)); }, "a face with a dent has 20000 corners");
+  EXPECT_NEAR(mesh_area(scene), 120 * 0.5 * 2 * std::sin(std::acos(-1.0) / 60), 1e-12);
+  expect_input_error([] { read_mesh("a.obj", star(10'000)); }, "a face with a dent has 20000 corners");
 }
 
 TEST(MeshReaders, ObjLinesGoOnBehindABackslash) {
-  EXPECT_DOUBLE_EQ(area(read("a.obj", "v 0 0 \\\n0\nv 2 0 0\nv 0 1 0\nf 1/1/1 2//2 \\\n-1\n")), 1);
-  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n"); },
+  EXPECT_DOUBLE_EQ(mesh_area(read_mesh("a.obj", "v 0 0 \\\n0\nv 2 0 0\nv 0 1 0\nf 1/1/1 2//2 \\\n-1\n")), 1);
+  expect_input_error([] { read_mesh("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n"); },
                      "fewer than three corners");
-  expect_input_error([] { read("a.obj", "\\\n"); }, "fixtures[0].file: ");
+  expect_input_error([] { read_mesh("a.obj", "\\\n"); }, "fixtures[0].file: ");
 }
 
 TEST(MeshReaders, ObjFacesNameVerticesThatAreThere) {
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (const char* wrong : {"0", "4", "-4", "99999999999999999999", "x", "1.5", "/1"})
-    expect_input_error([&] { read("a.obj", corners + "f 1 2 " + wrong + "\n"); }, "line 4 of '", "vertex");
+    expect_input_error([&] { read_mesh("a.obj", corners + "f 1 2 " + wrong + "\n"); }, "line 4 of '",
+                       "vertex");
 }
 
 // A name of a material counts without the library of colours that OBJ keeps beside the file.
 TEST(MeshReaders, ObjMaterialsNeedNoLibrary) {
   const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red  brick\nf 1 2 3\n";
-  EXPECT_NO_THROW(read("a.obj", text, {{"red  brick", "white"}}));
-  expect_input_error([&] { read("a.obj", text, {{"blue", "white"}}); }, "a.obj': red  brick; add an entry");
+  EXPECT_NO_THROW(read_mesh("a.obj", text, {{"red  brick", "white"}}));
+  expect_input_error(
+      [&] {
+        read_mesh("a.obj", text, {{"blue", "white"}});
+      },
+      "a.obj': red  brick; add an entry");
 }
 
 // Found by fuzzing: the library that read these files before ended the program.
@@ -78,10 +76,11 @@ TEST(MeshReaders, PlyVerticesHaveThreeCoordinates) {
   for (const std::string name : {"x", "y", "z"}) {
     std::string text = good;
     text.replace(text.find("float " + name), 7, "float w");
-    expect_input_error([&] { read("a.ply", text); }, "a.ply' has vertices without x, y and z");
+    expect_input_error([&] { read_mesh("a.ply", text); }, "a.ply' has vertices without x, y and z");
   }
-  expect_input_error([] { read("a.ply", "ply\nformat ascii 1.0\nelement nothing 4294967295\nend_header\n"); },
-                     "has an element without properties");
+  expect_input_error(
+      [] { read_mesh("a.ply", "ply\nformat ascii 1.0\nelement nothing 4294967295\nend_header\n"); },
+      "has an element without properties");
 }
 
 // A square of 1 m in the modes of glTF.
@@ -103,11 +102,11 @@ TEST(MeshReaders, GltfListsStripsAndFans) {
   const Json list = square(4, "AABAgIBAw==", 6), strip = square(5, "AABAgMAAA==", 4),
              fan = square(6, "AABAwIAAA==", 4), points = square(0, "AABAgMAAA==", 4);
   for (const Json& file : {list, strip, fan}) {
-    const Scene scene = read("a.gltf", file.dump());
+    const Scene scene = read_mesh("a.gltf", file.dump());
     EXPECT_EQ(scene.mesh.triangles.size(), 2u);
-    EXPECT_DOUBLE_EQ(area(scene), 1);
+    EXPECT_DOUBLE_EQ(mesh_area(scene), 1);
   }
-  expect_input_error([&] { read("a.gltf", points.dump()); }, "has no triangles");
+  expect_input_error([&] { read_mesh("a.gltf", points.dump()); }, "has no triangles");
 }
 
 TEST(MeshReaders, GltfIsNotTrusted) {
@@ -115,7 +114,7 @@ TEST(MeshReaders, GltfIsNotTrusted) {
   const auto refused = [&](const char* place, const Json& wrong, const char* message) {
     Json file = good;
     file[Json::json_pointer(place)] = wrong;
-    expect_input_error([&] { read("a.gltf", file.dump()); }, "store.json: fixtures[0].file: ", message);
+    expect_input_error([&] { read_mesh("a.gltf", file.dump()); }, "store.json: fixtures[0].file: ", message);
   };
   refused("/accessors/0/count", 5, "reaches beyond its view");
   refused("/accessors/0/count", 4e15, "outside");
@@ -138,7 +137,7 @@ TEST(MeshReaders, GltfIsNotTrusted) {
   refused("/extensionsRequired", {"KHR_draco_mesh_compression"}, "needs 'KHR_draco_mesh_compression'");
   Json beyond = good;
   beyond["accessors"][0]["count"] = 3;
-  expect_input_error([&] { read("a.gltf", beyond.dump()); }, "names the vertex 3 of 3, counted from 0");
+  expect_input_error([&] { read_mesh("a.gltf", beyond.dump()); }, "names the vertex 3 of 3, counted from 0");
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <string>
 #include <vector>
@@ -87,45 +85,18 @@ TEST(Mesh, IsPutInPlace) {
   expect_near(upright.mesh.vertices[upright.mesh.triangles[1][2]], {13, 20, 1});
 }
 
-std::string base64(const std::string& bytes) {
-  static const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 // A glTF file with the triangle (0, 0, 0), (1, 0, 0), (0, 2, 0), its buffer within, and the given nodes.
 Json gltf(const Json& nodes) {
-  const std::array<float, 9> positions{0, 0, 0, 1, 0, 0, 0, 2, 0};
-  const std::array<std::uint16_t, 3> indices{0, 1, 2};
-  std::string bytes(sizeof positions + sizeof indices, '\0');
-  std::memcpy(bytes.data(), positions.data(), sizeof positions);
-  std::memcpy(bytes.data() + sizeof positions, indices.data(), sizeof indices);
-  return {
-      {"asset", {{"version", "2.0"}}},
-      {"scene", 0},
-      {"scenes", {{{"nodes", {0}}}}},
-      {"nodes", nodes},
-      {"materials", {{{"name", "Sheet"}}}},
-      {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"material", 0}}}}}}},
-      {"accessors",
-       {{{"bufferView", 0},
-         {"componentType", 5126},
-         {"count", 3},
-         {"type", "VEC3"},
-         {"min", {0, 0, 0}},
-         {"max", {1, 2, 0}}},
-        {{"bufferView", 1}, {"componentType", 5123}, {"count", 3}, {"type", "SCALAR"}}}},
-      {"bufferViews",
-       {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 36}},
-        {{"buffer", 0}, {"byteOffset", 36}, {"byteLength", 6}}}},
-      {"buffers", {{{"byteLength", 42}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}}}};
+  Json file = Json::parse(R"({ "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }],
+    "materials": [{ "name": "Sheet" }],
+    "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 }, "indices": 1, "material": 0 }] }],
+    "accessors": [{ "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0],
+                    "max": [1, 2, 0] },
+                  { "bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR" }],
+    "bufferViews": [{ "buffer": 0, "byteLength": 36 }, { "buffer": 0, "byteOffset": 36, "byteLength": 6 }],
+    "buffers": [{ "byteLength": 42, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAAAAABAAIA" }] })");
+  file["nodes"] = nodes;
+  return file;
 }
 
 std::vector<Vec3> corners(const Json& file) {

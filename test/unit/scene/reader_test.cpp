@@ -8,6 +8,7 @@
 
 #include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
+#include "unit/scene/same_scene.hpp"
 #include "unit/scene/sample_store.hpp"
 
 namespace shelfbeam {
@@ -43,76 +44,37 @@ TEST(StoreReader, ReadsMaterialsInTheirOrder) {
   EXPECT_EQ(std::get<Lambertian>(store.materials[1].material).reflectance, 0.5);
 }
 
-TEST(StoreReader, ReadsLabelTypes) {
+// The resolved store says what was read of that which needs no looking up; what is left out has its default.
+TEST(StoreReader, ReadsTypesAndFixtures) {
+  using Plain = nlohmann::json;  // the order of keys is no matter
   const Store store = sample();
-  ASSERT_EQ(store.label_types.size(), 4u);
-  const LabelType& small = store.label_types[0];
-  EXPECT_EQ(small.name, "small");
-  EXPECT_EQ(small.threshold, 0.02);
-  EXPECT_EQ(small.safety_factor, 1.5);
-  EXPECT_EQ(small.requirement(), 1.5 * 0.02);
-  EXPECT_EQ(small.link_cost, 0.25);
-  EXPECT_EQ(small.signal_cost, 3);
-  const LabelType& large = store.label_types[1];
-  EXPECT_EQ(large.safety_factor, 1);
-  EXPECT_EQ(large.link_cost, 0);
-  EXPECT_EQ(large.signal_cost, 0);
-}
-
-TEST(StoreReader, ReadsTransceiverTypes) {
-  const Store store = sample();
-  ASSERT_EQ(store.transceiver_types.size(), 6u);
-  EXPECT_EQ(std::get<SinTwoTheta>(store.transceiver_types[0].emission).peak, 2);
-  EXPECT_EQ(store.transceiver_types[0].cost, 4);
-  EXPECT_EQ(std::get<IsotropicHemisphere>(store.transceiver_types[1].emission).intensity, 0.5);
-  EXPECT_EQ(store.transceiver_types[1].cost, 1);
-  const auto spot = std::get<GeneralizedLambertian>(store.transceiver_types[2].emission);
-  EXPECT_EQ(spot.order, 20);
-  EXPECT_EQ(spot.flux, 3);
-  EXPECT_EQ(std::get<GeneralizedLambertian>(store.transceiver_types[3].emission).order, 1);
-  const double degree = std::acos(-1.0) / 180;
-  const DirectionTable ring = std::get<EmissionTable>(store.transceiver_types[4].emission).intensity;
-  EXPECT_EQ(ring.phi(), std::vector<double>{0});
-  ASSERT_EQ(ring.theta().size(), 3u);
-  EXPECT_NEAR(ring.theta()[1], 30 * degree, 1e-15);
-  EXPECT_EQ(ring.values(), (std::vector<double>{0, 1, 0}));
-  const DirectionTable fan = std::get<EmissionTable>(store.transceiver_types[5].emission).intensity;
-  ASSERT_EQ(fan.phi().size(), 4u) << "the first plane is repeated at 360 degrees";
-  EXPECT_NEAR(fan.phi()[3], 360 * degree, 1e-15);
-  EXPECT_EQ(fan.values(), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 2, 3}));
-}
-
-TEST(StoreReader, ReadsFixtures) {
-  const Store store = sample();
-  ASSERT_EQ(store.fixtures.size(), 4u);
+  const Plain read = Plain::parse(resolved_store_json(store, make_scene(store)));
+  Plain given = Plain::parse(sample_store().dump());
+  for (Plain& fixture : given["fixtures"]) fixture.erase("labels");
+  EXPECT_EQ(read["fixtures"], given["fixtures"]);
+  for (Plain& type : given["transceiver_types"]) {
+    Plain whole{{"radius", 0}, {"cost", 1}};
+    whole.update(type);
+    type = whole;
+  }
+  given["transceiver_types"]["disc"]["emission"]["order"] = 1;
+  Plain& fan = given["transceiver_types"]["fan"]["emission"];
+  fan["phi_deg"].push_back(360);
+  fan["intensity"].push_back(fan["intensity"][0]);
+  EXPECT_EQ(read["transceiver_types"], given["transceiver_types"]);
+  EXPECT_EQ(read["label_types"]["small"], given["label_types"]["small"]);
+  EXPECT_EQ(store.label_types[0].requirement(), 1.5 * 0.02);
+  EXPECT_EQ(read["label_types"]["large"],
+            Plain::parse(R"({ "responsivity": { "type": "cosine" }, "size": [0, 0], "threshold": 0.01,
+                              "safety_factor": 1, "link_cost": 0, "signal_cost": 0 })"));
   EXPECT_EQ(store.fixtures[2].where, "store.json: fixtures[2]");
-  const auto& gondola = std::get<Gondola>(store.fixtures[0].value);
-  EXPECT_EQ(gondola.id, "A");
-  EXPECT_EQ(gondola.at, (Vec2{2, 1}));
-  EXPECT_EQ(gondola.rotation_deg, 15);
-  EXPECT_EQ(gondola.length, 3);
-  EXPECT_EQ(gondola.depth, 0.9);
-  EXPECT_EQ(gondola.height, 1.8);
-  EXPECT_EQ(store.materials[gondola.material.value].name, "steel");
-  EXPECT_EQ(store.materials[gondola.goods.value].name, "tile");
-  EXPECT_EQ(gondola.shelves, (std::vector<double>{0.4, 1, 1.5}));
-  EXPECT_EQ(gondola.stocking, 0.6);
-  EXPECT_EQ(gondola.faces, (std::vector{Face::front, Face::back}));
-  ASSERT_TRUE(gondola.labels);
-  EXPECT_EQ(gondola.labels->faces, std::vector{Face::back});
-  EXPECT_EQ(gondola.labels->spacing, 0.5);
-  EXPECT_EQ(gondola.labels->tilt_deg, 10);
-  EXPECT_EQ(store.label_types[gondola.labels->type.value].name, "small");
+  const FixtureLabels& labels = std::get<Gondola>(store.fixtures[0].value).labels.value();
+  EXPECT_EQ(labels.faces, std::vector{Face::back});
+  EXPECT_EQ(labels.spacing, 0.5);
+  EXPECT_EQ(labels.tilt_deg, 10);
+  EXPECT_EQ(store.label_types[labels.type.value].name, "small");
   const auto& freezer = std::get<Freezer>(store.fixtures[1].value);
   EXPECT_EQ(freezer.labels->faces, (std::vector{Face::left, Face::front}));
-  EXPECT_EQ(store.materials[freezer.goods.value].name, "snow");
-  EXPECT_EQ(std::get<Box>(store.fixtures[2].value).max, (Vec3{7.5, 0.5, 3}));
-  const auto& mesh = std::get<MeshFixture>(store.fixtures[3].value);
-  EXPECT_EQ(mesh.scale, 0.5);
-  EXPECT_EQ(mesh.rotation_deg, -90);
-  ASSERT_EQ(mesh.pieces.size(), 1u);
-  EXPECT_EQ(mesh.pieces[0].name, "roof");
-  EXPECT_EQ(mesh.pieces[0].triangles[1], (std::array<std::uint32_t, 3>{0, 1, 3}));
 }
 
 TEST(StoreReader, KnowsWhatFixturesAreByDefault) {
@@ -214,20 +176,7 @@ TEST_F(StoreCsv, GivesWhatAListGives) {
   folder.write("labels.csv", labels);
   folder.write("lists/units.csv", units);
   const Scene from_csv = scene(), from_list = scene_of(sample_store());
-  ASSERT_EQ(from_csv.labels.size(), from_list.labels.size());
-  EXPECT_EQ(from_csv.labels.back().id, "L1");
-  EXPECT_EQ(from_csv.labels.back().position, from_list.labels.back().position);
-  EXPECT_EQ(from_csv.labels.back().normal, from_list.labels.back().normal);
-  ASSERT_EQ(from_csv.transceivers.size(), from_list.transceivers.size());
-  for (std::size_t j = 0; j < from_csv.transceivers.size(); ++j) {
-    const Transceiver &a = from_csv.transceivers[j], &b = from_list.transceivers[j];
-    EXPECT_EQ(a.id, b.id);
-    EXPECT_EQ(a.position, b.position);
-    EXPECT_EQ(a.axis, b.axis);
-    EXPECT_EQ(a.roll_deg, b.roll_deg);
-    EXPECT_EQ(a.type, b.type);
-    EXPECT_EQ(a.installed, b.installed);
-  }
+  EXPECT_EQ(test::fingerprint(from_csv), test::fingerprint(from_list));
 }
 
 TEST_F(StoreCsv, IsReadAsSpreadsheetsWriteIt) {
@@ -292,10 +241,7 @@ TEST_F(StoreCsv, ErrorsNameFileAndLine) {
 TEST(StoreReader, WarnsOfWhatReachesOutside) {
   const Scene scene = scene_of(changed_store("/fixtures/2/max", "[8.5, 0.5, 3]"));
   ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_EQ(
-      scene.warnings[0],
-      "store.json: fixtures[2]: fixture 'C' reaches outside the room; move it, or correct its size or the "
-      "room's");
+  EXPECT_TRUE(scene.warnings[0].starts_with("store.json: fixtures[2]: fixture 'C' reaches outside the room"));
   EXPECT_TRUE(scene_of(sample_store()).warnings.empty());
 }
 

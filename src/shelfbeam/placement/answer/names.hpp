@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "shelfbeam/base/names.hpp"
 #include "shelfbeam/placement/answer/certificate.hpp"
@@ -17,11 +18,12 @@ inline constexpr auto names_of<CommunicationModel> =
                                               {"non-cooperative", CommunicationModel::non_cooperative}});
 
 template <>
-inline constexpr auto names_of<Objective> = std::to_array<Named<Objective>>({{"count", Objective::count},
-                                                                             {"links", Objective::links},
-                                                                             {"effective-links",
-                                                                              Objective::effective_links},
-                                                                             {"signal", Objective::signal}});
+inline constexpr auto names_of<Objective> = [] {
+  std::array<Named<Objective>, objective_words.size()> names{};
+  for (std::size_t k = 0; k < names.size(); ++k)
+    names[k] = {objective_words[k].name, objective_words[k].value};
+  return names;
+}();
 
 template <>
 inline constexpr auto names_of<Combination> = std::to_array<Named<Combination>>(

@@ -60,7 +60,7 @@ std::vector<double> objective_coefficients(const SignalTable& table, const Quest
     std::fill(result.begin(), result.end(), std::accumulate(cost.begin(), cost.end(), 0.0));
     return result;
   }
-  const double share = question.objective == Objective::effective_links ? question.share : 1.0;
+  const double share = words_of(question.objective).has_share ? question.share : 1.0;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const double least = share * requirement_of(table.labels[i], question.model);
     for (const SignalEntry& entry : table.row(i)) {

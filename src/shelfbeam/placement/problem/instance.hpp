@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "shelfbeam/signal/tables/signal_table.hpp"
@@ -21,6 +23,29 @@ enum class Objective {
   effective_links,  ///< sum c_i^E [M_ij >= s gamma_i tau_i] T_j
   signal            ///< sum delta_i M_ij T_j (3.10, 3.14)
 };
+
+/// How an objective is spoken of.
+struct ObjectiveWords {
+  Objective value;
+  std::string_view name;               ///< on the command line and in files
+  std::string_view help;               ///< what it adds up
+  std::string_view sum;                ///< "the least sum over links"
+  std::string_view fewest = "fewest";  ///< "fewest transceivers, then fewest links"
+  bool has_share = false;              ///< whether Question::share plays a part
+};
+inline constexpr std::array objective_words = {
+    ObjectiveWords{Objective::count, "count", "nothing", "transceivers"},
+    ObjectiveWords{Objective::links, "links", "links at their costs", "links"},
+    ObjectiveWords{Objective::effective_links, "effective-links",
+                   "links that carry a share of the requirement alone", "effective links", "fewest", true},
+    ObjectiveWords{Objective::signal, "signal", "signals at their costs", "signal", "least"}};
+
+/// Precondition: the table holds it.
+constexpr const ObjectiveWords& words_of(Objective objective) {
+  std::size_t k = 0;
+  while (objective_words[k].value != objective) ++k;
+  return objective_words[k];
+}
 
 enum class Combination {
   lexicographic,  ///< fewest transceivers first, then the objective among those (3.4)

@@ -15,11 +15,12 @@ namespace shelfbeam {
 
 namespace {
 
+// Others look like boxes.
 const char* fixture_class(const FixtureOutline& fixture) {
   if (fixture.type == "gondola") return "fx fx-g";
   if (fixture.type == "freezer") return "fx fx-f";
-  if (fixture.type == "box") return "fx fx-b";
-  return "fx fx-m";
+  if (fixture.type == "mesh") return "fx fx-m";
+  return "fx fx-b";
 }
 
 }  // namespace

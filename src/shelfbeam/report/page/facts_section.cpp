@@ -42,7 +42,7 @@ std::string placement_facts(const ReportData& data) {
   Facts facts("Placement");
   facts.add("Model", std::string(to_text(question.model)));
   facts.add("Objective", objective_name(question));
-  if (question.objective == Objective::effective_links)
+  if (words_of(question.objective).has_share)
     facts.add("A link counts from", percent(question.share, 0) + " of the requirement");
   if (question.redundant) facts.add("When any one unit fails", "every label must still be reached");
   if (placement.min_spacing > 0)

@@ -12,17 +12,10 @@ namespace shelfbeam {
 namespace {
 
 std::string what_is_minimised(const Question& question) {
-  switch (question.objective) {
-    case Objective::count:
-      return "transceivers";
-    case Objective::links:
-      return "links";
-    case Objective::effective_links:
-      return fmt::format("effective links (from {} of the requirement on)", percent(question.share, 0));
-    case Objective::signal:
-      return "signal";
-  }
-  return {};
+  const ObjectiveWords& words = words_of(question.objective);
+  return words.has_share
+             ? fmt::format("{} (from {} of the requirement on)", words.sum, percent(question.share, 0))
+             : std::string(words.sum);
 }
 
 std::string time_text(double seconds) {
@@ -233,8 +226,7 @@ std::string objective_name(const Question& question) {
                ? "least cost of transceivers"
                : "least cost of transceivers and " + what_is_minimised(question);
   if (question.objective == Objective::count) return "fewest transceivers";
-  return fmt::format("fewest transceivers, then {} {}",
-                     question.objective == Objective::signal ? "least" : "fewest",
+  return fmt::format("fewest transceivers, then {} {}", words_of(question.objective).fewest,
                      what_is_minimised(question));
 }
 

@@ -8,18 +8,21 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/places.hpp"
-#include "shelfbeam/scene/build/fixture_geometry.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
-#include "shelfbeam/scene/build/scene_size.hpp"
-#include "shelfbeam/scene/build/sound_mesh.hpp"
+#include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/store/device_csv.hpp"
 #include "shelfbeam/scene/store/store.hpp"
-#include "shelfbeam/scene/store/store_names.hpp"
+#include "shelfbeam/scene/store_names.hpp"
 #include "shelfbeam/scene/warning_list.hpp"
 
 namespace shelfbeam {
 
 namespace {
+
+std::size_t scene_bytes(const TransceiverGrid& grid) {
+  return static_cast<std::size_t>(device_bytes * ((grid.max[0] - grid.min[0]) / grid.spacing + 2) *
+                                  ((grid.max[1] - grid.min[1]) / grid.spacing + 2));
+}
 
 class SceneMaker {
  public:
@@ -63,9 +66,9 @@ class SceneMaker {
                         1e-9 * static_cast<double>(size), 1e-9 * static_cast<double>(store_.memory)),
             "use wider spacings or simpler meshes, or allow more", Setting::memory);
     };
-    for (const auto& [fixture, where] : store_.fixtures) add(scene_size(fixture), where);
+    for (const auto& [fixture, where] : store_.fixtures) add(scene_bytes(fixture), where);
     for (std::size_t g = 0; g < store_.grids.size(); ++g)
-      add(scene_size(store_.grids[g]), fmt::format("{}: transceivers.grids[{}]", store_.file, g));
+      add(scene_bytes(store_.grids[g]), fmt::format("{}: transceivers.grids[{}]", store_.file, g));
   }
 
   void add_room() {
@@ -89,37 +92,19 @@ class SceneMaker {
   void add_fixtures() {
     std::set<std::string> ids;
     for (const auto& [fixture, where] : store_.fixtures) {
-      const std::string& id = std::visit([](const auto& f) -> const std::string& { return f.id; }, fixture);
+      const std::string& id = id_of(fixture);
       if (!ids.insert(id).second)
         throw InputError(where, fmt::format("the fixture id '{}' is used twice", id), "make ids unique");
-      expect_panes(fixture, where);
       const std::size_t first_vertex = scene_.mesh.vertices.size();
-      const auto* mesh = std::get_if<MeshFixture>(&fixture);
-      if (mesh != nullptr)
-        add_fixture(scene_, sound_mesh(*mesh, store_, where, warnings_));
-      else
-        std::visit([&](const auto& f) { add_fixture(scene_, f); }, fixture);
+      add_fixture(scene_, fixture, where, warnings_);
       const auto is_outside = [&](const Vec3& p) { return !beyond_room(scene_, p).empty(); };
       if (std::any_of(scene_.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex),
                       scene_.mesh.vertices.end(), is_outside))
         warnings_.add("fixtures that reach outside the room",
                       fmt::format("{}: fixture '{}' reaches outside the room; move it, or correct {}", where,
-                                  id, mesh != nullptr ? "its 'scale'" : "its size or the room's"));
+                                  id, sized_by(fixture)));
       places_.labels.resize(scene_.labels.size(), where);
     }
-  }
-
-  void expect_panes(const Fixture& fixture, const std::string& where) const {
-    const auto* gondola = std::get_if<Gondola>(&fixture);
-    const auto* freezer = std::get_if<Freezer>(&fixture);
-    const auto doors = gondola != nullptr   ? gondola->doors
-                       : freezer != nullptr ? freezer->doors
-                                            : std::nullopt;
-    if (doors && std::holds_alternative<Dielectric>(store_.materials[doors->value].material))
-      throw InputError(where + ".doors",
-                       fmt::format("'{}' is a solid 'dielectric', but a door has no thickness",
-                                   store_.materials[doors->value].name),
-                       "use a 'thin_dielectric', which is a whole pane");
   }
 
   void find_bounds() {

@@ -1,7 +1,8 @@
 #include <nlohmann/json.hpp>
 
-#include "shelfbeam/scene/build/fixture_geometry.hpp"
 #include "shelfbeam/scene/build/resolved_types.hpp"
+#include "shelfbeam/scene/fixture/fixture_writer.hpp"
+#include "shelfbeam/scene/store/material_json.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 namespace shelfbeam {
@@ -9,10 +10,6 @@ namespace shelfbeam {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json array(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
 
 class Resolver {
  public:
@@ -32,19 +29,18 @@ class Resolver {
     for (const TransceiverType& type : store_.transceiver_types)
       json["transceiver_types"][type.name] = resolved(type);
     json["fixtures"] = Json::array();
-    for (const auto& [value, where] : store_.fixtures)
-      json["fixtures"].push_back(std::visit([this](const auto& f) { return fixture(f); }, value));
+    for (const auto& [value, where] : store_.fixtures) json["fixtures"].push_back(fixture(value));
     json["labels"] = Json::array();
     for (const Label& label : scene_.labels)
       json["labels"].push_back({{"id", label.id},
-                                {"position", array(label.position)},
-                                {"normal", array(label.normal)},
+                                {"position", array_of(label.position)},
+                                {"normal", array_of(label.normal)},
                                 {"type", scene_.type_of(label).name}});
     json["transceivers"] = {{"list", Json::array()}, {"installed", Json::array()}};
     for (const Transceiver& unit : scene_.transceivers) {
       json["transceivers"]["list"].push_back({{"id", unit.id},
-                                              {"position", array(unit.position)},
-                                              {"axis", array(unit.axis)},
+                                              {"position", array_of(unit.position)},
+                                              {"axis", array_of(unit.axis)},
                                               {"roll_deg", unit.roll_deg},
                                               {"type", scene_.type_of(unit).name}});
       if (unit.installed) json["transceivers"]["installed"].push_back(unit.id);
@@ -56,7 +52,7 @@ class Resolver {
   const std::string& name(MaterialId id) const { return store_.materials[id.value].name; }
 
   Json room(const Room& r) const {
-    return {{"size", array(r.size)},
+    return {{"size", array_of(r.size)},
             {"floor", name(r.materials[4])},
             {"ceiling", name(r.materials[5])},
             {"walls",
@@ -66,47 +62,10 @@ class Resolver {
               {"y1", name(r.materials[3])}}}};
   }
 
-  Json shelving(const char* type, const Shelving& s) const {
-    Json json{{"type", type},
-              {"id", s.id},
-              {"at", s.at},
-              {"rotation_deg", s.rotation_deg},
-              {"length", s.length},
-              {"depth", s.depth},
-              {"height", s.height},
-              {"material", name(s.material)},
-              {"goods", name(s.goods)},
-              {"stocking", s.stocking}};
-    if (s.doors) json["doors"] = name(*s.doors);
-    return json;
-  }
-  Json fixture(const Gondola& g) const {
-    Json json = shelving("gondola", g);
-    json["shelves"] = g.shelves;
-    json["faces"] = Json::array();
-    for (const Face face : g.faces) json["faces"].push_back(to_text(face));
-    return json;
-  }
-  Json fixture(const Freezer& f) const { return shelving("freezer", f); }
-  Json fixture(const Box& b) const {
-    return {{"type", "box"},
-            {"id", b.id},
-            {"min", array(b.min)},
-            {"max", array(b.max)},
-            {"material", name(b.material)}};
-  }
-  Json fixture(const MeshFixture& m) const {
-    Json json{{"type", "mesh"},    {"id", m.id},
-              {"at", array(m.at)}, {"rotation_deg", m.rotation_deg},
-              {"scale", m.scale},  {"parts", Json::array()}};
-    for (const MeshPiece& piece : m.pieces) {
-      Json part{{"name", piece.name},
-                {"material", name(piece.material)},
-                {"vertices", Json::array()},
-                {"faces", piece.triangles}};
-      for (const Vec3& vertex : piece.vertices) part["vertices"].push_back(array(vertex));
-      json["parts"].push_back(std::move(part));
-    }
+  Json fixture(const Fixture& fixture) const {
+    Json json;
+    FixtureWriter writer{json, store_.materials};
+    write(fixture, writer);
     return json;
   }
 

@@ -1,7 +1,6 @@
 #include "shelfbeam/scene/build/resolved_types.hpp"
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "shelfbeam/scene/build/degrees.hpp"
@@ -11,34 +10,6 @@ namespace shelfbeam {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json with_facets(Json json, const std::optional<Microfacets>& facets) {
-  if (!facets) return json;
-  if (facets->isotropic())
-    json["roughness"] = facets->alpha_x;
-  else
-    json["roughness"] = {facets->alpha_x, facets->alpha_y};
-  json["distribution"] = to_text(facets->distribution);
-  json["masking"] = to_text(facets->masking);
-  json["sampling"] = to_text(facets->sampling);
-  return json;
-}
-
-Json keys(const Lambertian& m) {
-  return {{"reflectance", m.reflectance}};
-}
-Json keys(const Conductor& m) {
-  return with_facets({{"eta", m.eta}, {"k", m.k}}, m.facets);
-}
-Json keys(const Plastic& m) {
-  return with_facets({{"ior", m.ior}, {"reflectance", m.reflectance}}, m.facets);
-}
-Json keys(const Dielectric& m) {
-  return with_facets({{"ior", m.ior}}, m.facets);
-}
-Json keys(const ThinDielectric& m) {
-  return {{"ior", m.ior}, {"thickness", m.thickness}, {"absorption_per_m", m.absorption_per_m}};
-}
 
 Json keys(const SinTwoTheta& e) {
   return {{"peak", e.peak}};
@@ -64,10 +35,9 @@ Json keys(const EmissionTable& e) {
   return json;
 }
 
-template <class Variant>
-Json typed(const Variant& value) {
-  Json json{{"type", type_name(value)}};
-  json.update(std::visit([](const auto& v) { return keys(v); }, value));
+Json resolved(const Emission& emission) {
+  Json json{{"type", type_name(emission)}};
+  json.update(std::visit([](const auto& e) { return keys(e); }, emission));
   return json;
 }
 
@@ -84,10 +54,6 @@ Json responsivity(const ResponseTable& r) {
 
 }  // namespace
 
-Json resolved(const Material& material) {
-  return typed(material);
-}
-
 Json resolved(const LabelType& type) {
   return {{"responsivity", std::visit([](const auto& r) { return responsivity(r); }, type.responsivity)},
           {"size", type.size},
@@ -98,7 +64,7 @@ Json resolved(const LabelType& type) {
 }
 
 Json resolved(const TransceiverType& type) {
-  return {{"emission", typed(type.emission)}, {"radius", type.radius}, {"cost", type.cost}};
+  return {{"emission", resolved(type.emission)}, {"radius", type.radius}, {"cost", type.cost}};
 }
 
 }  // namespace shelfbeam

@@ -1,16 +1,14 @@
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/scene/build/resolved_types.hpp"
+#include "shelfbeam/scene/fixture/fixture_writer.hpp"
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/store/material_json.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json array(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
 
 // Of numbers side by side: as text a large mesh would take a while.
 template <class T>
@@ -31,10 +29,10 @@ std::string scene_hash(const Scene& scene) {
   for (const TransceiverType& type : scene.transceiver_types)
     json["transceiver_types"].push_back({type.name, resolved(type)});
   for (const Label& label : scene.labels)
-    json["labels"].push_back({label.id, array(label.position), array(label.normal), label.type.value});
+    json["labels"].push_back({label.id, array_of(label.position), array_of(label.normal), label.type.value});
   for (const Transceiver& unit : scene.transceivers)
-    json["transceivers"].push_back(
-        {unit.id, array(unit.position), array(unit.axis), unit.roll_deg, unit.type.value, unit.installed});
+    json["transceivers"].push_back({unit.id, array_of(unit.position), array_of(unit.axis), unit.roll_deg,
+                                    unit.type.value, unit.installed});
   for (const EmittingSurface& surface : scene.emitting_surfaces)
     json["emitting_surfaces"].push_back({surface.id, surface.material.value, surface.radiance});
   return content_hash(json.dump(-1, ' ', false, Json::error_handler_t::replace));

@@ -1,3 +1,5 @@
+#include "shelfbeam/scene/mesh/mesh_import.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cctype>
@@ -11,7 +13,6 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/mesh/mesh_formats.hpp"
-#include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
 

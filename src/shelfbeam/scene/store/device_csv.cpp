@@ -13,7 +13,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/scene/store/read_values.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 
 namespace shelfbeam {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "shelfbeam/scene/store/store.hpp"
-#include "shelfbeam/scene/store/store_names.hpp"
+#include "shelfbeam/scene/store_names.hpp"
 
 namespace shelfbeam {
 

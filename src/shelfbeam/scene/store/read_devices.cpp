@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/device_csv.hpp"
-#include "shelfbeam/scene/store/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {

@@ -1,4 +1,3 @@
-
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -9,7 +8,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/device/photometry/photometry.hpp"
 #include "shelfbeam/math/warp.hpp"
-#include "shelfbeam/scene/store/read_values.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {

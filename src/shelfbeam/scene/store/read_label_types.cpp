@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/warp.hpp"
-#include "shelfbeam/scene/store/read_values.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {

@@ -5,79 +5,16 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "shelfbeam/base/ids.hpp"
-#include "shelfbeam/base/names.hpp"
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/fixture/fixture.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 
 namespace shelfbeam {
-
-using Vec2 = std::array<double, 2>;
-
-enum class Face { front, back, left, right };
-template <>
-inline constexpr auto names_of<Face> = std::to_array<Named<Face>>(
-    {{"front", Face::front}, {"back", Face::back}, {"left", Face::left}, {"right", Face::right}});
-
-/// The labels along the faces of a fixture.
-struct FixtureLabels {
-  LabelTypeId type;
-  double spacing = 0.8;  ///< m
-  std::vector<Face> faces;
-  double tilt_deg = 0;  ///< how far the labels look up
-};
-
-/// What gondolas and freezers have in common.
-struct Shelving {
-  std::string id;
-  Vec2 at{};  ///< corner of least x and y before rotation, m
-  double rotation_deg = 0;
-  double length = 0, depth = 0, height = 0;  ///< m
-  MaterialId material;                       ///< of all but the goods
-  MaterialId goods;
-  std::optional<MaterialId> doors;  ///< panes that close it; not a solid dielectric
-  double stocking = 0.8;            ///< share of the facings that hold goods; also how full these are
-  std::optional<FixtureLabels> labels;
-};
-
-/// A run of shelving: back panel, kick plate with a bottom deck, boards, goods standing on them. With doors a
-/// cabinet around these: walls at both ends, a top, a pane before each face.
-struct Gondola : Shelving {
-  std::vector<double> shelves;  ///< height of each board edge, ascending, m
-  std::vector<Face> faces;      ///< sides that carry boards: front, back
-};
-
-/// A chest: a tub on a kick plate, goods inside, labels below its rim; with doors a pane as its lid.
-struct Freezer : Shelving {};
-
-struct Box {
-  std::string id;
-  Vec3 min, max;
-  MaterialId material;
-};
-
-/// Triangles of one material out of a mesh file, in the file's units, z up.
-struct MeshPiece {
-  std::string name;  ///< of the material in the file
-  MaterialId material;
-  std::vector<Vec3> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
-
-struct MeshFixture {
-  std::string id;
-  Vec3 at;
-  double rotation_deg = 0;  ///< about the vertical through `at`
-  double scale = 1;         ///< metres per unit of the file
-  std::vector<MeshPiece> pieces;
-};
-
-using Fixture = std::variant<Gondola, Freezer, Box, MeshFixture>;
 
 struct Room {
   Vec3 size;  ///< m

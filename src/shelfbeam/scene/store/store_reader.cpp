@@ -2,7 +2,8 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/format_version.hpp"
-#include "shelfbeam/scene/store/read_values.hpp"
+#include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/material_json.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
@@ -51,7 +52,9 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
 
   const StoreNames names(store);
   if (const auto room = root.find("room")) store.room = read_room(*room, names);
-  if (const auto fixtures = root.find("fixtures")) read_fixtures(*fixtures, names, folder, store);
+  if (const auto fixtures = root.find("fixtures"))
+    for (const JsonCursor& cursor : fixtures->elements())
+      store.fixtures.push_back({read_fixture(cursor, {names, folder}), cursor.where()});
   if (const auto labels = root.find("labels")) read_labels(*labels, names, folder, store);
   read_transceivers(root["transceivers"], names, folder, store);
   return store;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/warp.hpp"
 

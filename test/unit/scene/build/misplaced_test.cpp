@@ -1,3 +1,4 @@
+#include <array>
 #include <string>
 #include <vector>
 
@@ -190,22 +191,16 @@ TEST(Misplaced, PartsInsideAFixture) {
 }
 
 TEST(Misplaced, BeyondTheRoomSaysWhere) {
-  const auto moved = [](const char* pointer, const char* position) {
-    return [=] { scene_of(changed_store(pointer, position)); };
-  };
-  const char* unit = "/transceivers/list/1/position";
-  expect_input_error(
-      moved(unit, "[1, 3, 4.2]"),
-      "store.json: transceivers.list[1]: transceiver 'T2' at (1, 3, 4.2) is outside the room of "
-      "8 x 6 x 3 m: above the ceiling (4.2 m > 3 m); move it inside");
-  expect_input_error(moved(unit, "[1, 3, -0.5]"), "below the floor (-0.5 m < 0 m)");
-  expect_input_error(moved(unit, "[-1, 3, 1]"), "behind the wall x0 (-1 m < 0 m)");
-  expect_input_error(moved(unit, "[9, 3, 1]"), "behind the wall x1 (9 m > 8 m)");
-  expect_input_error(moved(unit, "[1, -3, 1]"), "behind the wall y0 (-3 m < 0 m)");
-  expect_input_error(moved("/labels/0/position", "[1, 7, 1]"), "label 'L1'",
-                     "behind the wall y1 (7 m > 6 m)");
-  expect_input_error(moved("/transceivers/grids/0/z", "3.5"), "transceivers.grids[0]: transceiver 'G1-2-1'",
-                     "above the ceiling (3.5 m > 3 m)");
+  const std::string unit = "/transceivers/list/1/position";
+  for (const auto& [pointer, value, where] : std::vector<std::array<std::string, 3>>{
+           {unit, "[1, 3, 4.2]", "above the ceiling (4.2 m > 3 m)"},
+           {unit, "[1, 3, -0.5]", "below the floor (-0.5 m < 0 m)"},
+           {unit, "[-1, 3, 1]", "behind the wall x0 (-1 m < 0 m)"},
+           {unit, "[9, 3, 1]", "behind the wall x1 (9 m > 8 m)"},
+           {unit, "[1, -3, 1]", "behind the wall y0 (-3 m < 0 m)"},
+           {"/labels/0/position", "[1, 7, 1]", "behind the wall y1 (7 m > 6 m)"},
+           {"/transceivers/grids/0/z", "3.5", "above the ceiling (3.5 m > 3 m)"}})
+    expect_input_error([&, &p = pointer, &v = value] { scene_of(changed_store(p, v)); }, where);
 }
 
 TEST(Misplaced, WithoutARoomUnitsOutsideOfAllSurfaces) {

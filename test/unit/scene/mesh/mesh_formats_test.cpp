@@ -17,11 +17,12 @@
 namespace shelfbeam {
 namespace {
 
-using test::area;
 using test::Corner;
 using test::expect_input_error;
 using test::Json;
+using test::mesh_area;
 using test::mesh_store;
+using test::read_mesh;
 using test::TempFolder;
 using test::tetrahedron;
 using test::Triangles;
@@ -38,17 +39,11 @@ std::vector<std::pair<std::string, std::string>> files(const Triangles& triangle
           {"mesh.obj", test::obj(triangles)}};
 }
 
-Scene read(const std::string& name, const std::string& content, const Json& materials = {{"*", "white"}}) {
-  const TempFolder folder;
-  folder.write(name, content);
-  return test::scene_of(mesh_store(name, materials), folder.path());
-}
-
 TEST(MeshFormats, AllHoldTheSameSolid) {
   for (const auto& [name, content] : files(tetrahedron())) {
-    const Scene scene = read(name, content);
+    const Scene scene = read_mesh(name, content);
     EXPECT_EQ(scene.mesh.triangles.size(), 4u) << name;
-    EXPECT_NEAR(area(scene), test::tetrahedron_area, 1e-12) << name;
+    EXPECT_NEAR(mesh_area(scene), test::tetrahedron_area, 1e-12) << name;
     EXPECT_EQ(scene.lower, (Vec3{0, 0, 0})) << name;
     EXPECT_EQ(scene.upper, (Vec3{1, 2, 3})) << name << ": z is up";
     EXPECT_TRUE(scene.warnings.empty()) << name;
@@ -61,13 +56,13 @@ TEST(MeshFormats, AllHoldTheSameSolid) {
 
 TEST(MeshFormats, WithoutMaterialsTakeTheStar) {
   for (const auto& [name, content] : files(tetrahedron())) {
-    EXPECT_EQ(read(name, content, {{"paint", "tile"}, {"*", "steel"}}).parts.at(0).material.value, 2u)
+    EXPECT_EQ(read_mesh(name, content, {{"paint", "tile"}, {"*", "steel"}}).parts.at(0).material.value, 2u)
         << name;
     const std::string& file = name;
     const std::string& text = content;
     expect_input_error(
         [&] {
-          read(file, text, {{"Default*", "steel"}, {"?", "tile"}});
+          read_mesh(file, text, {{"Default*", "steel"}, {"?", "tile"}});
         },
         "fixtures[0].file: ", file + "' name no material; give 'materials' an entry \"*\"");
   }
@@ -80,7 +75,7 @@ TEST(MeshFormats, TextsWithoutAFiniteNumberAreRefused) {
     const auto refused = [&](const std::string& name, const std::string& before, const std::string& after,
                              const std::string& line) {
       const auto read_with = [&](const std::string& number) {
-        read(name, fmt::format("{}{}{}", before, number, after));
+        read_mesh(name, fmt::format("{}{}{}", before, number, after));
       };
       EXPECT_NO_THROW(read_with(good)) << name;
       expect_input_error(
@@ -101,9 +96,9 @@ TEST(MeshFormats, TextsWithoutAFiniteNumberAreRefused) {
 }
 
 TEST(MeshFormats, CoordinatesMayNotBeMissing) {
-  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n"); }, "line 2 of '",
+  expect_input_error([] { read_mesh("a.obj", "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n"); }, "line 2 of '",
                      "a coordinate is missing");
-  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 \xFF 0\nv 0 1 0\nf 1 2 3\n"); }, "line 2 of '",
+  expect_input_error([] { read_mesh("a.obj", "v 0 0 0\nv 1 \xFF 0\nv 0 1 0\nf 1 2 3\n"); }, "line 2 of '",
                      "a coordinate is no number");
 }
 
@@ -116,10 +111,10 @@ TEST(MeshFormats, CutFilesAreRefused) {
       // An OBJ file does not say how many faces it has.
       if (name == "mesh.obj" && length > content.find("\nf ")) break;
       const std::string cut = content.substr(0, length);
-      expect_input_error([&, &file = name] { read(file, cut); }, "store.json: fixtures[0].file: ");
+      expect_input_error([&, &file = name] { read_mesh(file, cut); }, "store.json: fixtures[0].file: ");
     }
   }
-  expect_input_error([] { read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n"); }, "line 5 of '",
+  expect_input_error([] { read_mesh("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n"); }, "line 5 of '",
                      "a face has fewer than three corners");
 }
 
@@ -129,7 +124,8 @@ TEST(MeshFormats, PlyHeadersAreNotTrusted) {
                           const std::string& message) {
     ASSERT_NE(text.find(old), std::string::npos) << old;
     text.replace(text.find(old), old.size(), wrong);
-    expect_input_error([&] { read("a.ply", text); }, "store.json: fixtures[0].file: ", "a.ply'", message);
+    expect_input_error([&] { read_mesh("a.ply", text); }, "store.json: fixtures[0].file: ", "a.ply'",
+                       message);
   };
   for (const std::string& text : {good, binary}) {
     refused(text, "vertex 12", "vertex 4000000000", "");
@@ -164,7 +160,7 @@ TEST(MeshFormats, FoldersAndOtherFormatsAreRefused) {
       },
       "store.json: fixtures[0].file: '", "inner.obj' is a folder; name a file in it");
   for (const char* name : {"a.fbx", "a.dae", "a"})
-    expect_input_error([&] { read(name, test::obj(tetrahedron())); },
+    expect_input_error([&] { read_mesh(name, test::obj(tetrahedron())); },
                        "store.json: fixtures[0].file: the name of the mesh", "use glTF (.gltf, .glb), OBJ");
 }
 
@@ -175,7 +171,7 @@ TEST(MeshFormats, BytesThatAreNoFiniteNumberAreRefused) {
     for (const char* name : {"binary.stl", "binary.ply"}) {
       const std::string content =
           std::string(name) == "binary.stl" ? test::binary_stl(triangles) : test::ply(triangles, true);
-      expect_input_error([&] { read(name, content); },
+      expect_input_error([&] { read_mesh(name, content); },
                          "store.json: fixtures[0].file: vertex 5 (counted from 0) ",
                          std::string(name) + "' is not finite; repair the mesh");
     }
@@ -191,9 +187,9 @@ TEST(MeshFormats, TrianglesWithoutAreaAreDropped) {
   triangles.push_back({a, b, between});
   triangles.push_back({a, b, off});
   for (const auto& [name, content] : files(triangles)) {
-    const Scene scene = read(name, content);
+    const Scene scene = read_mesh(name, content);
     EXPECT_EQ(scene.mesh.triangles.size(), 4u) << name;
-    EXPECT_NEAR(area(scene), test::tetrahedron_area, 1e-12);
+    EXPECT_NEAR(mesh_area(scene), test::tetrahedron_area, 1e-12);
     ASSERT_EQ(scene.warnings.size(), 1u) << name;
     EXPECT_EQ(scene.warnings[0], "store.json: fixtures[0]: mesh 'M': dropped 4 of 8 triangles without area");
   }
@@ -201,21 +197,25 @@ TEST(MeshFormats, TrianglesWithoutAreaAreDropped) {
   triangles = tetrahedron();
   triangles.push_back({a, b, Corner{2.5F, 4, 3 + 1e-5F}});
   for (const auto& [name, content] : files(triangles)) {
-    EXPECT_TRUE(read(name, content).warnings.empty()) << name;
-    EXPECT_EQ(read(name, content).mesh.triangles.size(), 5u) << name;
+    EXPECT_TRUE(read_mesh(name, content).warnings.empty()) << name;
+    EXPECT_EQ(read_mesh(name, content).mesh.triangles.size(), 5u) << name;
   }
   expect_input_error(
       [&] {
-        read("flat.obj", test::obj({{a, b, between}}));
+        read_mesh("flat.obj", test::obj({{a, b, between}}));
       },
       "store.json: fixtures[0]: no triangle of mesh 'M' has an area");
 }
 
 TEST(MeshFormats, PartsAreCheckedLikeFiles) {
-  Json store = test::changed_store("/fixtures/3/parts/0/faces/0", "[1, 1, 2]");
-  EXPECT_EQ(
-      test::scene_of(store).warnings,
-      std::vector<std::string>{"store.json: fixtures[3]: mesh 'M': dropped 1 of 2 triangles without area"});
+  Store store = test::read_text(test::changed_store("/fixtures/3/parts/0/faces/0", "[1, 1, 2]").dump());
+  store.materials[0].material = make_dielectric(1.5);
+  const auto warnings = make_scene(store).warnings;
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_TRUE(
+      warnings[0].starts_with("store.json: fixtures[3]: the surface of mesh 'M' made of the solid "
+                              "dielectric 'white' is not closed"));
+  EXPECT_EQ(warnings[1], "store.json: fixtures[3]: mesh 'M': dropped 1 of 2 triangles without area");
 }
 
 TEST(MeshFormats, SizesThatCannotBeMeant) {
@@ -246,115 +246,61 @@ TEST(MeshFormats, SizesThatCannotBeMeant) {
   EXPECT_EQ(is_told_of(200), 0);
 }
 
-class SolidGlass : public testing::Test {
- protected:
-  // The scene of a store whose material `white` is solid glass.
-  static Scene glass(const Json& json, const std::filesystem::path& folder = {}) {
-    Store store = test::read_text(json.dump(), folder);
-    store.materials[0].material = make_dielectric(1.5);
-    return make_scene(store);
-  }
-  static double volume(const Scene& scene) {
-    double six = 0;
-    for (const auto& [a, b, c] : scene.mesh.triangles)
-      six += dot(scene.mesh.vertices[a], cross(scene.mesh.vertices[b], scene.mesh.vertices[c]));
-    return six / 6;
-  }
-};
-
-TEST_F(SolidGlass, ClosedWithItsOutsideOutIsTaken) {
-  const TempFolder folder;
-  for (const auto& [name, content] : files(tetrahedron())) {
-    folder.write(name, content);
-    const Scene scene = glass(mesh_store(name), folder.path());
-    EXPECT_TRUE(scene.warnings.empty()) << name;
-    EXPECT_NEAR(volume(scene), 1, 1e-12);
-  }
+double volume(const Scene& scene) {
+  double six = 0;
+  for (const auto& [a, b, c] : scene.mesh.triangles)
+    six += dot(scene.mesh.vertices[a], cross(scene.mesh.vertices[b], scene.mesh.vertices[c]));
+  return six / 6;
 }
 
-TEST_F(SolidGlass, InsideOutIsTurnedOver) {
-  Triangles inside_out = tetrahedron();
-  for (auto& [a, b, c] : inside_out) std::swap(b, c);
-  const TempFolder folder;
-  for (const auto& [name, content] : files(inside_out)) {
-    folder.write(name, content);
-    const Scene scene = glass(mesh_store(name), folder.path());
-    EXPECT_NEAR(volume(scene), 1, 1e-12) << name;
-    ASSERT_EQ(scene.warnings.size(), 1u) << name;
-    EXPECT_EQ(scene.warnings[0],
-              "store.json: fixtures[0]: the surface of mesh 'M' made of the solid dielectric 'white' was "
-              "inside out "
-              "and is turned over; let its triangles look outwards");
-    // Any other material is taken as it is.
-    const Scene paint = test::scene_of(mesh_store(name), folder.path());
-    EXPECT_NEAR(volume(paint), -1, 1e-12);
-    EXPECT_TRUE(paint.warnings.empty());
-  }
+Triangles turned(Triangles triangles) {
+  for (auto& [a, b, c] : triangles) std::swap(b, c);
+  return triangles;
 }
 
-TEST_F(SolidGlass, OpenOneIsTold) {
-  Triangles open = tetrahedron(), twisted = open;
+// Refraction needs closed surfaces with their outside out: the volume that is left, and what is warned of.
+TEST(MeshFormats, SolidGlassIsClosedAndOutsideOut) {
+  const Triangles whole = tetrahedron();
+  Triangles open = whole, twisted = whole, jar = whole, strewn = whole, seamed = whole;
   open.pop_back();
   std::swap(twisted[0][0], twisted[0][1]);
-  const TempFolder folder;
-  for (const auto& triangles : {open, twisted})
-    for (const auto& [name, content] : files(triangles)) {
-      folder.write(name, content);
-      const Scene scene = glass(mesh_store(name), folder.path());
-      ASSERT_EQ(scene.warnings.size(), 1u) << name;
-      EXPECT_NE(scene.warnings[0].find("made of the solid dielectric 'white' is not closed"),
-                std::string::npos);
-    }
-}
-
-TEST_F(SolidGlass, HollowOneKeepsItsInside) {
-  Triangles jar;
-  for (auto triangle : tetrahedron()) {
-    jar.push_back(triangle);
+  for (auto triangle : turned(whole)) {
     for (Corner& corner : triangle)
       for (float& x : corner) x = 0.1F + 0.5F * x;
-    std::swap(triangle[1], triangle[2]);
     jar.push_back(triangle);
   }
-  const TempFolder folder;
-  folder.write("jar.stl", test::binary_stl(jar));
-  const Scene scene = glass(mesh_store("jar.stl"), folder.path());
-  EXPECT_TRUE(scene.warnings.empty());
-  EXPECT_NEAR(volume(scene), 1 - 0.125, 1e-6);
-}
-
-TEST_F(SolidGlass, SliversDoNotOpenIt) {
   // One side as three triangles that meet in a point on its edge: the fourth, without area, closes the seam.
-  Triangles seamed = tetrahedron();
   const Corner o{0, 0, 0}, x{1, 0, 0}, y{0, 2, 0}, middle{0.5, 0, 0};
+  strewn.push_back({x, middle, o});
   seamed[0] = {o, y, middle};
   seamed.push_back({middle, y, x});
+  const Triangles unseamed = seamed;
   seamed.push_back({o, middle, x});
+  struct Case {
+    const char* what;
+    Triangles triangles;
+    double volume;
+    std::string warning;
+  };
   const TempFolder folder;
-  folder.write("seam.stl", test::binary_stl(seamed));
-  const Scene scene = glass(mesh_store("seam.stl"), folder.path());
-  ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_NE(scene.warnings[0].find("dropped 1 of 6"), std::string::npos);
-  Triangles strewn = tetrahedron();
-  strewn.push_back({x, middle, o});
-  folder.write("strewn.stl", test::binary_stl(strewn));
-  const auto strewn_warnings = glass(mesh_store("strewn.stl"), folder.path()).warnings;
-  ASSERT_EQ(strewn_warnings.size(), 1u);
-  EXPECT_NE(strewn_warnings[0].find("dropped 1 of 5"), std::string::npos);
-  seamed.pop_back();
-  folder.write("seam.stl", test::binary_stl(seamed));
-  EXPECT_NE(glass(mesh_store("seam.stl"), folder.path()).warnings.at(0).find("is not closed"),
-            std::string::npos);
-}
-
-TEST_F(SolidGlass, WrittenOutIsCheckedToo) {
-  Json store = test::sample_store();
-  store["fixtures"][3]["parts"][0]["faces"] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
-  const auto warnings = glass(store).warnings;
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find(
-                "fixtures[3]: the surface of mesh 'M' made of the solid dielectric 'white' was inside"),
-            std::string::npos);
+  for (const auto& [what, triangles, expected, warning] :
+       {Case{"whole", whole, 1, ""}, Case{"turned", turned(whole), 1, "was inside out and is turned over"},
+        Case{"open", open, 0, "is not closed"}, Case{"twisted", twisted, 1, "is not closed"},
+        Case{"hollow", jar, 1 - 0.125, ""}, Case{"strewn", strewn, 1, "dropped 1 of 5"},
+        Case{"seamed", seamed, 1, "dropped 1 of 6"}, Case{"unseamed", unseamed, 1, "is not closed"}})
+    for (const auto& [name, content] : files(triangles)) {
+      SCOPED_TRACE(std::string(what) + " " + name);
+      folder.write(name, content);
+      Store store = test::read_text(mesh_store(name).dump(), folder.path());
+      EXPECT_NEAR(volume(make_scene(store)), what == std::string("turned") ? -1 : expected, 1e-6)
+          << "any other material is taken as it is";
+      store.materials[0].material = make_dielectric(1.5);
+      const Scene scene = make_scene(store);
+      EXPECT_NEAR(volume(scene), expected, 1e-6);
+      ASSERT_EQ(scene.warnings.size(), warning.empty() ? 0u : 1u);
+      if (!warning.empty())
+        EXPECT_NE(scene.warnings[0].find(warning), std::string::npos) << scene.warnings[0];
+    }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/math/vec3.hpp"
-#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
 
@@ -25,6 +25,8 @@ double read_length(const JsonCursor& cursor);
 
 /// Within a full turn in either sense, in degrees.
 double read_angle_deg(const JsonCursor& cursor);
+/// That of the key "rotation_deg"; 0 without one.
+double read_rotation_deg(const JsonCursor& fixture);
 
 /// The size of a device: 0 for a point, or `least` to 10 m.
 double read_extent(const JsonCursor& cursor, double least);

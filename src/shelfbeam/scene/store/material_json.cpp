@@ -1,16 +1,19 @@
-#include <algorithm>
+#include "shelfbeam/scene/store/material_json.hpp"
+
 #include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/material/reflectances_940nm.hpp"
-#include "shelfbeam/scene/store/read_values.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
@@ -109,28 +112,63 @@ std::optional<Microfacets> read_facets(const JsonCursor& material, const FacetRu
   return make_microfacets(distribution, facets.alpha_x, facets.alpha_y, facets.masking, facets.sampling);
 }
 
-Conductor read_conductor(const JsonCursor& cursor) {
+template <class Model>
+using As = std::type_identity<Model>;
+using Json = nlohmann::ordered_json;
+
+Json with_facets(Json json, const std::optional<Microfacets>& facets) {
+  if (!facets) return json;
+  if (facets->isotropic())
+    json["roughness"] = facets->alpha_x;
+  else
+    json["roughness"] = {facets->alpha_x, facets->alpha_y};
+  json["distribution"] = to_text(facets->distribution);
+  json["masking"] = to_text(facets->masking);
+  json["sampling"] = to_text(facets->sampling);
+  return json;
+}
+
+// How each type of material is read, and the keys that it is written with beside "type".
+
+Lambertian read(As<Lambertian>, const JsonCursor& cursor, double wavelength_nm) {
+  cursor.expect_keys({"type", "reflectance", "reflectance_range"});
+  return make_lambertian(read_reflectance(cursor["reflectance"], wavelength_nm));
+}
+Json keys(const Lambertian& m) {
+  return {{"reflectance", m.reflectance}};
+}
+
+Conductor read(As<Conductor>, const JsonCursor& cursor, double) {
   cursor.expect_keys({"type", "eta", "k", "roughness", "distribution", "masking", "sampling"});
   const double eta = cursor["eta"].number(0, 100), k = cursor["k"].number(0, 100);
   if (eta == 0 && k == 0) cursor.fail("has eta and k of 0", "an ideal mirror is eta 0 and k 1");
   return make_conductor(eta, k, read_facets(cursor, {}));
 }
+Json keys(const Conductor& m) {
+  return with_facets({{"eta", m.eta}, {"k", m.k}}, m.facets);
+}
 
-Plastic read_plastic(const JsonCursor& cursor, double wavelength_nm) {
+Plastic read(As<Plastic>, const JsonCursor& cursor, double wavelength_nm) {
   cursor.expect_keys({"type", "ior", "reflectance", "reflectance_range", "roughness", "distribution",
                       "masking", "sampling"});
   const double ior = read_ior(cursor);
   const double reflectance = read_reflectance(cursor["reflectance"], wavelength_nm);
   return make_plastic(ior, reflectance, read_facets(cursor, {.has_directions = false}));
 }
+Json keys(const Plastic& m) {
+  return with_facets({{"ior", m.ior}, {"reflectance", m.reflectance}}, m.facets);
+}
 
-Dielectric read_dielectric(const JsonCursor& cursor) {
+Dielectric read(As<Dielectric>, const JsonCursor& cursor, double) {
   cursor.expect_keys({"type", "ior", "roughness", "distribution", "masking", "sampling"});
   const auto facets = read_facets(cursor, {.refracts = true});
   return make_dielectric(read_ior(cursor, facets ? 1.01 : 1), facets);
 }
+Json keys(const Dielectric& m) {
+  return with_facets({{"ior", m.ior}}, m.facets);
+}
 
-ThinDielectric read_thin_dielectric(const JsonCursor& cursor) {
+ThinDielectric read(As<ThinDielectric>, const JsonCursor& cursor, double) {
   cursor.expect_keys({"type", "ior", "thickness", "absorption_per_m"});
   const double ior = read_ior(cursor);
   const auto absorption = cursor.find("absorption_per_m"), thickness = cursor.find("thickness");
@@ -138,16 +176,16 @@ ThinDielectric read_thin_dielectric(const JsonCursor& cursor) {
   return make_thin_dielectric(ior, thickness ? thickness->number(0, 1) : 0,
                               absorption ? absorption->number(0, 1e6) : 0);
 }
+Json keys(const ThinDielectric& m) {
+  return {{"ior", m.ior}, {"thickness", m.thickness}, {"absorption_per_m", m.absorption_per_m}};
+}
 
-Material read_material(const JsonCursor& cursor, double wavelength_nm) {
-  const std::string type =
-      cursor["type"].choice({"lambertian", "conductor", "plastic", "dielectric", "thin_dielectric"});
-  if (type == "conductor") return read_conductor(cursor);
-  if (type == "plastic") return read_plastic(cursor, wavelength_nm);
-  if (type == "dielectric") return read_dielectric(cursor);
-  if (type == "thin_dielectric") return read_thin_dielectric(cursor);
-  cursor.expect_keys({"type", "reflectance", "reflectance_range"});
-  return make_lambertian(read_reflectance(cursor["reflectance"], wavelength_nm));
+template <class... Models>
+Material read_one_of(const JsonCursor& cursor, double wavelength_nm, As<std::variant<Models...>>) {
+  const std::string type = cursor["type"].choice({Models::type_name...});
+  Material material;
+  ((type == Models::type_name ? void(material = read(As<Models>{}, cursor, wavelength_nm)) : void()), ...);
+  return material;
 }
 
 // The one that is given, else that of the named reflectance.
@@ -172,10 +210,16 @@ std::optional<std::array<double, 2>> read_range(const JsonCursor& cursor, const 
 void read_materials(const JsonCursor& section, Store& store) {
   for (const auto& [name, cursor] : section.members()) {
     const Material material =
-        made_at(cursor, [&, &c = cursor] { return read_material(c, store.wavelength_nm); });
+        made_at(cursor, [&, &c = cursor] { return read_one_of(c, store.wavelength_nm, As<Material>{}); });
     store.materials.push_back(
         {check_name(name, cursor.where()), material, read_range(cursor, material, store.wavelength_nm)});
   }
+}
+
+nlohmann::ordered_json resolved(const Material& material) {
+  Json json{{"type", type_name(material)}};
+  json.update(std::visit([](const auto& m) { return keys(m); }, material));
+  return json;
 }
 
 }  // namespace shelfbeam

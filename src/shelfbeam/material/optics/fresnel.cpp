@@ -1,4 +1,4 @@
-#include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
 
 #include <algorithm>
 #include <cmath>

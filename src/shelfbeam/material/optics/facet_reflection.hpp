@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "shelfbeam/material/directions.hpp"
-#include "shelfbeam/material/microfacets.hpp"
-#include "shelfbeam/material/scatter_sample.hpp"
+#include "shelfbeam/material/optics/directions.hpp"
+#include "shelfbeam/material/optics/microfacets.hpp"
+#include "shelfbeam/material/optics/scatter_sample.hpp"
 
 namespace shelfbeam::detail {
 

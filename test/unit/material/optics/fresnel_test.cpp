@@ -1,4 +1,4 @@
-#include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
 
 #include <cmath>
 #include <vector>

@@ -4,17 +4,22 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/base/json.hpp"
-#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
 
 /// Looks up names that a store file refers to. Throws InputError at the place of the reference.
 class StoreNames {
  public:
-  explicit StoreNames(const Store& store);
+  StoreNames(const std::vector<NamedMaterial>& materials, const std::vector<LabelType>& label_types,
+             const std::vector<TransceiverType>& transceiver_types);
+  template <class Store>
+  explicit StoreNames(const Store& store)
+      : StoreNames(store.materials, store.label_types, store.transceiver_types) {}
 
   MaterialId material(const JsonCursor& name) const;
   LabelTypeId label_type(const JsonCursor& name) const;

@@ -1,10 +1,10 @@
-#include "shelfbeam/material/microfacets.hpp"
+#include "shelfbeam/material/optics/microfacets.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "shelfbeam/material/require.hpp"
+#include "shelfbeam/material/optics/require.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {

@@ -1,4 +1,4 @@
-#include "shelfbeam/scene/store/read_values.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +41,11 @@ double read_length(const JsonCursor& cursor) {
 
 double read_angle_deg(const JsonCursor& cursor) {
   return cursor.number(-360, 360);
+}
+
+double read_rotation_deg(const JsonCursor& fixture) {
+  const auto found = fixture.find("rotation_deg");
+  return found ? read_angle_deg(*found) : 0;
 }
 
 double read_extent(const JsonCursor& cursor, double least) {

@@ -1,4 +1,4 @@
-#include "shelfbeam/material/microfacets.hpp"
+#include "shelfbeam/material/optics/microfacets.hpp"
 
 #include <cmath>
 #include <stdexcept>

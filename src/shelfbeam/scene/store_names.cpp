@@ -1,7 +1,6 @@
-#include "shelfbeam/scene/store/store_names.hpp"
+#include "shelfbeam/scene/store_names.hpp"
 
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,10 +31,11 @@ std::uint32_t look_up(const Names& names, const std::string& name, const std::st
 
 }  // namespace
 
-StoreNames::StoreNames(const Store& store)
-    : materials_(index_by_name(store.materials)),
-      label_types_(index_by_name(store.label_types)),
-      transceiver_types_(index_by_name(store.transceiver_types)) {}
+StoreNames::StoreNames(const std::vector<NamedMaterial>& materials, const std::vector<LabelType>& label_types,
+                       const std::vector<TransceiverType>& transceiver_types)
+    : materials_(index_by_name(materials)),
+      label_types_(index_by_name(label_types)),
+      transceiver_types_(index_by_name(transceiver_types)) {}
 
 MaterialId StoreNames::material(const std::string& name, const std::string& where) const {
   return {look_up(materials_, name, where, "material")};

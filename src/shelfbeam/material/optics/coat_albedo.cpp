@@ -1,10 +1,10 @@
-#include "shelfbeam/material/coat_albedo.hpp"
+#include "shelfbeam/material/optics/coat_albedo.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/material/directions.hpp"
-#include "shelfbeam/material/fresnel.hpp"
+#include "shelfbeam/material/optics/directions.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
 
 namespace shelfbeam::detail {
 

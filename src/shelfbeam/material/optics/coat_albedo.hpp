@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "shelfbeam/material/microfacets.hpp"
+#include "shelfbeam/material/optics/microfacets.hpp"
 
 namespace shelfbeam::detail {
 
