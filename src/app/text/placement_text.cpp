@@ -10,8 +10,8 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/answer/scenarios.hpp"
-#include "shelfbeam/placement/io/words.hpp"
 #include "shelfbeam/placement/problem/critical.hpp"
+#include "shelfbeam/report/messages/words.hpp"
 
 namespace shelfbeam::app {
 

@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/answer/certificate.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"

@@ -47,14 +47,13 @@ Plan make_plan(const Scene& scene, const std::string& store_hash, const PlanOpti
   if (fresh.strategy == Strategy::particle) fresh.strategy = Strategy::mis;
   const bool says_something = plan.placement.has_selection() || !plan.placement.unreachable.empty();
   if (options.confidence && plan.simulation.summary.complete && says_something)
-    plan.placement.certificate =
-        certify(scene, table, {*options.confidence, options.budget_s, fresh, options.place},
-                plan.simulation.matrix, plan.placement, control);
+    plan.certificate = certify(scene, table, {*options.confidence, options.budget_s, fresh, options.place},
+                               plan.simulation.matrix, plan.placement, control);
   if (options.curve && plan.placement.has_selection())
-    plan.curve =
-        add_curve(plan.placement, table(plan.simulation.matrix), options.place.time_limit_s, control);
+    plan.curve = add_curve(plan.placement, table(plan.simulation.matrix), options.place.time_limit_s, control,
+                           plan.certificate.has_value());
   if (options.sensitivity && plan.simulation.summary.complete && plan.placement.has_selection())
-    plan.placement.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);
+    plan.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);
   plan.complete = plan.simulation.summary.complete && !control.cancelled();
   return plan;
 }

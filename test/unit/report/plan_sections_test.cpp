@@ -43,7 +43,7 @@ TEST(PlanSections, AreLeftOutWhereNotAskedFor) {
 
 TEST(PlanSections, TellWhatReflectancesDo) {
   Supermarket s;
-  s.placement.sensitivity = made_up();
+  s.plan.sensitivity = made_up();
   const std::string html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   const std::string text = read_markup(html).text;
@@ -72,8 +72,8 @@ TEST(PlanSections, TellWhatReflectancesDo) {
 
 TEST(PlanSections, TellThatAPlanHolds) {
   Supermarket s;
-  s.placement.sensitivity = made_up();
-  s.placement.sensitivity->low = {{1.0625, 0.01, 2}, {}, {}};
+  s.plan.sensitivity = made_up();
+  s.plan.sensitivity->low = {{1.0625, 0.01, 2}, {}, {}};
   const std::string html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   EXPECT_NE(read_markup(html).text.find("926 of 926 labels are reached wherever in their ranges"),
@@ -83,9 +83,9 @@ TEST(PlanSections, TellThatAPlanHolds) {
 
 TEST(PlanSections, NameNoMaterialWhereNoneMatters) {
   Supermarket s;
-  s.placement.sensitivity = made_up();
-  for (MaterialSensitivity& one : s.placement.sensitivity->materials) {
-    one.at_lower = one.at_upper = {s.placement.sensitivity->as_given, 0, 0, 0, 0};
+  s.plan.sensitivity = made_up();
+  for (MaterialSensitivity& one : s.plan.sensitivity->materials) {
+    one.at_lower = one.at_upper = {s.plan.sensitivity->as_given, 0, 0, 0, 0};
     one.at_upper.mean_change = 1e-5;
   }
   const std::string html = static_report(s.input);
@@ -99,8 +99,8 @@ TEST(PlanSections, NameNoMaterialWhereNoneMatters) {
 // A label in the dark has no margin in decibels; a bar has to end somewhere.
 TEST(PlanSections, DrawMarginsOfNothing) {
   Supermarket s;
-  s.placement.sensitivity = made_up();
-  s.placement.sensitivity->low.least.ratio = 0;
+  s.plan.sensitivity = made_up();
+  s.plan.sensitivity->low.least.ratio = 0;
   const std::string html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   for (const char* broken : {"nan\"", "inf\""}) EXPECT_EQ(html.find(broken), std::string::npos);
@@ -109,7 +109,7 @@ TEST(PlanSections, DrawMarginsOfNothing) {
 
 TEST(PlanSections, TellWhatFewerReach) {
   Supermarket s;
-  for (std::size_t k = 1; k <= 45; ++k) s.input.curve.points.push_back({k, 20 * k, 20 * k + 26});
+  for (std::size_t k = 1; k <= 45; ++k) s.plan.curve.points.push_back({k, 20 * k, 20 * k + 26});
   std::string html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   const auto cells = pieces(html);
@@ -117,8 +117,8 @@ TEST(PlanSections, TellWhatFewerReach) {
   EXPECT_TRUE(cells.contains("100.0\u00A0%"));
   EXPECT_NE(html.find("45 transceivers: at least 97.2"), std::string::npos);
   EXPECT_EQ(html.find("stopped early: more time"), std::string::npos);
-  s.input.curve.points.resize(1);
-  s.input.curve.is_complete = false;
+  s.plan.curve.points.resize(1);
+  s.plan.curve.is_complete = false;
   html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   EXPECT_NE(html.find("stopped early: more time"), std::string::npos);

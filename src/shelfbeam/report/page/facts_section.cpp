@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "shelfbeam/placement/io/words.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
+#include "shelfbeam/report/messages/words.hpp"
 #include "shelfbeam/report/page/headline.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
@@ -36,7 +36,7 @@ double share_of(std::size_t part, std::size_t all) {
 }
 
 std::string placement_facts(const ReportData& data) {
-  const Placement& placement = data.input.placement;
+  const Placement& placement = data.input.plan.placement;
   const Question& question = placement.question;
   Facts facts("Placement");
   facts.add("Model", model_name(question.model));
@@ -79,7 +79,7 @@ std::string placement_facts(const ReportData& data) {
 // "none", or how many and which: ranges of ids, the first of them.
 std::string named_labels(const ReportData& data, Verdict verdict) {
   constexpr std::size_t most_ranges = 20;
-  const auto& labels = data.input.placement.certificate->labels;
+  const auto& labels = data.input.plan.certificate->labels;
   std::vector<std::string> ids;
   for (std::uint32_t i = 0; i < labels.size(); ++i)
     if (labels[i].verdict == verdict) ids.push_back(data.label(i).id);
@@ -92,8 +92,8 @@ std::string named_labels(const ReportData& data, Verdict verdict) {
 }
 
 std::string certificate_facts(const ReportData& data) {
-  if (!data.input.placement.certificate) return {};
-  const Certificate& certificate = *data.input.placement.certificate;
+  if (!data.input.plan.certificate) return {};
+  const Certificate& certificate = *data.input.plan.certificate;
   Facts facts("Certificate on fresh samples");
   facts.add("Joint confidence", plain(100 * certificate.confidence) + "\u00A0%");
   facts.add("Labels reached", fmt::format("{} of {}", grouped(certificate.count(Verdict::reached)),

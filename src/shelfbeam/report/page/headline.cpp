@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/placement/io/words.hpp"
+#include "shelfbeam/report/messages/words.hpp"
 
 namespace shelfbeam {
 
@@ -52,7 +52,7 @@ std::string reached_labels(const ReportData& data) {
 
 std::string candidates_text(const ReportData& data) {
   const std::size_t n = data.input.matrix.columns();
-  const Question& question = data.input.placement.question;
+  const Question& question = data.input.plan.placement.question;
   if (question.model == CommunicationModel::non_cooperative)
     return question.redundant ? "each by two units at once, of which one may fail"
                               : fmt::format("even by the best of {}", counted(n, "candidate"));
@@ -66,7 +66,7 @@ std::string candidates_text(const ReportData& data) {
 }
 
 Headline with_selection(const ReportData& data) {
-  const Placement& placement = data.input.placement;
+  const Placement& placement = data.input.plan.placement;
   Headline result;
   const bool all_met = data.outcome.met == data.outcome.labels.size();
   result.tone = !all_met                                                            ? Headline::Tone::no
@@ -97,7 +97,7 @@ Headline with_selection(const ReportData& data) {
 }
 
 Headline infeasible(const ReportData& data) {
-  const Placement& placement = data.input.placement;
+  const Placement& placement = data.input.plan.placement;
   Headline result{Headline::Tone::no, "No selection can do it.", {}};
   const std::size_t lost = placement.unreachable.size(), all = data.outcome.labels.size();
   if (lost > 0)
@@ -123,7 +123,7 @@ Headline infeasible(const ReportData& data) {
 }
 
 Headline nothing_found(const ReportData& data) {
-  const Placement& placement = data.input.placement;
+  const Placement& placement = data.input.plan.placement;
   const std::size_t least = least_count(placement);
   const bool greedy = placement.solver == "greedy";
   const bool gave_up = greedy || placement.solver == "search";
@@ -168,7 +168,7 @@ std::string objective_remark(const Placement& placement) {
 }
 
 std::string proof_remark(const ReportData& data) {
-  const Placement& placement = data.input.placement;
+  const Placement& placement = data.input.plan.placement;
   if (placement.status == Status::infeasible || least_count(placement) == 0) return {};
   return fmt::format("What is proven rests on {}.{}", behind_bound(placement.bound_proof),
                      placement.ties_settled
@@ -187,11 +187,11 @@ std::string closeness_remark(const ReportData& data) {
 }
 
 // What fresh samples say comes first; what the matrix says then is a remark.
-void put_certificate_first(const Placement& placement, Headline& headline) {
-  const Certificate& certificate = *placement.certificate;
+void put_certificate_first(const CertifiedPlan& plan, Headline& headline) {
+  const Certificate& certificate = *plan.certificate;
   headline.remarks.insert(headline.remarks.begin(),
                           {std::string(certificate_scope), "On the simulated matrix: " + headline.answer});
-  headline.answer = with_joined_percent(statement(placement));
+  headline.answer = with_joined_percent(statement(plan));
   headline.tone = certificate.count(Verdict::missed) > 0 ? Headline::Tone::no
                   : certificate.open.empty()             ? Headline::Tone::yes
                                                          : Headline::Tone::open;
@@ -257,23 +257,23 @@ std::string status_name(Status status) {
 }
 
 Headline headline(const ReportData& data) {
-  const Placement& placement = data.input.placement;
+  const CertifiedPlan& plan = data.input.plan;
+  const Placement& placement = plan.placement;
   Headline result = data.has_selection()                     ? with_selection(data)
                     : placement.status == Status::infeasible ? infeasible(data)
                                                              : nothing_found(data);
   if (data.has_selection()) {
-    if (std::string remark = closeness_remark(data); !remark.empty() && !placement.certificate)
+    if (std::string remark = closeness_remark(data); !remark.empty() && !plan.certificate)
       result.remarks.insert(result.remarks.begin(), std::move(remark));
     if (std::string remark = objective_remark(placement); !remark.empty())
       result.remarks.push_back(std::move(remark));
   }
-  if (placement.certificate) put_certificate_first(placement, result);
+  if (plan.certificate) put_certificate_first(plan, result);
   if (const std::string apart = kept_apart(placement); !apart.empty()) result.remarks.push_back(apart + ".");
   if (std::string remark = proof_remark(data); !remark.empty()) result.remarks.push_back(std::move(remark));
-  if (!placement.certificate) result.remarks.push_back(sampling_remark(data));
-  if (placement.sensitivity)
-    result.remarks.push_back(
-        with_joined_percent(statement(*placement.sensitivity, data.outcome.labels.size())));
+  if (!plan.certificate) result.remarks.push_back(sampling_remark(data));
+  if (plan.sensitivity)
+    result.remarks.push_back(with_joined_percent(statement(*plan.sensitivity, data.outcome.labels.size())));
   return result;
 }
 

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "shelfbeam/placement/io/placement_file.hpp"
-#include "shelfbeam/placement/io/words.hpp"
+#include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/report/data/distributions.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/report_data.hpp"
+#include "shelfbeam/report/messages/words.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "unit/report/markup.hpp"
@@ -53,7 +53,7 @@ TEST(ReportHtml, EscapesIdsAndNames) {
   const SignalMatrix matrix = sample_store::matrix_of(scene);
   Placement placement = sample_store::cover(matrix);
   placement.solver = "<solver>";
-  const std::string html = test::static_report({scene, matrix, placement});
+  const std::string html = test::static_report({scene, matrix, {placement}});
   EXPECT_EQ(fault(html), "");
   const std::string text = read_markup(html).text;
   for (const char* name : {"Joe's <Kiosk> & \"Bar\"", "A<1>-front-1-1", "T,2", "<solver>"})
@@ -140,8 +140,8 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificateAsTheJsonHasThem) {
     return absent;
   };
   certify(s);
-  auto json = nlohmann::json::parse(
-      certificate_json(*s.placement.certificate, make_signal_table(s.matrix, "signal.h5")));
+  auto json =
+      nlohmann::json::parse(certificate_json(*s.plan.certificate, make_signal_table(s.matrix, "signal.h5")));
   EXPECT_THAT(missing(json), testing::IsEmpty());
   // Negative control: other numbers are not found.
   for (const char* key :
@@ -159,7 +159,7 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificateAsTheJsonHasThem) {
     at = table.find("<tr><td>" + escape(data.label(row).id) + "</td>", at);
     ASSERT_NE(at, std::string::npos) << data.label(row).id;
     const std::string cells = table.substr(at, table.find("</tr>", at) - at);
-    EXPECT_NE(cells.find(">" + std::string(verdict_name(s.placement.certificate->labels[row].verdict)) + "<"),
+    EXPECT_NE(cells.find(">" + std::string(verdict_name(s.plan.certificate->labels[row].verdict)) + "<"),
               std::string::npos)
         << cells;
   }
@@ -168,12 +168,12 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificateAsTheJsonHasThem) {
 TEST(ReportHtml, ACertificateThatStandsIsSaidSo) {
   Supermarket s;
   certify(s);
-  for (LabelVerdict& label : s.placement.certificate->labels) label.verdict = Verdict::reached;
-  s.placement.certificate->open.clear();
+  for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::reached;
+  s.plan.certificate->open.clear();
   const std::string text = read_markup(test::static_report(s.input)).text;
   EXPECT_NE(text.find("Certified"), std::string::npos);
   EXPECT_NE(text.find("Missed\n\nnone\n"), std::string::npos);
-  s.placement.certificate->labels[5].verdict = Verdict::missed;
+  s.plan.certificate->labels[5].verdict = Verdict::missed;
   const std::string missed = read_markup(test::static_report(s.input)).text;
   EXPECT_EQ(missed.find("Certified"), std::string::npos);
   EXPECT_NE(missed.find("Labels missed"), std::string::npos);
@@ -352,7 +352,7 @@ TEST(ReportHtml, StaysSmallForFiveThousandLabels) {
   Placement placement;
   placement.status = Status::feasible;
   placement.selected = {0, 5, 9, 14, 20};
-  const std::string html = test::static_report({scene, matrix, placement});
+  const std::string html = test::static_report({scene, matrix, {placement}});
   EXPECT_LT(html.size(), 1'000'000U);
   EXPECT_EQ(fault(html), "");
 }

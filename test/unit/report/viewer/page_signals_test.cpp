@@ -360,7 +360,7 @@ TEST(PageStore, HasTheVerdictsOfACertificate) {
   const auto verdicts = page().get<std::uint8_t>("label_verdict");
   ASSERT_EQ(verdicts.size(), s.matrix.rows());
   for (std::size_t i = 0; i < verdicts.size(); ++i)
-    EXPECT_EQ(verdicts[i], static_cast<std::uint8_t>(s.placement.certificate->labels[i].verdict));
+    EXPECT_EQ(verdicts[i], static_cast<std::uint8_t>(s.plan.certificate->labels[i].verdict));
 }
 
 TEST(ViewerSection, HasItsData) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shelfbeam {
@@ -13,6 +14,9 @@ enum class Verdict {
   missed,    ///< the upper limit does not
   undecided  ///< the requirement lies between
 };
+
+/// "reached"
+std::string_view verdict_name(Verdict verdict);
 
 /// What fresh samples say of one label at a placement. The signal is what the question counts
 /// (received_signal): the sum, or the link that was planned for the label; where a unit may fail what is left

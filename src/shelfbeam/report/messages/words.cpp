@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/io/words.hpp"
+#include "shelfbeam/report/messages/words.hpp"
 
 #include <fmt/format.h>
 
@@ -98,23 +98,11 @@ std::string what_is_out_of_reach(const Certificate& certificate) {
 
 }  // namespace
 
-std::string_view verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::reached:
-      return "reached";
-    case Verdict::missed:
-      return "missed";
-    case Verdict::undecided:
-      break;
-  }
-  return "undecided";
-}
-
-std::string statement(const Placement& placement) {
-  if (!placement.certificate) return {};
-  const Certificate& certificate = *placement.certificate;
-  return (placement.has_selection() ? what_is_reached(placement, certificate)
-                                    : what_is_out_of_reach(certificate)) +
+std::string statement(const CertifiedPlan& plan) {
+  if (!plan.certificate) return {};
+  const Certificate& certificate = *plan.certificate;
+  return (plan.placement.has_selection() ? what_is_reached(plan.placement, certificate)
+                                         : what_is_out_of_reach(certificate)) +
          (certificate.open.empty() ? "" : fmt::format(" It ended because {}.", certificate.open));
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/plan/answer/certified_plan.hpp"
 
 namespace shelfbeam {
 
@@ -24,12 +24,9 @@ std::string why_exclusive(const Placement& placement, bool has_options);
 /// "no light arrives at all": why Unreachable::most is 0. `is_heard`: the label has some entry above 0.
 std::string_view why_nothing(const Question& question, bool is_heard);
 
-/// "reached"
-std::string_view verdict_name(Verdict verdict);
-
 /// "4 transceivers reach all 390 labels, and 3 cannot, with joint confidence 99 %": what a certificate says,
 /// a sentence or several. Empty without one.
-std::string statement(const Placement& placement);
+std::string statement(const CertifiedPlan& plan);
 
 /// What it does not cover.
 inline constexpr std::string_view certificate_scope =

@@ -1,0 +1,24 @@
+#include "shelfbeam/plan/answer/certificate.hpp"
+
+#include <algorithm>
+
+namespace shelfbeam {
+
+std::string_view verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reached:
+      return "reached";
+    case Verdict::missed:
+      return "missed";
+    case Verdict::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+std::size_t Certificate::count(Verdict verdict) const {
+  return static_cast<std::size_t>(std::count_if(
+      labels.begin(), labels.end(), [&](const LabelVerdict& label) { return label.verdict == verdict; }));
+}
+
+}  // namespace shelfbeam
