@@ -12,7 +12,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/plan/io/verification_file.hpp"
-#include "shelfbeam/report/messages/words.hpp"
+#include "shelfbeam/report/messages/certificate.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
@@ -70,9 +70,9 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
   if (options.curve && !placement.has_selection())
     text += fmt::format("  {}: 'place {} --at-most K' tells what K transceivers reach\n", no_curve,
                         (options.folder / signal_name).string());
-  if (plan.certificate) text += fmt::format("certificate: {}\n", statement(plan));
+  if (plan.certificate) text += fmt::format("certificate: {}\n", certificate_sentence(plan));
   if (plan.sensitivity)
-    text += fmt::format("sensitivity: {}\n", statement(*plan.sensitivity, table.rows()));
+    text += fmt::format("sensitivity: {}\n", sensitivity_sentence(*plan.sensitivity, table.rows()));
   else if (options.sensitivity)
     text += fmt::format("  no sensitivity {}\n", placement.has_selection()
                                                      ? "yet: the run was stopped before it was known"

@@ -13,7 +13,7 @@
 #include "shelfbeam/plan/io/verification_file.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/plan/verify_installation.hpp"
-#include "shelfbeam/report/messages/words.hpp"
+#include "shelfbeam/report/messages/certificate.hpp"
 #include "shelfbeam/scene/build/installation.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
@@ -92,7 +92,7 @@ int run_verify(const Options& options) {
   if (options.common.json)
     fmt::print("{}", certificate_json(certificate, table_without_signals(installation.scene)));
   else if (!options.common.quiet)
-    fmt::print("{}\n{}\n", statement(verified), certificate_scope);
+    fmt::print("{}\n{}\n", certificate_sentence(verified), certificate_scope);
   if (certificate.count(Verdict::missed) > 0) return answer_is_no;
   return certificate.all_reached() ? done : stopped_early;
 }

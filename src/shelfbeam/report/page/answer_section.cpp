@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/report/messages/words.hpp"
-#include "shelfbeam/report/page/headline.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
+#include "shelfbeam/report/messages/bound.hpp"
+#include "shelfbeam/report/messages/headline.hpp"
+#include "shelfbeam/report/messages/unreachable.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
@@ -93,7 +95,7 @@ std::string key_figures(const ReportData& data) {
     html += card("Labels", grouped(labels), "");
   }
   const bool adds_up = placement.question.model == CommunicationModel::cooperative;
-  html += card("Model", model_name(placement.question.model),
+  html += card("Model", std::string(name_of(model_names, placement.question.model)),
                adds_up ? "signals of all units add up" : "one unit alone must reach a label", "card word");
   const std::string objective = objective_name(placement.question);
   const std::size_t comma = objective.find(", ");
@@ -125,7 +127,7 @@ std::string unreachable_section(const ReportData& data) {
   }
   std::string html = paragraph(
       data.input.plan.placement.question.model == CommunicationModel::cooperative
-          ? fmt::format("The most a label could get is its signal {}.", data.everything_on())
+          ? fmt::format("The most a label could get is its signal {}.", everything_on(data))
           : fmt::format("The most a label could get is its signal from the best single candidate{}.",
                         data.input.plan.placement.question.redundant
                             ? " that is left when the strongest fails"

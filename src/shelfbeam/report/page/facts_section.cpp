@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
-#include "shelfbeam/report/messages/words.hpp"
-#include "shelfbeam/report/page/headline.hpp"
+#include "shelfbeam/report/messages/bound.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
@@ -39,7 +39,7 @@ std::string placement_facts(const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
   const Question& question = placement.question;
   Facts facts("Placement");
-  facts.add("Model", model_name(question.model));
+  facts.add("Model", std::string(name_of(model_names, question.model)));
   facts.add("Objective", objective_name(question));
   if (question.objective == Objective::effective_links)
     facts.add("A link counts from", percent(question.share, 0) + " of the requirement");
@@ -48,7 +48,7 @@ std::string placement_facts(const ReportData& data) {
     facts.add("Least distance between two units", plain(placement.min_spacing) + "\u00A0m");
   if (placement.min_spacing > 0 || placement.forbidden_pairs > 0)
     facts.add("Pairs of candidates kept apart", grouped(placement.forbidden_pairs));
-  facts.add("Status", status_name(placement.status));
+  facts.add("Status", std::string(status_name(placement.status)));
   if (placement.status != Status::infeasible) {
     facts.add("The bound rests on", std::string(behind_bound(placement.bound_proof)));
     facts.add("Of equal placements",

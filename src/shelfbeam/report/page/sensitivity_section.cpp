@@ -6,7 +6,7 @@
 
 #include "shelfbeam/report/chart/tornado_chart.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
-#include "shelfbeam/report/messages/words.hpp"
+#include "shelfbeam/report/messages/certificate.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
@@ -125,11 +125,12 @@ std::string sensitivity_section(const ReportData& data) {
   if (!sensitivity || !data.has_selection()) return {};
   const std::string beside = notes(data, *sensitivity) + labels(data, sensitivity->low.missed, "missed") +
                              labels(data, sensitivity->low.undecided, "undecided");
-  return html_section("sensitivity", "If surfaces reflect less or more",
-                      paragraph(with_joined_percent(statement(*sensitivity, data.outcome.labels.size()))) +
-                          fmt::format("<div class=\"pair\">\n{}<div>\n{}</div>\n</div>\n",
-                                      tornado(data, *sensitivity), beside) +
-                          material_table(data, *sensitivity));
+  return html_section(
+      "sensitivity", "If surfaces reflect less or more",
+      paragraph(with_joined_percent(sensitivity_sentence(*sensitivity, data.outcome.labels.size()))) +
+          fmt::format("<div class=\"pair\">\n{}<div>\n{}</div>\n</div>\n", tornado(data, *sensitivity),
+                      beside) +
+          material_table(data, *sensitivity));
 }
 
 }  // namespace shelfbeam

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/data/id_ranges.hpp"
-#include "shelfbeam/report/messages/words.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
