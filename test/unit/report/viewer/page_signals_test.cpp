@@ -390,9 +390,7 @@ TEST(ViewerSection, OfThisBuildIsSelfContained) {
   if (viewer_script().empty())
     GTEST_SKIP() << "this build has no 3-D view: Node.js or its packages were missing";
   // Nothing in the script ends it early.
-  std::size_t ends = 0;
-  for (std::size_t at = 0; (at = section.find("</script", at)) != std::string::npos; ++at) ++ends;
-  EXPECT_EQ(ends, 3U);
+  EXPECT_EQ(test::count_of("</script", section), 3U);
   EXPECT_EQ(section.find("<!--"), std::string::npos);
 }
 
