@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/plan/io/plan_file.hpp"
 
 #include "reader.hpp"
 #include "scratch_folder.hpp"
@@ -10,21 +10,19 @@ namespace {
 
 void read(std::string_view bytes) {
   static const SignalTable table = small_table();
-  read_placement(scratch().write("placement.json", bytes), table);
+  read_plan(scratch().write("placement.json", bytes), table);
 }
 
 std::vector<std::string> seeds() {
   const SignalTable table = small_table();
-  Placement placement;
-  placement.selected = {1, 3};
-  placement.unreachable = {{0, 0.02, 0.01}};
-  const std::string plain = placement_json(placement, table);
-  Certificate certificate;
-  certificate.confidence = 0.99;
+  CertifiedPlan plan;
+  plan.placement.selected = {1, 3};
+  plan.placement.unreachable = {{0, 0.02, 0.01}};
+  const std::string plain = plan_json(plan, table);
+  Certificate& certificate = plan.certificate.emplace();
   certificate.labels.resize(table.rows());
   for (LabelVerdict& label : certificate.labels) label.verdict = Verdict::reached;
-  placement.certificate = certificate;
-  return {plain, placement_json(placement, table)};
+  return {plain, plan_json(plan, table)};
 }
 
 }  // namespace

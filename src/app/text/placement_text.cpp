@@ -1,7 +1,6 @@
 #include "app/text/placement_text.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -10,31 +9,17 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/answer/scenarios.hpp"
-#include "shelfbeam/placement/io/words.hpp"
 #include "shelfbeam/placement/problem/critical.hpp"
+#include "shelfbeam/report/messages/bound.hpp"
+#include "shelfbeam/report/messages/selection.hpp"
+#include "shelfbeam/report/messages/unreachable.hpp"
 
 namespace shelfbeam::app {
 
 namespace {
 
-/// "1 transceiver reaches", "2 transceivers reach"
-std::string units_reach(std::size_t units) {
-  return counted(units, "transceiver") + (units == 1 ? " reaches" : " reach");
-}
-
-/// "all 12 labels", "the only label"
-std::string all_labels(std::size_t labels) {
-  return labels == 1 ? "the only label" : "all " + counted(labels, "label");
-}
-
-/// "at least 1 transceiver is needed"
-std::string at_least(double count) {
-  const auto units = static_cast<std::uint64_t>(std::ceil(count));
-  return fmt::format("at least {} {} needed", counted(units, "transceiver"), units == 1 ? "is" : "are");
-}
-
 std::string model_of(const Question& question) {
-  return fmt::format("{}{}", to_text(question.model), question.redundant ? ", whichever unit fails" : "");
+  return fmt::format("{}{}", to_text(question.model), whichever_fails(question));
 }
 
 std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
@@ -53,26 +38,14 @@ std::string outcome(const Placement& placement) {
                             placement.solver.empty() ? "not needed" : placement.solver);
 }
 
-/// What no selection can do for the labels of `unreachable`.
-std::string out_of_reach(const Placement& placement, const SignalTable& table) {
-  const std::size_t lost = placement.unreachable.size();
-  if (placement.question.model == CommunicationModel::non_cooperative)
-    return placement.question.redundant
-               ? fmt::format("{} cannot be reached by two units at once", lost)
-               : fmt::format("{} cannot be reached even by the best candidate", lost);
-  return fmt::format(
-      "{} cannot be reached even by {}{}", lost,
-      table.mounts.empty() ? "all candidates together" : "the best options of all mounting points together",
-      placement.question.redundant ? " when the strongest fails" : "");
-}
-
 std::string infeasible(const Placement& placement, const SignalTable& table) {
-  const std::string no_selection = fmt::format("No selection reaches {}{}", all_labels(table.rows()),
-                                               placement.question.redundant ? ", whichever unit fails" : "");
+  const bool has_options = !table.mounts.empty();
+  const std::string no_selection =
+      fmt::format("{}{}", no_selection_reaches(table.rows()), whichever_fails(placement.question));
   if (placement.unreachable.empty())
-    return fmt::format("{}: each could be reached, but not all of them at once, because {} (proven by {}).\n",
-                       no_selection, why_exclusive(placement, !table.mounts.empty()), placement.solver);
-  std::string text = fmt::format("{}: {}.\n", no_selection, out_of_reach(placement, table));
+    return fmt::format("{}: each {} (proven by {}).\n", no_selection,
+                       not_all_at_once(why_exclusive(placement, has_options)), placement.solver);
+  std::string text = fmt::format("{}: {}.\n", no_selection, terminal_out_of_reach(placement, has_options));
   const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
   for (std::size_t u = 0; u < shown; ++u) {
     const Unreachable& one = placement.unreachable[u];
@@ -88,11 +61,11 @@ std::string infeasible(const Placement& placement, const SignalTable& table) {
 }
 
 std::string nothing_found(const Placement& placement) {
-  const std::string needed = at_least(placement.count_lower_bound);
-  if (placement.solver == "greedy" || placement.solver == "search")
-    return fmt::format("{} found no placement; {}. '--solver mip' searches for one.\n",
-                       placement.solver == "greedy" ? "The greedy method" : "The search", needed);
-  return fmt::format("No placement was found in time; {}.\n", needed);
+  const std::string needed = units_needed(least_count(placement));
+  const std::string_view who = who_gave_up(placement);
+  return who.empty()
+             ? fmt::format("No placement was found in time; {}.\n", needed)
+             : fmt::format("{} found no placement; {}. '--solver mip' searches for one.\n", who, needed);
 }
 
 /// How many labels hang on each unit, where any does.
@@ -108,10 +81,9 @@ std::string hanging(const Placement& placement, const SignalTable& table) {
 }
 
 std::string solved(const Placement& placement, const SignalTable& table) {
-  const bool is_proven = static_cast<double>(placement.count()) <= placement.count_lower_bound;
-  std::string text = fmt::format("{} {} ({}); {}.\n", units_reach(placement.count()),
-                                 all_labels(table.rows()), model_of(placement.question),
-                                 is_proven ? "fewer cannot, proven" : at_least(placement.count_lower_bound));
+  std::string text =
+      fmt::format("{} {} ({}); {}.\n", units_reach(placement.count()), all_labels(table.rows()),
+                  model_of(placement.question), terminal_bound(placement));
   text += chosen(placement.selected, table);
   if (!table.mounts.empty())
     text += fmt::format("  from {} at {}\n", counted(table.columns(), "candidate"),
@@ -148,9 +120,8 @@ std::string describe(const Placement& placement, const SignalTable& table) {
 std::string describe(const Reach& reach, const SignalTable& table) {
   const bool reaches_all = reach.reached == table.rows();
   std::string text = units_reach(reach.selected.size()) + " ";
-  text += reaches_all ? all_labels(table.rows())
-                      : fmt::format("{} of {}, {:.1f} %", grouped(reach.reached),
-                                    counted(table.rows(), "label"), percentage(reach.reached, table));
+  text += labels_reached(reach.reached, table.rows());
+  if (!reaches_all) text += fmt::format(", {:.1f} %", percentage(reach.reached, table));
   text += fmt::format(" ({})", model_of(reach.question));
   if (!reaches_all) {
     text += reach.at_most == 1 ? "; no single transceiver reaches more"
@@ -176,7 +147,7 @@ std::string describe(const ReachCurve& curve, const SignalTable& table) {
   for (const CurvePoint& point : curve.points)
     text += fmt::format("  {:5}                  {:7.1f} % {:7.1f} %\n", point.units,
                         percentage(point.at_least, table), percentage(point.at_most, table));
-  if (!curve.is_complete) text += "  the curve was stopped early: more time may bring the two nearer\n";
+  if (!curve.is_complete) text += fmt::format("  the curve {}\n", cut_short);
   return text;
 }
 

@@ -13,6 +13,7 @@
 #include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/report/comparison/comparison_report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/messages/comparison.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/measured/comparison.hpp"
 #include "shelfbeam/signal/measured/measurements.hpp"
@@ -168,10 +169,7 @@ void print_text(const ComparisonInput& input) {
                     ? fmt::format("{}, the first {}:", counted(c.outliers.size(), "outlier"), listed)
                     : counted(c.outliers.size(), "outlier") + ":",
                 c.outliers);
-  print_pairs(input,
-              c.outliers.empty() ? "Fitted pairs that are furthest off:"
-                                 : "Fitted pairs that are furthest off, outliers aside:",
-              c.worst);
+  print_pairs(input, fmt::format("{}:", worst_pairs(c)), c.worst);
 }
 
 int run_compare(const Options& options) {

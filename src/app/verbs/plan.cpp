@@ -10,9 +10,9 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/placement/io/placement_file.hpp"
-#include "shelfbeam/placement/io/words.hpp"
-#include "shelfbeam/plan/verification_file.hpp"
+#include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/plan/io/verification_file.hpp"
+#include "shelfbeam/report/messages/certificate.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
@@ -68,9 +68,9 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
   if (options.curve && !placement.has_selection())
     text += fmt::format("  {}: 'place {} --at-most K' tells what K transceivers reach\n", no_curve,
                         (options.folder / signal_name).string());
-  if (placement.certificate) text += fmt::format("certificate: {}\n", statement(placement));
-  if (placement.sensitivity)
-    text += fmt::format("sensitivity: {}\n", statement(*placement.sensitivity, table.rows()));
+  if (plan.certificate) text += fmt::format("certificate: {}\n", certificate_sentence(plan));
+  if (plan.sensitivity)
+    text += fmt::format("sensitivity: {}\n", sensitivity_sentence(*plan.sensitivity, table.rows()));
   else if (options.sensitivity)
     text += fmt::format("  no sensitivity {}\n", placement.has_selection()
                                                      ? "yet: the run was stopped before it was known"
@@ -80,15 +80,14 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
 
 // An error that was asked for was not reached, and no certificate says what that means.
 bool is_imprecise(const Plan& plan) {
-  return !plan.placement.certificate && plan.simulation.summary.unmet_error;
+  return !plan.certificate && plan.simulation.summary.unmet_error;
 }
 
 // Something that was asked of the selection came to no end.
 bool is_open(const Options& options, const Plan& plan) {
-  const Placement& placement = plan.placement;
-  return is_imprecise(plan) || (placement.certificate && !placement.certificate->open.empty()) ||
+  return is_imprecise(plan) || (plan.certificate && !plan.certificate->open.empty()) ||
          !plan.curve.is_complete ||
-         (options.sensitivity && placement.has_selection() && !placement.sensitivity);
+         (options.sensitivity && plan.placement.has_selection() && !plan.sensitivity);
 }
 
 int run_plan(const Options& options) {
@@ -129,15 +128,15 @@ int run_plan(const Options& options) {
   const SignalMatrix& matrix = plan.simulation.matrix;
   const SimulationSummary& summary = plan.simulation.summary;
   const SignalTable table = table_of(options, matrix);
-  const std::string answer = placement_json(plan.placement, table, plan.curve);
+  const std::string answer = plan_json(plan, table);
   try {
     AtomicFolder files(options.folder);
     files.add(store_name).write(resolved);
     write_signal_file(matrix, files.add(signal_name));
     files.add(placement_name).write(answer);
-    if (plan.placement.certificate)
-      files.add(verification_name).write(verification_csv(*plan.placement.certificate, scene));
-    write_report(files, {scene, matrix, plan.placement, plan.curve});
+    if (plan.certificate)
+      files.add(verification_name).write(verification_csv(*plan.certificate, scene));
+    write_report(files, {scene, matrix, plan});
     files.commit({report_name, placement_name, labels_name, placement_table_name, verification_name});
   } catch (const OutputError& error) {
     if (!summary.has_checkpoint) throw;

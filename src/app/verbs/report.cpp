@@ -8,7 +8,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
@@ -35,10 +35,9 @@ int run_report(const Options& options) {
     throw InputError((options.folder / signal_name).string(),
                      "belongs to another store file than the one beside it", "run 'shelfbeam plan' again");
   const SignalTable table = make_signal_table(matrix, (options.folder / signal_name).string());
-  const Placement placement = read_placement(options.folder / placement_name, table);
-  const ReachCurve curve = read_curve(options.folder / placement_name, table);
+  const CertifiedPlan plan = read_plan(options.folder / placement_name, table);
   AtomicFolder files(options.folder);
-  write_report(files, {scene, matrix, placement, curve});
+  write_report(files, {scene, matrix, plan});
   files.commit({report_name});
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)

@@ -11,10 +11,11 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
-#include "shelfbeam/placement/io/words.hpp"
+#include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/plan/io/verification_file.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
-#include "shelfbeam/plan/verification_file.hpp"
 #include "shelfbeam/plan/verify_installation.hpp"
+#include "shelfbeam/report/messages/certificate.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 #include "app/loaded_store.hpp"
@@ -73,7 +74,7 @@ int run_verify(const Options& options) {
   if (!options.output.empty()) expect_writable(options.output);
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   print_warnings(options.common, installation.scene, simulation.rules().strategy);
-  Placement placement;
+  CertifiedPlan verified;
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
@@ -82,14 +83,14 @@ int run_verify(const Options& options) {
     asked.budget_s = options.certificate.budget_s;
     asked.simulation = simulation;
     asked.simulation.checkpoint = {};
-    placement = verify_installation(installation.scene, question, asked, control);
+    verified = verify_installation(installation.scene, question, asked, control);
   }
-  const Certificate& certificate = *placement.certificate;
+  const Certificate& certificate = *verified.certificate;
   if (!options.output.empty()) write_file(options.output, verification_csv(certificate, installation.scene));
   if (options.common.json)
     fmt::print("{}", certificate_json(certificate, table_without_signals(installation.scene)));
   else if (!options.common.quiet)
-    fmt::print("{}\n{}\n", statement(placement), certificate_scope);
+    fmt::print("{}\n{}\n", certificate_sentence(verified), certificate_scope);
   if (certificate.count(Verdict::missed) > 0) return answer_is_no;
   return certificate.all_reached() ? done : stopped_early;
 }

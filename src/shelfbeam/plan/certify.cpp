@@ -29,27 +29,29 @@ void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t
 
 class Certifier {
  public:
-  Certifier(const Scene& scene, const TableRule& rule, const CertifyOptions& options, SignalMatrix& matrix,
-            Placement& placement, const RunControl& control)
+  Certifier(const Scene& scene, const TableRule& rule, const CertifyOptions& options, SignalMatrix matrix,
+            Placement placement, const RunControl& control)
       : scene_(scene),
         rule_(rule),
         options_(options),
-        matrix_(matrix),
-        placement_(placement),
+        matrix_(std::move(matrix)),
+        placement_(std::move(placement)),
         control_(control),
         rounds_(options.confidence, options.budget_s, options.simulation),
-        table_(rule(matrix)),
+        table_(rule(matrix_)),
         verdicts_(scene, certificate_.labels) {
     certificate_.confidence = options.confidence;
-    forget();
+    forget_verdicts();
   }
 
-  Certificate run() {
+  Certified run() {
     try {
       do {
         rounds_.next();
         certificate_.rounds = rounds_.round();
-        // Two statements a round: on the labels, and on fewer units.
+        // Two statements a round: on the labels, and on fewer units. Each is wrong with a chance of a_r / 2
+        // at most, a_r = (1 - c) / 2^r, so any of all rounds is with a chance of sum_r a_r = 1 - c at most,
+        // whatever they have to do with each other (Bonferroni).
         const double level = rounds_.level(2);
         if (!placement_.has_selection()) {
           prove_unreachable(level);
@@ -62,12 +64,11 @@ class Certifier {
       certificate_.open = interrupted;
     }
     certificate_.seconds = rounds_.seconds();
-    return std::move(certificate_);
+    return {std::move(matrix_), std::move(placement_), std::move(certificate_)};
   }
 
  private:
-  // Nothing is known of the labels.
-  void forget() {
+  void forget_verdicts() {
     certificate_.labels.assign(matrix_.rows(), {});
     for (std::size_t i = 0; i < matrix_.rows(); ++i)
       certificate_.labels[i].requirement = matrix_.labels[i].requirement;
@@ -238,38 +239,50 @@ class Certifier {
     return true;
   }
 
+  // The matrix learns the fresh rows for good only if a placement is found on it.
   bool learn() {
-    std::vector<std::uint32_t> rows;
-    for (const FreshRow& row : fresh_) join_sets(rows, {row.label});
-    RowsBefore before(matrix_, rows);
+    RowsBefore before(matrix_, fresh_labels());
     for (const FreshRow& row : fresh_) join(row, matrix_);
     SignalTable table = rule_(matrix_);
-    Placement other = place(table, placement_.question, in_time(), control_);
-    const bool says_something = other.has_selection() || other.status == Status::infeasible;
-    if (control_.cancelled() || !says_something) {
+    Placement placement = place(table, placement_.question, in_time(), control_);
+    certificate_.open = why_no_answer(placement);
+    if (!certificate_.open.empty()) {
       before.restore(matrix_);
-      certificate_.open = control_.cancelled()
-                              ? interrupted
-                              : "no placement was found in time with what fresh samples showed";
       return false;
     }
-    if (other.selected == placement_.selected && other.has_selection() == placement_.has_selection()) {
-      verdicts_.grow();
-    } else {
-      forget();
-    }
-    other.seconds += placement_.seconds;
-    placement_ = std::move(other);
-    table_ = std::move(table);
     fresh_.clear();
+    table_ = std::move(table);
+    adopt(std::move(placement));
     return true;
+  }
+
+  std::vector<std::uint32_t> fresh_labels() const {
+    std::vector<std::uint32_t> rows;
+    for (const FreshRow& row : fresh_) join_sets(rows, {row.label});
+    return rows;
+  }
+
+  std::string why_no_answer(const Placement& placement) const {
+    if (control_.cancelled()) return interrupted;
+    const bool is_answer = placement.has_selection() || placement.status == Status::infeasible;
+    return is_answer ? "" : "no placement was found in time with what fresh samples showed";
+  }
+
+  // Verdicts are of a selection: with the same one they stay, and the open ones get more batches.
+  void adopt(Placement placement) {
+    if (placement.selected == placement_.selected && placement.has_selection() == placement_.has_selection())
+      verdicts_.grow();
+    else
+      forget_verdicts();
+    placement.seconds += placement_.seconds;
+    placement_ = std::move(placement);
   }
 
   const Scene& scene_;
   const TableRule& rule_;
   const CertifyOptions& options_;
-  SignalMatrix& matrix_;
-  Placement& placement_;
+  SignalMatrix matrix_;
+  Placement placement_;
   const RunControl& control_;
   Rounds rounds_;
   SignalTable table_;
@@ -285,9 +298,9 @@ class Certifier {
 
 }  // namespace
 
-Certificate certify(const Scene& scene, const TableRule& table, const CertifyOptions& options,
-                    SignalMatrix& matrix, Placement& placement, const RunControl& control) {
-  return Certifier(scene, table, options, matrix, placement, control).run();
+Certified certify(const Scene& scene, const TableRule& table, const CertifyOptions& options,
+                  SignalMatrix matrix, Placement placement, const RunControl& control) {
+  return Certifier(scene, table, options, std::move(matrix), std::move(placement), control).run();
 }
 
 }  // namespace shelfbeam

@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/answer/certificate.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
@@ -23,22 +23,31 @@ struct CertifyOptions {
 /// Makes the table that is placed on: the matrix with its side constraints.
 using TableRule = std::function<SignalTable(const SignalMatrix&)>;
 
+/// What came of certifying a placement. The three fit each other: `placement` is made on `matrix`, and the
+/// verdicts of `certificate` are of its selection.
+struct Certified {
+  SignalMatrix matrix;  ///< with the fresh samples that it has learned
+  Placement placement;
+  Certificate certificate;
+};
+
 /// Carries the error of sampling through to the decision (docs/methods/certified_plan.md). In rounds
 /// r = 1, 2, ..., each with random numbers of its own and at level (1 - confidence) / 2^r:
 /// - the selected units are simulated afresh, and every label is called reached, missed or undecided
 ///   (verification.hpp),
 /// - fresh upper limits of a few labels' signals must need as many units as the placement has (optimism.hpp),
-/// - labels that are not reached get more samples for all candidates, which go into `matrix`, and `placement`
-///   is made anew.
+/// - labels that are not reached get more samples for all candidates, which the matrix learns, and the
+///   placement is made anew.
 /// Where the matrix leaves labels unreachable, fresh upper limits of these must do so, too: they are missed
 /// then, by whatever selection.
 ///
 /// It ends when all is said, with the budget, when cancelled, or where a label is so near its requirement
-/// that the budget could not decide it. `matrix` and `placement` fit each other at any time.
+/// that the budget could not decide it. A round that is interrupted leaves matrix and placement as they were.
+/// Moved in, the matrix is never there twice.
 ///
 /// The bound is of the number of units; prices and second objectives are those of the matrix. Throws as
 /// `sample_batches`, but not for being interrupted.
-Certificate certify(const Scene& scene, const TableRule& table, const CertifyOptions& options,
-                    SignalMatrix& matrix, Placement& placement, const RunControl& control = {});
+Certified certify(const Scene& scene, const TableRule& table, const CertifyOptions& options,
+                  SignalMatrix matrix, Placement placement, const RunControl& control = {});
 
 }  // namespace shelfbeam

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/answer/certificate.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/scene/scene.hpp"
 

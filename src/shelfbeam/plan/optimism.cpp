@@ -72,6 +72,7 @@ OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
   OptimisticRows result{table_of_rows(planned, rows), {}};
   result.table.entries.clear();
   result.table.row_begin = {0};
+  // P(any limit is too low) <= 3 r n (level / (3 r n)), for r rows and n columns (Bonferroni).
   const double of_one = level / (limits_an_entry * static_cast<double>(n) *
                                  static_cast<double>(std::max<std::size_t>(1, rows.size())));
   for (std::size_t k = 0; k < rows.size(); ++k)

@@ -1,6 +1,7 @@
 #include "shelfbeam/plan/plan.hpp"
 
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/base/error.hpp"
@@ -45,15 +46,18 @@ Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl&
   SimulationOptions fresh = options.simulation;
   if (fresh.strategy == Strategy::particle) fresh.strategy = Strategy::mis;
   const bool says_something = plan.placement.has_selection() || !plan.placement.unreachable.empty();
-  if (options.confidence && plan.simulation.summary.complete && says_something)
-    plan.placement.certificate =
-        certify(scene, table, {*options.confidence, options.budget_s, fresh, options.place},
-                plan.simulation.matrix, plan.placement, control);
+  if (options.confidence && plan.simulation.summary.complete && says_something) {
+    Certified certified = certify(scene, table, {*options.confidence, options.budget_s, fresh, options.place},
+                                  std::move(plan.simulation.matrix), std::move(plan.placement), control);
+    plan.simulation.matrix = std::move(certified.matrix);
+    plan.placement = std::move(certified.placement);
+    plan.certificate = std::move(certified.certificate);
+  }
   if (options.curve && plan.placement.has_selection())
-    plan.curve =
-        add_curve(plan.placement, table(plan.simulation.matrix), options.place.time_limit_s, control);
+    plan.curve = add_curve(plan.placement, table(plan.simulation.matrix), options.place.time_limit_s, control,
+                           plan.certificate.has_value());
   if (options.sensitivity && plan.simulation.summary.complete && plan.placement.has_selection())
-    plan.placement.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);
+    plan.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);
   plan.complete = plan.simulation.summary.complete && !control.cancelled();
   return plan;
 }

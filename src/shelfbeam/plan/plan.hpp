@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/coverage/curve.hpp"
+#include "shelfbeam/plan/answer/certified_plan.hpp"
 #include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/plan/sensitivity.hpp"
 #include "shelfbeam/scene/scene.hpp"
@@ -23,10 +22,9 @@ struct PlanOptions {
   std::optional<SensitivityOptions> sensitivity = {};
 };
 
-struct Plan {
+/// With the simulation that it rests on: the matrix is the one that it was placed on in the end.
+struct Plan : CertifiedPlan {
   SimulationResult simulation;
-  Placement placement;    ///< with its certificate, where one was asked for
-  ReachCurve curve;       ///< without points unless asked for
   bool complete = false;  ///< nothing was interrupted
 };
 

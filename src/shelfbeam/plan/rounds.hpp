@@ -39,7 +39,9 @@ class Rounds {
   /// Begins the next one; the first is 1.
   void next() { ++round_; }
   std::uint32_t round() const { return round_; }
-  /// For each of so many statements that a round makes: (1 - confidence) / 2^r, shared.
+  /// For each of so many statements that round r makes: a_r / statements with a_r = (1 - confidence) / 2^r,
+  /// so that all rounds together keep sum_r a_r = 1 - confidence, however many there are and whatever ends
+  /// them.
   double level(int statements) const;
   VerificationEffort effort(Purpose purpose, std::uint32_t batches) const;
 

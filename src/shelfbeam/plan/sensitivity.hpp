@@ -5,8 +5,8 @@
 #include <span>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/answer/sensitivity.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/plan/answer/sensitivity.hpp"
 #include "shelfbeam/plan/verification.hpp"
 #include "shelfbeam/scene/scene.hpp"
 

@@ -111,6 +111,8 @@ std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, s
   options.seed = effort.seed;
   const FreshSums fresh =
       fresh_sums(scene, options, std::max(effort.batches, least_verifying_batches), width, rule, control);
+  // P(any of m verdicts is wrong) <= m (level / m), whatever the dependence between labels (Bonferroni);
+  // Sidak's 1 - (1 - level)^(1/m) asks for independence and would be larger by a share of level / 2 at most.
   const double of_one = level / static_cast<double>(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     LabelVerdict& label = labels[i];

@@ -27,15 +27,16 @@ std::vector<float> planned_signals(const Scene& scene, const Question& question,
 
 }  // namespace
 
-Placement verify_installation(const Scene& scene, const Question& question, const CertifyOptions& options,
-                              const RunControl& control) {
+CertifiedPlan verify_installation(const Scene& scene, const Question& question, const CertifyOptions& options,
+                                  const RunControl& control) {
   const std::vector<float> planned = planned_signals(scene, question, options.simulation, control);
-  Placement placement;
+  CertifiedPlan plan;
+  Placement& placement = plan.placement;
   placement.question = question;
   placement.selected.resize(scene.transceivers.size());
   std::iota(placement.selected.begin(), placement.selected.end(), 0U);
   placement.objective_value = static_cast<double>(placement.count());
-  Certificate& certificate = placement.certificate.emplace();
+  Certificate& certificate = plan.certificate.emplace();
   certificate.confidence = options.confidence;
   for (const Label& label : scene.labels)
     certificate.labels.push_back({.requirement = scene.type_of(label).requirement()});
@@ -64,7 +65,7 @@ Placement verify_installation(const Scene& scene, const Question& question, cons
     certificate.open = "it was interrupted";
   }
   certificate.seconds = rounds.seconds();
-  return placement;
+  return plan;
 }
 
 }  // namespace shelfbeam

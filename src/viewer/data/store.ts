@@ -2,7 +2,7 @@
 
 import { readPageData } from "./page_data";
 
-/** Of the certificate, as placement/certificate.hpp numbers them. */
+/** Of the certificate, as plan/answer/certificate.hpp numbers them. */
 export const verdicts = ["reached", "missed", "undecided"] as const;
 
 export interface StoreAbout {

@@ -12,8 +12,6 @@ namespace {
 
 using test::expect_silent;
 using test::Json;
-using test::small_store;
-using test::TempFolder;
 
 const std::vector<std::string> verbs = {"new",  "inspect", "simulate", "place",
                                         "plan", "verify",  "report",   "export"};
@@ -44,31 +42,20 @@ TEST(Version, IsAThreePartNumber) {
   EXPECT_EQ(version.find_first_not_of("0123456789.\n"), std::string::npos);
 }
 
-class CommandLine : public testing::Test {
+class CommandLine : public test::ProgramTest {
  protected:
-  CommandLine() {
-    folder.write("store.json", small_store().dump());
-    folder.write("matrix.csv", "label,T1,T2\nL1,1,2\nL2,3,0\n");
-  }
-  std::string path(const std::string& name) const { return (folder / name).string(); }
+  CommandLine() { folder.write("matrix.csv", "label,T1,T2\nL1,1,2\nL2,3,0\n"); }
   // Runs every verb once, with the flag.
   std::vector<std::pair<std::string, std::string>> outputs(const std::string& flag) const {
     std::vector<std::pair<std::string, std::string>> result;
-    const auto run = [&](std::vector<std::string> arguments) {
-      arguments.push_back(flag);
-      const std::string verb = arguments.front();
-      result.emplace_back(verb, expect_silent(std::move(arguments)));
-    };
-    run({"new", "thesis", path("thesis \"1\"")});
-    run({"inspect", path("store.json"), "-o", path("plan.svg")});
-    run({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "2000"});
-    run({"place", path("matrix.csv"), "--threshold", "2", "-o", path("placement.json")});
-    run({"plan", path("store.json"), "-o", path("plan"), "--samples", "2000"});
-    run({"report", path("plan")});
-    run({"export", path("matrix.csv"), "-o", path("model.lp"), "--threshold", "2"});
+    for (const std::string verb :
+         {"new thesis @thesis\"1\"", "inspect @store.json -o @plan.svg",
+          "simulate @store.json -o @signal.h5 --samples 2000",
+          "place @matrix.csv --threshold 2 -o @placement.json", "plan @store.json -o @plan --samples 2000",
+          "report @plan", "export @matrix.csv -o @model.lp --threshold 2"})
+      result.emplace_back(verb.substr(0, verb.find(' ')), told(verb + " " + flag));
     return result;
   }
-  TempFolder folder;
 };
 
 TEST_F(CommandLine, QuietPrintsNothing) {
@@ -102,24 +89,19 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"inspect", store, "extra"}, "extra"},
       {{"inspect", store, "-o", ""}, "the name is empty"},
       {{"inspect", store, "--threads", "-1"}, "--threads"},
-      {{"inspect", store, "--threads", "many"}, "--threads"},
       {{"inspect", store, "--seed", "1.5"}, "--seed"},
       {{"new", "thesi", out}, "there is no template 'thesi'; did you mean 'thesis'?"},
       {{"new", "thesis"}, "DIR is required"},
       {{"simulate", store}, "--output is required"},
       {{"simulate", store, "-o"}, "--output"},
       {{"simulate", store, "-o", out, "--samples", "0"}, "--samples"},
-      {{"simulate", store, "-o", out, "--samples", "-5"}, "--samples"},
       {{"simulate", store, "-o", out, "--samples", "1e99"}, "--samples"},
-      {{"simulate", store, "-o", out, "--estimator", "bdpt"}, "--estimator"},
       {{"simulate", store, "-o", out, "--estimator", "reuse", "--max-bounces", "3"}, "--max-bounces"},
       {{"simulate", store, "-o", out, "--estimator", "reuse", "--direct", "sampled"}, "--direct"},
-      {{"simulate", store, "-o", out, "--direct", "both"}, "--direct"},
       {{"simulate", store, "-o", out, "--strategy", "bdpt"}, "--strategy"},
       {{"simulate", store, "-o", out, "--strategy", "walk"},
        "strategy walk: never meets transceiver 'G1-1-1': its type 'ceiling' is a point; give the type a "
        "radius"},
-      {{"simulate", store, "-o", out, "--heuristic", "maximum"}, "--heuristic"},
       {{"simulate", store, "-o", out, "--max-bounces", "-1"}, "--max-bounces"},
       {{"simulate", store, "-o", out, "--by-bounce"}, "--max-bounces"},
       {{"plan", store, "-o", out, "--by-bounce", "--max-bounces", "3"}, "--by-bounce"},
@@ -130,27 +112,20 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"simulate", store, "-o", out, "--by-length", "1", "--direct", "exact"}, "--direct"},
       {{"simulate", store, "-o", out, "--by-length", "1", "--strategy", "particle"}, "--strategy"},
       {{"place", matrix, "--threshold", "0"}, "--threshold: '0' is no finite number above 0"},
-      {{"place", matrix, "--threshold", "nan"}, "--threshold"},
       {{"place", matrix, "--threshold", "inf"}, "--threshold"},
-      {{"place", matrix, "--threshold", "2x"}, "--threshold"},
       {{"place", matrix, "--threshold", "2", "--time-limit", "0"}, "--time-limit"},
-      {{"place", matrix, "--threshold", "2", "--time-limit", "nan"}, "--time-limit"},
       {{"place", matrix, "--threshold", "2", "--share", "-1"}, "--share"},
       {{"place", matrix, "--threshold", "2", "--model", "coop"}, "--model"},
-      {{"place", matrix, "--threshold", "2", "--objective", "cost"}, "--objective"},
-      {{"place", matrix, "--threshold", "2", "--solver", "exact"}, "--solver"},
       {{"place", matrix, "--threshold", "2", "--at-most", "99999999999999999999999"},
        "--at-most: '99999999999999999999999' is no whole number above 0, or too large a one"},
       {{"place", matrix, "--threshold", "2", "--backend", "cplex"}, "--backend"},
       {{"place", matrix, "--threshold", "2", "--weighted", "--lexicographic"}, "excludes"},
       {{"plan", store, "-o", out, "--relative-error", "0"}, "--relative-error"},
       {{"plan", store, "-o", out, "--relative-error", "0.1", "--samples", "100"}, "excludes"},
-      {{"plan", store, "-o", out, "--relative-error", "0.1", "--time", "9"}, "excludes"},
       {{"plan", store, "-o", out, "--above", "0.1", "--samples", "640"}, "--above"},
       {{"plan", store, "-o", out, "--above", "0.1"}, "--above"},
       {{"plan", store, "-o", out, "--time", "-1"}, "--time"},
       {{"plan", store, "-o", out, "--memory", "4X"}, "--memory"},
-      {{"plan", store, "-o", out, "--memory", "0"}, "--memory"},
       {{"plan", store, "-o", out, "--checkpoint-interval", "-1"}, "--checkpoint-interval"},
       {{"export", matrix, "-o", path("model.xml")}, "model.xml: '.xml' says nothing about the format"},
       {{"export", matrix, "-o", path("model")}, "end the name in .mps, .lp, .csv or .npy"},

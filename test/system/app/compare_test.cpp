@@ -13,19 +13,15 @@
 namespace shelfbeam {
 namespace {
 
-using test::expect_refused;
-using test::expect_silent;
 using test::Json;
 
 /// A simulated kiosk and what somebody measured there in millivolts: 250 per W/m^2, up to 0.3 dB off.
-class Compare : public testing::Test {
+class Compare : public test::ProgramTest {
  protected:
   Compare() {
-    folder.write("store.json", test::small_store().dump());
-    expect_silent({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "4000"});
+    told("simulate @store.json -o @signal.h5 --samples 4000");
     matrix = read_signal_file(folder / "signal.h5");
   }
-  std::string path(const std::string& name) const { return (folder / name).string(); }
   double noise(std::size_t k) const {
     return std::pow(10, 0.03 * std::sin(12.9898 * static_cast<double>(k)));
   }
@@ -41,18 +37,17 @@ class Compare : public testing::Test {
     return csv;
   }
 
-  test::TempFolder folder;
   SignalMatrix matrix;
 };
 
 TEST_F(Compare, FindsTheFactorOfPairs) {
   folder.write("m.csv", pairs());
-  const std::string text = expect_silent({"compare", path("signal.h5"), path("m.csv"), "-o", path("out")});
+  const std::string text = told("compare @signal.h5 @m.csv -o @out");
   for (const char* part : {"One unit of simulated signal", "errors explain the differences",
                            "No pair is an outlier.", "comparison.csv", "comparison.html"})
     EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
   EXPECT_EQ(test::names(folder / "out"), (std::set<std::string>{"comparison.csv", "comparison.html"}));
-  const Json json = Json::parse(expect_silent({"compare", path("signal.h5"), path("m.csv"), "--json"}));
+  const Json json = Json::parse(told("compare @signal.h5 @m.csv --json"));
   EXPECT_EQ(json["pairs"], matrix.rows() * matrix.columns());
   EXPECT_LT(json["factor_low"], 250);
   EXPECT_GT(json["factor_high"], 250);
@@ -64,14 +59,14 @@ TEST_F(Compare, FindsTheFactorOfPairs) {
   const std::size_t line = wrong.find("\ndoor,");
   wrong.insert(wrong.find(',', wrong.find(',', line + 1) + 1) + 1, "9");
   folder.write("wrong.csv", wrong);
-  const Json told = Json::parse(expect_silent({"compare", path("signal.h5"), path("wrong.csv"), "--json"}));
-  ASSERT_EQ(told["outliers"].size(), 1u) << told;
-  EXPECT_EQ(told["outliers"][0]["label"], "door");
-  EXPECT_EQ(told["one_factor"], false);
+  const Json found = Json::parse(told("compare @signal.h5 @wrong.csv --json"));
+  ASSERT_EQ(found["outliers"].size(), 1u) << found;
+  EXPECT_EQ(found["outliers"][0]["label"], "door");
+  EXPECT_EQ(found["one_factor"], false);
 }
 
 TEST_F(Compare, FindsTheFactorOfAPlacement) {
-  expect_silent({"place", path("signal.h5"), "-o", path("placement.json")});
+  told("place @signal.h5 -o @placement.json");
   const Json placement = Json::parse(read_file(folder / "placement.json"));
   std::string csv = "label,signal\n";
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
@@ -82,8 +77,8 @@ TEST_F(Compare, FindsTheFactorOfAPlacement) {
     csv += fmt::format("{},{}\n", csv_field(matrix.labels[i].id), 8 * sum * noise(i));
   }
   folder.write("m.csv", csv);
-  const Json json = Json::parse(expect_silent({"compare", path("signal.h5"), path("m.csv"), "--placement",
-                                               path("placement.json"), "--json", "-o", path("c.html")}));
+  const Json json =
+      Json::parse(told("compare @signal.h5 @m.csv --placement @placement.json --json -o @c.html"));
   EXPECT_EQ(json["report"], path("c.html"));
   EXPECT_TRUE(read_file(folder / "c.html").starts_with("<!DOCTYPE html>"));
   EXPECT_LT(json["factor_low"], 8);
@@ -93,22 +88,21 @@ TEST_F(Compare, FindsTheFactorOfAPlacement) {
 }
 
 TEST_F(Compare, RefusesWhatItCannotCompare) {
-  const auto refused = [&](const std::string& csv, std::vector<std::string> more,
-                           const std::vector<std::string>& parts) {
+  const auto refuse = [&](const std::string& csv, const std::string& options,
+                          const std::vector<std::string>& parts) {
     folder.write("m.csv", csv);
-    more.insert(more.begin(), {"compare", path("signal.h5"), path("m.csv")});
-    expect_refused(folder, more, parts);
+    refused("compare @signal.h5 @m.csv " + options, parts);
   };
   const std::string good = pairs();
   folder.write("placement.json", "{}");
-  refused("label,signal\ndoor,1\n", {}, {"m.csv", "--placement"});
-  refused("label,transceiver,signal\ndor,G1-1-1,1\n", {}, {"m.csv: line 2", "did you mean 'door'"});
-  refused("label,transceiver,signal\ndoor,G1-1-1,1\n", {}, {"m.csv", "three at least"});
-  refused(good, {"--placement", path("placement.json")}, {"leave --placement out"});
-  refused(good, {"-o", path("m.csv")}, {"is the input"});
-  refused(good, {"-o", path("page.txt")}, {".csv or .html"});
-  refused(good, {"-o", path("missing/page.html")}, {"missing"});
-  refused(good, {"--confidence", "1"}, {"--confidence"});
+  refuse("label,signal\ndoor,1\n", "", {"m.csv", "--placement"});
+  refuse("label,transceiver,signal\ndor,G1-1-1,1\n", "", {"m.csv: line 2", "did you mean 'door'"});
+  refuse("label,transceiver,signal\ndoor,G1-1-1,1\n", "", {"m.csv", "three at least"});
+  refuse(good, "--placement @placement.json", {"leave --placement out"});
+  refuse(good, "-o @m.csv", {"is the input"});
+  refuse(good, "-o @page.txt", {".csv or .html"});
+  refuse(good, "-o @missing/page.html", {"missing"});
+  refuse(good, "--confidence 1", {"--confidence"});
 }
 
 }  // namespace

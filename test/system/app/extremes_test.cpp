@@ -11,9 +11,7 @@
 namespace shelfbeam {
 namespace {
 
-using test::expect_silent;
 using test::Json;
-using test::TempFolder;
 
 // A room of 8 x 6 x 3 m with one candidate and one label.
 Json smallest_store(double threshold, double reflectance = 0.3) {
@@ -26,24 +24,17 @@ Json smallest_store(double threshold, double reflectance = 0.3) {
   return store;
 }
 
-class Extremes : public testing::Test {
+class Extremes : public test::ProgramTest {
  protected:
-  Json planned(const Json& store, int exit_code, const std::vector<std::string>& more = {}) {
+  Json planned(const Json& store, int exit_code, const std::string& options = "") {
     folder.write("store.json", store.dump());
-    std::vector<std::string> arguments{"plan", path("store.json"), "-o", path("plan"), "--samples", "640"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    expect_silent(arguments, exit_code);
-    return Json::parse(read_file(folder / "plan/placement.json"));
+    told("plan @store.json -o @plan --samples 640 " + options, exit_code);
+    return json("plan/placement.json");
   }
-  Json placed(const std::string& threshold, int exit_code, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments{"place",       path("matrix.csv"), "-o", path("placement.json"),
-                                       "--threshold", threshold};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    expect_silent(arguments, exit_code);
-    return Json::parse(read_file(folder / "placement.json"));
+  Json placed(const std::string& options, int exit_code) {
+    told("place @matrix.csv -o @placement.json --threshold " + options, exit_code);
+    return json("placement.json");
   }
-  std::string path(const std::string& name) const { return (folder / name).string(); }
-  TempFolder folder;
 };
 
 TEST_F(Extremes, OneLabelAndOneCandidate) {
@@ -69,7 +60,7 @@ TEST_F(Extremes, EveryUnitReachesEveryLabel) {
   Json store = test::small_store();
   store["label_types"]["standard"]["threshold"] = 1e-12;
   for (const char* model : {"cooperative", "non-cooperative"}) {
-    const Json answer = planned(store, 0, {"--model", model});
+    const Json answer = planned(store, 0, std::string("--model ") + model);
     EXPECT_EQ(answer["status"], "optimal") << model;
     EXPECT_EQ(answer["count"], 1) << model;
     EXPECT_EQ(answer["count_lower_bound"], 1) << model;
@@ -90,8 +81,8 @@ TEST_F(Extremes, AllCandidatesAreAlike) {
     EXPECT_EQ(answer["count_lower_bound"], count) << threshold;
   }
   EXPECT_EQ(placed("0.1201", 1)["status"], "infeasible");
-  EXPECT_EQ(placed("0.01", 0, {"--model", "non-cooperative"})["count"], 1);
-  EXPECT_EQ(placed("0.0101", 1, {"--model", "non-cooperative"})["status"], "infeasible");
+  EXPECT_EQ(placed("0.01 --model non-cooperative", 0)["count"], 1);
+  EXPECT_EQ(placed("0.0101 --model non-cooperative", 1)["status"], "infeasible");
 }
 
 // A floor of 400 x 250 labels below four units: the matrix is whole and every label is answered for.
@@ -108,7 +99,7 @@ TEST_F(Extremes, SlowAHundredThousandLabels) {
   }
   store["transceivers"] = Json::parse(
       R"({ "grids": [ { "type": "ceiling", "min": [25, 20], "max": [75, 60], "spacing": 25, "z": 3.9 } ] })");
-  const Json answer = planned(store, 0, {"--estimator", "uniform", "--max-bounces", "1", "--no-certificate"});
+  const Json answer = planned(store, 0, "--estimator uniform --max-bounces 1 --no-certificate");
   EXPECT_EQ(answer["labels"], 100000);
   EXPECT_TRUE(answer["unreachable"].empty());
   EXPECT_EQ(answer["status"], "optimal");

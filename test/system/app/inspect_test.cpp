@@ -8,9 +8,7 @@
 namespace shelfbeam {
 namespace {
 
-using test::expect_silent;
 using test::Json;
-using test::TempFolder;
 
 // A shop with a material of every kind, a cabinet with glass doors, several types and tilts, a mesh, and a
 // label that looks the wrong way.
@@ -46,7 +44,7 @@ Json shop() {
   return store;
 }
 
-class Inspect : public testing::Test {
+class Inspect : public test::ProgramTest {
  protected:
   Inspect() {
     folder.write("store.json", shop().dump());
@@ -61,12 +59,10 @@ class Inspect : public testing::Test {
     }
     folder.write("lens.stl", stl + "endsolid lens\n");
   }
-  std::string path(const char* name) const { return (folder / name).string(); }
-  TempFolder folder;
 };
 
 TEST_F(Inspect, ToldAsJson) {
-  const Json json = Json::parse(expect_silent({"inspect", path("store.json"), "--json"}));
+  const Json json = Json::parse(told("inspect @store.json --json"));
   const Json& materials = json["materials"];
   const auto number = [&](const char* material, const char* key) {
     return materials[material][key].get<double>();
@@ -124,7 +120,7 @@ TEST_F(Inspect, ToldAsJson) {
 }
 
 TEST_F(Inspect, ToldAsText) {
-  const std::string text = expect_silent({"inspect", path("store.json"), "-o", path("plan.svg")});
+  const std::string text = told("inspect @store.json -o @plan.svg");
   for (const char* part :
        {"\n  8.00 x 6.00 x 3.00 m, 940 nm, ", "\n  2 fixtures, 18 labels, 16 candidate transceivers at ",
         " at 13 mounting points, 2 of them with several options\n", "  reflectance  ", "  transmittance  ",
@@ -132,12 +128,12 @@ TEST_F(Inspect, ToldAsText) {
         "\n  wide        cosine_power  100 x 50       1         0.02\n",
         "\n  spot              lambertian      0.05       3      10.03      4     3   2.5\n", "\nwarning: "})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
-  EXPECT_TRUE(read_file(folder / "plan.svg").find("class=\"door\"") != std::string::npos);
+  EXPECT_NE(bytes("plan.svg").find("class=\"door\""), std::string::npos);
 }
 
 TEST_F(Inspect, WithoutGlassSaysNothingOfTransmittance) {
   folder.write("plain.json", test::small_store().dump());
-  const std::string text = expect_silent({"inspect", path("plain.json")});
+  const std::string text = told("inspect @plain.json");
   EXPECT_EQ(text.find("transmittance"), std::string::npos);
   EXPECT_EQ(text.find("warning"), std::string::npos);
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,15 @@ inline std::vector<std::string> command(std::vector<std::string> arguments) {
 /// Runs the built program.
 inline Outcome shelfbeam(std::vector<std::string> arguments) {
   return run(command(std::move(arguments)));
+}
+
+/// The words of a command line, apart at blanks; "@name" stands for a path in the folder.
+inline std::vector<std::string> words(const TempFolder& folder, const std::string& line) {
+  std::vector<std::string> words;
+  std::istringstream stream(line);
+  for (std::string word; stream >> word;)
+    words.push_back(word[0] == '@' ? (folder / word.substr(1)).string() : word);
+  return words;
 }
 
 /// Runs it and expects the exit code and, as nobody watches a terminal, silence on standard error.
@@ -87,5 +97,21 @@ inline Json small_store() {
     "transceivers": { "grids": [ { "type": "ceiling", "min": [1, 1], "max": [7, 5], "spacing": 2, "z": 2.9 } ] }
   })");
 }
+
+/// A test with a folder of its own, in which store.json is the small store.
+class ProgramTest : public testing::Test {
+ protected:
+  ProgramTest() { folder.write("store.json", small_store().dump()); }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+  std::string bytes(const std::string& name) const { return read_file(folder / name); }
+  Json json(const std::string& name) const { return Json::parse(bytes(name)); }
+  std::string told(const std::string& line, int exit_code = 0) const {
+    return expect_silent(words(folder, line), exit_code);
+  }
+  void refused(const std::string& line, const std::vector<std::string>& parts) const {
+    expect_refused(folder, words(folder, line), parts);
+  }
+  TempFolder folder;
+};
 
 }  // namespace shelfbeam::test

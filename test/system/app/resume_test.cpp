@@ -13,19 +13,14 @@ namespace {
 using test::expect_silent;
 using test::names;
 using test::small_store;
-using test::TempFolder;
 
-class Killed : public testing::Test {
+class Killed : public test::ProgramTest {
  protected:
-  Killed() { folder.write("store.json", small_store().dump()); }
-  std::string path(const std::string& name) const { return (folder / name).string(); }
   std::vector<std::string> arguments(const std::string& output, const std::vector<std::string>& more) const {
-    std::vector<std::string> all{"simulate",   path("store.json"),      "-o",
-                                 path(output), "--checkpoint-interval", "0"};
+    auto all = test::words(folder, "simulate @store.json --checkpoint-interval 0 -o @" + output);
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
-  TempFolder folder;
 };
 
 // Kills the program again and again, each time a little later, until a run comes to its end.
@@ -80,22 +75,16 @@ TEST_F(Killed, ACheckpointIsForItsOwnSimulationOnly) {
 }
 
 TEST_F(Killed, APlanGoesOnToo) {
-  const std::vector<std::string> plan{"plan", path("store.json"), "--samples", "20000"};
-  const auto into = [&](const std::string& output, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> all = plan;
-    all.insert(all.end(), {"-o", path(output)});
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  };
-  expect_silent(into("whole"));
+  const std::string plan = "plan @store.json --samples 20000 -o ";
+  told(plan + "@whole");
   for (double delay = 0.1; !std::filesystem::exists(path("plan/signal.h5.checkpoint")); delay *= 1.2) {
-    test::Process process(test::command(into("plan", {"--checkpoint-interval", "0"})));
+    test::Process process(test::command(test::words(folder, plan + "@plan --checkpoint-interval 0")));
     std::this_thread::sleep_for(std::chrono::duration<double>(delay));
     process.send(SIGKILL);
     process.wait();
     ASSERT_LT(delay, 20);
   }
-  expect_silent(into("plan", {"--resume"}));
+  told(plan + "@plan --resume");
   EXPECT_TRUE(read_file(folder / "plan/signal.h5") == read_file(folder / "whole/signal.h5"));
   EXPECT_FALSE(std::filesystem::exists(path("plan/signal.h5.checkpoint")));
 }

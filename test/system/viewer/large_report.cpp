@@ -53,11 +53,12 @@ int main(int count, char** arguments) {
     candidates.push_back(scene.transceivers[j]);
   scene.transceivers = candidates;
   const SignalMatrix matrix = made_up(scene);
-  Placement placement;
+  CertifiedPlan plan;
+  Placement& placement = plan.placement;
   placement.status = Status::feasible;
   for (std::uint32_t j = 3; j < matrix.columns(); j += 8) placement.selected.push_back(j);
   placement.objective_value = placement.count_lower_bound = static_cast<double>(placement.count());
-  const ReportInput input{scene, matrix, placement};
+  const ReportInput input{scene, matrix, plan};
   const std::filesystem::path folder = arguments[2];
   const std::string html = report_html(input);
   write_file(folder / "report.html", html);

@@ -291,13 +291,13 @@ TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {
   const Scene scene = test::PlanStore().scene();
   PlanOptions options = without_certificate();
   Plan plan = make_plan(scene, options);
-  EXPECT_FALSE(plan.placement.sensitivity);
+  EXPECT_FALSE(plan.sensitivity);
   EXPECT_TRUE(plan.curve.points.empty());
   options.curve = true;
   options.sensitivity = SensitivityOptions{};
   plan = make_plan(scene, options);
-  ASSERT_TRUE(plan.placement.sensitivity);
-  EXPECT_EQ(plan.placement.sensitivity->materials[0].material, "paper");
+  ASSERT_TRUE(plan.sensitivity);
+  EXPECT_EQ(plan.sensitivity->materials[0].material, "paper");
   ASSERT_EQ(plan.curve.points.size(), plan.placement.count());
   EXPECT_EQ(plan.curve.points.back().at_least, scene.labels.size());
 }
@@ -321,7 +321,7 @@ TEST(Plan, KeepsWhatItHasWhereSensitivityIsInterrupted) {
   EXPECT_TRUE(whole.complete);
   EXPECT_FALSE(part.complete);
   EXPECT_TRUE(part.simulation.summary.complete);
-  EXPECT_FALSE(part.placement.sensitivity);
+  EXPECT_FALSE(part.sensitivity);
   EXPECT_EQ(part.placement.selected, whole.placement.selected);
   EXPECT_EQ(part.curve.points.size(), whole.curve.points.size());
 }

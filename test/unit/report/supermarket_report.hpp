@@ -14,13 +14,14 @@ namespace shelfbeam::test {
 struct Supermarket {
   Scene scene = make_scene(sample_store::supermarket());
   SignalMatrix matrix = sample_store::matrix_of(scene);
-  Placement placement = sample_store::cover(matrix);
-  ReportInput input{scene, matrix, placement};
+  CertifiedPlan plan{sample_store::cover(matrix)};
+  Placement& placement = plan.placement;
+  ReportInput input{scene, matrix, plan};
 };
 
 // A certificate with every verdict: each 50th label is missed, each 50th undecided.
 inline void certify(Supermarket& s) {
-  Certificate& certificate = s.placement.certificate.emplace();
+  Certificate& certificate = s.plan.certificate.emplace();
   certificate.confidence = 0.95;
   certificate.labels.resize(s.matrix.rows());
   for (std::size_t i = 0; i < certificate.labels.size(); ++i) {

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "shelfbeam/base/names.hpp"
-#include "shelfbeam/placement/answer/certificate.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
@@ -49,10 +48,5 @@ inline constexpr auto names_of<SolverChoice> =
                                         {"search", SolverChoice::search},
                                         {"mip", SolverChoice::mip},
                                         {"greedy", SolverChoice::greedy}});
-
-template <>
-inline constexpr auto names_of<Verdict> = std::to_array<Named<Verdict>>({{"reached", Verdict::reached},
-                                                                         {"missed", Verdict::missed},
-                                                                         {"undecided", Verdict::undecided}});
 
 }  // namespace shelfbeam

@@ -3,13 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/answer/certificate.hpp"
-#include "shelfbeam/placement/answer/sensitivity.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam {
@@ -63,9 +60,7 @@ struct Placement {
   /// "search", "search with highs 1.10.0" (the back end that solved its linear programs or a MIP), "greedy",
   /// name and version of the MIP back end, or empty: labels are unreachable, which needs no solver.
   std::string solver;
-  double seconds = 0;                      ///< wall time
-  std::optional<Certificate> certificate;  ///< what fresh samples say of it, if they were asked
-  std::optional<Sensitivity> sensitivity;  ///< and where surfaces reflect less or more
+  double seconds = 0;  ///< wall time
 
   std::size_t count() const { return selected.size(); }
   /// There is a selection; it may be that of no units, where there are no labels.

@@ -98,11 +98,11 @@ ReachCurve reach_curve(const SignalTable& table, const Question& question,
   return Curve(table, question, selected, control, until).run(selected);
 }
 
-void agree(Placement& placement, ReachCurve& curve, const SignalTable& table) {
+void agree(Placement& placement, ReachCurve& curve, const SignalTable& table, bool selection_stays) {
   const Question& question = placement.question;
   const bool is_lexicographic = question.combination == Combination::lexicographic;
   const bool only_counts = is_lexicographic && question.objective == Objective::count;
-  if (is_lexicographic && !placement.certificate && curve.selected.size() < placement.count()) {
+  if (is_lexicographic && !selection_stays && curve.selected.size() < placement.count()) {
     placement.selected = curve.selected;
     placement.objective_value = only_counts ? static_cast<double>(placement.count())
                                             : check_selection(table, question, curve.selected).objective;
@@ -125,12 +125,12 @@ void agree(Placement& placement, ReachCurve& curve, const SignalTable& table) {
 }
 
 ReachCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
-                     const RunControl& control) {
+                     const RunControl& control, bool selection_stays) {
   const Clock::time_point start = Clock::now();
   const double seconds = std::max(time_limit_s - placement.seconds, 0.1 * time_limit_s);
   ReachCurve curve =
       reach_curve(table, placement.question, placement.selected, control, Deadline(seconds).end());
-  agree(placement, curve, table);
+  agree(placement, curve, table, selection_stays);
   placement.seconds += std::chrono::duration<double>(Clock::now() - start).count();
   return curve;
 }

@@ -34,13 +34,13 @@ ReachCurve reach_curve(
     std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max());
 
 /// Lets a placement and the curve that began with its selection take over what the other knows: fewer units
-/// that meet every label (lexicographic questions; a certified selection stays), a higher bound of their
-/// number, and that fewer than this bound miss a label.
-void agree(Placement& placement, ReachCurve& curve, const SignalTable& table);
+/// that meet every label (lexicographic questions, where the selection need not stay), a higher bound of
+/// their number, and that fewer than this bound miss a label.
+void agree(Placement& placement, ReachCurve& curve, const SignalTable& table, bool selection_stays = false);
 
 /// The curve of a placement that has a selection, made in what this has left of the limit, but in a tenth of
 /// it at least; both agree then, and the placement's seconds have grown.
 ReachCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
-                     const RunControl& control = {});
+                     const RunControl& control = {}, bool selection_stays = false);
 
 }  // namespace shelfbeam

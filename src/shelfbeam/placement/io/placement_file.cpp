@@ -13,7 +13,6 @@
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/answer/scenarios.hpp"
 #include "shelfbeam/placement/io/placement_json.hpp"
-#include "shelfbeam/placement/io/sensitivity_json.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/critical.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
@@ -113,55 +112,9 @@ Json curve_points(const std::vector<CurvePoint>& points) {
   return result;
 }
 
-Json ids_of(const Certificate& certificate, Verdict verdict, const SignalTable& table) {
-  Json ids = Json::array();
-  for (std::size_t i = 0; i < certificate.labels.size(); ++i)
-    if (certificate.labels[i].verdict == verdict) ids.push_back(table.labels[i].id);
-  return ids;
-}
-
-Json to_json(const Certificate& certificate, const SignalTable& table) {
-  return {{"confidence", certificate.confidence},
-          {"reached", certificate.count(Verdict::reached)},
-          {"missed", ids_of(certificate, Verdict::missed, table)},
-          {"undecided", ids_of(certificate, Verdict::undecided, table)},
-          {"count_lower_bound", certificate.count_lower_bound},
-          {"bound_labels", certificate.bound_labels},
-          {"rounds", certificate.rounds},
-          {"seconds", certificate.seconds},
-          {"open", certificate.open}};
-}
-
-// Verdicts alone: signals and limits stand in verification.csv.
-Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table) {
-  cursor.expect_keys({"confidence", "reached", "missed", "undecided", "count_lower_bound", "bound_labels",
-                      "rounds", "seconds", "open"});
-  Certificate certificate;
-  certificate.confidence = cursor["confidence"].positive();
-  certificate.labels.resize(table.rows());
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    certificate.labels[i].requirement = table.labels[i].requirement;
-    certificate.labels[i].verdict = Verdict::reached;
-  }
-  const Positions known = positions(table.labels);
-  for (const auto& [key, verdict] :
-       {std::pair("missed", Verdict::missed), std::pair("undecided", Verdict::undecided)})
-    for (const JsonCursor& element : cursor[key].elements())
-      certificate.labels[position(element, known, "label")].verdict = verdict;
-  certificate.count_lower_bound = static_cast<std::size_t>(cursor["count_lower_bound"].non_negative());
-  certificate.bound_labels = static_cast<std::size_t>(cursor["bound_labels"].non_negative());
-  certificate.rounds = static_cast<std::uint32_t>(cursor["rounds"].non_negative());
-  certificate.seconds = cursor["seconds"].non_negative();
-  certificate.open = cursor["open"].text();
-  if (const JsonCursor stated = cursor["reached"];
-      stated.number() != static_cast<double>(certificate.count(Verdict::reached)))
-    stated.fail("is not the number of labels that are neither missed nor undecided", "correct one of them");
-  return certificate;
-}
-
 }  // namespace
 
-std::string placement_json(const Placement& placement, const SignalTable& table, const ReachCurve& curve) {
+Json detail::placement_object(const Placement& placement, const SignalTable& table, const ReachCurve& curve) {
   Json selected = Json::array();
   for (const std::uint32_t j : placement.selected) selected.push_back(table.transceivers[j].id);
   Json unreachable = Json::array();
@@ -198,13 +151,11 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
     file["curve"] = curve_points(curve.points);
     file["curve_complete"] = curve.is_complete;
   }
-  if (placement.certificate) file["certificate"] = to_json(*placement.certificate, table);
-  if (placement.sensitivity) file["sensitivity"] = detail::to_json(*placement.sensitivity, table);
-  return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return file;
 }
 
-std::string certificate_json(const Certificate& certificate, const SignalTable& table) {
-  return to_json(certificate, table).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string placement_json(const Placement& placement, const SignalTable& table, const ReachCurve& curve) {
+  return detail::file_text(detail::placement_object(placement, table, curve));
 }
 
 std::string reach_json(const Reach& reach, const SignalTable& table) {
@@ -226,11 +177,10 @@ std::string reach_json(const Reach& reach, const SignalTable& table) {
                      {"solver", reach.solver},
                      {"seconds", number(reach.seconds)},
                      {"missed", first_ids(reach.missed, table)}};
-  return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return detail::file_text(file);
 }
 
-Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
-  const JsonCursor file = JsonCursor::parse_file(path);
+Placement detail::read_placement(const JsonCursor& file, const SignalTable& table) {
   expect_format_version(file.where(), file["format"].integer(0, most_versions), format_version);
   file.expect_keys({"format",          "model",           "objective",
                     "combination",     "share",           "survives_failure",
@@ -271,14 +221,14 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
   if (const JsonCursor stated = file["count"]; stated.number() != static_cast<double>(placement.count()))
     stated.fail(fmt::format("is {}, but {} transceivers are selected", stated.number(), placement.count()),
                 "correct one of them");
-  if (const auto found = file.find("certificate")) placement.certificate = read_certificate(*found, table);
-  if (const auto found = file.find("sensitivity"))
-    placement.sensitivity = detail::read_sensitivity(*found, table);
   return placement;
 }
 
-ReachCurve read_curve(const std::filesystem::path& path, const SignalTable& table) {
-  const JsonCursor file = JsonCursor::parse_file(path);
+Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
+  return detail::read_placement(JsonCursor::parse_file(path), table);
+}
+
+ReachCurve detail::read_curve(const JsonCursor& file, const SignalTable& table) {
   ReachCurve curve;
   const auto points = file.find("curve");
   if (!points) return curve;

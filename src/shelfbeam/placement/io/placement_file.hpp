@@ -16,20 +16,14 @@ namespace shelfbeam {
 std::string placement_json(const Placement& placement, const SignalTable& table,
                            const ReachCurve& curve = {});
 
-/// The object under `certificate` alone.
-std::string certificate_json(const Certificate& certificate, const SignalTable& table);
-
 /// What `place --at-most` writes.
 std::string reach_json(const Reach& reach, const SignalTable& table);
 
 /// So many ids of labels at most stand in one list of critical or missed labels; their number is told.
 inline constexpr std::size_t most_listed_labels = 1000;
 
-/// Reads a placement.json against the table it belongs to. Throws InputError with file and place; an id that
-/// the table does not have is one.
+/// Reads a placement.json against the table it belongs to, without what only a plan has (plan_file.hpp).
+/// Throws InputError with file and place; an id that the table does not have is one.
 Placement read_placement(const std::filesystem::path& path, const SignalTable& table);
-
-/// The curve in it, if there is one; without `selected`. Throws as `read_placement`.
-ReachCurve read_curve(const std::filesystem::path& path, const SignalTable& table);
 
 }  // namespace shelfbeam

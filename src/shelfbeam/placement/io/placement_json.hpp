@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/json.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/coverage/curve.hpp"
 
 // What the parts of placement.json have in common.
 namespace shelfbeam::detail {
@@ -41,6 +43,17 @@ inline std::uint32_t position(const JsonCursor& cursor, const Positions& known, 
     cursor.fail(fmt::format("names '{}', and the matrix has no such {}", id, what),
                 "use the matrix that this placement was computed from");
   return found->second;
+}
+
+/// The object of placement.json, to which a plan adds its own; the curve is left out where there is none.
+Json placement_object(const Placement& placement, const SignalTable& table, const ReachCurve& curve);
+Placement read_placement(const JsonCursor& file, const SignalTable& table);
+/// Without `selected`; without points where the file has none.
+ReachCurve read_curve(const JsonCursor& file, const SignalTable& table);
+
+/// A file's text.
+inline std::string file_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace shelfbeam::detail

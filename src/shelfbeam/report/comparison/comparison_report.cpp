@@ -10,6 +10,7 @@
 #include "shelfbeam/report/chart/scatter_chart.hpp"
 #include "shelfbeam/report/data/scale.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/messages/comparison.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/page_style.hpp"
 
@@ -179,10 +180,7 @@ std::string comparison_html(const ComparisonInput& input) {
                                    "comparisons. Look for a wrong id, something in the way, a wrong material "
                                    "or a saturated receiver.") +
                              pair_table(input, comparison.outliers));
-  body += html_section("worst",
-                       comparison.outliers.empty() ? "Fitted pairs that are furthest off"
-                                                   : "Fitted pairs that are furthest off, outliers aside",
-                       pair_table(input, comparison.worst));
+  body += html_section("worst", std::string(worst_pairs(comparison)), pair_table(input, comparison.worst));
   body += transceiver_section(input);
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

@@ -22,10 +22,4 @@ std::string comparison_csv(const ComparisonInput& input);
 /// A self-contained page: the answer, the signals on two logarithmic axes, the residuals, the worst pairs.
 std::string comparison_html(const ComparisonInput& input);
 
-/// "A1-front-0-3 from G0-3-2"; the label alone where several units were measured at once.
-std::string pair_name(const SignalMatrix& matrix, const ComparedPair& pair);
-
-/// What a comparison says, a sentence or two each; the factor comes first.
-std::vector<std::string> comparison_statements(const Comparison& comparison);
-
 }  // namespace shelfbeam

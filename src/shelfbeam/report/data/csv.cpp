@@ -33,7 +33,7 @@ std::string row(std::initializer_list<std::string> fields) {
 
 std::string labels_csv(const ReportInput& input) {
   const SignalMatrix& matrix = input.matrix;
-  const Outcome outcome = outcome_of(matrix, input.placement);
+  const Outcome outcome = outcome_of(matrix, input.plan.placement, input.plan.certificate);
   const bool has_direct = matrix.direct.size() == matrix.mean.size();
   std::string csv =
       "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted\n";
@@ -43,7 +43,7 @@ std::string labels_csv(const ReportInput& input) {
     std::string serving;
     for (const std::uint32_t column : result.reached_by)
       serving += (serving.empty() ? "" : ";") + matrix.transceivers[column].id;
-    const bool is_known = !matrix.flags.empty() && !input.placement.selected.empty();
+    const bool is_known = !matrix.flags.empty() && !input.plan.placement.selected.empty();
     csv +=
         row({csv_field(label.id), field(label.position.x), field(label.position.y), field(label.position.z),
              field(label.normal.x), field(label.normal.y), field(label.normal.z), csv_field(label.type),
@@ -59,7 +59,7 @@ std::string labels_csv(const ReportInput& input) {
 
 std::string placement_csv(const ReportInput& input) {
   const SignalMatrix& matrix = input.matrix;
-  const Outcome outcome = outcome_of(matrix, input.placement);
+  const Outcome outcome = outcome_of(matrix, input.plan.placement);
   std::map<std::string_view, double> roll_deg;
   for (const Transceiver& transceiver : input.scene.transceivers)
     roll_deg.emplace(transceiver.id, transceiver.roll_deg);

@@ -19,12 +19,10 @@ std::vector<SignalEntry> entries_of(const SignalMatrix& matrix, std::size_t labe
   return entries;
 }
 
-// Whether the label is not met by the entries that are not flagged, some of the chosen units' are and weigh
-// something beside its requirement, and no fresh samples have decided what becomes of it.
+// Whether the label is not met by the entries that are not flagged, and some of the chosen units' are and
+// weigh something beside its requirement.
 bool rests_on_flagged(const SignalMatrix& matrix, const Placement& placement, const std::vector<bool>& chosen,
                       std::size_t label) {
-  if (placement.certificate && placement.certificate->labels[label].verdict != Verdict::undecided)
-    return false;
   constexpr double least = 0.02;
   const double requirement = matrix.labels[label].requirement;
   const auto is_flagged = [&](std::uint32_t column) { return matrix.is_flagged(matrix.at(label, column)); };
@@ -69,7 +67,6 @@ LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placemen
   result.signal = received_signal(entries, chosen, question);
   result.best = mounts.most_signal(entries, question);
   result.met = !placement.selected.empty() && is_met(result.signal, result.requirement);
-  result.rests_on_flagged = rests_on_flagged(matrix, placement, chosen, label);
   return result;
 }
 
@@ -100,7 +97,8 @@ std::vector<std::uint32_t> Outcome::served_by(std::size_t k) const {
   return served;
 }
 
-Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
+Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement,
+                   const std::optional<Certificate>& certificate) {
   Outcome outcome;
   for (const std::uint32_t column : placement.selected) outcome.units.push_back({column, 0, 0, 0});
   const Mounts mounts(shared_mounts(matrix), matrix.transceivers);
@@ -111,6 +109,8 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement) {
   nothing_fails.redundant = false;
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     LabelOutcome label = label_outcome(matrix, placement, mounts, chosen, i);
+    const bool is_decided = certificate && certificate->labels[i].verdict != Verdict::undecided;
+    label.rests_on_flagged = !is_decided && rests_on_flagged(matrix, placement, chosen, i);
     const std::vector<SignalEntry> entries = entries_of(matrix, i);
     if (label.met) ++outcome.met;
     if (label.rests_on_flagged) ++outcome.on_flagged;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 
@@ -52,6 +53,7 @@ struct Outcome {
   std::vector<std::uint32_t> served_by(std::size_t k) const;
 };
 
-Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement);
+Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement,
+                   const std::optional<Certificate>& certificate = {});
 
 }  // namespace shelfbeam

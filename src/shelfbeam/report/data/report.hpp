@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/coverage/curve.hpp"
+#include "shelfbeam/plan/answer/certified_plan.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 
@@ -14,8 +13,7 @@ namespace shelfbeam {
 struct ReportInput {
   const Scene& scene;
   const SignalMatrix& matrix;
-  const Placement& placement;
-  ReachCurve curve = {};  ///< without points: it was not asked for
+  const CertifiedPlan& plan;
 };
 
 /// A self-contained HTML page (no scripts needed to read it, no network).

@@ -18,7 +18,7 @@ SignalUnit unit_of(const SignalMatrix& matrix) {
 
 ReportData::ReportData(const ReportInput& report_input)
     : input(report_input),
-      outcome(outcome_of(input.matrix, input.placement)),
+      outcome(outcome_of(input.matrix, input.plan.placement, input.plan.certificate)),
       sampling(sampling_summary(input.matrix)),
       uncertain(uncertain_labels(input.matrix, outcome)),
       mounting_points(places_of(positions_of(input.matrix.transceivers)).count),
@@ -29,7 +29,7 @@ ReportData::ReportData(const ReportInput& report_input)
 }
 
 std::size_t ReportData::unit_number(std::uint32_t column) const {
-  const auto& selected = input.placement.selected;
+  const auto& selected = input.plan.placement.selected;
   return static_cast<std::size_t>(std::find(selected.begin(), selected.end(), column) - selected.begin()) + 1;
 }
 

@@ -25,19 +25,10 @@ struct ReportData {
 
   /// Otherwise the report shows the most that each label could get.
   bool has_selection() const {
-    return !input.placement.selected.empty() && input.placement.status != Status::infeasible;
+    return !input.plan.placement.selected.empty() && input.plan.placement.status != Status::infeasible;
   }
   /// Some mounting points have several candidates, of which one at most can be chosen.
   bool has_options() const { return mounting_points < input.matrix.columns(); }
-  /// The condition under which a label gets LabelOutcome::best.
-  const char* everything_on() const {
-    if (input.placement.question.redundant)
-      return has_options()
-                 ? "if the best option of every mounting point were on and the strongest unit failed"
-                 : "if every candidate were on and the strongest failed";
-    return has_options() ? "if the best option of every mounting point were on"
-                         : "if every candidate were on";
-  }
   /// The label has some entry above 0.
   bool is_heard(std::uint32_t row) const {
     const auto signals = input.matrix.mean_row(row);

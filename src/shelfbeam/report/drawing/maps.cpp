@@ -96,7 +96,7 @@ std::string Maps::definitions() const {
   draw_fixtures(canvas, view_, data_.input.scene);
   std::vector<bool> chosen(data_.input.matrix.columns(), false);
   if (data_.has_selection())
-    for (const std::uint32_t j : data_.input.placement.selected) chosen[j] = true;
+    for (const std::uint32_t j : data_.input.plan.placement.selected) chosen[j] = true;
   draw_free_points(canvas, view_, positions_of(data_.input.matrix.transceivers), chosen);
   draw_fixture_ids(canvas, view_, data_.input.scene);
   view_.draw_axes(canvas);
@@ -206,7 +206,7 @@ std::string Maps::unit_legend() const {
   if (old) html += key("unit-old", "chosen unit, already installed");
   if (leans) html += key("unit-aim", "leans this way");
   html += key("cross", data_.has_selection() ? "candidate, not chosen" : "candidate");
-  if (data_.input.placement.question.redundant)
+  if (data_.input.plan.placement.question.redundant)
     html += "<li>signals without each label's strongest unit</li>";
   return html;
 }

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/placement/io/words.hpp"
-#include "shelfbeam/report/page/headline.hpp"
+#include "shelfbeam/report/messages/bound.hpp"
+#include "shelfbeam/report/messages/headline.hpp"
+#include "shelfbeam/report/messages/unreachable.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
@@ -20,7 +21,7 @@ std::string card(const std::string& name, const std::string& value, const std::s
 
 std::string shortfall(const ReportData& data, const Unreachable& label) {
   if (label.most <= 0)
-    return std::string(why_nothing(data.input.placement.question, data.is_heard(label.label)));
+    return std::string(why_nothing(data.input.plan.placement.question, data.is_heard(label.label)));
   const double db = -margin_db(label.most, label.requirement);
   return fixed(db, db < 0.095 ? 2 : 1) + "\u00A0dB";
 }
@@ -33,13 +34,14 @@ std::string bound_note(const Placement& placement, bool has_selection) {
 // Of a certificate what its samples prove; the matrix's own bound is among the remarks and the facts then.
 std::string least_card(const ReportData& data) {
   constexpr const char* name = "At least needed";
-  const Placement& placement = data.input.placement;
+  const Placement& placement = data.input.plan.placement;
   if (placement.status == Status::infeasible) return card(name, "–", "no number suffices");
-  if (const auto& certificate = placement.certificate; certificate && certificate->count_lower_bound > 0)
+  const auto& certificate = data.input.plan.certificate;
+  if (certificate && certificate->count_lower_bound > 0)
     return card(name, grouped(std::min(certificate->count_lower_bound, placement.count())),
                 "on fresh samples");
   return card(name, grouped(least_count(placement)),
-              placement.certificate ? "proven on the matrix" : bound_note(placement, data.has_selection()));
+              certificate ? "proven on the matrix" : bound_note(placement, data.has_selection()));
 }
 
 }  // namespace
@@ -50,7 +52,7 @@ std::string answer_section(const ReportData& data) {
   constexpr const char* certified[] = {"Certified", "Open", "Labels missed"};
   const Headline line = headline(data);
   const auto tone = static_cast<std::size_t>(line.tone);
-  const bool has_certificate = data.input.placement.certificate.has_value();
+  const bool has_certificate = data.input.plan.certificate.has_value();
   std::string verdict = has_certificate ? certified[tone] : verdicts[tone];
   // A proof on a matrix that other samples would change is less than the word alone promises.
   if (line.tone == Headline::Tone::yes && data.uncertain > 0 && !has_certificate)
@@ -66,7 +68,8 @@ std::string answer_section(const ReportData& data) {
 }
 
 std::string key_figures(const ReportData& data) {
-  const Placement& placement = data.input.placement;
+  const Placement& placement = data.input.plan.placement;
+  const auto& certificate = data.input.plan.certificate;
   const std::size_t candidates = data.input.matrix.columns(), labels = data.outcome.labels.size();
   const auto installed = std::count_if(placement.selected.begin(), placement.selected.end(),
                                        [&](auto column) { return data.transceiver(column).installed; });
@@ -78,14 +81,12 @@ std::string key_figures(const ReportData& data) {
                   data.has_selection() && installed > 0 ? fmt::format("; {} installed", installed) : ""));
   html += least_card(data);
   if (data.has_selection()) {
-    html += placement.certificate
-                ? card("Labels reached", grouped(placement.certificate->count(Verdict::reached)),
-                       fmt::format("of {}, on fresh samples", grouped(labels)))
-                : card("Labels reached", grouped(data.outcome.met), "of " + grouped(labels));
+    html += certificate ? card("Labels reached", grouped(certificate->count(Verdict::reached)),
+                               fmt::format("of {}, on fresh samples", grouped(labels)))
+                        : card("Labels reached", grouped(data.outcome.met), "of " + grouped(labels));
     const std::uint32_t weakest = data.outcome.by_margin.front();
-    html += card(
-        "Least margin", decibels(data.outcome.labels[weakest].margin()),
-        fmt::format("label {}{}", data.label(weakest).id, placement.certificate ? ", on the matrix" : ""));
+    html += card("Least margin", decibels(data.outcome.labels[weakest].margin()),
+                 fmt::format("label {}{}", data.label(weakest).id, certificate ? ", on the matrix" : ""));
   } else if (placement.status == Status::infeasible && placement.unreachable.empty()) {
     html += card("Labels", grouped(labels), "each alone could be reached");
   } else if (placement.status == Status::infeasible) {
@@ -104,7 +105,7 @@ std::string key_figures(const ReportData& data) {
 }
 
 std::string unreachable_section(const ReportData& data) {
-  const auto& unreachable = data.input.placement.unreachable;
+  const auto& unreachable = data.input.plan.placement.unreachable;
   if (unreachable.empty()) return {};
   constexpr std::size_t most_rows = 100;
   std::vector<Unreachable> worst = unreachable;
@@ -125,11 +126,12 @@ std::string unreachable_section(const ReportData& data) {
                    data.unit.number(worst[k].most), shortfall(data, worst[k])});
   }
   std::string html = paragraph(
-      data.input.placement.question.model == CommunicationModel::cooperative
-          ? fmt::format("The most a label could get is its signal {}.", data.everything_on())
-          : fmt::format(
-                "The most a label could get is its signal from the best single candidate{}.",
-                data.input.placement.question.redundant ? " that is left when the strongest fails" : ""));
+      data.input.plan.placement.question.model == CommunicationModel::cooperative
+          ? fmt::format("The most a label could get is its signal {}.", everything_on(data))
+          : fmt::format("The most a label could get is its signal from the best single candidate{}.",
+                        data.input.plan.placement.question.redundant
+                            ? " that is left when the strongest fails"
+                            : ""));
   html += table.html();
   if (worst.size() > most_rows)
     html += paragraph(fmt::format("The {} that are furthest off; placement.json lists all {}.", most_rows,

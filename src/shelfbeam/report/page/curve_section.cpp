@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/chart/curve_chart.hpp"
+#include "shelfbeam/report/messages/selection.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
 namespace shelfbeam {
 
 std::string curve_section(const ReportData& data) {
-  const std::vector<CurvePoint>& points = data.input.curve.points;
+  const std::vector<CurvePoint>& points = data.input.plan.curve.points;
   const std::size_t labels = data.outcome.labels.size();
   if (points.empty() || labels == 0) return {};
   const auto share = [&](std::size_t count) {
@@ -34,8 +35,7 @@ std::string curve_section(const ReportData& data) {
   std::string note =
       "Some selection of so many of the candidates reaches the one share, none reaches more than the other. "
       "Both are of the simulated matrix; the error of sampling is not part of them.";
-  if (!data.input.curve.is_complete)
-    note += " The search was stopped early: more time may bring the two nearer.";
+  if (!data.input.plan.curve.is_complete) note += fmt::format(" The search {}.", cut_short);
   const std::string text = table.html() + paragraph(note, "note");
   if (points.size() < 2) return html_section("curve", "What fewer transceivers reach", text);
   const std::string picture = html_figure("Labels that fewer transceivers reach", curve_svg(chart),

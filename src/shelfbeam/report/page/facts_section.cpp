@@ -4,9 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/placement/io/words.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
-#include "shelfbeam/report/page/headline.hpp"
+#include "shelfbeam/report/messages/bound.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
@@ -37,7 +36,7 @@ double share_of(std::size_t part, std::size_t all) {
 }
 
 std::string placement_facts(const ReportData& data) {
-  const Placement& placement = data.input.placement;
+  const Placement& placement = data.input.plan.placement;
   const Question& question = placement.question;
   Facts facts("Placement");
   facts.add("Model", std::string(to_text(question.model)));
@@ -49,7 +48,7 @@ std::string placement_facts(const ReportData& data) {
     facts.add("Least distance between two units", plain(placement.min_spacing) + "\u00A0m");
   if (placement.min_spacing > 0 || placement.forbidden_pairs > 0)
     facts.add("Pairs of candidates kept apart", grouped(placement.forbidden_pairs));
-  facts.add("Status", status_name(placement.status));
+  facts.add("Status", std::string(status_name(placement.status)));
   if (placement.status != Status::infeasible) {
     facts.add("The bound rests on", std::string(behind_bound(placement.bound_proof)));
     facts.add("Of equal placements",
@@ -80,7 +79,7 @@ std::string placement_facts(const ReportData& data) {
 // "none", or how many and which: ranges of ids, the first of them.
 std::string named_labels(const ReportData& data, Verdict verdict) {
   constexpr std::size_t most_ranges = 20;
-  const auto& labels = data.input.placement.certificate->labels;
+  const auto& labels = data.input.plan.certificate->labels;
   std::vector<std::string> ids;
   for (std::uint32_t i = 0; i < labels.size(); ++i)
     if (labels[i].verdict == verdict) ids.push_back(data.label(i).id);
@@ -93,8 +92,8 @@ std::string named_labels(const ReportData& data, Verdict verdict) {
 }
 
 std::string certificate_facts(const ReportData& data) {
-  if (!data.input.placement.certificate) return {};
-  const Certificate& certificate = *data.input.placement.certificate;
+  if (!data.input.plan.certificate) return {};
+  const Certificate& certificate = *data.input.plan.certificate;
   Facts facts("Certificate on fresh samples");
   facts.add("Joint confidence", plain(100 * certificate.confidence) + "\u00A0%");
   facts.add("Labels reached", fmt::format("{} of {}", grouped(certificate.count(Verdict::reached)),

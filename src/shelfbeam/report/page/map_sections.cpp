@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "shelfbeam/report/messages/unreachable.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
@@ -28,7 +29,7 @@ std::string margin_section(const ReportData& data, const Maps& maps) {
           : fmt::format("Each mark is a label, on the side it faces. Its colour tells how its signal "
                         "would compare to what it needs {}. Triangles are labels that stay out of "
                         "reach.",
-                        data.everything_on()));
+                        everything_on(data)));
   if (const std::size_t count = data.outcome.on_flagged; count > 0)
     html += paragraph(fmt::format(
         "Whether the {} reached depends on signals whose standard error is not to be trusted: few batches of "

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "shelfbeam/placement/io/words.hpp"
 #include "shelfbeam/report/chart/tornado_chart.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
+#include "shelfbeam/report/messages/certificate.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
@@ -121,15 +121,16 @@ std::string notes(const ReportData& data, const Sensitivity& sensitivity) {
 }  // namespace
 
 std::string sensitivity_section(const ReportData& data) {
-  const auto& sensitivity = data.input.placement.sensitivity;
+  const auto& sensitivity = data.input.plan.sensitivity;
   if (!sensitivity || !data.has_selection()) return {};
   const std::string beside = notes(data, *sensitivity) + labels(data, sensitivity->low.missed, "missed") +
                              labels(data, sensitivity->low.undecided, "undecided");
-  return html_section("sensitivity", "If surfaces reflect less or more",
-                      paragraph(with_joined_percent(statement(*sensitivity, data.outcome.labels.size()))) +
-                          fmt::format("<div class=\"pair\">\n{}<div>\n{}</div>\n</div>\n",
-                                      tornado(data, *sensitivity), beside) +
-                          material_table(data, *sensitivity));
+  return html_section(
+      "sensitivity", "If surfaces reflect less or more",
+      paragraph(with_joined_percent(sensitivity_sentence(*sensitivity, data.outcome.labels.size()))) +
+          fmt::format("<div class=\"pair\">\n{}<div>\n{}</div>\n</div>\n", tornado(data, *sensitivity),
+                      beside) +
+          material_table(data, *sensitivity));
 }
 
 }  // namespace shelfbeam

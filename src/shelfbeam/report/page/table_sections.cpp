@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/placement/io/words.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
 #include "shelfbeam/report/page/html_table.hpp"
 #include "shelfbeam/report/page/sections.hpp"
@@ -91,7 +90,7 @@ std::string weakest_section(const ReportData& data) {
   if (!data.has_selection()) return {};
   constexpr std::size_t most_rows = 20;
   const std::size_t rows = std::min(most_rows, data.outcome.by_margin.size());
-  const auto& certificate = data.input.placement.certificate;
+  const auto& certificate = data.input.plan.certificate;
   const std::string in_unit = fmt::format(" ({})", data.unit.name);
   std::vector<HtmlTable::Column> columns{{"Label", false},
                                          {"Margin"},

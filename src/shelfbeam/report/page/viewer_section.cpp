@@ -32,7 +32,7 @@ std::string share_text(double share) {
 
 // The plan is counted with all of its entries; how far from them is what the reader switches.
 std::string rounding(const ReportData& data, const PageSignals& signals) {
-  const Question& question = data.input.placement.question;
+  const Question& question = data.input.plan.placement.question;
   std::string text = fmt::format(
       "The plan is counted with the signals of signal.h5, to the last bit. To keep the page small, single "
       "signals are rounded to {} of what a label needs{}: ",
@@ -70,7 +70,7 @@ std::string completeness(const ReportData& data, const PageSignals& signals) {
             ? ""
             : fmt::format("; those of signals below {} of a need are not here, nor their direct shares",
                           percent(relevant_share, 0)));
-  if (data.input.placement.forbidden_pairs > 0)
+  if (data.input.plan.placement.forbidden_pairs > 0)
     text += " Candidates that the plan keeps apart can be switched on together here.";
   return text;
 }
@@ -91,7 +91,7 @@ std::string viewer_section(const ReportData& data, std::string_view script) {
             "out. Everything else is here.",
             "note"));
   const SignalScale scale(shown_signals(data));
-  const PackedSignals packed = pack_signals(data.input.matrix, data.input.placement, most_signal_bytes);
+  const PackedSignals packed = pack_signals(data.input.matrix, data.input.plan.placement, most_signal_bytes);
   const std::string body = fmt::format(
       "<style>#viewer{{{}}}\n@media screen and (prefers-color-scheme:dark){{#viewer{{{}}}}}</style>\n"
       "<div id=\"viewer-root\"><p class=\"note\">The 3-D view needs JavaScript; the plans and tables below "

@@ -116,13 +116,13 @@ Json add_units(PageData& page, const ReportData& data) {
           {"types", types},
           {"installed", installed},
           {"mounts", shared_mounts(data.input.matrix)},
-          {"selected", data.input.placement.selected},
+          {"selected", data.input.plan.placement.selected},
           {"neededBy", needed_by}};
 }
 
 // In the order of Verdict, as the script knows it; nothing without a certificate.
 Json add_certificate(PageData& page, const ReportData& data) {
-  const auto& certificate = data.input.placement.certificate;
+  const auto& certificate = data.input.plan.certificate;
   std::vector<std::uint8_t> verdicts;
   if (certificate)
     for (const LabelVerdict& label : certificate->labels)
@@ -162,7 +162,7 @@ Json fixtures_of(const Scene& scene) {
 
 std::string pack_store(const ReportData& data, const SignalScale& scale) {
   const Scene& scene = data.input.scene;
-  const Question& question = data.input.placement.question;
+  const Question& question = data.input.plan.placement.question;
   PageData page;
   add_parts(page, scene);
   Json about;

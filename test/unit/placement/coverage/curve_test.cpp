@@ -248,15 +248,14 @@ TEST(PlacementCurve, SaysThatItWasCutShort) {
 }
 
 // What fresh samples have certified is not exchanged for something that they have not seen.
-TEST(PlacementCurve, LeavesACertifiedSelection) {
+TEST(PlacementCurve, LeavesASelectionThatIsToStay) {
   const SignalTable table =
       test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
   Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
   ASSERT_EQ(greedy.count(), 3U);
   Placement certified = greedy;
-  certified.certificate.emplace();
   add_curve(greedy, table, 60);
-  const ReachCurve curve = add_curve(certified, table, 60);
+  const ReachCurve curve = add_curve(certified, table, 60, {}, true);
   EXPECT_EQ(greedy.count(), 2U);
   EXPECT_EQ(certified.count(), 3U);
   EXPECT_EQ(certified.count_lower_bound, greedy.count_lower_bound);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/messages/comparison.hpp"
 
 #include "unit/report/csv_reader.hpp"
 #include "unit/report/markup.hpp"
@@ -49,9 +50,7 @@ TEST(ComparisonReport, PageIsWellFormedAndHoldsTheNumbers) {
         std::string("1 pair without a positive signal on both sides is not drawn")})
     EXPECT_NE(text.find(piece), std::string::npos) << piece;
   EXPECT_EQ(text.find("3 outliers"), std::string::npos) << "negative control";
-  std::size_t marks = 0;
-  for (std::size_t at = 0; (at = html.find("<use href=\"#s", at)) != std::string::npos; ++at) ++marks;
-  EXPECT_EQ(marks, survey.pairs.size() - 1) << "one a pair with a residual";
+  EXPECT_EQ(test::count_of("<use href=\"#s", html), survey.pairs.size() - 1) << "one a pair with a residual";
   for (const std::string& statement : comparison_statements(comparison))
     EXPECT_NE(text.find(statement), std::string::npos) << statement;
 }

@@ -16,8 +16,9 @@ namespace {
 struct Kiosk {
   Scene scene = make_scene(sample_store::kiosk());
   SignalMatrix matrix = sample_store::matrix_of(scene);
-  Placement placement = sample_store::cover(matrix);
-  ReportInput input{scene, matrix, placement};
+  CertifiedPlan plan{sample_store::cover(matrix)};
+  Placement& placement = plan.placement;
+  ReportInput input{scene, matrix, plan};
 };
 
 // Nine significant digits are written: relative error below 5e-9.
@@ -119,8 +120,8 @@ TEST(Csv, BothFilesAreTablesThatAStoreCanName) {
   const SignalMatrix matrix = sample_store::matrix_of(scene);
   const Placement placement = sample_store::cover(matrix);
   const test::TempFolder folder;
-  folder.write("labels.csv", labels_csv({scene, matrix, placement}));
-  folder.write("placement.csv", placement_csv({scene, matrix, placement}));
+  folder.write("labels.csv", labels_csv({scene, matrix, {placement}}));
+  folder.write("placement.csv", placement_csv({scene, matrix, {placement}}));
   const Scene again = make_scene(parse_store(R"({
     "name": "again", "room": { "size": [25, 18, 4], "floor": "grey", "ceiling": "grey", "walls": "grey" },
     "materials": { "grey": { "type": "lambertian", "reflectance": 0.7 } },

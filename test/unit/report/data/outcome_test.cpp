@@ -168,9 +168,10 @@ TEST(Outcome, KnowsWhatHangsOnFlaggedEntries) {
   matrix.mean = {3, 1, 2, 5};
   Placement placement;
   placement.selected = {0, 1, 2};
+  std::optional<Certificate> certificate;
   const auto hangs = [&](std::vector<std::uint8_t> flags) {
     matrix.flags = std::move(flags);
-    const Outcome outcome = outcome_of(matrix, placement);
+    const Outcome outcome = outcome_of(matrix, placement, certificate);
     EXPECT_EQ(outcome.on_flagged, outcome.labels[0].rests_on_flagged ? 1U : 0U);
     return outcome.labels[0].rests_on_flagged;
   };
@@ -178,13 +179,13 @@ TEST(Outcome, KnowsWhatHangsOnFlaggedEntries) {
   EXPECT_FALSE(hangs({0, 0, 0, 0}));
   EXPECT_FALSE(hangs({1, 0, 0, 0}));  // 1 + 2 remain
   EXPECT_TRUE(hangs({1, 0, 1, 0}));
-  EXPECT_FALSE(hangs({0, 0, 0, 1}));      // was not chosen
-  placement.certificate = Certificate{};  // fresh samples say more than the matrix
+  EXPECT_FALSE(hangs({0, 0, 0, 1}));  // was not chosen
+  certificate = Certificate{};        // fresh samples say more than the matrix
   for (const Verdict verdict : {Verdict::reached, Verdict::missed, Verdict::undecided}) {
-    placement.certificate->labels = {LabelVerdict{verdict}};
+    certificate->labels = {LabelVerdict{verdict}};
     EXPECT_EQ(hangs({1, 0, 1, 0}), verdict == Verdict::undecided);
   }
-  placement.certificate.reset();
+  certificate.reset();
   placement.question.model = CommunicationModel::non_cooperative;
   EXPECT_FALSE(hangs({1, 1, 0, 0}));
   EXPECT_TRUE(hangs({1, 0, 1, 0}));

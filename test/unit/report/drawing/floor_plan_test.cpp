@@ -104,13 +104,9 @@ TEST(FloorPlan, DrawsAMeshAsItIs) {
   EXPECT_GT(least, 0) << "turned another way, it would be a hole";
   EXPECT_NEAR(area, 2 * 2 * 2 * 0.5, 0.01);  // m^2; a tenth of a unit is below 1 mm here
   const std::string svg = floor_plan_svg(scene);
-  const auto count = [&](const char* text) {
-    std::size_t found = 0;
-    for (std::size_t at = 0; (at = svg.find(text, at)) != std::string::npos; ++at) ++found;
-    return found;
-  };
-  EXPECT_EQ(count("class=\"mesh\""), 1U);
-  EXPECT_EQ(count("class=\"outline\""), 1U) << "of the gondola; of the mesh it would be the hull";
+  EXPECT_EQ(test::count_of("class=\"mesh\"", svg), 1U);
+  EXPECT_EQ(test::count_of("class=\"outline\"", svg), 1U)
+      << "of the gondola; of the mesh it would be the hull";
   EXPECT_EQ(mesh_silhouette(view, scene, 0U), "");
 }
 

@@ -1,19 +1,17 @@
 #include <cmath>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
-#include "shelfbeam/placement/io/words.hpp"
 #include "shelfbeam/report/data/distributions.hpp"
 #include "shelfbeam/report/data/id_ranges.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/report_data.hpp"
-#include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "unit/report/markup.hpp"
 #include "unit/report/sample_store.hpp"
@@ -54,7 +52,7 @@ TEST(ReportHtml, EscapesIdsAndNames) {
   const SignalMatrix matrix = sample_store::matrix_of(scene);
   Placement placement = sample_store::cover(matrix);
   placement.solver = "<solver>";
-  const std::string html = test::static_report({scene, matrix, placement});
+  const std::string html = test::static_report({scene, matrix, {placement}});
   EXPECT_EQ(fault(html), "");
   const std::string text = read_markup(html).text;
   for (const char* name : {"Joe's <Kiosk> & \"Bar\"", "A<1>-front-1-1", "T,2", "<solver>"})
@@ -111,73 +109,88 @@ TEST(ReportHtml, EveryComputedNumberIsInIt) {
   EXPECT_FALSE(cells.contains(grouped(data.outcome.met + 1)));
 }
 
-TEST(ReportHtml, HasTheNumbersOfTheCertificateAsTheJsonHasThem) {
+TEST(ReportHtml, HasTheNumbersOfTheCertificate) {
   Supermarket s;
-  const auto missing = [&](const nlohmann::json& json) {
-    const std::string html = test::static_report(s.input);
-    EXPECT_EQ(fault(html), "");
-    const auto cells = pieces(html);
-    std::vector<std::string> lines(cells.begin(), cells.end()), wanted;
-    const std::size_t missed = json["missed"].size(), undecided = json["undecided"].size();
-    const std::size_t all = json["reached"].get<std::size_t>() + missed + undecided;
-    wanted = {plain(100 * json["confidence"].get<double>()) + "\u00A0%",
-              grouped(json["reached"].get<std::size_t>()) + " of " + grouped(all),
-              counted(json["bound_labels"].get<std::size_t>(), "label"),
-              significant(json["seconds"].get<double>(), 3) + "\u00A0s",
-              json["open"].get<std::string>(),
-              "of " + grouped(all) + ", on fresh samples"};
-    std::vector<std::string> absent;
-    for (const std::string& piece : wanted)
-      if (!cells.contains(piece)) absent.push_back(piece);
-    const std::string text = read_markup(html).text;
-    for (const std::string& piece :
-         {"Rounds\n\n" + std::to_string(json["rounds"].get<int>()) + "\n",
-          "At least needed\n\n" + std::to_string(json["count_lower_bound"].get<int>()) + "\n",
-          "Labels reached\n\n" + std::to_string(json["reached"].get<int>()) + "\n",
-          "Missed\n\n" + std::to_string(missed) + ": " + json["missed"][0].get<std::string>() + ", ",
-          "Undecided\n\n" + std::to_string(undecided) + ": " + json["undecided"][0].get<std::string>() +
-              ", "})
-      if (text.find(piece) == text.npos) absent.push_back(piece);
-    return absent;
-  };
   certify(s);
-  auto json = nlohmann::json::parse(
-      certificate_json(*s.placement.certificate, make_signal_table(s.matrix, "signal.h5")));
-  EXPECT_THAT(missing(json), testing::IsEmpty());
-  // Negative control: other numbers are not found.
-  for (const char* key :
-       {"reached", "bound_labels", "rounds", "count_lower_bound", "seconds", "confidence"}) {
-    auto other = json;
-    other[key] = json[key].get<double>() < 1 ? 0.9 : json[key].get<double>() + 2;
-    EXPECT_THAT(missing(other), testing::Not(testing::IsEmpty())) << key;
-  }
+  const Certificate& certificate = *s.plan.certificate;
+  const std::string html = test::static_report(s.input);
+  EXPECT_EQ(fault(html), "");
+  const auto cells = pieces(html);
+  const std::string reached = grouped(certificate.count(Verdict::reached));
+  for (const std::string& cell :
+       {std::string("95\u00A0%"), reached + " of 926", std::string("37 labels"), std::string("12.5\u00A0s"),
+        certificate.open, std::string("of 926, on fresh samples")})
+    EXPECT_TRUE(cells.contains(cell)) << cell;
+  const std::string text = read_markup(html).text;
+  for (const std::string& piece :
+       {std::string("Rounds\n\n3\n"), fmt::format("At least needed\n\n{}\n", certificate.count_lower_bound),
+        "Labels reached\n\n" + reached + "\n", "Missed\n\n19: " + s.matrix.labels[7].id + ", ",
+        "Undecided\n\n19: " + s.matrix.labels[23].id + ", "})
+    EXPECT_NE(text.find(piece), std::string::npos) << piece;
   // The least margins carry the verdicts of their labels.
   const ReportData data(s.input);
-  const std::string html = test::static_report(s.input);
   const std::string table = html.substr(html.find("id=\"weakest\""));
   for (std::size_t k = 0, at = 0; k < 20; ++k) {
     const std::uint32_t row = data.outcome.by_margin[k];
     at = table.find("<tr><td>" + escape(data.label(row).id) + "</td>", at);
     ASSERT_NE(at, std::string::npos) << data.label(row).id;
-    const std::string cells = table.substr(at, table.find("</tr>", at) - at);
-    EXPECT_NE(cells.find(">" + std::string(to_text(s.placement.certificate->labels[row].verdict)) + "<"),
-              std::string::npos)
-        << cells;
+    const std::string line = table.substr(at, table.find("</tr>", at) - at);
+    const auto verdict = std::string(to_text(certificate.labels[row].verdict));
+    EXPECT_NE(line.find(">" + verdict + "<"), std::string::npos) << line;
+  }
+}
+
+// What the page has beyond its headline where a question or an answer is of this kind, and not otherwise.
+TEST(ReportHtml, HasWhatBelongsToTheAnswer) {
+  struct Case {
+    std::function<void(Placement&)> change;
+    std::vector<std::string> pieces;
+  };
+  const auto infeasible = [](Placement& p, const Question& question, std::vector<Unreachable> unreachable) {
+    p = {};
+    p.question = question;
+    p.status = Status::infeasible;
+    p.unreachable = std::move(unreachable);
+  };
+  const auto usual = pieces(report_html(Supermarket().input));
+  for (const auto& [change, wanted] : std::vector<Case>{
+           {[](Placement& p) { p.question.objective = Objective::links; }, {"Gap of the objective"}},
+           {[](Placement& p) { p.status = Status::stopped; }, {"stopped early"}},
+           {[](Placement& p) { p.min_spacing = 2.5, p.forbidden_pairs = 1200; },
+            {"Least distance between two units", "2.5\u00A0m", "Pairs of candidates kept apart", "1,200"}},
+           {[](Placement& p) { p.bound_proof = BoundProof::dual, p.ties_settled = true; },
+            {"a dual solution, added up again from the matrix", "the one with the largest smallest margin"}},
+           {[](Placement& p) { p.question.redundant = true; },
+            {"signals without each label's strongest unit"}},
+           {[&](Placement& p) { infeasible(p, {}, {}); }, {"each alone could be reached"}},
+           {[&](Placement& p) {
+              infeasible(p, {.model = CommunicationModel::non_cooperative, .redundant = true}, {{3, 1, 0}});
+            },
+            {"light arrives from one place only, and the unit there may fail",
+             "The most a label could get is its signal from the best single candidate that is left when the "
+             "strongest fails."}}}) {
+    Supermarket s;
+    change(s.placement);
+    const std::string html = report_html(s.input);
+    EXPECT_EQ(fault(html), "");
+    const auto cells = pieces(html);
+    for (const std::string& piece : wanted) {
+      EXPECT_TRUE(cells.contains(piece)) << piece;
+      EXPECT_FALSE(usual.contains(piece)) << piece;
+    }
   }
 }
 
 TEST(ReportHtml, ACertificateThatStandsIsSaidSo) {
   Supermarket s;
   certify(s);
-  for (LabelVerdict& label : s.placement.certificate->labels) label.verdict = Verdict::reached;
-  s.placement.certificate->open.clear();
+  for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::reached;
+  s.plan.certificate->open.clear();
   const std::string text = read_markup(test::static_report(s.input)).text;
-  EXPECT_NE(text.find("Certified"), std::string::npos);
-  EXPECT_NE(text.find("Missed\n\nnone\n"), std::string::npos);
-  s.placement.certificate->labels[5].verdict = Verdict::missed;
+  for (const char* piece : {"Certified", "Missed\n\nnone\n"}) EXPECT_NE(text.find(piece), std::string::npos);
+  s.plan.certificate->labels[5].verdict = Verdict::missed;
   const std::string missed = read_markup(test::static_report(s.input)).text;
   EXPECT_EQ(missed.find("Certified"), std::string::npos);
-  EXPECT_NE(missed.find("Labels missed"), std::string::npos);
   EXPECT_NE(missed.find("Missed\n\n1: " + s.matrix.labels[5].id + "\n"), std::string::npos);
 }
 
@@ -250,9 +263,7 @@ TEST(ReportHtml, ListsTheLabelsThatEachUnitServes) {
     }
   }
   EXPECT_GT(ranges, data.outcome.units.size());
-  std::size_t items = 0;
-  for (at = 0; (at = list.find("<li>", at)) != std::string::npos; ++at) ++items;
-  EXPECT_EQ(items, ranges);
+  EXPECT_EQ(test::count_of("<li>", list), ranges);
 }
 
 TEST(ReportHtml, TellsWhereChosenUnitsLook) {
@@ -266,12 +277,8 @@ TEST(ReportHtml, TellsWhereChosenUnitsLook) {
   looks({std::sqrt(0.75), 0, -0.5}, "60.0° towards 0.0°");
   looks({0, -std::sqrt(0.5), -std::sqrt(0.5)}, "45.0° towards 270.0°");
   looks({0, 0, 1}, "up");
-  const auto noses = [&] {
-    const std::string html = test::static_report(s.input);
-    std::size_t count = 0;
-    for (std::size_t at = 0; (at = html.find("\"k aim\"", at)) != std::string::npos; ++at) ++count;
-    return count - 1;  // the one that legends show
-  };
+  // But for the one that legends show.
+  const auto noses = [&] { return test::count_of("\"k aim\"", test::static_report(s.input)) - 1; };
   EXPECT_EQ(noses(), 0U);
   EXPECT_FALSE(pieces(test::static_report(s.input)).contains("leans this way"));
   unit.axis = {0.6, 0, -0.8};
@@ -304,8 +311,6 @@ TEST(ReportHtml, ExplainsThatNothingCanBeDone) {
   const std::string html = test::static_report(s.input);
   EXPECT_EQ(fault(html), "");
   const auto cells = pieces(html);
-  EXPECT_TRUE(cells.contains("No selection can do it: " + std::to_string(s.placement.unreachable.size()) +
-                             " of 926 labels cannot be reached, even with all 280 candidates on."));
   const SignalUnit unit = ReportData(s.input).unit;
   for (const Unreachable& label : s.placement.unreachable) {
     EXPECT_TRUE(cells.contains(s.matrix.labels[label.label].id));
@@ -332,10 +337,6 @@ TEST(ReportHtml, ReadsWellWithoutSelectionErrorsOrDirectPart) {
   s.placement.seconds = 60;
   const std::string html = test::static_report(s.input);
   EXPECT_EQ(fault(html), "");
-  EXPECT_NE(
-      html.find(
-          "No selection was found within 60\u00A0s; it is proven that at least 3 transceivers are needed."),
-      std::string::npos);
   for (const char* odd : {">nan", " nan", "∞"}) EXPECT_EQ(html.find(odd), std::string::npos) << odd;
 }
 
@@ -353,7 +354,7 @@ TEST(ReportHtml, StaysSmallForFiveThousandLabels) {
   Placement placement;
   placement.status = Status::feasible;
   placement.selected = {0, 5, 9, 14, 20};
-  const std::string html = test::static_report({scene, matrix, placement});
+  const std::string html = test::static_report({scene, matrix, {placement}});
   EXPECT_LT(html.size(), 1'000'000U);
   EXPECT_EQ(fault(html), "");
 }

@@ -362,7 +362,7 @@ TEST(PageStore, HasTheVerdictsOfACertificate) {
   const auto verdicts = page().get<std::uint8_t>("label_verdict");
   ASSERT_EQ(verdicts.size(), s.matrix.rows());
   for (std::size_t i = 0; i < verdicts.size(); ++i)
-    EXPECT_EQ(verdicts[i], static_cast<std::uint8_t>(s.placement.certificate->labels[i].verdict));
+    EXPECT_EQ(verdicts[i], static_cast<std::uint8_t>(s.plan.certificate->labels[i].verdict));
 }
 
 TEST(ViewerSection, HasItsData) {
@@ -392,9 +392,7 @@ TEST(ViewerSection, OfThisBuildIsSelfContained) {
   if (viewer_script().empty())
     GTEST_SKIP() << "this build has no 3-D view: Node.js or its packages were missing";
   // Nothing in the script ends it early.
-  std::size_t ends = 0;
-  for (std::size_t at = 0; (at = section.find("</script", at)) != std::string::npos; ++at) ++ends;
-  EXPECT_EQ(ends, 3U);
+  EXPECT_EQ(test::count_of("</script", section), 3U);
   EXPECT_EQ(section.find("<!--"), std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/answer/certificate.hpp"
+#include "shelfbeam/plan/answer/certificate.hpp"
 
 #include <algorithm>
 

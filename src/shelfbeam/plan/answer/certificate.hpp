@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include "shelfbeam/base/names.hpp"
 
 namespace shelfbeam {
 
@@ -13,6 +16,11 @@ enum class Verdict {
   missed,    ///< the upper limit does not
   undecided  ///< the requirement lies between
 };
+
+template <>
+inline constexpr auto names_of<Verdict> = std::to_array<Named<Verdict>>({{"reached", Verdict::reached},
+                                                                         {"missed", Verdict::missed},
+                                                                         {"undecided", Verdict::undecided}});
 
 /// What fresh samples say of one label at a placement. The signal is what the question counts
 /// (received_signal): the sum, or the link that was planned for the label; where a unit may fail what is left

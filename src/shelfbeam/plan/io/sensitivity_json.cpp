@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/io/sensitivity_json.hpp"
+#include "shelfbeam/plan/io/sensitivity_json.hpp"
 
 #include <limits>
 

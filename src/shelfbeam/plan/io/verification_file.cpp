@@ -1,10 +1,9 @@
-#include "shelfbeam/plan/verification_file.hpp"
+#include "shelfbeam/plan/io/verification_file.hpp"
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/placement/io/words.hpp"
 
 namespace shelfbeam {
 

@@ -1,7 +1,7 @@
+#include "shelfbeam/report/messages/comparison.hpp"
+
 #include <fmt/format.h>
 
-#include "shelfbeam/base/text.hpp"
-#include "shelfbeam/report/comparison/comparison_report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 
 namespace shelfbeam {
@@ -55,6 +55,11 @@ std::string left_out_statement(const Comparison& c) {
 }
 
 }  // namespace
+
+std::string_view worst_pairs(const Comparison& comparison) {
+  return comparison.outliers.empty() ? "Fitted pairs that are furthest off"
+                                     : "Fitted pairs that are furthest off, outliers aside";
+}
 
 std::string pair_name(const SignalMatrix& matrix, const ComparedPair& pair) {
   const std::string& label = matrix.labels[pair.label].id;

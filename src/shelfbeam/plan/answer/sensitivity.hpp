@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shelfbeam/placement/answer/certificate.hpp"
+#include "shelfbeam/plan/answer/certificate.hpp"
 
 namespace shelfbeam {
 

@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/answer/sensitivity.hpp"
+#include "shelfbeam/plan/answer/sensitivity.hpp"
 
 namespace shelfbeam {
 

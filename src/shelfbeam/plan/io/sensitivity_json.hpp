@@ -1,7 +1,7 @@
 #pragma once
 
-#include "shelfbeam/placement/answer/sensitivity.hpp"
 #include "shelfbeam/placement/io/placement_json.hpp"
+#include "shelfbeam/plan/answer/sensitivity.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam::detail {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "shelfbeam/placement/answer/certificate.hpp"
+#include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {

@@ -1,0 +1,87 @@
+#include "shelfbeam/plan/io/plan_file.hpp"
+
+#include <utility>
+
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/placement/io/placement_json.hpp"
+#include "shelfbeam/plan/io/sensitivity_json.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using detail::Json;
+using detail::position;
+using detail::Positions;
+using detail::positions;
+
+Json ids_of(const Certificate& certificate, Verdict verdict, const SignalTable& table) {
+  Json ids = Json::array();
+  for (std::size_t i = 0; i < certificate.labels.size(); ++i)
+    if (certificate.labels[i].verdict == verdict) ids.push_back(table.labels[i].id);
+  return ids;
+}
+
+Json to_json(const Certificate& certificate, const SignalTable& table) {
+  return {{"confidence", certificate.confidence},
+          {"reached", certificate.count(Verdict::reached)},
+          {"missed", ids_of(certificate, Verdict::missed, table)},
+          {"undecided", ids_of(certificate, Verdict::undecided, table)},
+          {"count_lower_bound", certificate.count_lower_bound},
+          {"bound_labels", certificate.bound_labels},
+          {"rounds", certificate.rounds},
+          {"seconds", certificate.seconds},
+          {"open", certificate.open}};
+}
+
+// Verdicts alone: signals and limits stand in verification.csv.
+Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table) {
+  cursor.expect_keys({"confidence", "reached", "missed", "undecided", "count_lower_bound", "bound_labels",
+                      "rounds", "seconds", "open"});
+  Certificate certificate;
+  certificate.confidence = cursor["confidence"].positive();
+  certificate.labels.resize(table.rows());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    certificate.labels[i].requirement = table.labels[i].requirement;
+    certificate.labels[i].verdict = Verdict::reached;
+  }
+  const Positions known = positions(table.labels);
+  for (const auto& [key, verdict] :
+       {std::pair("missed", Verdict::missed), std::pair("undecided", Verdict::undecided)})
+    for (const JsonCursor& element : cursor[key].elements())
+      certificate.labels[position(element, known, "label")].verdict = verdict;
+  certificate.count_lower_bound = static_cast<std::size_t>(cursor["count_lower_bound"].non_negative());
+  certificate.bound_labels = static_cast<std::size_t>(cursor["bound_labels"].non_negative());
+  certificate.rounds = static_cast<std::uint32_t>(cursor["rounds"].non_negative());
+  certificate.seconds = cursor["seconds"].non_negative();
+  certificate.open = cursor["open"].text();
+  if (const JsonCursor stated = cursor["reached"];
+      stated.number() != static_cast<double>(certificate.count(Verdict::reached)))
+    stated.fail("is not the number of labels that are neither missed nor undecided", "correct one of them");
+  return certificate;
+}
+
+}  // namespace
+
+std::string plan_json(const CertifiedPlan& plan, const SignalTable& table) {
+  Json file = detail::placement_object(plan.placement, table, plan.curve);
+  if (plan.certificate) file["certificate"] = to_json(*plan.certificate, table);
+  if (plan.sensitivity) file["sensitivity"] = detail::to_json(*plan.sensitivity, table);
+  return detail::file_text(file);
+}
+
+std::string certificate_json(const Certificate& certificate, const SignalTable& table) {
+  return detail::file_text(to_json(certificate, table));
+}
+
+CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& table) {
+  const JsonCursor file = JsonCursor::parse_file(path);
+  CertifiedPlan plan;
+  plan.placement = detail::read_placement(file, table);
+  plan.curve = detail::read_curve(file, table);
+  if (const auto found = file.find("certificate")) plan.certificate = read_certificate(*found, table);
+  if (const auto found = file.find("sensitivity")) plan.sensitivity = detail::read_sensitivity(*found, table);
+  return plan;
+}
+
+}  // namespace shelfbeam

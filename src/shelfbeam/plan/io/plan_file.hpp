@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "shelfbeam/plan/answer/certified_plan.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+namespace shelfbeam {
+
+/// The placement.json of a plan (docs/formats/placement.md): that of the placement, then certificate and
+/// sensitivity where there are any.
+std::string plan_json(const CertifiedPlan& plan, const SignalTable& table);
+
+/// The object under `certificate` alone.
+std::string certificate_json(const Certificate& certificate, const SignalTable& table);
+
+/// Reads such a file, or that of a placement alone, against the table it belongs to. Throws as
+/// `read_placement`. Of the labels a certificate has verdicts alone, and the curve is without `selected`.
+CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& table);
+
+}  // namespace shelfbeam

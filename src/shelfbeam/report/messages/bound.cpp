@@ -1,0 +1,126 @@
+#include "shelfbeam/report/messages/bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/data/text_format.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+std::string what_is_minimised(const Question& question) {
+  const ObjectiveWords& words = words_of(question.objective);
+  return words.has_share
+             ? fmt::format("{} (from {} of the requirement on)", words.sum, percent(question.share, 0))
+             : std::string(words.sum);
+}
+
+}  // namespace
+
+std::size_t least_count(const Placement& placement) {
+  if (!std::isfinite(placement.count_lower_bound)) return 0;
+  return static_cast<std::size_t>(std::max(0.0, std::ceil(placement.count_lower_bound - 1e-6)));
+}
+
+double count_gap(const Placement& placement) {
+  const std::size_t count = placement.count(), least = std::min(least_count(placement), count);
+  return count == 0 ? 0 : static_cast<double>(count - least) / static_cast<double>(count);
+}
+
+bool count_is_proven(const Placement& placement) {
+  return placement.count() > 0 && least_count(placement) >= placement.count();
+}
+
+std::string units_needed(std::size_t least) {
+  return fmt::format("at least {} {} needed", counted(least, "transceiver"), least == 1 ? "is" : "are");
+}
+
+std::string terminal_bound(const Placement& placement) {
+  const std::size_t least = least_count(placement);
+  return least >= placement.count() ? "fewer cannot, proven" : units_needed(least);
+}
+
+std::string page_bound(const Placement& placement) {
+  const std::size_t least = least_count(placement);
+  const std::string needed = fmt::format("{} {} needed", grouped(least), least == 1 ? "is" : "are");
+  if (count_is_proven(placement)) return fmt::format("; at least {} (proven).", needed);
+  if (placement.status == Status::optimal && placement.question.combination == Combination::weighted)
+    return "; no selection has a lower total cost (proven).";
+  if (least == 0) return "; how few would do is not known.";
+  return fmt::format("; it is proven that at least {} (gap {}).", needed, percent(count_gap(placement)));
+}
+
+std::string_view behind_bound(BoundProof proof) {
+  switch (proof) {
+    case BoundProof::trivial:
+      return "what is plain without a search";
+    case BoundProof::dual:
+      return "a dual solution, added up again from the matrix";
+    case BoundProof::log:
+      return "exhaustive search, its log checked";
+    case BoundProof::search:
+      return "exhaustive search, its log too long to be checked";
+    case BoundProof::solver:
+      return "the word of a MIP solver";
+  }
+  return {};
+}
+
+std::string proof_sentence(const Placement& placement) {
+  if (placement.status == Status::infeasible || least_count(placement) == 0) return {};
+  return fmt::format("What is proven rests on {}.{}", behind_bound(placement.bound_proof),
+                     placement.ties_settled
+                         ? " Of all selections that are as good this has the largest smallest margin."
+                         : "");
+}
+
+std::string objective_name(const Question& question) {
+  if (question.combination == Combination::weighted)
+    return question.objective == Objective::count
+               ? "least cost of transceivers"
+               : "least cost of transceivers and " + what_is_minimised(question);
+  if (question.objective == Objective::count) return "fewest transceivers";
+  return fmt::format("fewest transceivers, then {} {}", words_of(question.objective).fewest,
+                     what_is_minimised(question));
+}
+
+std::string objective_sentence(const Placement& placement) {
+  const Question& question = placement.question;
+  if (question.objective == Objective::count && question.combination == Combination::lexicographic) return {};
+  if (question.combination == Combination::lexicographic &&
+      (placement.status == Status::feasible || !count_is_proven(placement)))
+    return fmt::format("The second aim, the least sum over {}, was not searched for: the number comes first.",
+                       what_is_minimised(question));
+  const std::string value = plain(placement.objective_value);
+  const std::string bound = plain(placement.lower_bound);
+  const bool proven = placement.status == Status::optimal;
+  std::string text;
+  if (question.combination == Combination::weighted)
+    text = fmt::format("The total cost is {}{}", value, proven ? ", the least possible (proven)" : "");
+  else
+    text = fmt::format("Among selections of this size the aim was the least sum over {}: {}{}",
+                       what_is_minimised(question), value, proven ? ", the least possible (proven)" : "");
+  if (placement.status == Status::stopped)
+    text += fmt::format("; at least {} is proven (gap {})", bound, percent(placement.gap()));
+  text += placement.unit_costs ? ". No costs were given, so each counts 1." : ".";
+  return text;
+}
+
+std::string_view status_name(Status status) {
+  switch (status) {
+    case Status::optimal:
+      return "optimal (proven)";
+    case Status::feasible:
+      return "feasible (nothing proven)";
+    case Status::infeasible:
+      return "infeasible (proven)";
+    case Status::stopped:
+      return "stopped early";
+  }
+  return {};
+}
+
+}  // namespace shelfbeam

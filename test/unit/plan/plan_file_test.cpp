@@ -1,0 +1,103 @@
+#include "shelfbeam/plan/io/plan_file.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/io/placement_file.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/placement/random_table.hpp"
+
+namespace shelfbeam {
+namespace {
+
+SignalTable example() {
+  return test::make_table({{0.5, 0.75}, {0.25, 0.5}}, 2);
+}
+
+// Two units of which one label is reached.
+CertifiedPlan example_plan() {
+  CertifiedPlan plan;
+  plan.placement.selected = {0, 1};
+  plan.placement.count_lower_bound = plan.placement.lower_bound = 1;
+  plan.placement.objective_value = 2;
+  plan.curve.points = {{1, 0, 1}, {2, 2, 2}};
+  plan.curve.is_complete = false;
+  Certificate& certificate = plan.certificate.emplace();
+  certificate.labels = {{Verdict::reached, 2}, {Verdict::undecided, 2}};
+  certificate.count_lower_bound = 1;
+  certificate.open = "it was interrupted";
+  Sensitivity& sensitivity = plan.sensitivity.emplace();
+  sensitivity.as_given = {1.25, 0.01, 1};
+  sensitivity.low = {{0.75, 0.02, 0}, {0}, {1}};
+  sensitivity.high = {{1.5, 0.03, 1}, {}, {}};
+  MaterialSensitivity floor{"floor", 0.5, 0.4, 0.6, true, {}, {}};
+  floor.at_lower = {{0.875, 0.01, 0}, -0.375, 0.001, -0.125, 1};
+  floor.at_upper = {{1.375, 0.01, 1}, 0.125, 0.002, 0.0625, 0};
+  sensitivity.materials = {floor};
+  sensitivity.kept = {"glass"};
+  sensitivity.watched = 2;
+  sensitivity.batches = 64;
+  sensitivity.seconds = 1.5;
+  return plan;
+}
+
+TEST(PlanFile, IsReadBack) {
+  const test::TempFolder folder;
+  const std::string text = plan_json(example_plan(), example());
+  const CertifiedPlan read = read_plan(folder.write("p.json", text), example());
+  EXPECT_EQ(plan_json(read, example()), text);
+  ASSERT_TRUE(read.certificate && read.sensitivity);
+  EXPECT_EQ(read.certificate->confidence, 0.99);
+  EXPECT_EQ(read.certificate->labels[0].verdict, Verdict::reached);
+  EXPECT_EQ(read.certificate->labels[1].verdict, Verdict::undecided);
+  EXPECT_EQ(read.sensitivity->holds(), Verdict::missed);
+  EXPECT_EQ(read.sensitivity->low.undecided, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(read.sensitivity->materials.at(0).at_upper.least.label, 1U);
+  ASSERT_EQ(read.curve.points.size(), 2U);
+  EXPECT_EQ(read.curve.points[1].at_least, 2U);
+  EXPECT_FALSE(read.curve.is_complete);
+}
+
+// Whoever asks for the placement alone gets it, and a placement alone is a plan without the rest.
+TEST(PlanFile, IsThatOfThePlacementAndMore) {
+  const test::TempFolder folder;
+  const CertifiedPlan whole = example_plan();
+  const std::string bare = placement_json(whole.placement, example());
+  const auto path = folder.write("p.json", plan_json(whole, example()));
+  EXPECT_EQ(placement_json(read_placement(path, example()), example()), bare);
+  const CertifiedPlan read = read_plan(folder.write("bare.json", bare), example());
+  EXPECT_FALSE(read.certificate);
+  EXPECT_FALSE(read.sensitivity);
+  EXPECT_TRUE(read.curve.points.empty());
+  EXPECT_EQ(plan_json(read, example()), bare);
+}
+
+TEST(PlanFile, RejectsWhatDoesNotFit) {
+  const test::TempFolder folder;
+  const std::string whole = plan_json(example_plan(), example());
+  struct Case {
+    std::string from, to, place, problem;
+  };
+  for (const auto& [from, to, place, problem] : std::vector<Case>{
+           {"\"reached\": 1", "\"reached\": 2", "certificate.reached", "neither missed nor undecided"},
+           {"\"holds\": \"no\"", "\"holds\": \"yes\"", "sensitivity.holds", "'low' lists"},
+           {"\"assumed\": true", "\"assumd\": true", "sensitivity.materials[0]", "assumd"},
+           {"\"labels_short\": 1", "\"labels_short\": -1", "sensitivity.materials[0].low.labels_short", "-1"},
+           {"\"watched\": 2", "\"watched\": 0.5", "sensitivity.watched", "0.5"},
+           {"\"at_most\": 2", "\"at_most\": 3", "curve[1].at_most", "3"},
+           {"\"at_most\": 2", "\"at_most\": 1", "curve[1].at_most", "1"},
+           {"\"units\": 2", "\"units\": 1", "curve[1].units", "1"}}) {
+    std::string text = whole;
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+    const auto path = folder.write("p.json", text);
+    test::expect_input_error([&] { read_plan(path, example()); }, "p.json", place, problem);
+  }
+}
+
+}  // namespace
+}  // namespace shelfbeam

@@ -1,0 +1,246 @@
+// Every sentence of an answer once, as terminal and page have it: test/data/messages.txt. Other tests ask for
+// values.
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/report/messages/bound.hpp"
+#include "shelfbeam/report/messages/certificate.hpp"
+#include "shelfbeam/report/messages/headline.hpp"
+#include "shelfbeam/report/messages/selection.hpp"
+#include "shelfbeam/report/messages/unreachable.hpp"
+
+#include "unit/report/supermarket_report.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::Supermarket;
+constexpr auto alone = CommunicationModel::non_cooperative;
+constexpr auto weighted = Combination::weighted;
+
+Placement of_units(std::size_t count, double bound, Status status, const Question& question = {}) {
+  Placement placement;
+  placement.question = question;
+  placement.status = status;
+  placement.selected.resize(count);
+  std::iota(placement.selected.begin(), placement.selected.end(), 0U);
+  placement.objective_value = 1000;
+  placement.count_lower_bound = bound;
+  placement.lower_bound = 900;
+  return placement;
+}
+
+void put_at_one_point(Supermarket& s) {
+  for (TransceiverColumn& unit : s.matrix.transceivers) unit.position = s.matrix.transceivers[0].position;
+}
+
+class Sentences {
+ public:
+  void heading(const std::string& text) { text_ += (text_.empty() ? "# " : "\n# ") + text + '\n'; }
+  template <class... Parts>
+  void say(const Parts&... parts) {
+    ((text_ += parts, text_ += '\n'), ...);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void say_selections(Sentences& to) {
+  to.heading("selection");
+  to.say(units_reach(1) + " " + labels_reached(1, 1), units_reach(2) + " " + labels_reached(1200, 1200));
+  to.say(labels_reached(3, 1200), no_selection_reaches(12),
+         "x" + std::string(whichever_fails({.redundant = true})));
+  for (const char* solver : {"greedy", "search", "highs 1.10.0"}) {
+    Placement none;
+    none.solver = solver;
+    to.say(fmt::format("{}: '{}'", solver, who_gave_up(none)));
+  }
+}
+
+void say_bounds(Sentences& to) {
+  to.heading("bound");
+  for (const Placement& placement :
+       {of_units(4, 4, Status::optimal), of_units(4, 2.4, Status::stopped), of_units(4, 1, Status::stopped),
+        of_units(4, 0, Status::stopped), of_units(4, 1, Status::optimal, {.combination = weighted})})
+    to.say(terminal_bound(placement), page_bound(placement));
+  for (const auto proof :
+       {BoundProof::trivial, BoundProof::dual, BoundProof::log, BoundProof::search, BoundProof::solver})
+    to.say(behind_bound(proof));
+  Placement proven = of_units(2, 2, Status::optimal);
+  to.say(proof_sentence(proven));
+  proven.ties_settled = true;
+  to.say(proof_sentence(proven), proof_sentence(of_units(2, 0, Status::stopped)));
+  for (const auto status : {Status::optimal, Status::feasible, Status::infeasible, Status::stopped})
+    to.say(status_name(status));
+  to.heading("objective");
+  const Question links{.objective = Objective::links}, signal{.objective = Objective::signal};
+  const Question cost{.combination = weighted};
+  const Question both{.objective = Objective::effective_links, .combination = weighted, .share = 0.5};
+  for (Placement placement : {of_units(2, 2, Status::optimal), of_units(2, 2, Status::optimal, links),
+                              of_units(2, 1, Status::stopped, links), of_units(2, 2, Status::stopped, signal),
+                              of_units(2, 1, Status::optimal, cost), of_units(2, 1, Status::stopped, both)}) {
+    placement.unit_costs = placement.question.share < 1;
+    to.say(objective_name(placement.question), objective_sentence(placement));
+  }
+}
+
+void say_what_is_out_of_reach(Sentences& to) {
+  to.heading("unreachable");
+  for (const bool redundant : {false, true}) {
+    Placement placement;
+    placement.unreachable.resize(1200);
+    placement.question.redundant = redundant;
+    to.say(terminal_out_of_reach(placement, false), terminal_out_of_reach(placement, true));
+    placement.question.model = alone;
+    to.say(terminal_out_of_reach(placement, false));
+  }
+  to.say(why_nothing({}, false), why_nothing({.redundant = true}, true), why_nothing({}, true));
+  to.say(dark_labels(1), dark_labels(1200));
+  Placement placement;
+  to.say(kept_apart(placement), not_all_at_once(why_exclusive(placement, true)));
+  placement.forbidden_pairs = 1;
+  to.say(kept_apart(placement), why_exclusive(placement, false));
+  placement.forbidden_pairs = 1200;
+  placement.min_spacing = 2.5;
+  to.say(kept_apart(placement), why_exclusive(placement, true));
+}
+
+void say_certificates(Sentences& to) {
+  to.heading("certificate");
+  const auto say = [&](const Placement& placement, std::size_t bound, const std::vector<std::size_t>& counts,
+                       const std::string& open = "") {
+    CertifiedPlan plan{placement};
+    Certificate& certificate = plan.certificate.emplace();
+    certificate.confidence = open.empty() ? 0.99 : 0.995;
+    certificate.count_lower_bound = bound;
+    certificate.open = open;
+    for (const auto verdict : {Verdict::reached, Verdict::missed, Verdict::undecided})
+      certificate.labels.insert(certificate.labels.end(), counts[static_cast<std::size_t>(verdict)],
+                                {verdict});
+    to.say(certificate_sentence(plan));
+  };
+  const Question redundant{.redundant = true};
+  Placement nothing;
+  nothing.objective_value = std::numeric_limits<double>::infinity();
+  to.say(certificate_sentence({nothing}));
+  say(of_units(4, 4, Status::optimal), 0, {1200, 0, 0});
+  say(of_units(4, 4, Status::optimal, redundant), 4, {1200, 0, 0});
+  say(of_units(1, 1, Status::optimal, redundant), 4, {1, 0, 0});
+  say(of_units(4, 4, Status::optimal), 3, {1, 1, 2}, "it was interrupted");
+  say(nothing, 0, {1, 1, 2}, "it was interrupted");
+  say(nothing, 0, {0, 0, 4});
+  to.heading("sensitivity");
+  Sensitivity sensitivity;
+  sensitivity.as_given = {1.25, 0.0125, 3};
+  sensitivity.low.least.ratio = 1.0625;
+  sensitivity.high.least.ratio = 1.75;
+  to.say(sensitivity_sentence(sensitivity, 1200));
+  sensitivity.low.missed = {7, 8, 9};
+  sensitivity.low.undecided = {21};
+  sensitivity.materials = {{"tiles <grey>", 0.6, 0.45, 0.75, true, {}, {}}};
+  for (const double ratio : {1.25, 1.2}) {  // the first as if it had no range
+    sensitivity.materials[0].at_lower.least.ratio = ratio;
+    to.say(sensitivity_sentence(sensitivity, 926));
+  }
+}
+
+void find_nothing(Supermarket& s, Status status, std::vector<Unreachable> unreachable = {}) {
+  s.placement = {};
+  s.placement.status = status;
+  s.placement.unreachable = std::move(unreachable);
+}
+
+// The answer on the page and what remarks it has that the usual answer has not.
+void say_headlines(Sentences& to) {
+  to.heading("headline");
+  constexpr const char* tones[] = {"yes", "open", "no"};
+  const Unreachable weak{0, 1, 0.5}, dark{3, 1, 0};
+  std::vector<std::string> usual;
+  for (const std::function<void(Supermarket&)>& change : std::vector<std::function<void(Supermarket&)>>{
+           [](Supermarket&) {},
+           [](Supermarket& s) { s.placement.status = Status::stopped, s.placement.count_lower_bound -= 1.6; },
+           [](Supermarket& s) { s.placement.status = Status::feasible, s.placement.count_lower_bound -= 1; },
+           [](Supermarket& s) { s.placement.question.objective = Objective::links; },
+           [](Supermarket& s) { s.placement.question.redundant = true; },
+           [](Supermarket& s) { s.placement.min_spacing = 2.5, s.placement.forbidden_pairs = 1200; },
+           [](Supermarket& s) { s.matrix.transceivers[s.placement.selected[0]].installed = true; },
+           [](Supermarket& s) { certify(s); },
+           [](Supermarket& s) { find_nothing(s, Status::infeasible), put_at_one_point(s); },
+           [=](Supermarket& s) { find_nothing(s, Status::infeasible, {weak}), put_at_one_point(s); },
+           [=](Supermarket& s) { find_nothing(s, Status::infeasible, {weak}); },
+           [=](Supermarket& s) {
+             find_nothing(s, Status::infeasible, {weak});
+             s.placement.question = {.model = alone, .redundant = true};
+           },
+           // Some light is there: where one unit may fail, that of one is as good as none.
+           [=](Supermarket& s) {
+             find_nothing(s, Status::infeasible, {weak, dark});
+           },
+           [=](Supermarket& s) {
+             find_nothing(s, Status::infeasible, {weak, dark});
+             for (std::size_t j = 0; j < s.matrix.columns(); ++j)
+               s.matrix.mean[s.matrix.at(dark.label, j)] = 0;
+           },
+           [](Supermarket& s) {
+             find_nothing(s, Status::stopped);
+             s.placement.solver = "greedy", s.placement.count_lower_bound = 2;
+           },
+           [](Supermarket& s) { find_nothing(s, Status::stopped), s.placement.seconds = 60; }}) {
+    Supermarket s;
+    change(s);
+    const Headline line = headline(ReportData(s.input));
+    to.say(fmt::format("[{}] {}", tones[static_cast<std::size_t>(line.tone)], line.answer));
+    for (const std::string& remark : line.remarks)
+      if (std::find(usual.begin(), usual.end(), remark) == usual.end()) to.say("  " + remark);
+    if (usual.empty()) usual = line.remarks;
+  }
+}
+
+TEST(Messages, AreThoseOfTheList) {
+  Sentences said;
+  say_selections(said);
+  say_bounds(said);
+  say_what_is_out_of_reach(said);
+  say_certificates(said);
+  say_headlines(said);
+  EXPECT_EQ(said.text(), read_file(SHELFBEAM_SOURCE_DIR "/test/data/messages.txt"));
+}
+
+TEST(Headline, SaysHowManyLabelsSamplingErrorCouldTurn) {
+  Supermarket s;
+  const auto is_close = [](const Supermarket& store) {
+    return headline(ReportData(store.input))
+        .remarks[0]
+        .starts_with("At least one label lies so close to its requirement");
+  };
+  std::fill(s.matrix.standard_error.begin(), s.matrix.standard_error.end(), 0.0F);
+  EXPECT_FALSE(is_close(s));
+
+  // The label of least margin is off by some amount: with half of it as standard error it is just certain
+  // (1 % to spare for the rounding to 32 bits), with a little more it is not.
+  const Outcome outcome = outcome_of(s.matrix, s.placement);
+  const std::uint32_t row = outcome.by_margin.front();
+  const LabelOutcome& label = outcome.labels[row];
+  float& error = s.matrix.standard_error[s.matrix.at(row, *label.strongest)];
+  error = static_cast<float>(0.495 * (label.signal - label.requirement));
+  ASSERT_GT(error, 0);
+  EXPECT_EQ(uncertain_labels(s.matrix, outcome), 0U);
+  error = static_cast<float>(0.505 * (label.signal - label.requirement));
+  EXPECT_EQ(uncertain_labels(s.matrix, outcome), 1U);
+  EXPECT_TRUE(is_close(s));
+  EXPECT_TRUE(test::pieces(report_html(s.input)).contains("Solved, 1 label uncertain"));
+}
+
+}  // namespace
+}  // namespace shelfbeam
