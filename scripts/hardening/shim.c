@@ -5,6 +5,7 @@
 //   FAULT_AT=N        the fault is at the N-th operation
 //   FAULT_ERRNO=E     the operation fails with this error; 0: the program is killed before it
 //   FAULT_LASTS=1     and so does every operation from then on
+//   FAULT_OF=NAME     only operations of this name count and fail, such as rename
 //   CLOCK_JUMPS=C     the clock of the day jumps by up to ten years at each look (C = 1), the steady one too (2)
 
 #define _GNU_SOURCE
@@ -32,7 +33,9 @@ static long setting(const char* name) {
 }
 
 // Whether the operation that begins now fails. Removals do not: nothing needs room for them.
-static int fails(int is_removal) {
+static int fails(const char* name, int is_removal) {
+  const char* only = getenv("FAULT_OF");
+  if (only != NULL && strcmp(only, name) != 0) return 0;
   const long now = atomic_fetch_add(&operations, 1) + 1, at = setting("FAULT_AT");
   if (at < 0 || now < at || (now > at && setting("FAULT_LASTS") != 1)) return 0;
   const long error = setting("FAULT_ERRNO");
@@ -56,7 +59,7 @@ __attribute__((destructor)) static void tell(void) {
 
 #define ON_FILE(type, name, parameters, arguments)     \
   type name parameters {                               \
-    if (file > 2 && fails(0)) return -1;               \
+    if (file > 2 && fails(#name, 0)) return -1;        \
     return ((type(*) parameters)dlsym(RTLD_NEXT, #name)) arguments; \
   }
 ON_FILE(ssize_t, write, (int file, const void* data, size_t size), (file, data, size))
@@ -70,10 +73,11 @@ ON_FILE(int, fdatasync, (int file), (file))
 
 #define ON_NAME(name, parameters, arguments, is_removal) \
   int name parameters {                                  \
-    if (fails(is_removal)) return -1;                    \
+    if (fails(#name, is_removal)) return -1;             \
     return ((int(*) parameters)dlsym(RTLD_NEXT, #name)) arguments; \
   }
 ON_NAME(rename, (const char* from, const char* to), (from, to), 0)
+ON_NAME(link, (const char* from, const char* to), (from, to), 0)
 ON_NAME(mkdir, (const char* path, mode_t mode), (path, mode), 0)
 ON_NAME(mkostemp, (char* pattern, int flags), (pattern, flags), 0)
 ON_NAME(mkostemp64, (char* pattern, int flags), (pattern, flags), 0)
@@ -86,7 +90,7 @@ ON_NAME(remove, (const char* path), (path), 1)
     va_start(more, flags);                                                     \
     const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(more, mode_t) : 0;     \
     va_end(more);                                                              \
-    if ((flags & O_ACCMODE) != O_RDONLY && fails(0)) return -1;                \
+    if ((flags & O_ACCMODE) != O_RDONLY && fails(#name, 0)) return -1;         \
     return ((int (*)(const char*, int, ...))dlsym(RTLD_NEXT, #name))(path, flags, mode); \
   }
 OPEN(open)
@@ -94,7 +98,7 @@ OPEN(open64)
 
 #define FOPEN(name)                                              \
   FILE* name(const char* path, const char* mode) {               \
-    if (strpbrk(mode, "wa+") != NULL && fails(0)) return NULL;   \
+    if (strpbrk(mode, "wa+") != NULL && fails(#name, 0)) return NULL; \
     return ((FILE * (*)(const char*, const char*)) dlsym(RTLD_NEXT, #name))(path, mode); \
   }
 FOPEN(fopen)

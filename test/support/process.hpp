@@ -1,11 +1,14 @@
 #pragma once
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 #include <fcntl.h>
@@ -42,6 +45,24 @@ class Process {
   }
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
+
+  bool has_ended() const {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+           info.si_pid != 0;
+  }
+  /// Waits until a file has changed so many times, as far as is seen, or the program has ended.
+  void wait_for_changes(const std::filesystem::path& file, int times) const {
+    for (std::filesystem::file_time_type known{}; times > 0 && !has_ended();) {
+      std::error_code missing;
+      const auto changed = std::filesystem::last_write_time(file, missing);
+      if (!missing && changed != known) {
+        known = changed;
+        --times;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
 
   void send(int signal) const { ::kill(id_, signal); }
 

@@ -7,7 +7,7 @@
 
 namespace shelfbeam::app {
 
-/// Names of what a plan leaves in its folder.
+/// Names of what a plan leaves in its folder. A folder without placement.json is no whole plan.
 inline constexpr auto signal_name = "signal.h5";
 inline constexpr auto placement_name = "placement.json";
 inline constexpr auto store_name = "store.json";
@@ -19,7 +19,7 @@ inline constexpr auto report_name = "report.html";
 /// Makes the folder; throws InputError where one of the files above could not be written.
 void prepare_plan_folder(const std::filesystem::path& folder);
 
-/// Adds labels.csv, placement.csv and, last, report.html.
+/// Adds labels.csv, placement.csv and report.html.
 void write_report(AtomicFolder& files, const ReportInput& input);
 
 }  // namespace shelfbeam::app

@@ -116,7 +116,7 @@ int run_plan(const Options& options) {
     asked.table = [&](const SignalMatrix& matrix) { return table_of(options, matrix); };
     const double confidence = options.certificate.confidence;
     asked.confidence = options.no_certificate ? std::nullopt : std::optional(confidence);
-    asked.budget_s = options.certificate.budget_s;
+    asked.budget.seconds = options.certificate.budget_s;
     asked.curve = options.curve;
     if (options.sensitivity) asked.sensitivity = {options.reflectance_error, confidence};
     plan = make_plan(scene, asked, control);
@@ -133,11 +133,10 @@ int run_plan(const Options& options) {
     AtomicFolder files(options.folder);
     files.add(store_name).write(resolved);
     write_signal_file(matrix, files.add(signal_name));
-    files.add(placement_name).write(answer);
-    if (plan.certificate)
-      files.add(verification_name).write(verification_csv(*plan.certificate, scene));
+    if (plan.certificate) files.add(verification_name).write(verification_csv(*plan.certificate, scene));
     write_report(files, {scene, matrix, plan});
-    files.commit({report_name, placement_name, labels_name, placement_table_name, verification_name});
+    files.add(placement_name).write(answer);
+    files.commit({placement_name, verification_name});
   } catch (const OutputError& error) {
     if (!summary.has_checkpoint) throw;
     throw OutputError(error, checkpoint_remains, Setting::resumption);

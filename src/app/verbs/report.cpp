@@ -38,7 +38,7 @@ int run_report(const Options& options) {
   const CertifiedPlan plan = read_plan(options.folder / placement_name, table);
   AtomicFolder files(options.folder);
   write_report(files, {scene, matrix, plan});
-  files.commit({report_name});
+  files.commit({});
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)
     print_json({{"report", report}});

@@ -80,7 +80,7 @@ int run_verify(const Options& options) {
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
     CertifyOptions asked;
     asked.confidence = options.certificate.confidence;
-    asked.budget_s = options.certificate.budget_s;
+    asked.budget.seconds = options.certificate.budget_s;
     asked.simulation = simulation;
     asked.simulation.checkpoint = {};
     verified = verify_installation(installation.scene, question, asked, control);

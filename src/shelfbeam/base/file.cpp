@@ -1,5 +1,6 @@
 #include "shelfbeam/base/file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -27,9 +28,9 @@ fs::path folder_of(const fs::path& file) {
 
 // A lock of the open file: it ends with the process, however that ends. `command` says whether to wait for
 // it.
-bool lock(int descriptor, int command) {
+bool lock(int descriptor, int command, short type = F_WRLCK) {
   struct flock whole = {};
-  whole.l_type = F_WRLCK;
+  whole.l_type = type;
   whole.l_whence = SEEK_SET;
   return ::fcntl(descriptor, command, &whole) == 0;
 }
@@ -52,6 +53,57 @@ void flush_folder(const fs::path& folder) {
   ::fsync(descriptor);
   ::close(descriptor);
 }
+
+struct Descriptor {
+  int number;
+  ~Descriptor() { ::close(number); }
+};
+
+// The old file of a name, under a hidden name as well, while the new one may have to be taken back.
+class KeptFile {
+ public:
+  explicit KeptFile(const fs::path& target) : target_(target) {
+    remove_abandoned(target);
+    descriptor_ = ::open(target.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0 && errno == ENOENT) return;
+    std::string name = (folder_of(target) / (temporary_prefix(target) + std::string(random_part))).string();
+    const int unique = ::mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor_ < 0 || unique < 0) fail();
+    ::close(unique);
+    ::unlink(name.c_str());
+    kept_ = name;
+    // Not to be taken for an abandoned file. Where there are no links it is a copy.
+    lock(descriptor_, F_OFD_SETLK, F_RDLCK);
+    if (::link(target.c_str(), kept_.c_str()) == 0) return;
+    std::error_code error;
+    fs::copy_file(target, kept_, error);
+    if (!error) return;
+    errno = error.value();
+    fail();
+  }
+  ~KeptFile() { release(); }
+  KeptFile(const KeptFile&) = delete;
+  KeptFile& operator=(const KeptFile&) = delete;
+
+  bool restore() {
+    if (kept_.empty()) return ::unlink(target_.c_str()) == 0 || errno == ENOENT;
+    return ::rename(kept_.c_str(), target_.c_str()) == 0 || ::link(kept_.c_str(), target_.c_str()) == 0;
+  }
+
+ private:
+  void release() {
+    if (!kept_.empty()) ::unlink(kept_.c_str());
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  [[noreturn]] void fail() {
+    const std::string reason = system_reason();
+    release();
+    cannot_write(target_, reason);
+  }
+
+  fs::path target_, kept_;
+  int descriptor_ = -1;
+};
 
 }  // namespace
 
@@ -132,14 +184,14 @@ void AtomicFile::flush() {
   if (::fsync(descriptor_) != 0) cannot_write(target_, system_reason());
 }
 
-void AtomicFile::rename() {
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) cannot_write(target_, system_reason());
-  committed_ = true;
+bool AtomicFile::rename() {
+  committed_ = ::rename(temporary_.c_str(), target_.c_str()) == 0;
+  return committed_;
 }
 
 void AtomicFile::commit() {
   flush();
-  rename();
+  if (!rename()) cannot_write(target_, system_reason());
   flush_folder(folder_of(target_));
 }
 
@@ -157,18 +209,25 @@ void AtomicFolder::commit(const std::vector<std::string>& outdated) {
   for (AtomicFile& file : files_) file.flush();
   const int descriptor = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) cannot_write(folder_, system_reason());
+  const Descriptor locked{descriptor};
   ::flock(descriptor, LOCK_EX);
-  try {
-    for (const std::string& name : outdated)
-      if (::unlink((folder_ / name).c_str()) != 0 && errno != ENOENT)
-        cannot_write(folder_ / name, system_reason());
-    for (AtomicFile& file : files_) file.rename();
-  } catch (...) {
-    ::close(descriptor);
-    throw;
-  }
+  std::list<KeptFile> kept;
+  for (const std::string& name : outdated) kept.emplace_back(folder_ / name);
+  for (const AtomicFile& file : files_)
+    if (std::find(outdated.begin(), outdated.end(), file.target().filename()) == outdated.end())
+      kept.emplace_back(file.target());
+  const auto take_back = [&](const fs::path& failed) {
+    const std::string reason = system_reason();
+    // The first of the outdated comes back last, and only to a whole folder.
+    for (auto file = kept.rbegin(); file != kept.rend() && file->restore(); ++file) {
+    }
+    cannot_write(failed, reason);
+  };
+  for (const std::string& name : outdated)
+    if (::unlink((folder_ / name).c_str()) != 0 && errno != ENOENT) take_back(folder_ / name);
+  for (AtomicFile& file : files_)
+    if (!file.rename()) take_back(file.target());
   ::fsync(descriptor);
-  ::close(descriptor);
 }
 
 void make_output_folder(const fs::path& folder) {

@@ -37,7 +37,7 @@ class AtomicFile {
 
  private:
   friend class AtomicFolder;
-  void rename();
+  bool rename();
 
   std::filesystem::path target_;
   std::filesystem::path temporary_;
@@ -58,9 +58,10 @@ class AtomicFolder {
 
   /// The next file, to be written before the commit. Throws OutputError.
   AtomicFile& add(const std::string& name);
-  /// Flushes all files, removes the `outdated` ones in their order, and renames the new ones in theirs.
-  /// Nothing has changed when a disk is full; whoever is killed between the first removal and the last
-  /// renaming leaves a folder without the first of the outdated, never one of old and new files that looks
+  /// Flushes all files, removes the `outdated` ones in their order, and renames the new ones in theirs. Files
+  /// that are not outdated are the old or the new ones at any moment. Where something fails, all become the
+  /// old ones again. A process that is killed between the first removal and the last renaming leaves a folder
+  /// without the first of the outdated, if that is renamed last: never one of old and new files that looks
   /// whole. Writers of one folder wait for each other. Throws OutputError.
   void commit(const std::vector<std::string>& outdated);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <climits>
 #include <vector>
 
 #include <CbcConfig.h>
@@ -186,6 +187,8 @@ Result solve_cbc(const Model& model, const SolveOptions& options, const RunContr
   cbc.setLogLevel(0);
   cbc.setUseElapsedTime(true);
   cbc.setMaximumSeconds(std::clamp(options.time_limit_s, 0.0, 1e10));
+  if (options.node_limit)
+    cbc.setMaximumNodes(static_cast<int>(std::min<std::uint64_t>(*options.node_limit, INT_MAX)));
   cbc.setAllowableFractionGap(options.relative_gap);
   cbc.setAllowableGap(0);
   detail::BoundReport report(control);

@@ -57,6 +57,7 @@ Termination to_termination(HighsModelStatus status, std::span<const Column> colu
     case HighsModelStatus::kUnboundedOrInfeasible:
       return is_bounded(columns) ? Termination::infeasible : Termination::error;
     case HighsModelStatus::kTimeLimit:
+    case HighsModelStatus::kSolutionLimit:  // of nodes
       return Termination::limit;
     case HighsModelStatus::kInterrupt:
       return Termination::interrupted;
@@ -158,6 +159,9 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
   // At the default of 1e-6, values such as -2e-7 pass as whole and whole objectives are pruned one too far.
   highs.setOptionValue("mip_feasibility_tolerance", 1e-7);
   highs.setOptionValue("time_limit", std::max(options.time_limit_s, 0.0));
+  if (options.node_limit)
+    highs.setOptionValue("mip_max_nodes",
+                         static_cast<HighsInt>(std::min<std::uint64_t>(*options.node_limit, kHighsIInf)));
   if (highs.passModel(to_highs(model, scale)) == HighsStatus::kError) return {};
 
   detail::BoundReport report(control);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,13 +16,15 @@ namespace shelfbeam::milp {
 enum class Termination {
   optimal,      ///< proven within the gap tolerance
   infeasible,   ///< proven
-  limit,        ///< the time limit ended it; there may be a solution and a bound
+  limit,        ///< a limit ended it; there may be a solution and a bound
   interrupted,  ///< cancelled; there may be a solution and a bound
   error         ///< the solver gave up or contradicted itself; nothing can be relied on
 };
 
 struct SolveOptions {
   double time_limit_s = infinity;
+  /// Of the branch-and-bound tree: work, where the outcome must not depend on the machine.
+  std::optional<std::uint64_t> node_limit = {};
   double relative_gap = 1e-6;
 };
 

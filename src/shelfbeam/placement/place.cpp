@@ -90,7 +90,7 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
   } else {
     const bool without_mip = options.solver == SolverChoice::search;
     const bool searches = without_mip || options.solver == SolverChoice::automatic;
-    const auto left = [&] { return options.time_limit_s - elapsed(); };
+    const auto left = [&] { return options.step_limit ? infinite : options.time_limit_s - elapsed(); };
     const std::vector<std::uint32_t> greedy = greedy_selection(table, question);
     Selection known;
     if (check_selection(table, question, greedy).met())
@@ -101,16 +101,17 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
       placement = greedy_placement(table, question, known);
     } else if (known && searches) {
       const auto of_large_lp = for_large_lp(backends);
-      placement =
-          detail::search_placement(table, question, *known, {backends, of_large_lp, without_mip}, left(),
-                                   options.seed, control, {.settles_ties = options.settles_ties});
+      placement = detail::search_placement(
+          table, question, *known, {backends, of_large_lp, without_mip}, left(), options.seed, control,
+          {.settles_ties = options.settles_ties, .step_limit = options.step_limit});
     } else if (without_mip ||
                (searches && table.entries.size() > detail::SearchLimits{}.most_model_entries)) {
       placement = greedy_placement(table, question, known);
       placement.solver = "search";
     } else {
       for (const milp::Backend& backend : backends) {
-        MipAnswer answer = place_by_mip(table, question, known, backend.solve, left(), control);
+        MipAnswer answer =
+            place_by_mip(table, question, known, limited(backend.solve, options.step_limit), left(), control);
         placement = std::move(answer.placement);
         placement.solver = fmt::format("{} {}", backend.name, backend.version);
         if (!answer.solver_failed) break;

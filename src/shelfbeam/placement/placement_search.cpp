@@ -32,7 +32,7 @@ class ExactSolver {
         seed_(static_cast<std::uint32_t>(mix_key(seed, 0))) {}
 
   Placement run() {
-    if (!state_.out_of_time()) improve({opening_moves(), state_.deadline.end()});
+    if (!state_.out_of_time()) improve(opening());
     const Selection of_opening = incumbent_.selected();
     state_.report();
     run_schedule(*this, schedule(), state_);
@@ -70,7 +70,10 @@ class ExactSolver {
   bool is_plain() const { return is_plain_cover(state_.table, state_.question); }
 
   // Where little is to be gained by it, or moves are cheap, the opening is short.
-  std::uint64_t opening_moves() const { return is_plain() || is_small() ? 1'000 : 20'000; }
+  Effort opening() const {
+    const std::uint64_t moves = is_plain() || is_small() ? 1'000 : 20'000;
+    return {std::min(moves, state_.limits.step_limit.value_or(any_steps)), state_.deadline.end()};
+  }
 
   // Walks count `steps` in moves of local search with weights; those of the others take less time.
   void improve(const Effort& effort) {

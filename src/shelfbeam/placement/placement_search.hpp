@@ -29,6 +29,7 @@ struct SearchLimits {
   std::size_t most_small_lp_entries = 5'000'000;
   std::size_t most_checked_steps = 1'000'000;  ///< of a tree's log
   bool settles_ties = true;
+  std::optional<std::uint64_t> step_limit = {};  ///< PlaceOptions::step_limit
 };
 
 /// Answers a question by local search, linear programming, tree search and, where these leave a gap, a MIP on

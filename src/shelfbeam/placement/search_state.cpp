@@ -20,7 +20,7 @@ SearchState::SearchState(const SignalTable& t, const Question& q, const Selectio
       question(q),
       solvers(s),
       limits(l),
-      deadline(time_limit_s),
+      deadline(l.step_limit ? no_limit_s : time_limit_s),
       problem(t, q),
       is_weighted(q.combination == Combination::weighted),
       first_cost(first_objective(t, q)),

@@ -104,8 +104,10 @@ struct Step {
   std::uint64_t steps;  ///< and no more moves of local search or nodes of a tree
   void (Search::*run)(const Effort&);
 
-  Effort effort(const Deadline& deadline) const {
-    return {steps, Deadline(std::min(share * deadline.seconds_left(), most_s)).end()};
+  /// Where work is limited, time is not.
+  Effort effort(const SearchState& state) const {
+    if (state.limits.step_limit) return {std::min(steps, *state.limits.step_limit), state.deadline.end()};
+    return {steps, Deadline(std::min(share * state.deadline.seconds_left(), most_s)).end()};
   }
 };
 
@@ -116,7 +118,7 @@ void run_schedule(Search& search, std::span<const Step<Search>> schedule, Search
     if (search.is_closed() || state.out_of_time()) return;
     if (!(search.*step.applies)()) continue;
     state.step = step.name;
-    (search.*step.run)(step.effort(state.deadline));
+    (search.*step.run)(step.effort(state));
   }
 }
 

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/placement/mip/mip.hpp"
-
 namespace shelfbeam::detail {
 
 template <class Ask>
@@ -67,7 +65,7 @@ ReducedAnswer SolverStep::ask_about_the_rest(const Effort& effort) {
       relaxation_ ? useless_columns(*relaxation_, worth) : std::vector<std::uint32_t>{};
   ReducedAnswer answer = ask_in_turn(state_.solvers.preferred, [&](const milp::Backend& backend) {
     return place_reduced(state_.table, state_.question, state_.first_cost, state_.reduction(), useless,
-                         backend.solve, effort.seconds_left(), state_.control);
+                         within(backend), effort.seconds_left(), state_.control);
   });
   state_.offer(answer.selected);
   // Costs that are whole numbers leave nothing between `worth` and the best known.
@@ -80,7 +78,7 @@ ReducedAnswer SolverStep::ask_about_all(const Effort& effort) {
   Question first = state_.question;
   if (!state_.is_weighted) first.objective = Objective::count;
   ReducedAnswer answer = ask_in_turn(state_.solvers.preferred, [&](const milp::Backend& backend) {
-    const MipAnswer mip = place_by_mip(state_.table, first, state_.incumbent.selected(), backend.solve,
+    const MipAnswer mip = place_by_mip(state_.table, first, state_.incumbent.selected(), within(backend),
                                        effort.seconds_left(), state_.control);
     return ReducedAnswer{mip.placement.selected, mip.placement.lower_bound,
                          mip.placement.status == Status::optimal, mip.solver_failed};
@@ -91,7 +89,7 @@ ReducedAnswer SolverStep::ask_about_all(const Effort& effort) {
 
 ReducedAnswer SolverStep::ask_mip_at_count(std::span<const double> cost, const Effort& effort) {
   return ask_in_turn(state_.solvers.preferred, [&](const milp::Backend& backend) {
-    return place_at_count(state_.table, state_.question, cost, state_.incumbent.selected(), backend.solve,
+    return place_at_count(state_.table, state_.question, cost, state_.incumbent.selected(), within(backend),
                           effort.seconds_left(), state_.control);
   });
 }

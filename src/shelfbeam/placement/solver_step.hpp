@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/placement/bound/lp_bound.hpp"
+#include "shelfbeam/placement/mip/mip.hpp"
 #include "shelfbeam/placement/reduce/reduced_cover.hpp"
 #include "shelfbeam/placement/search_state.hpp"
 
@@ -34,6 +35,10 @@ class SolverStep {
   const std::string& asked() const { return asked_; }
 
  private:
+  /// Within the limit of steps, where there is one.
+  SolveFunction within(const milp::Backend& backend) const {
+    return limited(backend.solve, state_.limits.step_limit);
+  }
   template <class Ask>
   auto ask_in_turn(std::span<const milp::Backend> backends, const Ask& ask);
   ReducedAnswer ask_about_the_rest(const Effort& effort);

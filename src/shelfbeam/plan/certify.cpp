@@ -37,7 +37,7 @@ class Certifier {
         matrix_(std::move(matrix)),
         placement_(std::move(placement)),
         control_(control),
-        rounds_(options.confidence, options.budget_s, options.simulation),
+        rounds_(options.confidence, options.budget, options.simulation),
         table_(rule(matrix_)),
         verdicts_(scene, certificate_.labels) {
     certificate_.confidence = options.confidence;
@@ -97,6 +97,7 @@ class Certifier {
 
   PlaceOptions in_time() const {
     PlaceOptions options = options_.place;
+    if (rounds_.counts_samples()) return options;
     options.time_limit_s = std::min(options.time_limit_s, std::max(1.0, rounds_.left()));
     return options;
   }
@@ -117,13 +118,14 @@ class Certifier {
     control_.report(
         "proving", -1,
         fmt::format("round {}, {} labels, {} batches", rounds_.round(), rows.size(), bound_batches_));
-    const double begun = rounds_.seconds();
+    const double begun = rounds_.spent();
     OptimisticRows optimistic = optimistic_rows(scene_, table_, rows, level,
                                                 rounds_.effort(Purpose::bound, bound_batches_), control_);
     PlaceOptions options = in_time();
     options.settles_ties = false;
     Placement fewest = place(optimistic.table, count_question(), options, control_);
-    bound_s_ = (rounds_.seconds() - begun) / (static_cast<double>(rows.size()) * bound_batches_);
+    for (const FreshRow& row : optimistic.fresh) rounds_.spend(row.samples);
+    bound_cost_ = (rounds_.spent() - begun) / (static_cast<double>(rows.size()) * bound_batches_);
     bound_rows_ = std::max(bound_rows_, rows.size());
     fresh_ = std::move(optimistic.fresh);
     return fewest;
@@ -146,8 +148,11 @@ class Certifier {
           "proving", -1,
           fmt::format("round {}: labels that need {} units in {} batches", rounds_.round(), count, batches));
       const SignalTable expected = expected_optimism(table_, matrix_, bound_rows_, level, batches);
-      DecisiveRows decisive =
-          decisive_rows(expected, count_question(), count, 0.1 * std::max(0.0, rounds_.left()), control_);
+      PlaceOptions options;
+      options.time_limit_s =
+          rounds_.counts_samples() ? options_.place.time_limit_s : 0.1 * std::max(0.0, rounds_.left());
+      options.step_limit = options_.place.step_limit;
+      DecisiveRows decisive = decisive_rows(expected, count_question(), count, options, control_);
       if (rows.empty() || decisive.suffice) rows = std::move(decisive.rows);
       if (decisive.suffice) bound_batches_ = batches;
       if (decisive.suffice || batches >= most || control_.cancelled()) return rows;
@@ -158,11 +163,11 @@ class Certifier {
     const auto count = static_cast<std::size_t>(placement_.count_lower_bound);
     const std::uint32_t batches = bound_batches_;
     const std::vector<std::uint32_t> rows = promising_rows(count, level);
-    const double takes_s = bound_s_ * static_cast<double>(rows.size()) * bound_batches_;
+    const double cost = bound_cost_ * static_cast<double>(rows.size()) * bound_batches_;
     why_no_bound_.clear();
-    if (takes_s > rounds_.left()) {
-      why_no_bound_ = fmt::format("to prove that {} {} needed would take about {:.0f} s", count,
-                                  count == 1 ? "is" : "are", takes_s);
+    if (cost > rounds_.left()) {
+      why_no_bound_ = fmt::format("to prove that {} {} needed would take about {:.0f} {}", count,
+                                  count == 1 ? "is" : "are", cost, rounds_.unit());
       bound_batches_ = batches;
       return;
     }
@@ -218,10 +223,11 @@ class Certifier {
     if (!labels_are_open && !why_no_bound_.empty()) return why_no_bound_;
     if (!bound_holds() && bound_batches_ == Rounds::most_batches)
       return "signals are too near what would change the answer";
-    const double bound_s = bound_holds() || !why_no_bound_.empty()
-                               ? 0
-                               : bound_s_ * static_cast<double>(bound_rows_) * Rounds::more(bound_batches_);
-    return why_no_more(rounds_, verdicts_, bound_s + (labels_are_open ? verdicts_.seconds_of_next() : 0));
+    const double bound_cost =
+        bound_holds() || !why_no_bound_.empty()
+            ? 0
+            : bound_cost_ * static_cast<double>(bound_rows_) * Rounds::more(bound_batches_);
+    return why_no_more(rounds_, verdicts_, bound_cost + (labels_are_open ? verdicts_.cost_of_next() : 0));
   }
 
   // The matrix learns more of the labels that are open, and the placement is made anew: both, or nothing.
@@ -232,6 +238,7 @@ class Certifier {
       control_.report("refining", -1, fmt::format("round {}, {} labels", rounds_.round(), rows.size()));
       const auto more = fresh_rows(
           scene_, rows, rounds_.effort(Purpose::refine, Rounds::more(verdicts_.batches())), control_);
+      for (const FreshRow& row : more) rounds_.spend(row.samples);
       fresh_.insert(fresh_.end(), more.begin(), more.end());
     }
     if (!fresh_.empty() && !learn()) return false;
@@ -290,8 +297,8 @@ class Certifier {
   LabelRounds verdicts_;
   std::uint32_t bound_batches_ = least_verifying_batches;
   std::size_t bound_rows_ = most_doubtful;  ///< labels that it may take
-  double bound_s_ = 0;                      ///< a batch and label
-  std::string why_no_bound_;                ///< there is no time for it; empty otherwise
+  double bound_cost_ = 0;                   ///< a batch and label, of the budget
+  std::string why_no_bound_;                ///< the budget is too small for it; empty otherwise
   std::vector<std::uint32_t> doubtful_;
   std::vector<FreshRow> fresh_;  ///< that the matrix has not learned
 };

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
@@ -13,11 +14,17 @@
 
 namespace shelfbeam {
 
+/// What rounds may take together: time or, so that the outcome is the same on every machine, work.
+struct RoundBudget {
+  double seconds = 600;
+  std::optional<std::uint64_t> samples = {};  ///< instead: first rays, of all labels together
+};
+
 struct CertifyOptions {
   double confidence = 0.99;
-  double budget_s = 600;         ///< for all that comes after the first placement
-  SimulationOptions simulation;  ///< estimator, seed, memory
-  PlaceOptions place;
+  RoundBudget budget = {};            ///< for all that comes after the first placement
+  SimulationOptions simulation = {};  ///< estimator, seed, memory
+  PlaceOptions place = {};
 };
 
 /// Makes the table that is placed on: the matrix with its side constraints.
@@ -44,6 +51,8 @@ struct Certified {
 /// It ends when all is said, with the budget, when cancelled, or where a label is so near its requirement
 /// that the budget could not decide it. A round that is interrupted leaves matrix and placement as they were.
 /// Moved in, the matrix is never there twice.
+///
+/// With a budget in samples, and a step limit for placements, the outcome does not depend on the machine.
 ///
 /// The bound is of the number of units; prices and second objectives are those of the matrix. Throws as
 /// `sample_batches`, but not for being interrupted.

@@ -65,10 +65,11 @@ SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint3
 }
 
 DecisiveRows decisive_rows(const SignalTable& table, const Question& question, std::size_t count,
-                           double time_limit_s, const RunControl& control) {
+                           const PlaceOptions& wanted, const RunControl& control) {
   const auto begin = std::chrono::steady_clock::now();
   const auto left = [&] {
-    return time_limit_s - std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return wanted.time_limit_s -
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t i = 0; i < table.rows(); ++i)
@@ -76,8 +77,8 @@ DecisiveRows decisive_rows(const SignalTable& table, const Question& question, s
   DecisiveRows decisive;
   decisive.rows = spread(table, std::move(order));
   std::sort(decisive.rows.begin(), decisive.rows.end());
-  while (left() > 0 && !control.cancelled()) {
-    PlaceOptions options;
+  PlaceOptions options = wanted;
+  while ((options.step_limit || left() > 0) && !control.cancelled()) {
     options.time_limit_s = left();
     options.settles_ties = false;
     const Placement answer = place(table_of_rows(table, decisive.rows), question, options, control);

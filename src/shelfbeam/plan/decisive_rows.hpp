@@ -19,8 +19,9 @@ struct DecisiveRows {
 
 /// A few labels that need so many units by themselves, found by adding what the best placement for those so
 /// far leaves unmet. A bound that is to be proven on fresh samples needs these alone to be simulated. Where
-/// they do not suffice, some selection of fewer units meets all labels, or time was short.
+/// they do not suffice, some selection of fewer units meets all labels, or time was short: the limits of
+/// `options` are of time for all placements together, and of steps for each.
 DecisiveRows decisive_rows(const SignalTable& table, const Question& question, std::size_t count,
-                           double time_limit_s, const RunControl& control);
+                           const PlaceOptions& options, const RunControl& control);
 
 }  // namespace shelfbeam

@@ -47,7 +47,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl&
   if (fresh.strategy == Strategy::particle) fresh.strategy = Strategy::mis;
   const bool says_something = plan.placement.has_selection() || !plan.placement.unreachable.empty();
   if (options.confidence && plan.simulation.summary.complete && says_something) {
-    Certified certified = certify(scene, table, {*options.confidence, options.budget_s, fresh, options.place},
+    Certified certified = certify(scene, table, {*options.confidence, options.budget, fresh, options.place},
                                   std::move(plan.simulation.matrix), std::move(plan.placement), control);
     plan.simulation.matrix = std::move(certified.matrix);
     plan.placement = std::move(certified.placement);

@@ -17,7 +17,7 @@ struct PlanOptions {
   PlaceOptions place;
   TableRule table;                          ///< empty: the matrix as it is
   std::optional<double> confidence = 0.99;  ///< of the certificate; none: no certificate
-  double budget_s = 600;                    ///< of the certificate
+  RoundBudget budget = {};                  ///< of the certificate
   bool curve = false;                       ///< tell what fewer units reach, too
   std::optional<SensitivityOptions> sensitivity = {};
 };

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <string_view>
 
+#include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/plan/verification.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
@@ -13,7 +15,7 @@ namespace shelfbeam {
 /// What fresh samples are for. Those of one purpose in one round are of no other.
 enum class Purpose : std::uint64_t { verify = 1, bound, refine };
 
-/// Time, levels and random numbers of rounds r = 1, 2, ... that together keep one joint level.
+/// Budget, levels and random numbers of rounds r = 1, 2, ... that together keep one joint level.
 class Rounds {
  public:
   static constexpr std::uint32_t growth = 4;  ///< of the batches, from round to round
@@ -22,8 +24,8 @@ class Rounds {
   static constexpr std::uint64_t least_paths = 256;
 
   /// The simulation's seed is that of the planning matrix.
-  Rounds(double confidence, double budget_s, const SimulationOptions& simulation)
-      : error_(1 - confidence), budget_s_(budget_s), simulation_(with_enough_paths(simulation)) {}
+  Rounds(double confidence, const RoundBudget& budget, const SimulationOptions& simulation)
+      : error_(1 - confidence), budget_(budget), simulation_(with_enough_paths(simulation)) {}
 
   /// The same simulation with batches that limits can be made of.
   static SimulationOptions with_enough_paths(SimulationOptions simulation) {
@@ -34,7 +36,15 @@ class Rounds {
   }
 
   double seconds() const;
-  double left() const { return budget_s_ - seconds(); }
+  /// Tells of first rays that were taken.
+  void spend(std::uint64_t samples) { samples_ += samples; }
+  bool counts_samples() const { return budget_.samples.has_value(); }
+  /// In the budget's unit: seconds or first rays.
+  double spent() const { return counts_samples() ? static_cast<double>(samples_) : seconds(); }
+  double left() const {
+    return (counts_samples() ? static_cast<double>(*budget_.samples) : budget_.seconds) - spent();
+  }
+  std::string_view unit() const { return counts_samples() ? "samples" : "s"; }
 
   /// Begins the next one; the first is 1.
   void next() { ++round_; }
@@ -50,9 +60,11 @@ class Rounds {
   }
 
  private:
-  double error_, budget_s_;
+  double error_;
+  RoundBudget budget_;
   SimulationOptions simulation_;
   std::uint32_t round_ = 0;
+  std::uint64_t samples_ = 0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -40,14 +40,14 @@ CertifiedPlan verify_installation(const Scene& scene, const Question& question, 
   certificate.confidence = options.confidence;
   for (const Label& label : scene.labels)
     certificate.labels.push_back({.requirement = scene.type_of(label).requirement()});
-  Rounds rounds(options.confidence, options.budget_s, options.simulation);
+  Rounds rounds(options.confidence, options.budget, options.simulation);
   LabelRounds verdicts(scene, certificate.labels);
   try {
     while (true) {
       const std::vector<std::uint32_t> rows = undecided(certificate.labels);
       if (rows.empty()) break;
       if (rounds.round() > 0) {
-        certificate.open = why_no_more(rounds, verdicts, verdicts.seconds_of_next());
+        certificate.open = why_no_more(rounds, verdicts, verdicts.cost_of_next());
         if (!certificate.open.empty()) break;
         verdicts.grow();
       }

@@ -132,22 +132,14 @@ test::Outcome interrupted_at_work(const std::vector<std::string>& arguments) {
 }
 
 TEST_F(ExitCode, ThreeWhenASimulationIsInterrupted) {
-  // Right between two batches of 32 and the end: the delay is corrected until it falls there, so the speed of
-  // the machine does not matter.
-  double delay = 0.4;
-  test::Outcome outcome;
-  for (int attempt = 0; attempt < 12; ++attempt) {
-    outcome = interrupted({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "400000",
-                           "--estimator", "uniform", "--threads", "1", "--json"},
-                          delay);
-    if (outcome.exit_code == 3 && std::filesystem::exists(folder / "signal.h5")) break;
-    ASSERT_TRUE(outcome.exit_code == 3 || outcome.exit_code == 0 || outcome.exit_code == 128 + SIGINT)
-        << outcome.exit_code << outcome.err;
-    delay *= outcome.exit_code == 0 ? 0.5 : 1.7;
-    std::filesystem::remove(folder / "signal.h5");
-    std::filesystem::remove(folder / "signal.h5.checkpoint");
-  }
-  ASSERT_EQ(outcome.exit_code, 3);
+  // Between two batches of 32 and the end, whatever the speed of the machine.
+  test::Process process(
+      test::command({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples", "400000",
+                     "--estimator", "uniform", "--threads", "1", "--json", "--checkpoint-interval", "0"}));
+  process.wait_for_changes(path("signal.h5.checkpoint"), 4);
+  process.send(SIGINT);
+  const test::Outcome outcome = process.wait();
+  ASSERT_EQ(outcome.exit_code, 3) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(Json::parse(outcome.out)["complete"], false);
   EXPECT_EQ(names(folder.path()), (std::set<std::string>{"signal.h5", "signal.h5.checkpoint", "store.json"}));

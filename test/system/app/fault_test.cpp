@@ -1,12 +1,15 @@
 // What scripts/hardening/inject-faults found, one test each.
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <regex>
 #include <string>
 #include <thread>
 
 #include <gtest/gtest.h>
 
+#include "support/sanitizers.hpp"
 #include "system/app/program.hpp"
 
 namespace shelfbeam {
@@ -25,6 +28,14 @@ class Fault : public testing::Test {
   test::Outcome with_file_size_limit(int limit, const std::vector<std::string>& arguments) {
     std::vector<std::string> all{"/bin/sh", "-c",
                                  "ulimit -f " + std::to_string(2 * limit) + "; exec \"$0\" \"$@\""};
+    for (const std::string& word : test::command(arguments)) all.push_back(word);
+    return test::run(all);
+  }
+
+  // Runs the program, which fails (or, where `error` is 0, is killed) at its n-th renaming of a file.
+  test::Outcome with_fault_at_renaming(int n, int error, const std::vector<std::string>& arguments) {
+    std::vector<std::string> all{"/usr/bin/env", "LD_PRELOAD=" SHELFBEAM_FAULT_SHIM, "FAULT_OF=rename",
+                                 "FAULT_AT=" + std::to_string(n), "FAULT_ERRNO=" + std::to_string(error)};
     for (const std::string& word : test::command(arguments)) all.push_back(word);
     return test::run(all);
   }
@@ -64,6 +75,58 @@ TEST_F(Fault, BeyondAFileSizeLimitTheOldPlanStays) {
       << outcome.err;
   EXPECT_TRUE(contents(folder.path()) == before);
   expect_silent({"report", path("plan")});
+}
+
+// At whichever renaming it fails, the old plan stays; at whichever it is killed, each file is the old or the
+// new one, the report is there, and files of both are beside no placement.
+TEST_F(Fault, AFailingRenamingLosesNoFileOfAPlan) {
+  if (!test::memory_can_be_limited) GTEST_SKIP() << "faults cannot be preloaded before this sanitizer";
+  const auto plan = [&](const char* seed) {
+    return std::vector<std::string>{"plan", path("store.json"), "-o",      path("plan"), "--samples",
+                                    "160",  "--no-certificate", "--quiet", "--seed",     seed};
+  };
+  const auto files = [&] {
+    auto found = contents(folder / "plan");
+    std::erase_if(found, [](const auto& file) {
+      return file.first == "signal.h5.checkpoint" || file.first.starts_with(".");
+    });
+    for (auto& [name, content] : found)
+      content = std::regex_replace(content, std::regex("\"seconds\": [^,]*|<dt>Time</dt><dd>[^<]*"), "");
+    return found;
+  };
+  const std::string placement = "placement.json";
+  expect_silent(plan("2"));
+  const auto after = files();
+  expect_silent(plan("1"));
+  const auto before = files();
+  int failed = 0, mixed = 0;
+  for (const int error : {EIO, 0})
+    for (int n = 1;; ++n) {
+      SCOPED_TRACE(testing::Message() << "error " << error << " at renaming " << n);
+      const test::Outcome outcome = with_fault_at_renaming(n, error, plan("2"));
+      if (outcome.exit_code == 0) break;
+      ++failed;
+      const auto found = files();
+      if (error != 0) {
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.err.find("stays as it was"), std::string::npos) << outcome.err;
+        EXPECT_TRUE(found == before);
+        EXPECT_EQ(test::names(folder / "plan").size(), before.size()) << "nothing else is left";
+      } else {
+        EXPECT_EQ(outcome.exit_code, 128 + SIGKILL);
+        for (const auto& [name, content] : found)
+          EXPECT_TRUE(content == before.at(name) || content == after.at(name)) << name;
+        EXPECT_EQ(found.count("report.html"), 1U);
+        const bool is_mixed = found != before && found != after;
+        mixed += is_mixed;
+        EXPECT_TRUE(!is_mixed || found.count(placement) == 0);
+        expect_silent(plan("1"));
+        EXPECT_TRUE(files() == before);
+        EXPECT_EQ(test::names(folder / "plan").size(), before.size()) << "what the killed one left is gone";
+      }
+    }
+  EXPECT_GE(failed, 2 * static_cast<int>(before.size()));
+  EXPECT_GE(mixed, static_cast<int>(before.size()) - 1);
 }
 
 TEST_F(Fault, WhatWasSimulatedIsKeptWhereTheOutputCannotBeWritten) {

@@ -1,4 +1,3 @@
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -9,7 +8,7 @@
 #include "support/temp_folder.hpp"
 
 // Files that ask for far more than they hold: refused (exit code 2) by a program that has half a gigabyte of
-// addresses and a few seconds, each with what would need many times as much.
+// addresses and a few seconds of a processor, each with what would need many times as much.
 
 namespace shelfbeam {
 namespace {
@@ -64,12 +63,9 @@ std::string npy(const std::string& shape) {
 }
 
 void expect_refused(const std::string& arguments, const std::string& message) {
-  const auto begin = std::chrono::steady_clock::now();
   const Outcome outcome = run_small(arguments);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   EXPECT_EQ(outcome.exit_code, 2) << arguments << ": " << outcome.err;
   EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
-  EXPECT_LT(taken.count(), 20) << arguments;
 }
 
 TEST_F(HostileFiles, StoresThatMultiply) {

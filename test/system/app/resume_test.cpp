@@ -53,12 +53,10 @@ TEST_F(Killed, ARunGoesOnToTheSameBytes) {
 
 TEST_F(Killed, ACheckpointIsForItsOwnSimulationOnly) {
   const auto killed = [&] {
-    for (double delay = 0.1; !std::filesystem::exists(path("signal.h5.checkpoint")); delay *= 1.5) {
-      test::Process process(test::command(arguments("signal.h5", {"--samples", "400000"})));
-      std::this_thread::sleep_for(std::chrono::duration<double>(delay));
-      process.send(SIGKILL);
-      process.wait();
-    }
+    test::Process process(test::command(arguments("signal.h5", {"--samples", "400000"})));
+    process.wait_for_changes(path("signal.h5.checkpoint"), 1);
+    process.send(SIGKILL);
+    ASSERT_EQ(process.wait().exit_code, 128 + SIGKILL);
   };
   killed();
   test::expect_refused(folder, arguments("signal.h5", {"--samples", "400000", "--seed", "2", "--resume"}),
@@ -77,13 +75,10 @@ TEST_F(Killed, ACheckpointIsForItsOwnSimulationOnly) {
 TEST_F(Killed, APlanGoesOnToo) {
   const std::string plan = "plan @store.json --samples 20000 -o ";
   told(plan + "@whole");
-  for (double delay = 0.1; !std::filesystem::exists(path("plan/signal.h5.checkpoint")); delay *= 1.2) {
-    test::Process process(test::command(test::words(folder, plan + "@plan --checkpoint-interval 0")));
-    std::this_thread::sleep_for(std::chrono::duration<double>(delay));
-    process.send(SIGKILL);
-    process.wait();
-    ASSERT_LT(delay, 20);
-  }
+  test::Process process(test::command(test::words(folder, plan + "@plan --checkpoint-interval 0")));
+  process.wait_for_changes(path("plan/signal.h5.checkpoint"), 1);
+  process.send(SIGKILL);
+  ASSERT_EQ(process.wait().exit_code, 128 + SIGKILL);
   told(plan + "@plan --resume");
   EXPECT_TRUE(read_file(folder / "plan/signal.h5") == read_file(folder / "whole/signal.h5"));
   EXPECT_FALSE(std::filesystem::exists(path("plan/signal.h5.checkpoint")));

@@ -124,17 +124,24 @@ TEST(AtomicFolder, ChangesNothingBeforeTheCommit) {
   EXPECT_EQ(read_file(folder / "last"), "new");
 }
 
-// The renaming that fails comes after the last file of the old ones has gone and before the new one comes.
-TEST(AtomicFolder, IsNeverAMixtureThatLooksWhole) {
-  const TempFolder folder;
-  for (const char* name : {"first", "last"}) folder.write(name, "old");
-  AtomicFolder files(folder.path());
-  files.add("first").write("new");
-  AtomicFile& second = files.add("second");
-  files.add("last").write("new");
-  std::filesystem::remove(second.temporary());
-  expect_input_error([&] { files.commit({"last"}); }, "second: cannot be written");
-  EXPECT_FALSE(std::filesystem::exists(folder / "last"));
+// Whichever renaming fails, the old files are back, the new one that had no old one is gone, and nothing lies
+// beside them.
+TEST(AtomicFolder, TakesAllBackWhereARenamingFails) {
+  for (const std::string failing : {"first", "second", "last"}) {
+    SCOPED_TRACE(failing);
+    const TempFolder folder;
+    for (const char* name : {"first", "gone", "last"}) folder.write(name, "old");
+    AtomicFolder files(folder.path());
+    for (const std::string name : {"first", "second", "last"}) {
+      AtomicFile& file = files.add(name);
+      file.write("new");
+      if (name == failing) std::filesystem::remove(file.temporary());
+    }
+    expect_input_error([&] { files.commit({"last", "gone"}); }, failing + ": cannot be written");
+    for (const char* name : {"first", "gone", "last"}) EXPECT_EQ(read_file(folder / name), "old") << name;
+    EXPECT_FALSE(std::filesystem::exists(folder / "second"));
+    EXPECT_EQ(folder.count(), 3 + (failing == "first" ? 2 : failing == "second" ? 1 : 0));
+  }
 }
 
 // Nobody makes files in /proc, root included.

@@ -28,20 +28,25 @@ inline milp::Model triangle() {
   return cover(3, {{0, 1}, {1, 2}, {0, 2}});
 }
 
-/// Cover of the lines of the affine space AG(4, 3), Fulkerson's A81: 81 points, 1080 lines, optimum 61
-/// (Ostrowski, Linderoth, Rossi, Smriglio 2011). No general solver proves it within minutes.
-inline milp::Model steiner_81() {
+/// Cover of the lines of an affine space over three elements, of so many points. 27 points, Fulkerson's A27:
+/// 117 lines, optimum 18. 81 points, A81: 1080 lines, optimum 61 (Ostrowski, Linderoth, Rossi, Smriglio
+/// 2011), which no general solver proves within minutes.
+inline milp::Model steiner(std::uint32_t points) {
   std::vector<std::vector<std::uint32_t>> lines;
-  const auto third = [](std::uint32_t a, std::uint32_t b) {
+  const auto third = [points](std::uint32_t a, std::uint32_t b) {
     std::uint32_t c = 0;
-    for (std::uint32_t digit = 1; digit < 81; digit *= 3)
+    for (std::uint32_t digit = 1; digit < points; digit *= 3)
       c += digit * ((6 - a / digit % 3 - b / digit % 3) % 3);
     return c;
   };
-  for (std::uint32_t a = 0; a < 81; ++a)
-    for (std::uint32_t b = a + 1; b < 81; ++b)
+  for (std::uint32_t a = 0; a < points; ++a)
+    for (std::uint32_t b = a + 1; b < points; ++b)
       if (const std::uint32_t c = third(a, b); c > b) lines.push_back({a, b, c});
-  return cover(81, lines);
+  return cover(points, lines);
+}
+
+inline milp::Model steiner_81() {
+  return steiner(81);
 }
 
 /// Whole-numbered columns in [-2, 3], rows of every sense, costs of either sign; may be infeasible.

@@ -1,7 +1,6 @@
 #include "shelfbeam/milp/lp_session.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <random>
 #include <string>

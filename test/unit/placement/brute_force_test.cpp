@@ -60,7 +60,9 @@ TEST(BruteForce, NoticesWhateverIsLeftOut) {
 
 class PlacementBruteForce : public testing::TestWithParam<milp::Backend> {
  protected:
-  static PlaceOptions options() { return {.backend = std::string(GetParam().name)}; }
+  static PlaceOptions options() {
+    return {.backend = std::string(GetParam().name), .step_limit = test::ample_steps};
+  }
 };
 using PlacementBruteForceSlow = PlacementBruteForce;
 

@@ -27,7 +27,10 @@ struct Tally {
 void compare(const SignalTable& table, const Question& question, const Placement& answer, Tally& tally);
 
 /// Compares what `place` answers to random questions about random tables, now and then on several threads.
+/// Work, so that a busy machine stops nothing.
+inline constexpr std::uint64_t ample_steps = 1 << 20;
+
 Tally compare_random(std::uint64_t seed, int cases, const RandomTableLimits& limits,
-                     const PlaceOptions& options = {});
+                     const PlaceOptions& options = {.step_limit = ample_steps});
 
 }  // namespace shelfbeam::test

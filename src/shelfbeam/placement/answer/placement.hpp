@@ -81,6 +81,10 @@ struct PlaceOptions {
   SolverChoice solver = SolverChoice::automatic;
   std::string backend = {};  ///< MIP back end by name; empty: the preferred one, the next where it fails
   double time_limit_s = 60;
+  /// Instead of the time: each part of the search ends after so many steps, which are moves of a local
+  /// search, nodes of a tree or of a MIP. With one thread the answer is the same on every machine, busy or
+  /// not.
+  std::optional<std::uint64_t> step_limit = {};
   /// Of the local search, which alone draws random numbers; no proven value depends on it.
   std::uint64_t seed = 1;
   bool settles_ties = true;  ///< false: any placement of the best value will do

@@ -47,8 +47,10 @@ Reach reach_most(const SignalTable& table, const Question& question, std::size_t
                  const PlaceOptions& options, const RunControl& control) {
   const auto start = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  constexpr double endless_s = 1e8;
+  const double limit_s = options.step_limit ? endless_s : std::clamp(options.time_limit_s, 0.0, endless_s);
   const auto at = [&](double part) {
-    const double seconds = part * std::clamp(options.time_limit_s, 0.0, 1e8);
+    const double seconds = part * limit_s;
     return start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   };
   check_question(table, question);
@@ -91,7 +93,8 @@ Reach reach_most(const SignalTable& table, const Question& question, std::size_t
   if (is_asked)
     for (const milp::Backend& backend : backends) {
       detail::ReachModel model(table, question, units);
-      const auto outcome = model.solve(backend.solve, options.time_limit_s - elapsed(), control);
+      const auto outcome =
+          model.solve(limited(backend.solve, options.step_limit), limit_s - elapsed(), control);
       reach.solver = fmt::format("{} {}", backend.name, backend.version);
       lower_to(outcome.most_reached, BoundProof::solver);
       if (outcome.selected) offer(reach, table, *outcome.selected);

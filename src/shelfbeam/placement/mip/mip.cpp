@@ -134,6 +134,14 @@ struct Search {
 
 }  // namespace
 
+SolveFunction limited(const SolveFunction& solve, std::optional<std::uint64_t> nodes) {
+  if (!nodes) return solve;
+  return [solve, nodes](const milp::Model& model, milp::SolveOptions options, const RunControl& control) {
+    options.node_limit = nodes;
+    return solve(model, options, control);
+  };
+}
+
 MipAnswer place_by_mip(const SignalTable& table, const Question& question,
                        const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control) {

@@ -15,6 +15,9 @@ namespace shelfbeam {
 using SolveFunction =
     std::function<milp::Result(const milp::Model&, const milp::SolveOptions&, const RunControl&)>;
 
+/// The same solver with a limit of its nodes, where there is one.
+SolveFunction limited(const SolveFunction& solve, std::optional<std::uint64_t> nodes);
+
 struct MipAnswer {
   Placement placement;  ///< all but `solver` and `seconds`
   bool solver_failed =

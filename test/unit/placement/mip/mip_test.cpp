@@ -37,7 +37,7 @@ struct Script {
 };
 
 MipAnswer answer(const SignalTable& table, const Question& question, const SolveFunction& solve) {
-  return place_by_mip(table, question, greedy_selection(table, question), solve, 60, {});
+  return place_by_mip(table, question, greedy_selection(table, question), solve, milp::infinity, {});
 }
 
 // Unit 0 alone lacks 5e-8 of label 0: less than the 1e-6 that solvers allow, more than the 1e-9 of the rule.
@@ -51,7 +51,7 @@ TEST(PlacementMip, LetsUnitsFailAsNeeded) {
   Script script;
   script.answers = {{Termination::optimal, 2, 2, {0, 1, 1, 0, 0}}};
   const MipAnswer found =
-      place_by_mip(table, {.redundant = true}, Columns{0, 1, 2, 3, 4}, script.function(), 60, {});
+      place_by_mip(table, {.redundant = true}, Columns{0, 1, 2, 3, 4}, script.function(), milp::infinity, {});
   EXPECT_EQ(found.placement.status, Status::optimal);
   EXPECT_EQ(found.placement.count(), 3U);
   ASSERT_GE(script.asked.size(), 2U);
@@ -80,7 +80,7 @@ TEST(PlacementMip, CutsOffWhatTheCheckerRejects) {
     std::vector<double> claimed(table.columns(), 0.0);
     claimed[0] = 1;
     script.answers = {{Termination::optimal, 1, 1, claimed}};
-    const MipAnswer found = place_by_mip(table, count_question, {}, script.function(), 60, {});
+    const MipAnswer found = place_by_mip(table, count_question, {}, script.function(), milp::infinity, {});
     ASSERT_EQ(script.asked.size(), 2U);
     EXPECT_FALSE(found.solver_failed);
     EXPECT_EQ(found.placement.status, Status::optimal);
@@ -99,7 +99,7 @@ TEST(PlacementMip, CutsOffWhatTheCheckerRejects) {
         ++calls;
         return backend.solve(model, options, control);
       };
-      EXPECT_EQ(place_by_mip(table, count_question, {}, counting, 60, {}).placement.count(), 2U);
+      EXPECT_EQ(place_by_mip(table, count_question, {}, counting, milp::infinity, {}).placement.count(), 2U);
       EXPECT_GE(calls, 2) << backend.name << " has seen a cut";
     }
   }
@@ -176,7 +176,7 @@ TEST(PlacementMip, EqualsEnumerationWithoutAStart) {
       const SignalTable table = tables.next();
       const Question question = tables.next_question();
       const test::BruteForce brute(table, question);
-      const Placement found = place_by_mip(table, question, {}, backend.solve, 60, {}).placement;
+      const Placement found = place_by_mip(table, question, {}, backend.solve, milp::infinity, {}).placement;
       if (found.status == Status::stopped) {
         ++stopped;
         continue;
@@ -206,7 +206,7 @@ TEST(PlacementMip, MayStopWithoutASelection) {
 
     Script script;
     script.answers = {{Termination::limit, milp::infinity, 1.5, {}}};
-    const MipAnswer stopped = place_by_mip(two_points(), question, {}, script.function(), 60, {});
+    const MipAnswer stopped = place_by_mip(two_points(), question, {}, script.function(), milp::infinity, {});
     EXPECT_EQ(script.asked.size(), 1U);
     EXPECT_FALSE(stopped.solver_failed);
     EXPECT_EQ(stopped.placement.status, Status::stopped);
@@ -214,7 +214,8 @@ TEST(PlacementMip, MayStopWithoutASelection) {
 
     script.asked.clear();
     script.answers = {Result{}};
-    EXPECT_TRUE(place_by_mip(two_points(), question, {}, script.function(), 60, {}).solver_failed);
+    EXPECT_TRUE(
+        place_by_mip(two_points(), question, {}, script.function(), milp::infinity, {}).solver_failed);
   }
 }
 
@@ -224,7 +225,8 @@ TEST(PlacementMip, NoSolverGetsTwoUnitsToAPoint) {
     std::vector<double> solution(4, 0.0);
     for (const std::uint32_t j : claimed) solution[j] = 1;
     script.answers = {{Termination::optimal, static_cast<double>(claimed.size()), 1, solution}};
-    const MipAnswer found = place_by_mip(two_points(), count_question, {}, script.function(), 60, {});
+    const MipAnswer found =
+        place_by_mip(two_points(), count_question, {}, script.function(), milp::infinity, {});
     EXPECT_TRUE(found.solver_failed);
     EXPECT_TRUE(found.placement.selected.empty());
     EXPECT_EQ(found.placement.status, Status::stopped);
@@ -280,7 +282,7 @@ TEST(PlacementMip, TellsSmallCostsApartBesideLargeOnes) {
   const double best = test::BruteForce(table, question).best_sum;
   for (const milp::Backend& backend : milp::backends()) {
     const Placement found =
-        place_by_mip(table, question, Columns{0, 1, 2, 3}, backend.solve, 60, {}).placement;
+        place_by_mip(table, question, Columns{0, 1, 2, 3}, backend.solve, milp::infinity, {}).placement;
     EXPECT_EQ(found.status, Status::optimal) << backend.name;
     EXPECT_NEAR(found.objective_value / best, 1, 1e-9) << backend.name;
     EXPECT_NEAR(found.lower_bound / best, 1, 2e-6) << backend.name;
@@ -310,7 +312,7 @@ TEST(PlacementMip, BoundsHoldWhateverStopsTheSolver) {
     };
     std::optional<Columns> start = greedy_selection(table, question);
     if (!check_selection(table, question, *start).met() || (k % 2 == 1 && tables.chance(0.3))) start.reset();
-    const Placement found = place_by_mip(table, question, start, moody, 60, {}).placement;
+    const Placement found = place_by_mip(table, question, start, moody, milp::infinity, {}).placement;
     const double best = brute.best(question);
     const double slack = 2e-6 * best;
     const bool has_answer = std::isfinite(found.objective_value);

@@ -298,8 +298,9 @@ TEST(MeshFormats, SolidGlassIsClosedAndOutsideOut) {
       const Scene scene = make_scene(store);
       EXPECT_NEAR(volume(scene), expected, 1e-6);
       ASSERT_EQ(scene.warnings.size(), warning.empty() ? 0u : 1u);
-      if (!warning.empty())
+      if (!warning.empty()) {
         EXPECT_NE(scene.warnings[0].find(warning), std::string::npos) << scene.warnings[0];
+      }
     }
 }
 

@@ -14,6 +14,7 @@
 #include "shelfbeam/transport/run/simulate.hpp"
 
 #include "support/expect_input_error.hpp"
+#include "support/processor_time.hpp"
 #include "support/small_store.hpp"
 #include "support/temp_folder.hpp"
 
@@ -63,6 +64,7 @@ TEST(Engine, StopsWhenTheRelativeErrorIsReached) {
   EXPECT_LE(errors.p90, errors.p99);
   EXPECT_LE(errors.p99, 0.02 * 1.01);
   EXPECT_GT(result.summary.seconds_to_halve, 0);
+  EXPECT_LE(result.summary.seconds_to_halve, 3 * result.summary.seconds);
 }
 
 TEST(Engine, StopsAtTheSamePlaceWithAnyNumberOfThreads) {
@@ -140,10 +142,14 @@ TEST(Engine, StopsWithinItsTimeButNotBeforeSixteenBatches) {
   EXPECT_TRUE(least.complete);
   EXPECT_EQ(least.least_batches, least_batches);
   EXPECT_EQ(least.most_batches, least_batches);
-  options.time_s = 0.3;
-  const SimulationSummary more = simulate(scene, options).summary;
-  EXPECT_GT(more.least_batches, least_batches);
-  EXPECT_LT(more.seconds, 3);
+  // However busy the machine is, some time is enough for more.
+  for (double time_s = 0.3;; time_s *= 3) {
+    options.time_s = time_s;
+    const test::ProcessorTime spent;
+    const SimulationSummary more = simulate(scene, options, {.threads = 1}).summary;
+    EXPECT_LT(spent.seconds(), 2 * time_s + 1);
+    if (more.least_batches > least_batches) break;
+  }
 }
 
 // Whatever ends a simulation after 16 batches, they are the same.
