@@ -14,9 +14,8 @@ install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES data/store.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/shelfbeam COMPONENT program)
 
-install(TARGETS shelfbeam_library EXPORT shelfbeam ARCHIVE COMPONENT library)
-install(DIRECTORY src/shelfbeam DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library
-        FILES_MATCHING PATTERN *.hpp PATTERN detail EXCLUDE)
+install(TARGETS shelfbeam_library EXPORT shelfbeam
+        ARCHIVE COMPONENT library FILE_SET HEADERS COMPONENT library)
 install(EXPORT shelfbeam NAMESPACE shelfbeam:: FILE shelfbeamTargets.cmake DESTINATION ${config_dir} COMPONENT library)
 
 # HiGHS comes from the system where that has it; else the one that we built goes along.
@@ -62,7 +61,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libshelfbeam-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "${PROJECT_DESCRIPTION}: headers and static library")
 set(shelfbeam_build_packages
-  libembree-dev libtbb-dev libhdf5-dev libboost-dev zlib1g-dev nlohmann-json3-dev libfmt-dev)
+  libembree-dev libtbb-dev libhdf5-dev zlib1g-dev libfmt-dev)
 if(CBC_FOUND)
   list(APPEND shelfbeam_build_packages coinor-libcbc-dev pkg-config)
 endif()

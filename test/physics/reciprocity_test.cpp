@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/warp.hpp"
+
 #include "physics/comparison.hpp"
 #include "physics/mixed_room.hpp"
 

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/warp.hpp"
+
 #include "physics/bare_scene.hpp"
 #include "physics/comparison.hpp"
 #include "physics/strategy_store.hpp"

@@ -7,10 +7,12 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "shelfbeam/version.hpp"
+
 namespace shelfbeam {
 
 std::string_view program_version() {
-  return SHELFBEAM_VERSION;
+  return SHELFBEAM_VERSION_STRING;
 }
 
 namespace {

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <variant>
 
-#include "shelfbeam/device/direction_sample.hpp"
 #include "shelfbeam/device/direction_table.hpp"
 
 namespace shelfbeam {

@@ -1,12 +1,11 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <variant>
 
-#include "shelfbeam/device/direction_sample.hpp"
 #include "shelfbeam/device/direction_table.hpp"
-#include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
 
@@ -18,8 +17,8 @@ struct CosineResponse {};
 
 /// R = cos^exponent theta up to the cut-off, zero beyond it; exponent 1 is the cosine.
 struct CosinePowerResponse {
-  double exponent = 1;     ///< 0 or more
-  double cutoff = pi / 2;  ///< radians, above 0, at most pi / 2
+  double exponent = 1;                   ///< 0 or more
+  double cutoff = std::numbers::pi / 2;  ///< radians, above 0, at most pi / 2
 };
 
 /// R measured at some angles, linear in theta between them, zero beyond the last.

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "shelfbeam/plan/answer/certified_plan.hpp"
+#include "shelfbeam/plan/answer/sensitivity.hpp"
 #include "shelfbeam/plan/certify.hpp"
-#include "shelfbeam/plan/sensitivity.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 

@@ -12,11 +12,6 @@
 
 namespace shelfbeam {
 
-struct SensitivityOptions {
-  double assumed_error = 0.1;  ///< relative, of reflectances whose range nobody told; 0 to 1
-  double confidence = 0.99;    ///< of the verdicts at both ends together
-};
-
 /// One material after the other is examined at so many labels at least, those with the least margins where
 /// all reflectances are low. A label has no less there with one material low, and the least margin is no more
 /// than that where all are high. So all labels whose margin at the low end is up to that are watched, too, as

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/json.hpp"
 
 namespace shelfbeam {
 namespace fs = std::filesystem;

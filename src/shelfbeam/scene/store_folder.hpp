@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <string>
 
-#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/scene/read_scene.hpp"
 
 namespace shelfbeam {
 
-/// How far a store file is trusted: it may come from anyone.
-struct StoreTrust {
-  /// Whether files that it names may lie outside its folder.
-  bool allow_outside = false;
-  /// Bytes that what it makes may take: labels, candidates, surfaces. An estimate, made before they are.
-  std::size_t memory = std::numeric_limits<std::size_t>::max();
-};
+class JsonCursor;
 
 /// The folder of a store file, below which the files lie that it names.
 class StoreFolder {

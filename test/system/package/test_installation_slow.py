@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -38,14 +39,32 @@ class Installation(unittest.TestCase):
         self.assertIn("320", run(program, "inspect", self.top / "store/store.json"))
 
     def test_another_project_links_the_library(self):
-        build = self.top / "consumer"
-        run("cmake", "-S", HERE / "consumer", "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release")
+        """The project of docs/api.md."""
+        page = (HERE.parents[2] / "docs/api.md").read_text(encoding="utf-8")
+        lists, program = (re.search(rf"```{kind}\n(.*?)```", page, re.DOTALL)[1] for kind in ("cmake", "cpp"))
+        project, build = self.top / "project", self.top / "build"
+        project.mkdir()
+        (project / "main.cpp").write_text(program, encoding="utf-8")
+        (project / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.25)\nproject(my_program LANGUAGES CXX)\nadd_executable(my_program main.cpp)\n" + lists
+        )
+        run("cmake", "-S", project, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release")
         run("cmake", "--build", build)
-        run(self.prefix / "bin/shelfbeam", "new", "thesis", self.top / "shop")
+        shop = self.top / "shop"
+        run(self.prefix / "bin/shelfbeam", "new", "thesis", shop)
         self.assertRegex(
-            run(build / "consumer", self.top / "shop/store.json"),
+            run(build / "my_program", shop / "store.json", shop),
             r"^390 labels, 320 candidates: \d+ transceivers, at least \d+\n$",
         )
+        self.assertIn("</html>", (shop / "report.html").read_text(encoding="utf-8"))
+
+    def test_each_header_compiles_alone(self):
+        include = self.prefix / "include"
+        headers = sorted(include.rglob("*.hpp"))
+        self.assertIn(include / "shelfbeam/shelfbeam.hpp", headers)
+        self.assertTrue(25 <= len(headers) <= 40, len(headers))
+        for header in headers:
+            run("c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c++", "-include", header, "-I", include, "/dev/null")
 
     def test_another_minor_version_is_refused(self):
         (self.top / "future").mkdir()

@@ -85,14 +85,14 @@ TEST_F(LayersOfATree, InnerRoomOfAnotherLayerIsRefused) {
 }
 
 TEST_F(LayersOfATree, LargeFilesAndFoldersAreRefused) {
-  tree.write("src/shelfbeam/math/long.cpp", std::string(600, '\n'));
+  tree.write("src/shelfbeam/math/long.cpp", std::string(400, '\n'));
   for (char name = 'a'; name < 'a' + 13; ++name) {
     tree.write(std::string("src/shelfbeam/math/") + name + ".cpp", "");
     tree.write(std::string("src/shelfbeam/math/") + name + ".hpp", "");
   }
   EXPECT_EQ(check_layers(tree.path()).exit_code, 0);
-  tree.write("src/shelfbeam/math/long.cpp", std::string(601, '\n'));
-  expect_refused("src/shelfbeam/math/long.cpp: has 601 lines, more than 600");
+  tree.write("src/shelfbeam/math/long.cpp", std::string(401, '\n'));
+  expect_refused("src/shelfbeam/math/long.cpp: has 401 lines, more than 400");
   tree.write("src/shelfbeam/math/n.cpp", "");
   expect_refused("src/shelfbeam/math: has 16 modules, more than 15");
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/warp.hpp"
 
 #include "support/expect_input_error.hpp"
 #include "unit/scene/sample_store.hpp"

@@ -10,6 +10,11 @@
 
 namespace shelfbeam {
 
+struct SensitivityOptions {
+  double assumed_error = 0.1;  ///< relative, of reflectances whose range nobody told; 0 to 1
+  double confidence = 0.99;    ///< of the verdicts at both ends together
+};
+
 /// How near a selection comes to missing a label, as samples have it.
 struct LeastMargin {
   double ratio =

@@ -10,6 +10,7 @@
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
+#include "shelfbeam/scene/read_scene.hpp"
 #include "shelfbeam/scene/store/device_csv.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store_names.hpp"
@@ -259,6 +260,10 @@ class SceneMaker {
 
 Scene make_scene(const Store& store) {
   return SceneMaker(store).make();
+}
+
+Scene read_scene(const std::filesystem::path& store, const StoreTrust& trust) {
+  return make_scene(read_store(store, trust));
 }
 
 Scene scene_with_units(Store store, const std::filesystem::path& csv) {

@@ -7,6 +7,7 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/hdf5/hdf5_io.hpp"
+#include "shelfbeam/signal/signal_rows.hpp"
 
 namespace shelfbeam {
 

@@ -4,11 +4,11 @@
 #include <filesystem>
 
 #include "shelfbeam/signal/signal_matrix.hpp"
-#include "shelfbeam/signal/signal_rows.hpp"
 
 namespace shelfbeam {
 
 class AtomicFile;
+class SignalRows;
 
 /// Written, and the only one that is read.
 inline constexpr std::uint32_t signal_format_version = 1;

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "shelfbeam/transport/run/stopping.hpp"
 #include "shelfbeam/transport/world/path_rules.hpp"
 
 namespace shelfbeam {
@@ -27,6 +26,19 @@ enum class DirectLight {
 template <>
 inline constexpr auto names_of<DirectLight> =
     std::to_array<Named<DirectLight>>({{"sampled", DirectLight::sampled}, {"exact", DirectLight::exact}});
+
+/// When a simulation is precise enough: 99 % of the entries that matter have this relative standard error,
+/// and one that can be trusted.
+struct RelativeError {
+  double error = 0.05;
+  double above = 0.3;  ///< entries matter whose mean exceeds this share of their label's requirement
+  /// First rays per label. A label all of whose entries are precise or would need more stops after
+  /// `judged_batches`, and the simulation where more than 1 % of all entries would need more.
+  std::uint64_t most_samples = 1'000'000;
+};
+
+/// Fewer batches say too little about their spread to stop by it.
+inline constexpr std::uint32_t least_batches = 16;
 
 /// Where a simulation keeps what it has while it works (docs/formats/checkpoint.md).
 struct CheckpointOptions {

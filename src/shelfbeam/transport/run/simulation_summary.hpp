@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "shelfbeam/transport/tally/shadow_rays.hpp"
+#include "shelfbeam/transport/world/path_rules.hpp"
 
 namespace shelfbeam {
 

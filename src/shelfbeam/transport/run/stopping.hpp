@@ -4,20 +4,10 @@
 #include <limits>
 #include <span>
 
+#include "shelfbeam/transport/run/simulation_options.hpp"
+
 namespace shelfbeam {
 
-/// When a simulation is precise enough: 99 % of the entries that matter have this relative standard error,
-/// and one that can be trusted.
-struct RelativeError {
-  double error = 0.05;
-  double above = 0.3;  ///< entries matter whose mean exceeds this share of their label's requirement
-  /// First rays per label. A label all of whose entries are precise or would need more stops after
-  /// `judged_batches`, and the simulation where more than 1 % of all entries would need more.
-  std::uint64_t most_samples = 1'000'000;
-};
-
-/// Fewer batches say too little about their spread to stop by it.
-inline constexpr std::uint32_t least_batches = 16;
 /// Before so many batches no entry is said to be out of reach of a relative error,
 inline constexpr std::uint32_t judged_batches = 4 * least_batches;
 /// and from so many on, one is that is still flagged.

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "shelfbeam/transport/tally/shadow_rays.hpp"
+#include "shelfbeam/transport/world/path_rules.hpp"
 
 namespace shelfbeam {
 

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "shelfbeam/transport/tally/shadow_rays.hpp"
 #include "shelfbeam/transport/world/path_rules.hpp"
 
 namespace shelfbeam {

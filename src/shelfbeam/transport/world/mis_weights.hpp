@@ -1,24 +1,15 @@
 #pragma once
 
-#include <array>
-
-#include "shelfbeam/base/names.hpp"
+#include "shelfbeam/transport/world/path_rules.hpp"
 
 namespace shelfbeam {
 
-/// Multiple importance sampling (2.7.3; Veach 1997, chapter 9). Where techniques k draw n_k samples each of
-/// the same paths, with densities p_k in one measure, a sample x that technique i has drawn counts
-///
-///     w_i f(x) / (n_i p_i),        w_i = (n_i p_i)^b / sum_k (n_k p_k)^b,            (2.19)
-///
-/// all p_k at x. The weights of a path sum to 1 over the techniques, so the estimate has no bias.
-enum class Heuristic {
-  balance,  ///< b = 1
-  power     ///< b = 2
-};
-template <>
-inline constexpr auto names_of<Heuristic> = std::to_array<Named<Heuristic>>({{"balance", Heuristic::balance},
-                                                                             {"power", Heuristic::power}});
+// Multiple importance sampling (2.7.3; Veach 1997, chapter 9). Where techniques k draw n_k samples each of
+// the same paths, with densities p_k in one measure, a sample x that technique i has drawn counts
+//
+//     w_i f(x) / (n_i p_i),        w_i = (n_i p_i)^b / sum_k (n_k p_k)^b,            (2.19)
+//
+// all p_k at x. The weights of a path sum to 1 over the techniques, so the estimate has no bias.
 
 /// w_i of one of two techniques, from its density and that of the other, each times its number of samples.
 inline double mis_weight(Heuristic heuristic, double own, double other) {

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "shelfbeam/base/names.hpp"
-#include "shelfbeam/transport/world/mis_weights.hpp"
 
 namespace shelfbeam {
 
@@ -22,6 +21,15 @@ inline constexpr auto names_of<Strategy> = std::to_array<Named<Strategy>>({{"wal
                                                                            {"nee", Strategy::nee},
                                                                            {"mis", Strategy::mis},
                                                                            {"particle", Strategy::particle}});
+
+/// Weights of multiple importance sampling (2.19), mis_weights.hpp.
+enum class Heuristic {
+  balance,  ///< b = 1
+  power     ///< b = 2
+};
+template <>
+inline constexpr auto names_of<Heuristic> = std::to_array<Named<Heuristic>>({{"balance", Heuristic::balance},
+                                                                             {"power", Heuristic::power}});
 
 /// How a ray has left its last vertex, which decides whether connections find the sources that it meets.
 enum class Departure {
@@ -51,6 +59,20 @@ struct PathRules {
   bool uses_images(bool point_label, bool is_transceiver) const {
     if (strategy == Strategy::walk || max_bounces == 0) return false;
     return strategy == Strategy::particle ? point_label : is_transceiver;
+  }
+};
+
+/// What became of the straight connections that random walks from labels tried (2.7.2).
+struct ShadowRays {
+  std::uint64_t connections = 0;  ///< tried, each to one source
+  std::uint64_t traced = 0;       ///< of these: those that would bring light if nothing stood between
+  std::uint64_t occluded = 0;     ///< of these: those of which something opaque takes all light
+
+  ShadowRays& operator+=(const ShadowRays& other) {
+    connections += other.connections;
+    traced += other.traced;
+    occluded += other.occluded;
+    return *this;
   }
 };
 

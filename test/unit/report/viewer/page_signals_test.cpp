@@ -25,35 +25,6 @@ using test::random_matrix;
 using test::read_markup;
 using test::Supermarket;
 
-TEST(PageData, ComesBackAsItWas) {
-  PageData page;
-  const std::vector<std::uint8_t> bytes{0, 1, 255};
-  const std::vector<std::uint16_t> words{0, 65535, 258};
-  const std::vector<std::uint32_t> numbers{4294967295U, 66051};
-  const std::vector<float> floats{0.1F, -1e-30F, INFINITY};
-  const std::vector<double> doubles{0.1, -1e-300, 3};
-  page.add("bytes", std::span(bytes));
-  page.add("words", std::span(words));
-  page.add("numbers", std::span(numbers));
-  page.add("none", std::span(std::span<const float>()));
-  page.add("floats", std::span(floats));
-  page.add("doubles", std::span(doubles));
-  const std::string text = page.base64(R"({"name":"Käse & <b>"})");
-  const PageReader reader(text);
-  EXPECT_EQ(reader.about["name"], "Käse & <b>");
-  EXPECT_EQ(reader.get<std::uint8_t>("bytes"), bytes);
-  EXPECT_EQ(reader.get<std::uint16_t>("words"), words);
-  EXPECT_EQ(reader.get<std::uint32_t>("numbers"), numbers);
-  EXPECT_EQ(reader.get<float>("none"), std::vector<float>());
-  EXPECT_EQ(reader.get<float>("floats"), floats);
-  EXPECT_EQ(reader.get<double>("doubles"), doubles);
-  // Negative control: the reader notices what is damaged.
-  std::string damaged = text;
-  damaged[damaged.size() / 2] = damaged[damaged.size() / 2] == 'A' ? 'B' : 'A';
-  EXPECT_ANY_THROW(PageReader{damaged});
-  EXPECT_ANY_THROW(PageReader{text.substr(0, text.size() - 8)});
-}
-
 // The signals of a page as a dense matrix, 0 where an entry is left out.
 struct Dense {
   std::size_t columns;

@@ -11,6 +11,7 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/hdf5/hdf5_io.hpp"
+#include "shelfbeam/signal/signal_rows.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "support/expect_input_error.hpp"

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
 #include "physics/bare_scene.hpp"

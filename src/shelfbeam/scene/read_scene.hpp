@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+/// How far a store file is trusted: it may come from anyone.
+struct StoreTrust {
+  /// Whether files that it names may lie outside its folder.
+  bool allow_outside = false;
+  /// Bytes that what it makes may take: labels, candidates, surfaces. An estimate, made before they are.
+  std::size_t memory = std::numeric_limits<std::size_t>::max();
+};
+
+/// The scene of a store file (docs/formats/store.md) and of the files that it names. Throws InputError with
+/// file and place.
+Scene read_scene(const std::filesystem::path& store, const StoreTrust& trust = {});
+
+}  // namespace shelfbeam
