@@ -8,7 +8,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/scene/scene.hpp"
-#include "shelfbeam/stats/skewed_moments.hpp"
+#include "shelfbeam/stats/moments.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam {

@@ -44,4 +44,78 @@ class Moments {
   double squares_ = 0;  ///< sum of squared differences from the mean
 };
 
+/// Whether the standard error of a mean rests on too few of the n values to be trusted: g^2 > n / 4 + 2, g
+/// being their skewness. One value that makes up a share s of the spread alone has g^2 = s^3 n, so this is
+/// where one of them makes up two thirds of it or more; 2 is what few values of a tame distribution may show
+/// by chance.
+inline bool is_skewed(double skewness, double n) {
+  return skewness * skewness > n / 4 + 2;
+}
+
+/// Sums of the powers of n independent values, and what they say of the error of their mean.
+struct PowerSums {
+  double n = 0, sum = 0, squares = 0, cubes = 0;
+
+  void add(double value) {
+    n += 1;
+    sum += value;
+    squares += value * value;
+    cubes += value * value * value;
+  }
+
+  double mean() const { return sum / n; }
+
+  /// Of the mean, from the spread of the values. Spread that rounding of the sums alone can explain is 0.
+  double standard_error() const { return std::sqrt(spread() / (n * (n - 1))); }
+
+  /// Third central moment over the cube of the standard deviation, 0 where there is no spread.
+  double skewness() const {
+    const double m2 = spread();
+    if (m2 == 0) return 0;
+    const double m3 = cubes - 3 * mean() * squares + 2 * mean() * mean() * sum;
+    const double rounding = 16 * epsilon * (std::abs(cubes) + std::abs(mean()) * squares);
+    return std::abs(m3) <= rounding ? 0 : std::sqrt(n) * m3 / (m2 * std::sqrt(m2));
+  }
+
+  bool is_skewed() const { return shelfbeam::is_skewed(skewness(), n); }
+
+ private:
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+  /// Sum of squared differences from the mean.
+  double spread() const {
+    const double found = squares - sum * sum / n;
+    return found <= n * squares * epsilon ? 0 : found;
+  }
+};
+
+/// Moments with the third one (Terriberry 2007), for limits of means of skewed values.
+class SkewedMoments {
+ public:
+  void add(double value) {
+    const auto n = static_cast<double>(moments_.count() + 1);
+    const double part = (value - moments_.mean()) / n;
+    const double squares = part * part * n * (n - 1);
+    cubes_ += squares * part * (n - 2) - 3 * part * squares_;
+    squares_ += squares;
+    moments_.add(value);
+  }
+
+  std::uint64_t count() const { return moments_.count(); }
+  double mean() const { return moments_.mean(); }
+  double variance() const { return moments_.variance(); }
+  double standard_error() const { return moments_.standard_error(); }
+  /// Third central moment over the cube of the standard deviation; 0 where all values are equal.
+  double skewness() const {
+    return squares_ > 0
+               ? std::sqrt(static_cast<double>(moments_.count())) * cubes_ / (squares_ * std::sqrt(squares_))
+               : 0;
+  }
+  bool is_skewed() const { return shelfbeam::is_skewed(skewness(), static_cast<double>(count())); }
+
+ private:
+  Moments moments_;
+  double squares_ = 0, cubes_ = 0;  ///< sums of powers of differences from the mean
+};
+
 }  // namespace shelfbeam

@@ -1,4 +1,4 @@
-#include "shelfbeam/stats/power_sums.hpp"
+#include "shelfbeam/stats/moments.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -8,7 +8,6 @@
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/stats/distributions.hpp"
-#include "shelfbeam/stats/skewed_moments.hpp"
 
 namespace shelfbeam {
 namespace {

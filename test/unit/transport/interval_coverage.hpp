@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/stats/distributions.hpp"
-#include "shelfbeam/stats/power_sums.hpp"
+#include "shelfbeam/stats/moments.hpp"
 #include "shelfbeam/transport/reuse/reuse.hpp"
 #include "shelfbeam/transport/tally/item_sums.hpp"
 #include "shelfbeam/transport/tally/known_light.hpp"

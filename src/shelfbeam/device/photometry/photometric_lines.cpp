@@ -1,13 +1,12 @@
 #include "shelfbeam/device/photometry/photometric_lines.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/number.hpp"
 #include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam::detail {
@@ -64,12 +63,8 @@ DirectionTable PhotometricLines::checked(DirectionTable table) const {
 }
 
 std::optional<double> finite_number(std::string_view word) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);  // from_chars knows no '+'
-  double value = 0;
-  const char* end = word.data() + word.size();
-  const auto [stopped, error] = std::from_chars(word.data(), end, value);
-  if (error != std::errc{} || stopped != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const auto value = to_number(word);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 double snapped(double angle) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -76,6 +78,12 @@ Handle make_type(Hdf5Type type) {
     H5Tset_cset(made, type.is_ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8);
   }
   return made;
+}
+
+// Texts are of fixed length: nothing in the file points anywhere. Octave reads none that are marked as UTF-8,
+// so only those are marked that need it.
+bool is_ascii(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
 }
 
 }  // namespace
@@ -284,6 +292,39 @@ Hdf5Type Hdf5Reader::type_of_attribute(const std::string& name, Hdf5Type::Kind k
 void Hdf5Reader::read_attribute(const std::string& name, Hdf5Type type, void* value) const {
   if (H5Aread(file_->open_attribute(name), make_type(type), value) < 0)
     file_->fail("attribute " + name, "cannot be read: the file is damaged");
+}
+
+void Hdf5Writer::texts(const std::string& path, std::span<const std::string> values) {
+  std::size_t length = 1;
+  for (const std::string& value : values) length = std::max(length, value.size());
+  std::string padded;
+  for (const std::string& value : values) padded += value + std::string(length - value.size(), '\0');
+  write(path, {Hdf5Type::text, length, is_ascii(padded)}, {values.size()}, padded.data());
+}
+
+void Hdf5Writer::attribute(const std::string& name, const std::string& value) {
+  const std::size_t length = std::max<std::size_t>(1, value.size());
+  write_attribute(name, {Hdf5Type::text, length, is_ascii(value)}, value.c_str());
+}
+
+std::vector<std::string> Hdf5Reader::texts(const std::string& path, std::size_t count) const {
+  const Hdf5Type type = type_of(path, Hdf5Type::text, {count});
+  std::string padded(type.size * count, '\0');
+  read(path, type, padded.data());
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < count; ++i) {
+    const char* begin = padded.data() + i * type.size;
+    values.emplace_back(begin, strnlen(begin, type.size));
+  }
+  return values;
+}
+
+std::string Hdf5Reader::text_attribute(const std::string& name) const {
+  const Hdf5Type type = type_of_attribute(name, Hdf5Type::text);
+  std::string value(type.size, '\0');
+  read_attribute(name, type, value.data());
+  value.resize(strnlen(value.data(), value.size()));
+  return value;
 }
 
 }  // namespace shelfbeam::detail

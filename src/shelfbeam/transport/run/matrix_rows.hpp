@@ -3,8 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/signal/signal_rows.hpp"
 #include "shelfbeam/transport/tally/estimator.hpp"
 #include "shelfbeam/transport/tally/item_sums.hpp"
@@ -49,5 +52,12 @@ class MatrixRows : public SignalRows {
   std::vector<std::size_t> starts_;  ///< of each row in `parts_`
   std::vector<Part> parts_;          ///< of the other items
 };
+
+/// A matrix without entries: what is known of labels and sources.
+SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint64_t seed,
+                         const std::string& estimator);
+
+/// The same with its entries.
+SignalMatrix filled(SignalMatrix head, const SignalRows& rows);
 
 }  // namespace shelfbeam::detail

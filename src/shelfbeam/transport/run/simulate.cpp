@@ -13,7 +13,6 @@
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/transport/run/engine.hpp"
 #include "shelfbeam/transport/run/make_estimator.hpp"
-#include "shelfbeam/transport/run/matrix_head.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
 #include "shelfbeam/transport/run/memory.hpp"
 

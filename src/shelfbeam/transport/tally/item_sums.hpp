@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "shelfbeam/stats/power_sums.hpp"
-#include "shelfbeam/transport/tally/batch_values.hpp"
+#include "shelfbeam/stats/moments.hpp"
+#include "shelfbeam/transport/tally/estimator.hpp"
 
 namespace shelfbeam::detail {
 
