@@ -6,9 +6,8 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-const { WebSocket } = createRequire(`${process.env.VIEWER_PACKAGES}/`)("ws");
-
 export async function startBrowser(program) {
+  const { WebSocket } = createRequire(`${process.env.VIEWER_PACKAGES}/`)("ws");
   const profile = mkdtempSync(join(tmpdir(), "viewer-"));
   const child = spawn(
     program,
@@ -33,10 +32,10 @@ export async function startBrowser(program) {
 
   let last = 0;
   const waiting = new Map();
-  const listeners = new Set();
+  const pages = new Map(); // by session
   socket.on("message", (data) => {
     const message = JSON.parse(data);
-    if (!message.id) return listeners.forEach((listener) => listener(message));
+    if (!message.id) return pages.get(message.sessionId)?.note(message);
     const { resolve, reject } = waiting.get(message.id);
     waiting.delete(message.id);
     if (message.error) reject(new Error(message.error.message));
@@ -49,25 +48,26 @@ export async function startBrowser(program) {
     });
 
   return {
-    /** A page of a size in CSS pixels. Everything that it asks of a network, and every error, is noted. */
-    async page(url, { width = 1280, height = 900, dark = false, ready = true } = {}) {
+    /**
+     * A page of a size in CSS pixels. Everything that it asks of a network, and every error, is noted. What comes
+     * before it is loaded is done then; it is waited for until the 3-D view is ready.
+     */
+    async page(url, { width = 1280, height = 900, dark = false, ready = true, before = () => {} } = {}) {
       const { targetId } = await send("Target.createTarget", { url: "about:blank" });
       const { sessionId } = await send("Target.attachToTarget", { targetId, flatten: true });
-      const page = new Page((method, params) => send(method, params, sessionId));
-      const listener = (message) => message.sessionId === sessionId && page.note(message);
-      listeners.add(listener);
-      page.close = async () => {
-        listeners.delete(listener);
-        await send("Target.closeTarget", { targetId });
-      };
+      const page = new Page(targetId, (method, params) => send(method, params, sessionId));
+      pages.set(sessionId, page);
       for (const domain of ["Page", "Runtime", "Network", "Log"]) await page.send(`${domain}.enable`);
-      await page.resize(width, height);
-      await page.send("Emulation.setEmulatedMedia", {
-        features: [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }],
-      });
+      await page.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
+      await page.darken(dark);
+      await before(page);
       await page.go(url);
       if (ready) await page.evaluate("window.shelfbeamViewer.then(() => true)");
       return page;
+    },
+    async closePages() {
+      for (const { targetId } of pages.values()) await send("Target.closeTarget", { targetId });
+      pages.clear();
     },
     async close() {
       socket.close();
@@ -85,7 +85,8 @@ class Page {
   errors = [];
   #loaded = () => {};
 
-  constructor(send) {
+  constructor(targetId, send) {
+    this.targetId = targetId;
     this.send = send;
   }
 
@@ -105,13 +106,15 @@ class Page {
     await loaded;
   }
 
-  async resize(width, height) {
-    await this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
+  darken(dark) {
+    const value = dark ? "dark" : "light";
+    return this.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value }] });
   }
 
-  async evaluate(expression) {
+  /** The value of an expression in the page, or of a function called there with arguments that are JSON. */
+  async evaluate(code, ...values) {
     const { result, exceptionDetails } = await this.send("Runtime.evaluate", {
-      expression,
+      expression: typeof code === "function" ? `(${code})(...${JSON.stringify(values)})` : code,
       awaitPromise: true,
       returnByValue: true,
     });
@@ -129,6 +132,18 @@ class Page {
     return this.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))");
   }
 
+  text(selector) {
+    return this.evaluate((of) => document.querySelector(of).textContent, selector);
+  }
+
+  focus(selector) {
+    return this.evaluate((of) => document.querySelector(of).focus(), selector);
+  }
+
+  type(text) {
+    return this.send("Input.insertText", { text });
+  }
+
   async click(x, y) {
     const at = { x, y, button: "left", clickCount: 1 };
     await this.send("Input.dispatchMouseEvent", { type: "mouseMoved", x, y });
@@ -137,21 +152,27 @@ class Page {
     await this.settle();
   }
 
-  async press(key, { shift = false } = {}) {
-    const codes = { Tab: 9, Enter: 13, " ": 32, ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, Escape: 27 };
-    const text = key === "Enter" ? "\r" : key.length === 1 ? key : undefined;
-    const params = { key, code: key === " " ? "Space" : key, windowsVirtualKeyCode: codes[key] ?? key.toUpperCase().charCodeAt(0), modifiers: shift ? 8 : 0 };
+  /** Clicks an element at its upper left. */
+  async clickOn(selector) {
+    const { x, y } = await this.evaluate((of) => {
+      const element = document.querySelector(of);
+      element.scrollIntoView({ block: "center" });
+      return element.getBoundingClientRect().toJSON();
+    }, selector);
+    await this.click(x + 8, y + 8);
+  }
+
+  async press(key) {
+    const codes = { Tab: 9, Enter: 13, " ": 32, ArrowLeft: 37, ArrowRight: 39, Escape: 27 };
+    const text = { Enter: "\r", " ": " " }[key];
+    const params = { key, code: key === " " ? "Space" : key, windowsVirtualKeyCode: codes[key] };
     await this.send("Input.dispatchKeyEvent", { type: text ? "keyDown" : "rawKeyDown", text, ...params });
     await this.send("Input.dispatchKeyEvent", { type: "keyUp", ...params });
     await this.settle();
   }
 
   async screenshot(clip) {
-    const { data } = await this.send("Page.captureScreenshot", {
-      format: "png",
-      captureBeyondViewport: true,
-      ...(clip ? { clip: { ...clip, scale: 1 } } : {}),
-    });
-    return Buffer.from(data, "base64");
+    const picture = { format: "png", captureBeyondViewport: true, clip: { ...clip, scale: 1 } };
+    return Buffer.from((await this.send("Page.captureScreenshot", picture)).data, "base64");
   }
 }

@@ -19,6 +19,12 @@ export function near(found, expected, relative, what = "value") {
   );
 }
 
+/** A text has all these parts; its fixed spaces count as others. */
+export function says(text, ...parts) {
+  const plain = text.replace(/\u00a0/g, " ");
+  for (const part of parts) check(plain.includes(part), `'${part}' is not said: ${plain}`);
+}
+
 /** Something that must not hold: a test that cannot fail shows nothing. */
 export function fails(run, what) {
   try {
@@ -29,17 +35,19 @@ export function fails(run, what) {
   throw new Error(`negative control: ${what} was not noticed`);
 }
 
-export async function runAll() {
+/** Gives all tests what they may use; `after` follows each of them, however it ends. */
+export async function runAll(given, after) {
   let failed = 0;
   for (const { name, run } of tests) {
     const begin = Date.now();
     try {
-      await run();
+      await run(given);
       console.log(`ok      ${name} (${Date.now() - begin} ms)`);
     } catch (error) {
       ++failed;
       console.log(`FAILED  ${name}\n        ${error.stack}`);
     }
+    await after();
   }
   console.log(`${tests.length - failed} of ${tests.length} passed`);
   return failed === 0;

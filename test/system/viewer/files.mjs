@@ -48,6 +48,16 @@ export function readPlan(folder) {
   };
 }
 
+/** The units of a plan among those of its matrix. */
+export const columnsOf = ({ placement }, units) => placement.selected.map((id) => units.indexOf(id));
+
+/** How many labels get what they need. */
+export const metBy = ({ labels }, signals) =>
+  labels.filter(({ requirement }, k) => signals[k] >= Number(requirement) * (1 - 1e-9)).length;
+
+export const verdictOf = ({ missed, undecided }, id) =>
+  missed.includes(id) ? "missed" : undecided.includes(id) ? "undecided" : "reached";
+
 /** What every label gets from a set of columns: the rule of docs/formats/placement.md, written once more. */
 export function received({ mean, placement }, on) {
   const cooperative = placement.model === "cooperative";

@@ -95,6 +95,8 @@ TEST_F(LayersOfATree, LargeFilesAndFoldersAreRefused) {
   expect_refused("src/shelfbeam/math/long.cpp: has 401 lines, more than 400");
   tree.write("src/shelfbeam/math/n.cpp", "");
   expect_refused("src/shelfbeam/math: has 16 modules, more than 15");
+  tree.write("study/long.py", std::string(401, '\n'));
+  expect_refused("study/long.py: has 401 lines, more than 400");
 }
 
 TEST_F(LayersOfATree, RelativePathIsRefused) {

@@ -1,0 +1,87 @@
+// The plans whose reports are tested, made by the program.
+
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { readCsv, readJson, readPlan } from "./files.mjs";
+
+const run = (program, ...words) => execFileSync(program, words, { stdio: ["ignore", "pipe", "inherit"] }).toString();
+
+function makeStore(shelfbeam, work, name) {
+  run(shelfbeam, "new", name, join(work, `${name}-store`));
+  return join(work, `${name}-store`, "store.json");
+}
+
+function makePlan(shelfbeam, folder, store, ...options) {
+  run(shelfbeam, "plan", "--no-certificate", store, "-o", folder, "--samples", "200", "--quiet", ...options);
+  for (const what of ["mean", "standard-error", "direct"])
+    run(shelfbeam, "export", join(folder, "signal.h5"), "-o", join(folder, `${what}.npy`), "--what", what, "--quiet");
+  return readPlan(folder);
+}
+
+/** All plans by name. */
+export function makePlans(shelfbeam, work) {
+  const thesis = makeStore(shelfbeam, work, "thesis");
+  const options = {
+    grocery: [makeStore(shelfbeam, work, "grocery")],
+    alone: [thesis, "--model", "non-cooperative"],
+    spare: [thesis, "--survive-failure"],
+    "spare-alone": [thesis, "--model", "non-cooperative", "--survive-failure"],
+    options: [makeStore(shelfbeam, work, "chiller")],
+  };
+  const plans = {};
+  for (const [name, words] of Object.entries(options)) plans[name] = makePlan(shelfbeam, join(work, name), ...words);
+  return { ...plans, certified: certify(shelfbeam, plans.grocery, join(work, "certified")) };
+}
+
+/** A plan with a certificate that has every verdict, as if fresh samples had said so. */
+function certify(shelfbeam, { folder: original, labels, placement }, folder) {
+  cpSync(original, folder, { recursive: true });
+  const ids = labels.map(({ id }) => id);
+  const missed = ids.filter((_, k) => k % 40 === 7);
+  const undecided = ids.filter((_, k) => k % 40 === 21);
+  const { count } = placement;
+  const certificate = {
+    confidence: 0.975, reached: ids.length - missed.length - undecided.length, missed, undecided,
+    count_lower_bound: count - 1, bound_labels: 41, rounds: 3, seconds: 123.25, open: "it was interrupted",
+  };
+  const curve = Array.from({ length: count }, (_, k) => ({
+    units: k + 1, at_least: ids.length - 97 * (count - 1 - k), at_most: ids.length - 61 * (count - 1 - k),
+  }));
+  const path = join(folder, "placement.json");
+  const more = { certificate, curve, curve_complete: true, sensitivity: madeUpSensitivity(ids) };
+  writeFileSync(path, JSON.stringify({ ...readJson(path), ...more }));
+  run(shelfbeam, "report", folder, "--quiet");
+  return readPlan(folder);
+}
+
+/** What reflectances might do to a plan: numbers of their own wherever the page shows one. */
+function madeUpSensitivity(ids) {
+  const least = (margin, label) => ({ smallest_margin: margin, standard_error: 0.01, label: ids[label] });
+  const step = (margin, label, change, mean, short) => ({
+    ...least(margin, label), change, change_standard_error: Math.abs(change) / 90,
+    mean_change: mean, labels_short: short,
+  });
+  const material = (name, k) => ({
+    name, reflectance: 0.5 + 0.013 * k, range: [0.3 + 0.011 * k, 0.7 + 0.017 * k], assumed: k % 2 === 1,
+    low: step(0.713 + 0.041 * k, 3 + k, -0.431 + 0.0371 * k, -0.183 + 0.0151 * k, 9 - k),
+    high: step(1.633 - 0.027 * k, 30 + k, 0.3, 0.231 - 0.0173 * k, 0),
+  });
+  return {
+    confidence: 0.975, holds: "no", assumed_error: 0.15, as_given: least(1.293, 2),
+    low: { ...least(0.617, 5), missed: ids.slice(0, 23), undecided: ids.slice(40, 51) },
+    high: { ...least(2.171, 6), missed: [], undecided: [] },
+    materials: ["carton", "a floor", "plaster <white>", "steel", "foil"].map(material),
+    kept: ["glass"], watched: 256, batches: 64, seconds: 71.5,
+  };
+}
+
+/** A hypermarket, and what its report must show. */
+export function makeLargePlan(shelfbeam, largeReport, work) {
+  const folder = join(work, "large");
+  mkdirSync(folder);
+  const made = JSON.parse(run(largeReport, makeStore(shelfbeam, work, "hypermarket"), folder));
+  const [labels, chosen] = ["labels.csv", "placement.csv"].map((name) => readCsv(join(folder, name)));
+  return { folder, labels, chosen, made };
+}

@@ -1,0 +1,159 @@
+// The answer, the tables and the facts of the page, without its 3-D view.
+
+import { check, equal, fails, says } from "./check.mjs";
+import { metBy, verdictOf } from "./files.mjs";
+import { factorOf, testReport } from "./report.mjs";
+
+const tablesOf = (page) =>
+  page.evaluate(() => {
+    const words = (of) => of.textContent.replace(/\u00a0/g, " ");
+    const all = (selector, of = document) => [...of.querySelectorAll(selector)];
+    const table = (id) => all(`#${id} tbody tr`).map((row) => [...row.cells].map(words));
+    const list = (of) => Object.fromEntries(all("dt", of).map((dt) => [words(dt), words(dt.nextElementSibling)]));
+    const facts = all("#facts .facts > div").map((part) => [words(part.querySelector("h3")), list(part)]);
+    const cards = all(".card").map((card) => [words(card.querySelector("dt")), card.querySelector("dd").firstChild]);
+    return {
+      answer: words(document.querySelector("header")),
+      cards: Object.fromEntries(cards.map(([name, value]) => [name, words(value)])),
+      units: table("units"), weakest: table("weakest"), sensitivity: table("sensitivity"), curve: table("curve"),
+      facts: Object.fromEntries(facts),
+    };
+  });
+
+/** Half a unit of the last digit that is shown: "12.50" stands for 12.495 to 12.505. */
+function shows(cell, value, what) {
+  const digits = cell.replace(/[,+]/g, "").replace("−", "-").replace(/ .*/, "");
+  const half = 0.5001 * 10 ** -(digits.split(".")[1] ?? "").length;
+  check(digits !== "" && Math.abs(digits - value) <= half, `${what}: the page has '${cell}', the files ${value}`);
+}
+
+/** Cells, in order or by name, are what the files say; numbers to the last digit that is shown. */
+function cellsAre(cells, expected, what) {
+  for (const [name, value] of Object.entries(expected))
+    if (typeof value === "number") shows(cells[name], value, `${what}, ${name}`);
+    else equal(cells[name], value, `${what}, ${name}`);
+}
+
+const place = ({ x, y, z }) => [x, y, z].map(Number);
+
+/** The page does not have the numbers of any of these changed plans. */
+function noneIs(compare, found, plan, changes) {
+  for (const change of changes)
+    fails(() => compare(found, { ...plan, placement: { ...plan.placement, ...change } }), JSON.stringify(change));
+}
+
+function answerIs({ cards, facts, factor, units, weakest }, plan) {
+  const { placement, chosen, labels } = plan;
+  const { certificate, count, seconds, solver } = placement;
+  const needed = Math.ceil(placement.count_lower_bound - 1e-6);
+  const byMargin = [...labels].sort((a, b) => a.margin_db - b.margin_db);
+  cellsAre(cards, {
+    Transceivers: count, "At least needed": certificate?.count_lower_bound ?? needed,
+    "Labels reached": certificate?.reached ?? metBy(plan, labels.map(({ signal }) => Number(signal))),
+    "Least margin": Number(byMargin[0].margin_db),
+  }, "cards");
+  equal(units.length, chosen.length, "rows of units");
+  chosen.forEach((row, k) => {
+    const counts = [row.reaches_alone, row.strongest_for, row.needed_by];
+    cellsAre(units[k], [String(k + 1), row.id, ...place(row), ...counts], row.id);
+  });
+  equal(weakest.length, 20, "labels with the least margin");
+  weakest.forEach((cells, k) => {
+    const row = labels.find(({ id }) => id === cells[0]);
+    const [margin, signal, needs] = [row.margin_db, row.signal / factor, row.requirement / factor];
+    const verdict = certificate && verdictOf(certificate, row.id);
+    shows(cells[1], Number(byMargin[k].margin_db), `margin ${k}`);
+    equal(cells[4].replace(/^[0-9]+: /, ""), row.strongest, `strongest for ${row.id}`);
+    cellsAre(cells, [row.id, Number(margin), signal, needs, , , ...place(row), row.type, verdict], row.id);
+  });
+  const { Placement: found, "Certificate on fresh samples": fresh } = facts;
+  const gap = (100 * (count - needed)) / count;
+  cellsAre(found, {
+    Transceivers: count, "At least needed": needed, "Gap of the number": gap, Time: seconds, Solver: solver,
+  }, "facts");
+  const [, redundant] = /\(([\d.]+)/.exec(found["Labels reached by two or more units, each alone (redundant)"]);
+  shows(redundant, 100 * placement.redundant_share, "redundant share");
+  equal(fresh === undefined, certificate === undefined, "certificate");
+}
+
+function certificateIs({ answer, facts: { "Certificate on fresh samples": fresh } }, { placement, labels }) {
+  const { confidence, reached, missed, undecided, count_lower_bound, open, ...of } = placement.certificate;
+  cellsAre(fresh, {
+    "Joint confidence": 100 * confidence, "Labels reached": reached, "At least needed": count_lower_bound,
+    "That rests on": of.bound_labels, Rounds: of.rounds, Time: of.seconds, "It ended because": open,
+  }, "certificate");
+  for (const [name, ids] of [["Missed", missed], ["Undecided", undecided]]) {
+    const [count, ranges] = fresh[name].split(": ");
+    shows(count, ids.length, name);
+    for (const range of ranges.replace(", …", "").split(", ")) check(ids.includes(range.replace(/….*/, "")), range);
+  }
+  says(
+    answer, `${placement.count} transceivers reach ${reached} of ${labels.length} labels`,
+    `at least ${count_lower_bound} `, `with joint confidence ${100 * confidence} %`,
+    `${missed.length} labels are missed`, `${undecided.length} labels are undecided`, open,
+  );
+}
+
+for (const name of ["grocery", "certified"])
+  testReport(`numbers of the page of ${name} are those of the files`, { of: name }, async (page, plan) => {
+    const found = { ...(await tablesOf(page)), factor: await factorOf(page) };
+    const { count, seconds, redundant_share, certificate } = plan.placement;
+    answerIs(found, plan);
+    noneIs(answerIs, found, plan, [
+      { count: count + 1 }, { seconds: 2 * seconds }, { redundant_share: redundant_share + 0.01 },
+    ]);
+    if (!certificate) return;
+    certificateIs(found, plan);
+    const keys = ["confidence", "reached", "count_lower_bound", "bound_labels", "rounds", "seconds"];
+    const changed = keys.map((key) => ({ ...certificate, [key]: 1.5 * certificate[key] }));
+    noneIs(certificateIs, found, plan, changed.map((other) => ({ certificate: other })));
+  });
+
+const decibelsOf = (ratio) => 10 * Math.log10(ratio);
+
+function sectionsAre({ answer, sensitivity, curve }, { placement, labels }) {
+  const of = placement.sensitivity;
+  equal(sensitivity.length, of.materials.length, "materials");
+  of.materials.forEach(({ name, reflectance, range: [least, most], assumed, low, high }, k) => {
+    const cells = sensitivity[k];
+    cellsAre(cells, [
+      name, , decibelsOf(low.smallest_margin), low.label, 100 * low.change, String(low.labels_short),
+      100 * low.mean_change, decibelsOf(high.smallest_margin), 100 * high.mean_change,
+    ], name);
+    shows(/± ([\d.]+)\)/.exec(cells[4])[1], 100 * low.change_standard_error, `error with ${name}`);
+    const [, given, lower, upper, star] = /^([\d.]+) \(([\d.]+) to ([\d.]+)\)( \*)?$/.exec(cells[1]);
+    for (const [cell, value] of [[given, reflectance], [lower, least], [upper, most]])
+      check(Math.abs(Number(cell) - value) <= 0.00051, `${name}: '${cell}' of ${value}`);
+    equal(star !== undefined, assumed, "assumed");
+  });
+  const { missed, undecided, smallest_margin } = of.low;
+  const met = labels.length - missed.length - undecided.length;
+  says(
+    answer,
+    `${met} of ${labels.length} labels are reached with all reflectances at the low end`,
+    `${missed.length} missed, ${undecided.length} undecided, with joint confidence ${100 * of.confidence} %`,
+    `the weakest gets ${smallest_margin} to ${of.high.smallest_margin.toPrecision(3)} of its requirement`,
+    `'${of.materials[0].name}' matters most`,
+  );
+  equal(curve.length, placement.curve.length, "points of the curve");
+  placement.curve.forEach(({ units, at_least, at_most }, k) => {
+    const ends = [at_least, at_most].flatMap((met) => [(100 * met) / labels.length, String(met)]);
+    cellsAre(curve[k], [String(units), ...ends], "point of the curve");
+  });
+}
+
+testReport("numbers on materials and fewer units are those of the files", { of: "certified" }, async (page, plan) => {
+  const found = await tablesOf(page);
+  sectionsAre(found, plan);
+  const { sensitivity, curve } = plan.placement;
+  const [first, ...rest] = sensitivity.materials;
+  const ofFirst = [
+    { reflectance: 0.6 }, { low: { ...first.low, change: -0.43 } }, { low: { ...first.low, smallest_margin: 0.72 } },
+    { high: { ...first.high, mean_change: 0.24 } },
+  ];
+  noneIs(sectionsAre, found, plan, [
+    ...ofFirst.map((change) => ({ sensitivity: { ...sensitivity, materials: [{ ...first, ...change }, ...rest] } })),
+    { sensitivity: { ...sensitivity, confidence: 0.99 } },
+    { curve: curve.map((point) => ({ ...point, at_least: point.at_least - 1 })) },
+  ]);
+});

@@ -1,0 +1,58 @@
+// The verdicts of a certificate in the 3-D view.
+
+import { equal, says } from "./check.mjs";
+import { verdictOf } from "./files.mjs";
+import { testReport } from "./report.mjs";
+
+const verdictsOf = (page) => page.run(({ model }) => model.store.labels.ids.map((_, label) => model.verdict(label)));
+const selectLabel = (page, label) => page.run((view, index) => view.model.select({ kind: "label", index }), label);
+
+// What makes of the plan something that was not certified.
+const changes = {
+  "a unit less": (view) => view.model.switchUnit(view.model.store.units.selected[0], false),
+  "other thresholds": (view) => {
+    view.model.state.requirements[0] *= 2;
+    view.model.recount();
+  },
+};
+
+testReport("verdicts are shown while the plan is as it was made", { of: "certified" }, async (page, plan, given) => {
+  const { labels, placement: { certificate } } = plan;
+  const { reached, missed, undecided } = certificate;
+  const { open, picture } = given;
+  const expected = labels.map(({ id }) => verdictOf(certificate, id));
+  equal(await verdictsOf(page), expected, "verdicts");
+  const counts = `${reached} reached, ${missed.length} missed, ${undecided.length} undecided.`;
+  says(await page.text(".v3-head"), `with joint confidence 97.5 %: ${counts}`);
+  await page.evaluate(() => document.querySelector("input[name=v3-colour][value=certificate]").click());
+  await page.settle();
+  const legend = [`reached: ${reached}`, `missed: ${missed.length}`, `undecided: ${undecided.length}`];
+  says(await page.text(".v3-legend"), "joint confidence 97.5 %", ...legend);
+  await picture(page, "certificate");
+  const inCard = async (verdict) => equal(await page.text(".v3-card [data-fact=verdict]"), verdict, "in the card");
+  for (const verdict of ["missed", "undecided", "reached"]) {
+    await selectLabel(page, expected.indexOf(verdict));
+    await inCard(verdict);
+  }
+  for (const [what, change] of Object.entries(changes)) {
+    await page.run(change);
+    equal(await verdictsOf(page), expected.map(() => null), `verdicts with ${what}`);
+    await inCard("known of the plan only");
+    says(await page.text(".v3-legend"), `not of what is on now:without a verdict: ${labels.length}`);
+    says(await page.text(".v3-head"), "The certificate does not cover that.");
+    await picture(page, "certificate-changed");
+    await page.run((view) => view.restore(null));
+    equal(await verdictsOf(page), expected, "verdicts after reset");
+    await page.run((view) => (view.model.state.mode = "certificate"));
+    await selectLabel(page, 0);
+  }
+  const again = await open(plan, { hash: await page.run((view) => view.link()), dark: true });
+  equal(await again.run((view) => view.model.state.mode), "certificate", "colour in the link");
+  await picture(again, "certificate-dark");
+});
+
+const asked = { of: "grocery", hash: "#view=1&colour=certificate" };
+testReport("a plan without a certificate does not offer its colour", asked, async (page) => {
+  equal(await page.run((view) => view.model.state.mode), "margin", "colour without a certificate");
+  equal(await page.evaluate(() => document.querySelectorAll("input[name=v3-colour]").length), 3, "colours");
+});
