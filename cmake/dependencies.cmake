@@ -8,7 +8,7 @@ find_package(ZLIB REQUIRED)
 find_package(Boost REQUIRED CONFIG)
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
 
-# Embree 4 (Debian 13) or 3 (Debian 12); src/shelfbeam/transport/ray_scene.cpp hides the difference.
+# Embree 4 (Debian 13) or 3 (Debian 12); src/shelfbeam/transport/world/ray_scene.cpp hides the difference.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3 REQUIRED)

@@ -3,8 +3,11 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/signal/constraints/stack_tables.hpp"
+#include "shelfbeam/signal/tables/formats.hpp"
 
 #include "app/options/arguments.hpp"
 #include "app/options/scenario_names.hpp"
@@ -45,8 +48,9 @@ SignalTable PlacementInput::table(const Question& question) const {
 
 void add_placement_input(CLI::App& verb, PlacementInput& input) {
   verb.add_option("SIGNAL", input.signals,
-                  "Signal file (HDF5; not safe to open if a stranger made it), CSV, NPY, sparse text, or "
-                  "OR-Library scp or rail file; several are scenarios for one placement")
+                  fmt::format("Signal file (HDF5; not safe to open if a stranger made it), {}; several are "
+                              "scenarios for one placement",
+                              detail::matrix_formats))
       ->required()
       ->check(a_path());
   verb.add_option("--threshold", input.threshold,

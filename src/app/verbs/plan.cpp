@@ -14,7 +14,7 @@
 #include "shelfbeam/plan/io/verification_file.hpp"
 #include "shelfbeam/report/messages/certificate.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
-#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "app/loaded_store.hpp"

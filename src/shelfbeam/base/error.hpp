@@ -5,8 +5,8 @@
 
 namespace shelfbeam {
 
-/// What a message tells its reader to set. What that is called where it can be set, a flag or a field of a
-/// form, only the caller knows, who adds it to the message.
+/// The setting that an error refers to. The caller knows its name (a flag, a field of a form) and adds it to
+/// the message.
 enum class Setting {
   none,
   memory,
@@ -25,8 +25,8 @@ enum class Setting {
 
 /// Wrong input: says what is wrong, where, and what to do about it.
 ///
-/// `where` names the file and the place in it ("store.json: materials.wall.reflectance"). The command line
-/// turns this error into one line on standard error and exit code 2; nothing has been written by then.
+/// `where` names the file and the place in it ("store.json: materials.wall.reflectance"). Nothing
+/// has been written by then.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& where, const std::string& problem, const std::string& suggestion = {},
@@ -51,7 +51,7 @@ class OutputError : public InputError {
   OutputError(const OutputError& error, const std::string& addition, Setting setting);
 };
 
-/// The user stopped the work before it had anything worth keeping. Exit code 3.
+/// The user stopped the work before it had anything worth keeping.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(const std::string& text, Setting setting = Setting::none)

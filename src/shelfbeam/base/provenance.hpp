@@ -13,7 +13,7 @@ std::string_view program_version();
 /// 128-bit content hash (XXH3) as 32 hexadecimal digits.
 std::string content_hash(std::string_view content);
 
-/// The same of what the stream has from its place on, of which a megabyte at a time is in memory.
+/// Hash of the rest of the stream, read one megabyte at a time.
 std::string content_hash(std::istream& content);
 
 /// Well-mixed 64-bit hash of a text: the key of random streams that belong to a named thing.

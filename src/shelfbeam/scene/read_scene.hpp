@@ -10,9 +10,9 @@ namespace shelfbeam {
 
 /// How far a store file is trusted: it may come from anyone.
 struct StoreTrust {
-  /// Whether files that it names may lie outside its folder.
+  /// Whether files that the store names may lie outside its folder.
   bool allow_outside = false;
-  /// Bytes that what it makes may take: labels, candidates, surfaces. An estimate, made before they are.
+  /// Memory limit in bytes for labels, candidates and surfaces, estimated before they are allocated.
   std::size_t memory = std::numeric_limits<std::size_t>::max();
 };
 

@@ -76,8 +76,8 @@ struct FixtureOutline {
 
 /// Everything a simulation needs, checked and frozen: made by `make_scene`, passed on as const.
 struct Scene {
-  /// content_hash of the resolved store that it was made of. Empty where it was made by hand; whoever changes
-  /// a scene empties it.
+  /// content_hash of the resolved store that it was made of. Empty where it was made by hand; clear it when
+  /// you change a scene.
   std::string store_hash;
   std::string name;
   double wavelength_nm = 940;

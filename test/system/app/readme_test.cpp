@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -55,6 +56,14 @@ TEST(Readme, LinksLeadSomewhere) {
     for (std::size_t at = page.find("]("); at != std::string::npos; at = page.find("](", at + 1)) {
       const std::string target = page.substr(at + 2, page.find(')', at) - at - 2);
       EXPECT_TRUE(std::filesystem::exists(top / target)) << name << ": " << target;
+    }
+    // So do paths that are quoted, from the top or below src/shelfbeam.
+    const std::regex path("`([a-z][a-z_/]+/[a-z_-]+\\.[a-z]+)`");
+    for (std::sregex_iterator found(page.begin(), page.end(), path), end; found != end; ++found) {
+      const std::string target = (*found)[1];
+      EXPECT_TRUE(std::filesystem::exists(top / target) ||
+                  std::filesystem::exists(top / "src/shelfbeam" / target))
+          << name << ": " << target;
     }
   }
 }

@@ -21,11 +21,6 @@ def has(program):
     return "CI" in os.environ or shutil.which(program)
 
 
-def has(program):
-    """Continuous integration has all programs: a test without its own fails there instead of being skipped."""
-    return "CI" in os.environ or shutil.which(program)
-
-
 def verbs():
     listed = output(PROGRAM, "--help").split("Subcommands:")[1].split("Exit codes:")[0]
     return re.findall(r"^  (\w+) ", listed, re.MULTILINE)
@@ -36,7 +31,7 @@ def options(*verb):
     return re.findall(r"^  (?:-\w,)?(--[\w-]+)", output(PROGRAM, *verb, "--help"), re.MULTILINE)
 
 
-@unittest.skipUnless(shutil.which("help2man"), "help2man is missing, so there are no manual pages")
+@unittest.skipUnless(has("help2man"), "help2man is missing, so there are no manual pages")
 class Manual(unittest.TestCase):
     def test_has_a_page_for_every_verb_and_no_other(self):
         self.assertGreaterEqual(len(verbs()), 9)

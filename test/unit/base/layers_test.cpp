@@ -99,6 +99,14 @@ TEST_F(LayersOfATree, LargeFilesAndFoldersAreRefused) {
   expect_refused("study/long.py: has 401 lines, more than 400");
 }
 
+TEST_F(LayersOfATree, InstalledHeadersIncludeOneAnotherAlone) {
+  tree.write("src/shelfbeam/math/CMakeLists.txt", "shelfbeam_room(PUBLIC vec3.hpp)\n");
+  tree.write("src/shelfbeam/math/vec3.hpp", "#include <vector>\n#include \"shelfbeam/math/frame.hpp\"\n");
+  expect_refused("src/shelfbeam/math/vec3.hpp:2: an installed header includes 'shelfbeam/math/frame.hpp'");
+  tree.write("src/shelfbeam/math/vec3.hpp", "#include <tbb/parallel_for.h>\n");
+  expect_refused("src/shelfbeam/math/vec3.hpp:1: an installed header includes <tbb/parallel_for.h>");
+}
+
 TEST_F(LayersOfATree, RelativePathIsRefused) {
   tree.write("src/shelfbeam/math/frame.hpp", "#include \"../scene/scene.hpp\"\n");
   expect_refused("src/shelfbeam/math/frame.hpp:1: includes \"../scene/scene.hpp\" by a relative path");

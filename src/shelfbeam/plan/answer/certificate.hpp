@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -45,7 +46,10 @@ struct Certificate {
   double seconds = 0;
   std::string open;  ///< why it ended before all was decided; empty otherwise
 
-  std::size_t count(Verdict verdict) const;
+  std::size_t count(Verdict verdict) const {
+    const auto has = [&](const LabelVerdict& label) { return label.verdict == verdict; };
+    return static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), has));
+  }
   bool all_reached() const { return count(Verdict::reached) == labels.size(); }
 };
 

@@ -63,7 +63,10 @@ struct Sensitivity {
 
   /// Whether all labels are reached wherever in their ranges the reflectances are. No signal falls where a
   /// surface reflects more, so this is decided at the low end.
-  Verdict holds() const;
+  Verdict holds() const {
+    if (!low.missed.empty()) return Verdict::missed;
+    return low.undecided.empty() ? Verdict::reached : Verdict::undecided;
+  }
 };
 
 }  // namespace shelfbeam

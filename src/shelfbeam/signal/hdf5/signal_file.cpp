@@ -7,7 +7,7 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/hdf5/hdf5_io.hpp"
-#include "shelfbeam/signal/signal_rows.hpp"
+#include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 
 namespace shelfbeam {
 

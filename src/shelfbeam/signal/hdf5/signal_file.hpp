@@ -7,9 +7,6 @@
 
 namespace shelfbeam {
 
-class AtomicFile;
-class SignalRows;
-
 /// Written, and the only one that is read.
 inline constexpr std::uint32_t signal_format_version = 1;
 
@@ -18,12 +15,6 @@ inline constexpr std::uint32_t signal_format_version = 1;
 /// written, and std::invalid_argument for a matrix that is empty or whose arrays are not all of m n entries;
 /// flags may be missing.
 void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path);
-
-/// The same without the rename: the caller commits.
-void write_signal_file(const SignalMatrix& matrix, AtomicFile& target);
-
-/// The same with the entries from elsewhere, a few rows at a time; those of `head` are not used.
-void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const std::filesystem::path& path);
 
 /// Throws InputError for a file that is not HDF5 (or in its old format without checksums), is damaged, is of
 /// an unknown format version, lacks a data set or has one of another shape, or holds NaN, infinite or

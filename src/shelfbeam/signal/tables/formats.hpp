@@ -7,10 +7,12 @@
 
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-// One reader a matrix format; docs/formats/matrices.md describes them. `name` stands for the file in errors.
-// To add a format: declare its reader here, recognise its content in read_signal_table.cpp.
+// One reader per matrix format (docs/formats/matrices.md). `name` stands for the file in errors.
 
 namespace shelfbeam::detail {
+
+/// All formats but the signal file, in words.
+inline constexpr auto matrix_formats = "CSV, NPY, sparse text, or OR-Library scp or rail file";
 
 SignalTable read_csv_table(std::string_view text, const std::string& name);
 SignalTable read_sparse_text(std::string_view text, const std::string& name);

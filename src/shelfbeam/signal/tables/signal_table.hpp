@@ -26,7 +26,7 @@ struct SignalEntry {
 struct SignalTable {
   struct Label {
     std::string id;
-    double requirement = 0;  ///< gamma tau; 0: not known, `--threshold` must set it
+    double requirement = 0;  ///< gamma tau; 0: not known, and to be set (set_requirement)
     /// Reach of one unit alone counts from here on; as `requirement` except where a file says otherwise
     /// (sparse text: g).
     double single_requirement = 0;
@@ -45,8 +45,8 @@ struct SignalTable {
   /// Columns that are options of one mounting point, of which at most one can be chosen: two or more each,
   /// ascending, no column twice. Every other column has a point of its own.
   std::vector<std::vector<std::uint32_t>> mounts;
-  /// Pairs of columns that must not be chosen together, mounting points aside (signal/apart.hpp): the smaller
-  /// first, ascending, no pair twice, no two installed units.
+  /// Pairs of columns that must not be chosen together, mounting points aside (signal/constraints/apart.hpp):
+  /// the smaller first, ascending, no pair twice, no two installed units.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;
   double min_spacing = 0;  ///< m; the distance that pairs of `apart` stand for, 0 without one (keep_apart)
   /// Where the rows come from several matrices (stack_tables): which, in order; else empty.

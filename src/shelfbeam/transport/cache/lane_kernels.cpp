@@ -12,10 +12,8 @@ namespace {
 // A unit nearer than this gives what it would from there: only a guide is wanted.
 constexpr float least_squared_distance = 1e-6F;
 
-enum class Shape { sine, isotropic, lambertian, table };
-
 // I(theta) cos / d^2 in one lane, with as few roots and divisions as each profile allows.
-template <Shape shape, class Group>
+template <LaneProfile profile, class Group>
 SHELFBEAM_INLINE inline float in_lane(const Group& group, const float* table, int steps, const LanePoint& p,
                                       std::size_t k) {
   const float dx = group.x[k] - p.x, dy = group.y[k] - p.y, dz = group.z[k] - p.z;
@@ -26,12 +24,12 @@ SHELFBEAM_INLINE inline float in_lane(const Group& group, const float* table, in
   const float at_point = (facing > 0 ? facing : 0) * group.scale[k];
   const float along = -(group.ax[k] * dx + group.ay[k] * dy + group.az[k] * dz);  // and at the unit
   const float at_unit = along > 0 ? along : 0;
-  if constexpr (shape == Shape::sine) {
+  if constexpr (profile == LaneProfile::sine) {
     const float across = squared - at_unit * at_unit;
     return 2 * at_unit * at_point * std::sqrt((across > 0 ? across : 0) * inverse) * inverse * inverse;
-  } else if constexpr (shape == Shape::isotropic) {
+  } else if constexpr (profile == LaneProfile::isotropic) {
     return (along > 0 ? at_point : 0) * inverse * std::sqrt(inverse);
-  } else if constexpr (shape == Shape::lambertian) {
+  } else if constexpr (profile == LaneProfile::lambertian) {
     return at_unit * at_point * inverse * inverse;
   } else {
     const float root = std::sqrt(inverse);
@@ -45,28 +43,28 @@ SHELFBEAM_INLINE inline float in_lane(const Group& group, const float* table, in
   }
 }
 
-template <Shape shape, class Group, class Use>
+template <LaneProfile profile, class Group, class Use>
 SHELFBEAM_INLINE inline void in_lanes(const Group& group, const float* table, int steps, const LanePoint& p,
                                       const Use& use) {
   SHELFBEAM_VECTORIZE
-  for (std::size_t k = 0; k < lanes; ++k) use(k, in_lane<shape>(group, table, steps, p, k));
+  for (std::size_t k = 0; k < lanes; ++k) use(k, in_lane<profile>(group, table, steps, p, k));
 }
 
 template <class Group, class Use>
-SHELFBEAM_INLINE inline void for_lanes(const Group& group, int profile, const float* table, int steps,
-                                       const LanePoint& p, const Use& use) {
-  switch (static_cast<Shape>(profile)) {
-    case Shape::sine:
-      in_lanes<Shape::sine>(group, table, steps, p, use);
+SHELFBEAM_INLINE inline void for_lanes(const Group& group, const float* table, int steps, const LanePoint& p,
+                                       const Use& use) {
+  switch (group.profile) {
+    case LaneProfile::sine:
+      in_lanes<LaneProfile::sine>(group, table, steps, p, use);
       break;
-    case Shape::isotropic:
-      in_lanes<Shape::isotropic>(group, table, steps, p, use);
+    case LaneProfile::isotropic:
+      in_lanes<LaneProfile::isotropic>(group, table, steps, p, use);
       break;
-    case Shape::lambertian:
-      in_lanes<Shape::lambertian>(group, table, steps, p, use);
+    case LaneProfile::lambertian:
+      in_lanes<LaneProfile::lambertian>(group, table, steps, p, use);
       break;
-    case Shape::table:
-      in_lanes<Shape::table>(group, table, steps, p, use);
+    case LaneProfile::table:
+      in_lanes<LaneProfile::table>(group, table, steps, p, use);
   }
 }
 
@@ -163,8 +161,8 @@ void LaneKernels::irradiance(const UnitGroups& groups, std::size_t g, const Lane
   const auto& group = groups.groups_[g];
   const LanePoint p = point;
   float* const to = result.data();
-  for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
-            UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE { to[k] = e; });
+  for_lanes(group, groups.tables_.data() + group.table, UnitGroups::table_steps, p,
+            [&](std::size_t k, float e) SHELFBEAM_INLINE { to[k] = e; });
 }
 
 SHELFBEAM_FOR_EACH_CPU
@@ -182,10 +180,9 @@ void LaneKernels::add_irradiance(const UnitGroups& groups, const std::uint16_t* 
     unpack(s, part);
     SHELFBEAM_VECTORIZE
     for (std::size_t k = 0; k < lanes; ++k) rest[k] = PackedLane::value(d[k]);
-    for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
-              UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
-                sum[k] += weight * ((e < cap[k] ? e : cap[k]) * part[k] + rest[k]);
-              });
+    for_lanes(group, groups.tables_.data() + group.table, UnitGroups::table_steps, p,
+              [&](std::size_t k, float e)
+                  SHELFBEAM_INLINE { sum[k] += weight * ((e < cap[k] ? e : cap[k]) * part[k] + rest[k]); });
   }
 }
 
@@ -214,8 +211,8 @@ void LaneKernels::add_radiance(const UnitGroups& groups, const std::uint16_t* li
       for (std::size_t k = 0; k < lanes; ++k)
         f[k] = facets.base * on_curve(facets.entry, way_to(group, p, facets, k).ln);
     }
-    for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
-              UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
+    for_lanes(group, groups.tables_.data() + group.table, UnitGroups::table_steps, p,
+              [&](std::size_t k, float e) SHELFBEAM_INLINE {
                 sum[k] += weight * ((e < cap[k] ? e : cap[k]) * part[k] * f[k] + rest[k]);
               });
   }
@@ -252,8 +249,8 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
       for_highlights(group, p, facets, [&](std::size_t k, float, float highlight) SHELFBEAM_INLINE {
         more[k] += static_cast<float>(pi) * highlight;
       });
-    for_lanes(group, static_cast<int>(group.profile), groups.tables_.data() + group.table,
-              UnitGroups::table_steps, p, [&](std::size_t k, float e) SHELFBEAM_INLINE {
+    for_lanes(group, groups.tables_.data() + group.table, UnitGroups::table_steps, p,
+              [&](std::size_t k, float e) SHELFBEAM_INLINE {
                 whole[k] = e;
                 const float used = e < cap[k] ? e : cap[k];
                 const float value =

@@ -57,13 +57,13 @@ UnitGroups::UnitGroups(const World& world) {
     pattern.is_loose = kind.radius > 0;
     const auto* lambertian = std::get_if<GeneralizedLambertian>(&kind.emission);
     if (const auto* sine = std::get_if<SinTwoTheta>(&kind.emission)) {
-      pattern.profile = Profile::sine;
+      pattern.profile = LaneProfile::sine;
       scale = peak = static_cast<float>(sine->peak);
     } else if (const auto* isotropic = std::get_if<IsotropicHemisphere>(&kind.emission)) {
-      pattern.profile = Profile::isotropic;
+      pattern.profile = LaneProfile::isotropic;
       scale = peak = static_cast<float>(isotropic->intensity);
     } else if (lambertian != nullptr && lambertian->order == 1) {
-      pattern.profile = Profile::lambertian;
+      pattern.profile = LaneProfile::lambertian;
       scale = peak = static_cast<float>(mean_intensity(kind.emission, 0));
     } else {
       pattern.table = static_cast<std::uint32_t>(tables_.size());
@@ -107,7 +107,7 @@ UnitGroups::UnitGroups(const World& world) {
   const std::size_t n_units = scene.transceivers.size();
   for (std::size_t first = n_units; first < world.emitters.size(); first += lanes) {
     Group group;
-    group.profile = Profile::isotropic;
+    group.profile = LaneProfile::isotropic;
     group.count = std::min(lanes, world.emitters.size() - first);
     for (std::size_t k = 0; k < lanes; ++k)
       group.columns[k] = static_cast<std::uint32_t>(first + std::min(k, group.count - 1));

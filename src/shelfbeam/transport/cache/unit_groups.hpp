@@ -15,6 +15,9 @@ namespace shelfbeam {
 inline constexpr std::size_t lanes = 16;
 using LaneValues = std::array<float, lanes>;
 
+/// Emission profiles for which there is vectorised code.
+enum class LaneProfile { sine, isotropic, lambertian, table };
+
 /// A point of a surface as the vectorised code has it; the normal is that of the side that is meant.
 struct LanePoint {
   float x, y, z, nx, ny, nz;
@@ -75,12 +78,11 @@ class UnitGroups {
 
  private:
   friend struct LaneKernels;
-  enum class Profile { sine, isotropic, lambertian, table };
   struct Group {
     alignas(64) LaneValues x{}, y{}, z{}, ax{}, ay{}, az{}, scale{}, cap{};
     std::array<std::uint32_t, lanes> columns{};
     std::size_t count = 0;
-    Profile profile = Profile::table;
+    LaneProfile profile = LaneProfile::table;
     std::uint32_t table = 0;  ///< offset into tables_
     bool is_loose = false;
     std::array<float, 3> centre{};

@@ -10,7 +10,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
-#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/transport/run/engine.hpp"
 #include "shelfbeam/transport/run/make_estimator.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"

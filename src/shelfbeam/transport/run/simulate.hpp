@@ -24,8 +24,7 @@ struct SimulationResult {
 /// result depends on the scene and the options alone (not those of the checkpoint), unless time ends it: it
 /// is the same bit for bit with any number of threads, and after interruption and resumption.
 ///
-/// The checkpoint stays; whoever has saved the result removes it (remove_checkpoint), and whoever could not
-/// says `checkpoint_remains`.
+/// The checkpoint stays: delete it when the result is saved, and where that fails say `checkpoint_remains`.
 ///
 /// Throws InputError where the options do not fit the scene (random walks never meet a point), the matrix
 /// does not fit into the memory, or the checkpoint is of another simulation, and Interrupted when cancelled

@@ -11,6 +11,7 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/hdf5/hdf5_io.hpp"
+#include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/signal/signal_rows.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
@@ -222,7 +223,7 @@ TEST(SignalFile, EstimatesOfNothingMayBeNegative) {
   EXPECT_EQ(table.entries.size(), make_signal_table(small_matrix()).entries.size() - 1);
 }
 
-// Made by data/make_hdf5_files.py.
+// Made by test/data/signal/make_hdf5_files.py.
 const std::filesystem::path made = SHELFBEAM_SOURCE_DIR "/test/data/signal";
 
 TEST(SignalFile, ReadsWhatH5pyWrites) {
