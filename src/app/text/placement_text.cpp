@@ -11,8 +11,7 @@
 #include "shelfbeam/placement/answer/scenarios.hpp"
 #include "shelfbeam/placement/problem/critical.hpp"
 #include "shelfbeam/report/messages/bound.hpp"
-#include "shelfbeam/report/messages/selection.hpp"
-#include "shelfbeam/report/messages/unreachable.hpp"
+#include "shelfbeam/report/messages/reach.hpp"
 
 namespace shelfbeam::app {
 

@@ -6,13 +6,11 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
-#include "shelfbeam/report/chart/histogram_chart.hpp"
-#include "shelfbeam/report/chart/scatter_chart.hpp"
+#include "shelfbeam/report/chart/charts.hpp"
 #include "shelfbeam/report/data/scale.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/comparison.hpp"
-#include "shelfbeam/report/page/html_table.hpp"
-#include "shelfbeam/report/page/page_style.hpp"
+#include "shelfbeam/report/page/html.hpp"
 
 namespace shelfbeam {
 
@@ -182,12 +180,8 @@ std::string comparison_html(const ComparisonInput& input) {
                              pair_table(input, comparison.outliers));
   body += html_section("worst", std::string(worst_pairs(comparison)), pair_table(input, comparison.worst));
   body += transceiver_section(input);
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{} beside "
-      "{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
-      escape(input.measured_name), escape(input.simulated_name), page_style(), body);
+  return html_page(fmt::format("{} beside {}", input.measured_name, input.simulated_name),
+                   "<main>\n" + body + "</main>\n");
 }
 
 }  // namespace shelfbeam

@@ -1,15 +1,32 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
-#include "shelfbeam/report/data/levels.hpp"
+#include "shelfbeam/report/data/distributions.hpp"
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/report.hpp"
-#include "shelfbeam/report/data/sampling.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 
 namespace shelfbeam {
+
+/// Labels of about the same height, drawn on one plan.
+struct ShelfLevel {
+  double low = 0, high = 0;           ///< m, heights of its lowest and highest label
+  std::vector<std::uint32_t> labels;  ///< ascending
+
+  /// "labels at 0.85 to 1.00 m"
+  std::string heights() const;
+};
+
+/// The greatest difference in height within a level, m.
+inline constexpr double level_band = 0.25;
+
+/// Bands from the lowest label up: a label joins while it is at most level_band above the band's first.
+std::vector<ShelfLevel> shelf_levels(std::span<const double> heights);
 
 /// Everything that the sections of a report draw on, computed once.
 struct ReportData {

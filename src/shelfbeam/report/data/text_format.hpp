@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shelfbeam/base/text.hpp"
 
@@ -40,5 +42,9 @@ struct SignalUnit {
 };
 
 SignalUnit signal_unit(double reference);
+
+/// Ids in their order, those that follow each other as one range: "A-1", "A-2", "A-3", "B" -> "A-1…3", "B". A
+/// range shares all but the number at the end, which grows by one and is written with as many leading zeros.
+std::vector<std::string> id_ranges(std::span<const std::string> ids);
 
 }  // namespace shelfbeam

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/places.hpp"
-#include "shelfbeam/report/drawing/fixture_ids.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
 
 namespace shelfbeam {

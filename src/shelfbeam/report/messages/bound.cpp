@@ -54,19 +54,11 @@ std::string page_bound(const Placement& placement) {
 }
 
 std::string_view behind_bound(BoundProof proof) {
-  switch (proof) {
-    case BoundProof::trivial:
-      return "what is plain without a search";
-    case BoundProof::dual:
-      return "a dual solution, added up again from the matrix";
-    case BoundProof::log:
-      return "exhaustive search, its log checked";
-    case BoundProof::search:
-      return "exhaustive search, its log too long to be checked";
-    case BoundProof::solver:
-      return "the word of a MIP solver";
-  }
-  return {};
+  constexpr const char* words[] = {
+      "what is plain without a search", "a dual solution, added up again from the matrix",
+      "exhaustive search, its log checked", "exhaustive search, its log too long to be checked",
+      "the word of a MIP solver"};
+  return words[static_cast<std::size_t>(proof)];
 }
 
 std::string proof_sentence(const Placement& placement) {
@@ -110,17 +102,9 @@ std::string objective_sentence(const Placement& placement) {
 }
 
 std::string_view status_name(Status status) {
-  switch (status) {
-    case Status::optimal:
-      return "optimal (proven)";
-    case Status::feasible:
-      return "feasible (nothing proven)";
-    case Status::infeasible:
-      return "infeasible (proven)";
-    case Status::stopped:
-      return "stopped early";
-  }
-  return {};
+  constexpr const char* names[] = {"optimal (proven)", "feasible (nothing proven)", "infeasible (proven)",
+                                   "stopped early"};
+  return names[static_cast<std::size_t>(status)];
 }
 
 }  // namespace shelfbeam

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/report/messages/selection.hpp"
+#include "shelfbeam/report/messages/reach.hpp"
 
 namespace shelfbeam {
 

@@ -6,8 +6,7 @@
 
 #include "shelfbeam/report/messages/bound.hpp"
 #include "shelfbeam/report/messages/certificate.hpp"
-#include "shelfbeam/report/messages/selection.hpp"
-#include "shelfbeam/report/messages/unreachable.hpp"
+#include "shelfbeam/report/messages/reach.hpp"
 
 namespace shelfbeam {
 

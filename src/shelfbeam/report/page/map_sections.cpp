@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "shelfbeam/report/messages/unreachable.hpp"
-#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/messages/reach.hpp"
+#include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
 namespace shelfbeam {
@@ -21,14 +21,12 @@ std::string margin_section(const ReportData& data, const Maps& maps) {
   if (data.levels.empty()) return {};
   std::string html = paragraph(
       data.has_selection()
-          ? "Each mark is a label, on the side it faces. Its colour tells by how many decibels its "
-            "signal exceeds "
-            "what it needs: 3 dB is twice as much, 10 dB ten times. Triangles are labels that are "
-            "not reached. "
-            "Numbers are the chosen units, as in the table below."
-          : fmt::format("Each mark is a label, on the side it faces. Its colour tells how its signal "
-                        "would compare to what it needs {}. Triangles are labels that stay out of "
-                        "reach.",
+          ? "Each mark is a label, on the side it faces. Its colour tells by how many decibels its signal "
+            "exceeds what it needs: 3 dB is twice as much, 10 dB ten times. Triangles are labels that are "
+            "not "
+            "reached. Numbers are the chosen units, as in the table below."
+          : fmt::format("Each mark is a label, on the side it faces. Its colour tells how its signal would "
+                        "compare to what it needs {}. Triangles are labels that stay out of reach.",
                         everything_on(data)));
   if (const std::size_t count = data.outcome.on_flagged; count > 0)
     html += paragraph(fmt::format(
@@ -49,9 +47,8 @@ std::string reflection_section(const ReportData& data, const Maps& maps) {
   const std::vector<double> shares = data.outcome.direct_shares();
   std::string html =
       paragraph(fmt::format("By direct light alone, {} of {} would be reached; with the light that floor, "
-                            "ceiling, shelves and goods "
-                            "throw back, {} are. The direct share of a label's signal has the median {}; {}, "
-                            "one in ten has {} or more.",
+                            "ceiling, shelves and goods throw back, {} are. The direct share of a label's "
+                            "signal has the median {}; {}, one in ten has {} or more.",
                             grouped(data.outcome.met_by_direct), counted(data.outcome.labels.size(), "label"),
                             grouped(data.outcome.met), percent(quantile(shares, 0.5)),
                             least_tenth(quantile(shares, 0.1)), percent(quantile(shares, 0.9))));

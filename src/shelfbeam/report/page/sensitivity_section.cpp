@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "shelfbeam/report/chart/tornado_chart.hpp"
-#include "shelfbeam/report/data/id_ranges.hpp"
+#include "shelfbeam/report/chart/charts.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/certificate.hpp"
-#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
 namespace shelfbeam {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 #include "shelfbeam/report/viewer/page_signals.hpp"
 #include "shelfbeam/report/viewer/page_store.hpp"

@@ -24,11 +24,4 @@ double degrees_of(double angle) {
   return std::bit_cast<double>(low);
 }
 
-std::vector<double> degrees_of(const std::vector<double>& angles) {
-  std::vector<double> result;
-  result.reserve(angles.size());
-  for (const double angle : angles) result.push_back(degrees_of(angle));
-  return result;
-}
-
 }  // namespace shelfbeam

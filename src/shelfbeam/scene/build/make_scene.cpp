@@ -11,8 +11,8 @@
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_scene.hpp"
-#include "shelfbeam/scene/store/device_csv.hpp"
 #include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/scene/store/store_parts.hpp"
 #include "shelfbeam/scene/store_names.hpp"
 #include "shelfbeam/scene/warning_list.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cstdint>
 #include <set>
 #include <unordered_map>
@@ -23,13 +22,6 @@ std::string printable(std::string name) {
     std::replace_if(
         name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) > 127; }, '?');
   return name;
-}
-
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
 }
 
 std::optional<MaterialId> mapped(const std::string& name,
@@ -91,7 +83,7 @@ std::vector<MeshPiece> import_mesh(const std::filesystem::path& name, const Stor
                                    const std::vector<std::pair<std::string, MaterialId>>& materials,
                                    const std::string& where) {
   const std::filesystem::path file = folder.find(name, where, "mesh");
-  const std::string extension = extension_of(file);
+  const std::string extension = lower_case(file.extension().string());
   const bool is_gltf = extension == ".gltf" || extension == ".glb";
   if (!is_gltf && extension != ".obj" && extension != ".stl" && extension != ".ply")
     throw InputError(where,

@@ -24,18 +24,6 @@ struct Type {
   std::size_t bytes;
 };
 
-std::optional<Type> type_of(std::string_view name) {
-  if (name == "char" || name == "int8") return Type{Kind::signed_integer, 1};
-  if (name == "uchar" || name == "uint8") return Type{Kind::unsigned_integer, 1};
-  if (name == "short" || name == "int16") return Type{Kind::signed_integer, 2};
-  if (name == "ushort" || name == "uint16") return Type{Kind::unsigned_integer, 2};
-  if (name == "int" || name == "int32") return Type{Kind::signed_integer, 4};
-  if (name == "uint" || name == "uint32") return Type{Kind::unsigned_integer, 4};
-  if (name == "float" || name == "float32") return Type{Kind::real, 4};
-  if (name == "double" || name == "float64") return Type{Kind::real, 8};
-  return std::nullopt;
-}
-
 struct Property {
   Type type;
   std::optional<Type> count = {};  ///< of a list
@@ -61,9 +49,16 @@ struct Header {
 };
 
 Type expect_type(const MeshLines& lines, std::string_view name) {
-  const auto type = type_of(name);
-  if (!type) lines.fail("the type of a property is not known");
-  return *type;
+  using enum Kind;
+  if (name == "char" || name == "int8") return {signed_integer, 1};
+  if (name == "uchar" || name == "uint8") return {unsigned_integer, 1};
+  if (name == "short" || name == "int16") return {signed_integer, 2};
+  if (name == "ushort" || name == "uint16") return {unsigned_integer, 2};
+  if (name == "int" || name == "int32") return {signed_integer, 4};
+  if (name == "uint" || name == "uint32") return {unsigned_integer, 4};
+  if (name == "float" || name == "float32") return {real, 4};
+  if (name == "double" || name == "float64") return {real, 8};
+  lines.fail("the type of a property is not known");
 }
 
 Property read_property(const MeshLines& lines, const Element& element) {
@@ -127,37 +122,6 @@ bool is_length(double count) {
   return count >= 0 && count <= most_counted && count == std::floor(count);
 }
 
-class PlyBytes {
- public:
-  PlyBytes(std::string_view bytes, bool is_little) : bytes_(bytes), is_little_(is_little) {}
-
-  std::optional<double> next(Type type) {
-    if (type.bytes > bytes_.size()) return std::nullopt;
-    std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < type.bytes; ++k) {
-      const std::size_t from = is_little_ ? type.bytes - 1 - k : k;
-      bits = bits << 8 | static_cast<unsigned char>(bytes_[from]);
-    }
-    bytes_.remove_prefix(type.bytes);
-    if (type.kind == Kind::real)
-      return type.bytes == 8 ? std::bit_cast<double>(bits)
-                             : std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-    if (type.kind == Kind::unsigned_integer) return static_cast<double>(bits);
-    switch (type.bytes) {
-      case 1:
-        return static_cast<std::int8_t>(bits);
-      case 2:
-        return static_cast<std::int16_t>(bits);
-      default:
-        return static_cast<std::int32_t>(bits);
-    }
-  }
-
- private:
-  std::string_view bytes_;
-  bool is_little_;
-};
-
 /// The numbers of an ASCII file, an element a line.
 class AsciiNumbers {
  public:
@@ -184,14 +148,27 @@ class AsciiNumbers {
 
 class BinaryNumbers {
  public:
-  BinaryNumbers(const MeshLines& lines, bool is_little) : lines_(lines), bytes_(lines.rest(), is_little) {}
+  BinaryNumbers(const MeshLines& lines, bool is_little)
+      : lines_(lines), bytes_(lines.rest()), is_little_(is_little) {}
 
   void begin_element() {}
   double coordinate(Type type) { return next(type); }
   double next(Type type) {
-    const auto value = bytes_.next(type);
-    if (!value) lines_.fail_file("ends before the last of the elements that its header counts");
-    return *value;
+    if (type.bytes > bytes_.size())
+      lines_.fail_file("ends before the last of the elements that its header counts");
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < type.bytes; ++k) {
+      const std::size_t from = is_little_ ? type.bytes - 1 - k : k;
+      bits = bits << 8 | static_cast<unsigned char>(bytes_[from]);
+    }
+    bytes_.remove_prefix(type.bytes);
+    if (type.kind == Kind::real)
+      return type.bytes == 8 ? std::bit_cast<double>(bits)
+                             : std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    if (type.kind == Kind::unsigned_integer) return static_cast<double>(bits);
+    return type.bytes == 1   ? static_cast<std::int8_t>(bits)
+           : type.bytes == 2 ? static_cast<std::int16_t>(bits)
+                             : static_cast<std::int32_t>(bits);
   }
   void bad_length() const { lines_.fail_file("is damaged: a list has a negative length"); }
   void bad_index(const std::string& problem) const {
@@ -200,7 +177,8 @@ class BinaryNumbers {
 
  private:
   const MeshLines& lines_;
-  PlyBytes bytes_;
+  std::string_view bytes_;
+  bool is_little_;
 };
 
 template <class Numbers>

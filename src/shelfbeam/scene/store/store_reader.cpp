@@ -3,7 +3,6 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/scene/read_values.hpp"
-#include "shelfbeam/scene/store/material_json.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 

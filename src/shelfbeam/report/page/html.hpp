@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shelfbeam {
@@ -14,7 +15,7 @@ class HtmlTable {
     bool wraps = false;  ///< may break its cells into lines
   };
 
-  explicit HtmlTable(std::vector<Column> columns);
+  explicit HtmlTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
   void add_row(const std::vector<std::string>& cells);
   std::string html() const;
 
@@ -31,5 +32,10 @@ std::string html_figure(const std::string& title, const std::string& picture, co
 
 /// <p> from plain text.
 std::string paragraph(const std::string& text, const std::string& css_class = {});
+
+/// A page from its title, plain text, and its body. Its style sheet (page.css) is for light and dark, screen
+/// and paper; the colours are further CSS variables of it.
+std::string html_page(const std::string& title, const std::string& body,
+                      const std::string& light_colours = {}, const std::string& dark_colours = {});
 
 }  // namespace shelfbeam

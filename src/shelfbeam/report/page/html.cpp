@@ -1,6 +1,6 @@
-#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/page/html.hpp"
 
-#include <utility>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -8,7 +8,10 @@
 
 namespace shelfbeam {
 
-HtmlTable::HtmlTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+// page.css, made by cmake/embed.cmake.
+namespace embedded {
+extern const std::string_view page_css;
+}  // namespace embedded
 
 namespace {
 
@@ -48,6 +51,21 @@ std::string html_figure(const std::string& title, const std::string& picture, co
 std::string paragraph(const std::string& text, const std::string& css_class) {
   return css_class.empty() ? fmt::format("<p>{}</p>\n", escape(text))
                            : fmt::format("<p class=\"{}\">{}</p>\n", css_class, escape(text));
+}
+
+std::string html_page(const std::string& title, const std::string& body, const std::string& light_colours,
+                      const std::string& dark_colours) {
+  std::string css(embedded::page_css);
+  const auto put = [&](std::string_view mark, const std::string& colours) {
+    css.replace(css.find(mark), mark.size(), colours);
+  };
+  put("/*light*/", light_colours);
+  put("/*dark*/", dark_colours);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+      escape(title), css, body);
 }
 
 }  // namespace shelfbeam
