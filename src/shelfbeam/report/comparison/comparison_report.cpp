@@ -136,10 +136,6 @@ std::string transceiver_section(const ComparisonInput& input) {
   return html_section("transceivers", "Transceivers, the furthest off first", html);
 }
 
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
-}
-
 }  // namespace
 
 std::string comparison_csv(const ComparisonInput& input) {
@@ -151,9 +147,10 @@ std::string comparison_csv(const ComparisonInput& input) {
     const PairResult& result = input.comparison.pairs[k];
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(input.matrix.labels[pair.label].id),
                        pair.transceiver ? csv_field(input.matrix.transceivers[*pair.transceiver].id) : "",
-                       number(pair.measured), pair.error ? number(*pair.error) : "", number(pair.simulated),
-                       number(pair.standard_error), number(pair.measured / input.comparison.factor),
-                       result.residual ? number(*result.residual) : "", number(result.standardized),
+                       csv_number(pair.measured), pair.error ? csv_number(*pair.error) : "",
+                       csv_number(pair.simulated), csv_number(pair.standard_error),
+                       csv_number(pair.measured / input.comparison.factor),
+                       result.residual ? csv_number(*result.residual) : "", csv_number(result.standardized),
                        use_name(result.use), result.outlier ? 1 : 0);
   }
   return csv;

@@ -51,6 +51,10 @@ struct ReportData {
     const auto signals = input.matrix.mean_row(row);
     return std::any_of(signals.begin(), signals.end(), [](float signal) { return signal > 0; });
   }
+  /// What plans show of a label: its signal, where nothing was chosen the most it could get.
+  double shown_signal(std::uint32_t row) const {
+    return has_selection() ? outcome.labels[row].signal : outcome.labels[row].best;
+  }
   bool has_direct() const { return input.matrix.direct.size() == input.matrix.mean.size(); }
   const LabelRow& label(std::uint32_t row) const { return input.matrix.labels[row]; }
   const TransceiverColumn& transceiver(std::uint32_t column) const {

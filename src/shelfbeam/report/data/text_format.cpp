@@ -90,6 +90,10 @@ std::string plain(double value) {
   return value < 0 && text != "0" ? "−" + text : text;
 }
 
+std::string csv_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
+}
+
 SignalUnit signal_unit(double reference) {
   constexpr std::array<std::pair<double, const char*>, 6> prefixes{
       {{1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}, {1e-12, "p"}}};

@@ -25,6 +25,10 @@ std::string decibels(double value, int decimals = 1);
 /// Up to six significant digits without trailing zeros: for round numbers such as ticks and edges.
 std::string plain(double value);
 
+/// As tables for programs have it: nine significant digits, which keep 32-bit values; nothing for what is not
+/// finite.
+std::string csv_number(double value);
+
 /// A share in percent: 0.166 -> "16.6 %".
 std::string percent(double share, int decimals = 1);
 

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -84,7 +82,8 @@ void draw_key(SvgCanvas& canvas, const Scene& scene, double y) {
                                      [](const Transceiver& t) { return t.installed; });
   double x = 360;
   canvas.path(fmt::format("M{} {}v-8", x, y), "label");
-  canvas.circle({x, y}, 2.2, "dot");
+  canvas.raw(
+      fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.2\" class=\"dot\"/>\n", coordinate(x), coordinate(y)));
   canvas.text({x + 9, y + 1}, "label, facing this way", "t");
   x += 180;
   canvas.path(fmt::format("M{} {}h8m-4 -4v8", x - 4, y - 4), "cand");

@@ -1,9 +1,7 @@
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>

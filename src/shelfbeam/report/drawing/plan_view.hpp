@@ -4,7 +4,6 @@
 #include <array>
 #include <limits>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "shelfbeam/report/chart/svg.hpp"
@@ -32,7 +31,7 @@ class PlanView {
   double width() const { return width_; }
   double height() const { return height_; }
   double scale() const { return scale_; }  ///< units per metre
-  /// The share of their usual size that marks and ids keep where a metre is small: 1 up to rooms of about 60
+  /// The share of their usual size that marks and ids keep where a metre is small: 1 up to rooms of some 60
   /// m.
   double mark_share() const { return std::min(1.0, scale_ / 16); }
   Point at(double x, double y) const {

@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/report/messages/bound.hpp"
-#include "shelfbeam/report/messages/certificate.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 
 namespace shelfbeam {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/report/messages/bound.hpp"
 #include "shelfbeam/report/messages/headline.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"

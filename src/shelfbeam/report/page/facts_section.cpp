@@ -5,7 +5,7 @@
 
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
-#include "shelfbeam/report/messages/bound.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"

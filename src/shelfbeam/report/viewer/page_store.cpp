@@ -1,11 +1,10 @@
-#include "shelfbeam/report/viewer/page_store.hpp"
-
 #include <map>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/report/viewer/page_data.hpp"
+#include "shelfbeam/report/viewer/page_signals.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
@@ -27,17 +26,8 @@ Json point(const Vec3& v) {
 
 // How a part is drawn: the classes of its colours, in the order that the script knows.
 std::uint8_t look_of(PartKind kind) {
-  switch (kind) {
-    case PartKind::board:
-    case PartKind::tub:
-      return 1;
-    case PartKind::goods:
-      return 2;
-    case PartKind::door:
-      return 3;
-    default:
-      return 0;
-  }
+  if (kind == PartKind::board || kind == PartKind::tub) return 1;
+  return kind == PartKind::goods ? 2 : kind == PartKind::door ? 3 : 0;
 }
 
 void add_parts(PageData& page, const Scene& scene) {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/scene/build/degrees.hpp"
-#include "shelfbeam/scene/fixture/fixture_writer.hpp"
+#include "shelfbeam/scene/fixture/fixture_builder.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 

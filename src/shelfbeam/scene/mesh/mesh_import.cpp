@@ -31,10 +31,6 @@ std::optional<MaterialId> mapped(const std::string& name,
   return std::nullopt;
 }
 
-struct SamePlace {
-  bool operator()(const Vec3& a, const Vec3& b) const { return a.x == b.x && a.y == b.y && a.z == b.z; }
-};
-
 struct PlaceHash {
   std::size_t operator()(const Vec3& p) const {
     std::size_t hash = 0;
@@ -49,7 +45,7 @@ struct PlaceHash {
 MeshPiece piece_of(const MeshTriangles::OfMaterial& part, bool y_is_up) {
   MeshPiece piece;
   piece.name = printable(part.name);
-  std::unordered_map<Vec3, std::uint32_t, PlaceHash, SamePlace> known;
+  std::unordered_map<Vec3, std::uint32_t, PlaceHash> known;
   for (const auto& triangle : part.triangles) {
     auto& corners = piece.triangles.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {

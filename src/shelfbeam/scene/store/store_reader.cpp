@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/format_version.hpp"

@@ -1,4 +1,4 @@
-#include "shelfbeam/scene/mesh/mesh_lines.hpp"
+#include "shelfbeam/scene/mesh/mesh_formats.hpp"
 
 #include <cmath>
 #include <utility>
@@ -8,7 +8,6 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/number.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/scene/mesh/mesh_triangles.hpp"
 
 namespace shelfbeam {
 

@@ -1,8 +1,10 @@
-#include "app/loaded_store.hpp"
+#include "app/files.hpp"
 
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/scene/store/store.hpp"
+
+#include "app/options/arguments.hpp"
 
 namespace shelfbeam::app {
 
@@ -25,6 +27,19 @@ SignalTable table_without_signals(const Scene& scene) {
 void add_store_options(CLI::App& verb, bool& allow_outside) {
   verb.add_flag("--allow-outside", allow_outside,
                 "Let the store file name files (meshes, tables, profiles) outside its folder");
+}
+
+void prepare_plan_folder(const std::filesystem::path& folder) {
+  make_output_folder(folder);
+  for (const char* name : {signal_name, placement_name, store_name, labels_name, placement_table_name,
+                           verification_name, report_name})
+    expect_writable(folder / name);
+}
+
+void write_report(AtomicFolder& files, const ReportInput& input) {
+  files.add(labels_name).write(labels_csv(input));
+  files.add(placement_table_name).write(placement_csv(input));
+  files.add(report_name).write(report_html(input));
 }
 
 }  // namespace shelfbeam::app
