@@ -1,4 +1,4 @@
-#include "shelfbeam/scene/store/device_csv.hpp"
+#include "shelfbeam/scene/store/store_parts.hpp"
 
 #include "reader.hpp"
 #include "scratch_folder.hpp"

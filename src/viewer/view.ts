@@ -1,11 +1,11 @@
 // The 3-D view as a whole: picture, controls and what links them.
 
 import { Card } from "./panel/card";
-import { modesOf, type Mode } from "./scene/classes";
+import { modeNames, modesOf, type Mode } from "./scene/classes";
 import { button, Choice, element } from "./panel/dom";
 import { counted, decibels, grouped, percentage, significant } from "./data/format";
-import { Levels } from "./data/levels";
 import { LabelList, UnitList } from "./panel/lists";
+import { Levels, Thresholds } from "./panel/settings";
 import { Model } from "./data/model";
 import { Names } from "./data/names";
 import { onThemeChange } from "./scene/palette";
@@ -13,7 +13,6 @@ import { Picture, type ClassCounts } from "./scene/picture";
 import { Stage } from "./scene/stage";
 import { changedUnits, fromHash, initialState, toHash, type Selection } from "./data/state";
 import { verdicts, type Signals, type Store } from "./data/store";
-import { Thresholds } from "./data/thresholds";
 
 const slowestHover = 60; // ms a frame
 
@@ -48,19 +47,13 @@ export class View {
     );
     this.names = new Names(store);
     this.frame.append(this.canvas, this.names.root, this.tip);
-    this.dimension = new Choice(
-      "v3-dimension",
-      "View",
-      [
-        { value: "space", text: "3-D" },
-        { value: "plan", text: "Plan" },
-      ],
-      (value) => this.setPlan(value === "plan"),
+    this.dimension = new Choice("v3-dimension", "View", [["space", "3-D"], ["plan", "Plan"]], (value) =>
+      this.setPlan(value === "plan"),
     );
     this.colour = new Choice(
       "v3-colour",
       "Colour",
-      modesOf(store).map(({ mode, name }) => ({ value: mode, text: name })),
+      modesOf(store).map((mode) => [mode, modeNames[mode]]),
       (mode) => {
         this.model.state.mode = mode;
         if (this.model.state.selection?.kind === "unit") this.model.state.selection = null;
@@ -80,15 +73,7 @@ export class View {
       labels.root.hidden = shown !== "labels";
       (shown === "units" ? units : labels).update();
     };
-    const lists = new Choice(
-      "v3-lists",
-      "Choose from",
-      [
-        { value: "units", text: "Units" },
-        { value: "labels", text: "Labels" },
-      ],
-      showList,
-    );
+    const lists = new Choice("v3-lists", "Choose from", [["units", "Units"], ["labels", "Labels"]], showList);
     lists.show("units");
     labels.root.hidden = true;
     this.parts = [card, levels, thresholds, units, labels];
@@ -220,7 +205,6 @@ export class View {
       ` labels reached with ${counted(units, "unit")}`,
     );
     this.answer.classList.toggle("short", coverage.reached < all);
-    this.reset.disabled = false;
     const planned = `${grouped(this.model.plannedReached)} with ${counted(store.units.selected.length, "unit")}`;
     const name = (unit: number) => store.units.ids[unit];
     const some = (list: number[]) =>

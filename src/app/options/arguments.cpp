@@ -12,6 +12,8 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 
+#include "app/verbs.hpp"
+
 namespace shelfbeam::app {
 
 CLI::Validator positive_number() {
@@ -38,6 +40,20 @@ CLI::Validator positive_count() {
 
 CLI::Validator a_path() {
   return {[](const std::string& text) { return std::string(text.empty() ? "the name is empty" : ""); }, ""};
+}
+
+CLI::Option* add_path(CLI::App& verb, const std::string& name, std::filesystem::path& path,
+                      const std::string& help) {
+  return verb.add_option(name, path, help)->check(a_path());
+}
+
+void add_common_options(CLI::App& verb, CommonOptions& options) {
+  verb.add_option("--seed", options.seed, "Seed of the random numbers")->capture_default_str();
+  verb.add_option("--threads", options.threads, "Threads to use; 0 is one a core")
+      ->check(CLI::Range(0U, 256U))
+      ->capture_default_str();
+  verb.add_flag("--quiet", options.quiet, "Print nothing but errors");
+  verb.add_flag("--json", options.json, "Print the summary as JSON");
 }
 
 void keep_input(const std::filesystem::path& output, const std::filesystem::path& input) {

@@ -19,6 +19,10 @@ CLI::Validator positive_count();
 /// A path that is not empty.
 CLI::Validator a_path();
 
+/// An option or argument that is one.
+CLI::Option* add_path(CLI::App& verb, const std::string& name, std::filesystem::path& path,
+                      const std::string& help);
+
 /// An option whose words are the names of an enumeration (names_of).
 template <class Enum, class Value>
 CLI::Option* add_names(CLI::App& verb, const std::string& flag, Value& value, const std::string& help) {

@@ -48,13 +48,9 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
     options.by_bounce = by_bounce;
     if (by_length) options.by_length = {*by_length, lengths.value_or(default_lengths)};
   }
-  options.memory = most_memory();
+  options.memory = memory == 0 ? most_of_the_memory() : memory;
   options.checkpoint = {checkpoint_path(output), resume, checkpoint_interval_s};
   return options;
-}
-
-std::size_t SimulationFlags::most_memory() const {
-  return memory == 0 ? most_of_the_memory() : memory;
 }
 
 // What only the uniform estimator knows asks for it.

@@ -33,7 +33,6 @@ struct SimulationFlags {
   double checkpoint_interval_s = 10;
 
   EstimatorKind kind() const;
-  std::size_t most_memory() const;  ///< bytes
   /// `output` is what the checkpoint lies beside.
   SimulationOptions options(std::uint64_t seed, const std::filesystem::path& output) const;
 };

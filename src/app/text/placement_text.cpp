@@ -10,9 +10,8 @@
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/answer/scenarios.hpp"
 #include "shelfbeam/placement/problem/critical.hpp"
-#include "shelfbeam/report/messages/bound.hpp"
-#include "shelfbeam/report/messages/selection.hpp"
-#include "shelfbeam/report/messages/unreachable.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/reach.hpp"
 
 namespace shelfbeam::app {
 
@@ -24,7 +23,6 @@ std::string model_of(const Question& question) {
 
 std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
   std::vector<std::string_view> ids;
-  ids.reserve(selected.size());
   for (const std::uint32_t j : selected) ids.push_back(table.transceivers[j].id);
   return ids.empty() ? "" : fmt::format("  chosen: {}\n", fmt::join(ids, ", "));
 }

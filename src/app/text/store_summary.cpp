@@ -2,13 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <set>
+#include <string>
 #include <tuple>
 #include <variant>
+#include <vector>
 
+#include <fmt/format.h>
+
+#include "shelfbeam/material/material_shares.hpp"
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
+
+#include "app/text/terminal.hpp"
 
 namespace shelfbeam::app {
 
@@ -19,31 +27,6 @@ std::tuple<long, long, long> rounded(const Vec3& v) {
   return {std::lround(v.x * 1e6), std::lround(v.y * 1e6), std::lround(v.z * 1e6)};
 }
 
-std::vector<MaterialSummary> materials(const Scene& scene) {
-  std::vector<MaterialSummary> result;
-  for (const NamedMaterial& named : scene.materials) {
-    const Material& material = named.material;
-    result.push_back({named.name, type_name(material), shares_at_normal(material),
-                      hemispherical_shares(material), !is_opaque(material)});
-  }
-  const TriangleMesh& mesh = scene.mesh;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    MaterialSummary& one = result[mesh.materials[t].value];
-    ++one.triangles;
-    one.area += length(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a])) / 2;
-  }
-  return result;
-}
-
-std::vector<LabelTypeSummary> label_types(const Scene& scene) {
-  std::vector<LabelTypeSummary> result;
-  for (const LabelType& type : scene.label_types)
-    result.push_back({type.name, type_name(type.responsivity), type.size, 0, type.requirement()});
-  for (const Label& label : scene.labels) ++result[label.type.value].labels;
-  return result;
-}
-
 // The closed forms are largest on the axis or at 45 degrees, a table at one of its nodes.
 double peak_intensity(const Emission& emission) {
   if (const auto* table = std::get_if<EmissionTable>(&emission))
@@ -52,39 +35,142 @@ double peak_intensity(const Emission& emission) {
   return std::max(intensity(emission, {0, 0, 1}), intensity(emission, {half, 0, half}));
 }
 
-std::vector<TransceiverTypeSummary> transceiver_types(const Scene& scene) {
-  std::vector<TransceiverTypeSummary> result;
-  for (const TransceiverType& type : scene.transceiver_types)
-    result.push_back({type.name, type_name(type.emission), type.file, type.radius, power(type.emission),
-                      peak_intensity(type.emission), 0, 0, type.cost});
-  std::vector<std::set<std::tuple<long, long, long>>> axes(result.size());
-  for (const Transceiver& unit : scene.transceivers) {
-    ++result[unit.type.value].units;
-    axes[unit.type.value].insert(rounded(unit.axis));
+struct MaterialUse {
+  MaterialShares normal, mean;  // of light from straight on; from all directions
+  double area = 0;              // m^2
+  std::size_t triangles = 0;
+};
+
+// What a scene has of each material, label type and transceiver type, and of mounting points.
+struct Counts {
+  std::vector<MaterialUse> materials;
+  std::vector<std::size_t> labels, units;
+  std::vector<std::set<std::tuple<long, long, long>>> axes;  // that the units of a type have
+  std::size_t mounting_points, with_several_options;
+
+  explicit Counts(const Scene& scene)
+      : labels(scene.label_types.size()),
+        units(scene.transceiver_types.size()),
+        axes(scene.transceiver_types.size()) {
+    for (const auto& [name, material, range] : scene.materials)
+      materials.push_back({shares_at_normal(material), hemispherical_shares(material)});
+    const TriangleMesh& mesh = scene.mesh;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      MaterialUse& one = materials[mesh.materials[t].value];
+      ++one.triangles;
+      one.area += length(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a])) / 2;
+    }
+    for (const Label& label : scene.labels) ++labels[label.type.value];
+    for (const Transceiver& unit : scene.transceivers) {
+      ++units[unit.type.value];
+      axes[unit.type.value].insert(rounded(unit.axis));
+    }
+    const Places places = places_of(positions_of(scene.transceivers));
+    std::vector<std::size_t> options(places.count);
+    for (const std::uint32_t place : places.of) ++options[place];
+    mounting_points = places.count;
+    with_several_options = static_cast<std::size_t>(
+        std::count_if(options.begin(), options.end(), [](std::size_t count) { return count > 1; }));
   }
-  for (std::size_t t = 0; t < result.size(); ++t) result[t].axes = axes[t].size();
-  return result;
+};
+
+using Rows = std::vector<std::vector<std::string>>;
+
+void print_head(const Scene& scene, const Counts& counts) {
+  const Vec3 size = scene.upper - scene.lower;
+  fmt::print("{}\n  {:.2f} x {:.2f} x {:.2f} m, {:g} nm, {} triangles, store hash {}\n", scene.name, size.x,
+             size.y, size.z, scene.wavelength_nm, scene.mesh.triangles.size(), scene.store_hash);
+  fmt::print("  {} fixtures, {} labels, {} candidate transceivers", scene.fixtures.size(),
+             scene.labels.size(), scene.transceivers.size());
+  if (counts.with_several_options > 0)
+    fmt::print(" at {} mounting points, {} of them with several options", counts.mounting_points,
+               counts.with_several_options);
+  fmt::print("\n\n");
+}
+
+// Of light from straight on, and the mean of light from all directions where that is another.
+void print_materials(const Scene& scene, const Counts& counts) {
+  const auto& all = scene.materials;
+  const bool any_transparent =
+      std::any_of(all.begin(), all.end(), [](const NamedMaterial& m) { return !is_opaque(m.material); });
+  const auto share = [](double value) { return fmt::format("{:.3f}", value); };
+  Rows rows{{"material", "type", "area m^2", "triangles", "reflectance", "mean"}};
+  if (any_transparent) rows[0].insert(rows[0].end(), {"transmittance", "mean"});
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Material& material = all[k].material;
+    const MaterialUse& use = counts.materials[k];
+    const bool is_even = std::holds_alternative<Lambertian>(material);
+    rows.push_back({all[k].name, std::string(type_name(material)), fmt::format("{:.2f}", use.area),
+                    fmt::format("{}", use.triangles), share(use.normal.reflected),
+                    is_even ? "" : share(use.mean.reflected)});
+    if (!is_opaque(material))
+      rows.back().insert(rows.back().end(), {share(use.normal.transmitted), share(use.mean.transmitted)});
+  }
+  print_table(rows, 2);
+}
+
+void print_label_types(const Scene& scene, const Counts& counts) {
+  Rows rows{{"label type", "responsivity", "size mm", "labels", "requirement"}};
+  for (std::size_t k = 0; k < scene.label_types.size(); ++k) {
+    const LabelType& type = scene.label_types[k];
+    const bool is_point = type.size[0] == 0 && type.size[1] == 0;
+    rows.push_back({type.name, std::string(type_name(type.responsivity)),
+                    is_point ? "point" : fmt::format("{:g} x {:g}", 1000 * type.size[0], 1000 * type.size[1]),
+                    fmt::format("{}", counts.labels[k]), fmt::format("{:.6g}", type.requirement())});
+  }
+  print_table(rows, 2);
+}
+
+void print_transceiver_types(const Scene& scene, const Counts& counts) {
+  Rows rows{{"transceiver type", "emission", "radius m", "flux W", "peak W/sr", "units", "axes", "cost"}};
+  for (std::size_t k = 0; k < scene.transceiver_types.size(); ++k) {
+    const TransceiverType& type = scene.transceiver_types[k];
+    rows.push_back({type.name, type.file.empty() ? std::string(type_name(type.emission)) : type.file,
+                    type.radius == 0 ? "point" : fmt::format("{:g}", type.radius),
+                    fmt::format("{:.4g}", power(type.emission)),
+                    fmt::format("{:.4g}", peak_intensity(type.emission)), fmt::format("{}", counts.units[k]),
+                    fmt::format("{}", counts.axes[k].size()), fmt::format("{:g}", type.cost)});
+  }
+  print_table(rows, 2);
+}
+
+void print_light(const char* heading, const std::vector<std::string>& paths) {
+  if (paths.empty()) return;
+  fmt::print("\n{}:\n", heading);
+  for (const std::string& light : paths) fmt::print("  {}\n", light);
+}
+
+void print_warnings(const Scene& scene) {
+  for (const std::string& warning : scene.warnings) fmt::print("warning: {}\n", warning);
 }
 
 }  // namespace
 
-StoreSummary summarize(const Scene& scene) {
-  StoreSummary summary;
-  summary.materials = materials(scene);
-  summary.label_types = label_types(scene);
-  summary.transceiver_types = transceiver_types(scene);
-  const Places places = places_of(positions_of(scene.transceivers));
-  std::vector<std::size_t> options(places.count);
-  for (const std::uint32_t place : places.of) ++options[place];
-  summary.mounting_points = places.count;
-  summary.with_several_options = static_cast<std::size_t>(
-      std::count_if(options.begin(), options.end(), [](std::size_t count) { return count > 1; }));
-  summary.uncovered = uncovered_light(scene);
-  summary.by_chance = chance_light(scene);
-  return summary;
+void print_warnings(const CommonOptions& common, const Scene& scene, Strategy strategy) {
+  if (common.json || common.quiet) return;
+  print_warnings(scene);
+  for (const std::string& light : chance_light(scene, strategy))
+    fmt::print("warning: {} is found by chance only: take more samples, and see which errors are flagged\n",
+               light);
 }
 
-nlohmann::ordered_json summary_json(const Scene& scene, const StoreSummary& summary) {
+void print_summary(const Scene& scene) {
+  const Counts counts(scene);
+  print_head(scene, counts);
+  print_materials(scene, counts);
+  fmt::print("\n");
+  print_label_types(scene, counts);
+  fmt::print("\n");
+  print_transceiver_types(scene, counts);
+  print_light("not simulated, unless the transceiver type gets a radius", uncovered_light(scene));
+  print_light("found by chance only, with large errors", chance_light(scene));
+  if (!scene.warnings.empty()) fmt::print("\n");
+  print_warnings(scene);
+}
+
+nlohmann::ordered_json summary_json(const Scene& scene) {
+  const Counts counts(scene);
   nlohmann::ordered_json json;
   json["name"] = scene.name;
   json["store_hash"] = scene.store_hash;
@@ -95,32 +181,43 @@ nlohmann::ordered_json summary_json(const Scene& scene, const StoreSummary& summ
   json["fixtures"] = scene.fixtures.size();
   json["labels"] = scene.labels.size();
   json["transceivers"] = scene.transceivers.size();
-  json["mounting_points"] = summary.mounting_points;
-  json["mounting_points_with_several_options"] = summary.with_several_options;
-  for (const MaterialSummary& m : summary.materials) {
-    auto& one = json["materials"][m.name];
-    one = {{"type", m.type}, {"reflectance", m.normal.reflected}, {"mean_reflectance", m.mean.reflected}};
-    if (m.is_transparent) {
-      one["transmittance"] = m.normal.transmitted;
-      one["mean_transmittance"] = m.mean.transmitted;
+  json["mounting_points"] = counts.mounting_points;
+  json["mounting_points_with_several_options"] = counts.with_several_options;
+  for (std::size_t k = 0; k < scene.materials.size(); ++k) {
+    const auto& [name, material, range] = scene.materials[k];
+    const auto& [normal, mean, area, triangles] = counts.materials[k];
+    auto& one = json["materials"][name];
+    one = {{"type", type_name(material)},
+           {"reflectance", normal.reflected},
+           {"mean_reflectance", mean.reflected}};
+    if (!is_opaque(material)) {
+      one["transmittance"] = normal.transmitted;
+      one["mean_transmittance"] = mean.transmitted;
     }
-    one["area_m2"] = m.area;
-    one["triangles"] = m.triangles;
+    one["area_m2"] = area;
+    one["triangles"] = triangles;
   }
-  for (const LabelTypeSummary& type : summary.label_types)
-    json["label_types"][type.name] = {{"responsivity", type.responsivity},
+  for (std::size_t k = 0; k < scene.label_types.size(); ++k) {
+    const LabelType& type = scene.label_types[k];
+    json["label_types"][type.name] = {{"responsivity", type_name(type.responsivity)},
                                       {"size_m", type.size},
-                                      {"labels", type.labels},
-                                      {"requirement", type.requirement}};
-  for (const TransceiverTypeSummary& type : summary.transceiver_types) {
-    json["transceiver_types"][type.name] = {{"emission", type.emission},  {"radius_m", type.radius},
-                                            {"flux_w", type.flux},        {"peak_w_per_sr", type.peak},
-                                            {"transceivers", type.units}, {"axes", type.axes},
-                                            {"cost", type.cost}};
-    if (!type.file.empty()) json["transceiver_types"][type.name]["file"] = type.file;
+                                      {"labels", counts.labels[k]},
+                                      {"requirement", type.requirement()}};
   }
-  json["not_simulated"] = summary.uncovered;
-  json["found_by_chance"] = summary.by_chance;
+  for (std::size_t k = 0; k < scene.transceiver_types.size(); ++k) {
+    const TransceiverType& type = scene.transceiver_types[k];
+    auto& one = json["transceiver_types"][type.name];
+    one = {{"emission", type_name(type.emission)},
+           {"radius_m", type.radius},
+           {"flux_w", power(type.emission)},
+           {"peak_w_per_sr", peak_intensity(type.emission)},
+           {"transceivers", counts.units[k]},
+           {"axes", counts.axes[k].size()},
+           {"cost", type.cost}};
+    if (!type.file.empty()) one["file"] = type.file;
+  }
+  json["not_simulated"] = uncovered_light(scene);
+  json["found_by_chance"] = chance_light(scene);
   json["warnings"] = scene.warnings;
   return json;
 }

@@ -9,15 +9,27 @@
 
 namespace shelfbeam::app {
 
+namespace {
+
+CancelToken signal_token;
+
+void on_signal(int number) {
+  signal_token.request();
+  std::signal(number, SIG_DFL);
+}
+
+// Characters, not bytes, of UTF-8.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
+}
+
+}  // namespace
+
 TerminalProgress::TerminalProgress(bool quiet) : active_(!quiet && ::isatty(STDERR_FILENO) == 1) {}
 
 TerminalProgress::~TerminalProgress() {
-  clear();
-}
-
-void TerminalProgress::clear() {
   if (drawn_) fmt::print(stderr, "\r\033[K");
-  drawn_ = false;
 }
 
 void TerminalProgress::report(std::string_view task, double fraction, std::string_view detail) {
@@ -48,22 +60,28 @@ void TerminalProgress::report(std::string_view task, double fraction, std::strin
   std::fflush(stderr);
 }
 
-namespace {
-
-CancelToken signal_token;
-
-void on_signal(int number) {
-  signal_token.request();
-  std::signal(number, SIG_DFL);
-}
-
-}  // namespace
-
 const CancelToken& cancel_on_signal() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
   return signal_token;
+}
+
+void print_table(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], width_of(row[k]));
+  }
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const std::string padding(widths[k] - width_of(row[k]), ' ');
+      line += "  " + (k < left ? row[k] + padding : padding + row[k]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", line);
+  }
 }
 
 }  // namespace shelfbeam::app

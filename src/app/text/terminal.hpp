@@ -1,8 +1,10 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,7 +24,6 @@ class TerminalProgress : public ProgressSink {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void clear();
 
   bool active_;
   bool drawn_ = false;
@@ -39,5 +40,9 @@ inline void print_json(const nlohmann::ordered_json& json) {
 /// Makes Ctrl-C, SIGTERM and a terminal that goes away ask the running work to end with what it has; a second
 /// Ctrl-C ends the program.
 const CancelToken& cancel_on_signal();
+
+/// Prints rows with columns as wide as they need, the first `left` of them left-aligned, the others right.
+/// The first row is the heading.
+void print_table(const std::vector<std::vector<std::string>>& rows, std::size_t left);
 
 }  // namespace shelfbeam::app

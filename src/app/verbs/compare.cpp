@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,6 @@
 
 #include "app/options/arguments.hpp"
 #include "app/text/terminal.hpp"
-#include "app/text/text_table.hpp"
 #include "app/verbs.hpp"
 
 namespace shelfbeam::app {
@@ -107,40 +105,30 @@ nlohmann::ordered_json summary(const ComparisonInput& input) {
   for (const std::size_t k : c.outliers) outliers.push_back(pair_json(input, k));
   for (std::size_t k = 0; k < std::min(c.worst.size(), listed); ++k)
     worst.push_back(pair_json(input, c.worst[k]));
-  Json json = {{"pairs", input.pairs.size()},
-               {"fitted", c.fitted},
-               {"uncertain", c.uncertain},
-               {"nothing_measured", c.nothing_measured},
-               {"factor", c.factor},
-               {"confidence", c.confidence},
-               {"factor_low", c.factor_interval.low},
-               {"factor_high", c.factor_interval.high},
-               {"shared_errors", shared[static_cast<std::size_t>(c.shared)]},
-               {"spread_db", c.spread},
-               {"median_residual_db", c.median_residual},
-               {"ninety_residual_db", c.ninety_residual},
-               {"correlation", c.correlation},
-               {"slope", nullptr},
-               {"slope_low", nullptr},
-               {"slope_high", nullptr},
-               {"chi_square", nullptr},
-               {"degrees_of_freedom", nullptr},
-               {"p_value", nullptr},
-               {"one_factor", nullptr},
-               {"outliers", outliers},
-               {"worst", worst}};
-  if (c.slope) {
-    json["slope"] = *c.slope;
-    json["slope_low"] = c.slope_interval.low;
-    json["slope_high"] = c.slope_interval.high;
-  }
-  if (c.test) {
-    json["chi_square"] = c.test->statistic;
-    json["degrees_of_freedom"] = c.test->degrees_of_freedom;
-    json["p_value"] = c.test->p_value;
-    json["one_factor"] = !c.test->rejected();
-  }
-  return json;
+  const OneFactorTest test = c.test.value_or(OneFactorTest{});
+  const auto if_known = [](const auto& known, auto value) { return known ? Json(value) : Json(); };
+  return {{"pairs", input.pairs.size()},
+          {"fitted", c.fitted},
+          {"uncertain", c.uncertain},
+          {"nothing_measured", c.nothing_measured},
+          {"factor", c.factor},
+          {"confidence", c.confidence},
+          {"factor_low", c.factor_interval.low},
+          {"factor_high", c.factor_interval.high},
+          {"shared_errors", shared[static_cast<std::size_t>(c.shared)]},
+          {"spread_db", c.spread},
+          {"median_residual_db", c.median_residual},
+          {"ninety_residual_db", c.ninety_residual},
+          {"correlation", c.correlation},
+          {"slope", if_known(c.slope, c.slope.value_or(0))},
+          {"slope_low", if_known(c.slope, c.slope_interval.low)},
+          {"slope_high", if_known(c.slope, c.slope_interval.high)},
+          {"chi_square", if_known(c.test, test.statistic)},
+          {"degrees_of_freedom", if_known(c.test, test.degrees_of_freedom)},
+          {"p_value", if_known(c.test, test.p_value)},
+          {"one_factor", if_known(c.test, !test.rejected())},
+          {"outliers", outliers},
+          {"worst", worst}};
 }
 
 void print_pairs(const ComparisonInput& input, const std::string& heading,
@@ -203,23 +191,18 @@ void add_compare(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("compare", "Set measured signals beside the simulated ones and fit one factor");
   auto options = std::make_shared<Options>();
-  verb->add_option("SIGNAL", options->signal, "Signal file (HDF5; not safe to open if a stranger made it)")
-      ->required()
-      ->check(a_path());
-  verb->add_option("MEASURED", options->measured,
-                   "CSV with header label,transceiver,signal or label,signal; a column error may follow")
-      ->required()
-      ->check(a_path());
-  verb->add_option(
-          "--placement", options->placement,
-          "placement.json of the units that were on together: for measurements that name labels only")
-      ->check(a_path());
+  add_path(*verb, "SIGNAL", options->signal, "Signal file (HDF5; not safe to open if a stranger made it)")
+      ->required();
+  add_path(*verb, "MEASURED", options->measured,
+           "CSV with header label,transceiver,signal or label,signal; a column error may follow")
+      ->required();
+  add_path(*verb, "--placement", options->placement,
+           "placement.json of the units that were on together: for measurements that name labels only");
   verb->add_option("--confidence", options->confidence, "Of the intervals, between 0.5 and 0.9999")
       ->check(CLI::Range(0.5, 0.9999))
       ->capture_default_str();
-  verb->add_option("-o,--output", options->output,
-                   "Folder for comparison.csv and comparison.html, or a file .csv or .html")
-      ->check(a_path());
+  add_path(*verb, "-o,--output", options->output,
+           "Folder for comparison.csv and comparison.html, or a file .csv or .html");
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

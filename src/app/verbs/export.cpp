@@ -11,7 +11,6 @@
 #include "shelfbeam/signal/tables/matrix_export.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/options/placement_input.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
@@ -89,10 +88,9 @@ void add_export(CLI::App& app, ChosenVerb& chosen) {
       app.add_subcommand("export", "Write the placement model (MPS, LP) or the matrix (CSV, NPY)");
   auto options = std::make_shared<Options>();
   add_placement_input(*verb, options->input);
-  verb->add_option("-o,--output", options->output,
-                   "File to write: .mps or .lp for the model, .csv or .npy for the matrix")
-      ->required()
-      ->check(a_path());
+  add_path(*verb, "-o,--output", options->output,
+           "File to write: .mps or .lp for the model, .csv or .npy for the matrix")
+      ->required();
   verb->add_option("--what", options->what, "Which matrix of a signal file (HDF5)")
       ->check(CLI::IsMember({"mean", "standard-error", "direct"}))
       ->capture_default_str();

@@ -6,7 +6,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/report/data/report.hpp"
 
-#include "app/loaded_store.hpp"
+#include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/terminal.hpp"
@@ -27,9 +27,9 @@ int run_inspect(const Options& options) {
   const Scene scene = make_scene(load_store(options.store, options.allow_outside));
   if (!options.plan.empty()) write_file(options.plan, floor_plan_svg(scene));
   if (options.common.json) {
-    print_json(summary_json(scene, summarize(scene)));
+    print_json(summary_json(scene));
   } else if (!options.common.quiet) {
-    print_summary(scene, summarize(scene));
+    print_summary(scene);
     if (!options.plan.empty()) fmt::print("\nfloor plan: {}\n", options.plan.string());
   }
   return done;
@@ -41,8 +41,8 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand(
       "inspect", "Check a store file; show dimensions, counts, areas, reflectances, flux and the plan");
   auto options = std::make_shared<Options>();
-  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
-  verb->add_option("-o,--output", options->plan, "Write the floor plan as SVG to this file")->check(a_path());
+  add_path(*verb, "STORE", options->store, "Store file")->required();
+  add_path(*verb, "-o,--output", options->plan, "Write the floor plan as SVG to this file");
   add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);
   verb->footer("Examples:\n  shelfbeam inspect store.json\n  shelfbeam inspect store.json -o plan.svg");

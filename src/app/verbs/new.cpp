@@ -1,7 +1,5 @@
-#include <array>
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,27 +45,30 @@ struct TemplateFile {
 struct Template {
   std::string_view name;
   std::string_view description;
-  std::span<const TemplateFile> files;
+  std::vector<TemplateFile> files;
 };
 
-std::span<const Template> store_templates() {
-  static const std::array thesis{TemplateFile{"store.json", embedded::thesis_store}};
-  static const std::array grocery{TemplateFile{"store.json", embedded::grocery_store},
-                                  TemplateFile{"checkout.glb", embedded::grocery_checkout}};
-  static const std::array chiller{TemplateFile{"store.json", embedded::chiller_store},
-                                  TemplateFile{"till.glb", embedded::chiller_till},
-                                  TemplateFile{"security-mirror.obj", embedded::chiller_mirror},
-                                  TemplateFile{"batwing.ies", embedded::chiller_ring},
-                                  TemplateFile{"narrow-aisle.ldt", embedded::chiller_spot}};
-  static const std::array supermarket{TemplateFile{"store.json", embedded::supermarket_store}};
-  static const std::array hypermarket{TemplateFile{"store.json", embedded::hypermarket_store}};
-  static const std::array templates{
-      Template{"thesis", "the test environment of the paper: 390 labels, 320 candidates", thesis},
-      Template{"grocery", "a small grocery with gondolas, freezers and checkouts", grocery},
-      Template{"chiller", "a station shop: glass doors, measured profiles, several ways to aim a unit",
-               chiller},
-      Template{"supermarket", "50 x 40 m: 5,000 labels, 600 candidates", supermarket},
-      Template{"hypermarket", "110 x 85 m: 40,000 labels, 2,000 candidates", hypermarket}};
+const std::vector<Template>& store_templates() {
+  static const std::vector<Template> templates{
+      {"thesis",
+       "the test environment of the paper: 390 labels, 320 candidates",
+       {{"store.json", embedded::thesis_store}}},
+      {"grocery",
+       "a small grocery with gondolas, freezers and checkouts",
+       {{"store.json", embedded::grocery_store}, {"checkout.glb", embedded::grocery_checkout}}},
+      {"chiller",
+       "a station shop: glass doors, measured profiles, several ways to aim a unit",
+       {{"store.json", embedded::chiller_store},
+        {"till.glb", embedded::chiller_till},
+        {"security-mirror.obj", embedded::chiller_mirror},
+        {"batwing.ies", embedded::chiller_ring},
+        {"narrow-aisle.ldt", embedded::chiller_spot}}},
+      {"supermarket",
+       "50 x 40 m: 5,000 labels, 600 candidates",
+       {{"store.json", embedded::supermarket_store}}},
+      {"hypermarket",
+       "110 x 85 m: 40,000 labels, 2,000 candidates",
+       {{"store.json", embedded::hypermarket_store}}}};
   return templates;
 }
 
@@ -114,9 +115,7 @@ void add_new(CLI::App& app, ChosenVerb& chosen) {
     choices += fmt::format("{}{}", choices.empty() ? "" : ",", t.name);
   }
   verb->add_option("TEMPLATE", options->name, "One of:" + names)->required()->type_name("{" + choices + "}");
-  verb->add_option("DIR", options->folder, "Folder for the store file and what it needs")
-      ->required()
-      ->check(a_path());
+  add_path(*verb, "DIR", options->folder, "Folder for the store file and what it needs")->required();
   add_common_options(*verb, options->common);
   verb->footer("Examples:\n  shelfbeam new grocery my-store\n  shelfbeam new thesis thesis");
   verb->callback([options, &chosen] { chosen = [options] { return run_new(*options); }; });

@@ -11,7 +11,6 @@
 #include "shelfbeam/placement/io/placement_file.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/options/placement_input.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
@@ -83,7 +82,7 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("place", "Choose transceivers on a signal matrix, with a proven bound");
   auto options = std::make_shared<Options>();
   add_placement_input(*verb, options->input);
-  verb->add_option("-o,--output", options->output, "Write the answer as JSON to this file")->check(a_path());
+  add_path(*verb, "-o,--output", options->output, "Write the answer as JSON to this file");
   auto* at_most = verb->add_option("--at-most", options->at_most,
                                    "Reach the most labels with at most so many transceivers")
                       ->check(positive_count());

@@ -12,18 +12,16 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/plan/io/verification_file.hpp"
-#include "shelfbeam/report/messages/certificate.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "app/loaded_store.hpp"
+#include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
-#include "app/options/requirements.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/placement_text.hpp"
-#include "app/text/plan_folder.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
@@ -92,7 +90,7 @@ bool is_open(const Options& options, const Plan& plan) {
 
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
-  const Store store = load_store(options.store, options.allow_outside, options.simulation.most_memory());
+  const Store store = load_store(options.store, options.allow_outside, options.simulation.memory);
   const Scene scene = make_scene(store);
   const std::string resolved = resolved_store_json(store, scene);
   keep_store(options.folder, options.store, resolved);
@@ -165,8 +163,8 @@ int run_plan(const Options& options) {
 void add_plan(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("plan", "Simulate a store, place transceivers, and write the report");
   auto options = std::make_shared<Options>();
-  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
-  verb->add_option("-o,--output", options->folder, "Folder for the results")->required()->check(a_path());
+  add_path(*verb, "STORE", options->store, "Store file")->required();
+  add_path(*verb, "-o,--output", options->folder, "Folder for the results")->required();
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
   add_question_options(*verb, options->question);
   add_solver_options(*verb, options->solver);

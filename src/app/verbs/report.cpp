@@ -12,9 +12,8 @@
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "app/loaded_store.hpp"
+#include "app/files.hpp"
 #include "app/options/arguments.hpp"
-#include "app/text/plan_folder.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
@@ -53,10 +52,9 @@ void add_report(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("report", "Rebuild report.html, labels.csv and placement.csv of a plan");
   auto options = std::make_shared<Options>();
-  verb->add_option("DIR", options->folder,
-                   "Folder that 'shelfbeam plan' wrote; its HDF5 is not safe to open if a stranger made it")
-      ->required()
-      ->check(a_path());
+  add_path(*verb, "DIR", options->folder,
+           "Folder that 'shelfbeam plan' wrote; its HDF5 is not safe to open if a stranger made it")
+      ->required();
   add_common_options(*verb, options->common);
   verb->footer("Examples:\n  shelfbeam report plan");
   verb->callback([options, &chosen] { chosen = [options] { return run_report(*options); }; });

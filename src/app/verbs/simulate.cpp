@@ -8,7 +8,7 @@
 
 #include "shelfbeam/transport/world/coverage.hpp"
 
-#include "app/loaded_store.hpp"
+#include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/store_summary.hpp"
@@ -29,8 +29,7 @@ struct Options {
 int run_simulate(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   keep_input(options.output, options.store);
-  const Scene scene =
-      make_scene(load_store(options.store, options.allow_outside, options.simulation.most_memory()));
+  const Scene scene = make_scene(load_store(options.store, options.allow_outside, options.simulation.memory));
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   expect_writable(options.output);
   print_warnings(options.common, scene, simulation.rules().strategy);
@@ -62,10 +61,8 @@ int run_simulate(const Options& options) {
 void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("simulate", "Compute the signal matrix of a store");
   auto options = std::make_shared<Options>();
-  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
-  verb->add_option("-o,--output", options->output, "Signal file (HDF5) to write")
-      ->required()
-      ->check(a_path());
+  add_path(*verb, "STORE", options->store, "Store file")->required();
+  add_path(*verb, "-o,--output", options->output, "Signal file (HDF5) to write")->required();
   add_simulation_options(*verb, options->simulation, DirectLight::sampled);
   add_layers(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);

@@ -15,10 +15,10 @@
 #include "shelfbeam/plan/io/verification_file.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/plan/verify_installation.hpp"
-#include "shelfbeam/report/messages/certificate.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
-#include "app/loaded_store.hpp"
+#include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
@@ -53,7 +53,7 @@ bool is_json(const std::filesystem::path& path) {
 
 Installation load_installation(const Options& options) {
   const std::filesystem::path& units = options.placement;
-  const Store store = load_store(options.store, options.allow_outside, options.simulation.most_memory());
+  const Store store = load_store(options.store, options.allow_outside, options.simulation.memory);
   if (!is_json(units)) return {scene_with_units(store, units), {}};
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));
@@ -101,12 +101,11 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand(
       "verify", "Tell on fresh samples which labels a placement or an installation reaches");
   auto options = std::make_shared<Options>();
-  verb->add_option("STORE", options->store, "Store file")->required()->check(a_path());
-  verb->add_option("PLACEMENT", options->placement,
-                   "placement.json, or a CSV of units anywhere with columns id,x,y,z,ax,ay,az,roll_deg,type")
-      ->required()
-      ->check(a_path());
-  verb->add_option("-o,--output", options->output, "Write a row a label to this CSV file")->check(a_path());
+  add_path(*verb, "STORE", options->store, "Store file")->required();
+  add_path(*verb, "PLACEMENT", options->placement,
+           "placement.json, or a CSV of units anywhere with columns id,x,y,z,ax,ay,az,roll_deg,type")
+      ->required();
+  add_path(*verb, "-o,--output", options->output, "Write a row a label to this CSV file");
   add_choice(*verb, "--model", options->model, "cooperative or non-cooperative (that of the placement)");
   verb->add_flag("--survive-failure", options->survive_failure,
                  "Every label must stay reached when any one unit fails");

@@ -24,6 +24,9 @@ std::vector<std::string_view> split(std::string_view line, char separator);
 
 std::string_view trim(std::string_view text);
 
+/// Of ASCII letters.
+std::string lower_case(std::string_view text);
+
 /// 12345 -> "12,345".
 std::string grouped(std::uint64_t count);
 

@@ -1,8 +1,9 @@
 #include "shelfbeam/scene/read_values.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <utility>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -92,6 +93,22 @@ std::vector<double> read_angles_from_zero(const JsonCursor& cursor, double last_
   std::vector<double> angles = read_angles(cursor, last_deg);
   if (angles.front() != 0) cursor.fail("does not begin at 0", "angles ascend from 0");
   return angles;
+}
+
+double degrees_of(double angle) {
+  const double near = std::round(angle * 180 / pi * 1e6) / 1e6;
+  if (radians(near) == angle) return near;
+  // `radians` rounds but never descends, and the bits of positive numbers ascend as the numbers do: the least
+  // angle that reaches this one is found by halving.
+  auto low = std::bit_cast<std::uint64_t>(0.0), high = std::bit_cast<std::uint64_t>(361.0);
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    if (radians(std::bit_cast<double>(middle)) < angle)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return std::bit_cast<double>(low);
 }
 
 Vec3 unit_direction(const Vec3& v, const std::string& where) {

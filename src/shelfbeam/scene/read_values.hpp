@@ -43,6 +43,9 @@ std::vector<double> read_amounts(const JsonCursor& row, std::size_t angles);
 /// Angles that ascend within 0 to `last_deg` degrees, in radians; at least one.
 std::vector<double> read_angles(const JsonCursor& cursor, double last_deg);
 std::vector<double> read_angles_from_zero(const JsonCursor& cursor, double last_deg);
+/// The angle in degrees, 0 to 360, that `radians` turns into just this one, to the bit, if there is one
+/// (there is for every angle that came from degrees), else the next larger.
+double degrees_of(double angle);
 
 /// Made unit unless it is already, to rounding. Throws for the zero vector.
 Vec3 read_direction(const JsonCursor& cursor);

@@ -4,33 +4,41 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/base/json.hpp"
-#include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
 
-/// Looks up names that a store file refers to. Throws InputError at the place of the reference.
-class StoreNames {
+/// The names in one list of a store. Throws InputError at the place of a reference to none of them.
+template <class Id>
+class NameIndex {
  public:
-  StoreNames(const std::vector<NamedMaterial>& materials, const std::vector<LabelType>& label_types,
-             const std::vector<TransceiverType>& transceiver_types);
-  template <class Store>
-  explicit StoreNames(const Store& store)
-      : StoreNames(store.materials, store.label_types, store.transceiver_types) {}
-
-  MaterialId material(const JsonCursor& name) const;
-  LabelTypeId label_type(const JsonCursor& name) const;
-  TransceiverTypeId transceiver_type(const JsonCursor& name) const;
-
-  MaterialId material(const std::string& name, const std::string& where) const;
-  LabelTypeId label_type(const std::string& name, const std::string& where) const;
-  TransceiverTypeId transceiver_type(const std::string& name, const std::string& where) const;
+  template <class List>
+  NameIndex(const char* what, const List& list) : what_(what) {
+    for (const auto& item : list) names_.emplace(item.name, static_cast<std::uint32_t>(names_.size()));
+  }
+  Id operator()(const std::string& name, const std::string& where) const { return {find(name, where)}; }
+  Id operator()(const JsonCursor& name) const { return {find(name.text(), name.where())}; }
 
  private:
-  std::map<std::string, std::uint32_t, std::less<>> materials_, label_types_, transceiver_types_;
+  std::uint32_t find(const std::string& name, const std::string& where) const;
+
+  const char* what_;
+  std::map<std::string, std::uint32_t, std::less<>> names_;
+};
+
+/// Looks up names that a store file refers to.
+struct StoreNames {
+  template <class Store>
+  explicit StoreNames(const Store& store)
+      : material("material", store.materials),
+        label_type("label type", store.label_types),
+        transceiver_type("transceiver type", store.transceiver_types) {}
+
+  NameIndex<MaterialId> material;
+  NameIndex<LabelTypeId> label_type;
+  NameIndex<TransceiverTypeId> transceiver_type;
 };
 
 }  // namespace shelfbeam

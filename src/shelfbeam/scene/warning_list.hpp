@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -12,11 +13,24 @@ namespace shelfbeam {
 class WarningList {
  public:
   /// `kind` is what "and 123 more" counts: "labels that lie inside a fixture".
-  void add(std::string_view kind, const std::string& warning);
+  void add(std::string_view kind, const std::string& warning) {
+    auto group = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.kind == kind; });
+    if (group == groups_.end()) group = groups_.insert(group, Group{std::string(kind), {}, 0});
+    if (++group->count <= shown) group->first.push_back(warning);
+  }
   /// Kinds in the order in which they first came.
-  std::vector<std::string> texts() const;
+  std::vector<std::string> texts() const {
+    std::vector<std::string> texts;
+    for (const Group& group : groups_) {
+      texts.insert(texts.end(), group.first.begin(), group.first.end());
+      if (group.count > shown)
+        texts.push_back("and " + std::to_string(group.count - shown) + " more " + group.kind);
+    }
+    return texts;
+  }
 
  private:
+  static constexpr std::size_t shown = 5;
   struct Group {
     std::string kind;
     std::vector<std::string> first;

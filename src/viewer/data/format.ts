@@ -1,4 +1,4 @@
-// Numbers as the rest of the report writes them (report/text_format.cpp).
+// Numbers as the rest of the report writes them (report/data/text_format.cpp).
 
 export function grouped(count: number): string {
   return count.toFixed(0).replace(/\B(?=(\d{3})+$)/g, ",");

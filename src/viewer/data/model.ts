@@ -67,6 +67,10 @@ export class Model {
     this.changed();
   }
 
+  isSelected(kind: "label" | "unit", index: number): boolean {
+    return this.state.selection?.kind === kind && this.state.selection.index === index;
+  }
+
   get classes(): Classes {
     return classesOf(this.store, this.coverage, this.state.mode, this.isAsPlanned());
   }

@@ -1,4 +1,4 @@
-// Reads what report/page_data.cpp wrote.
+// Reads what report/viewer/page_data.cpp wrote.
 
 type Numbers = Uint8Array | Uint16Array | Uint32Array | Float32Array | Float64Array;
 
@@ -17,6 +17,12 @@ export class PageData<About> {
     const values = this.arrays.get(name);
     if (!(values instanceof kind)) throw new Error(`the page has no data '${name}'`);
     return values;
+  }
+
+  /** The arrays "name_key" by their keys. */
+  group<Group>(name: string): Group {
+    const found = [...this.arrays].filter(([key]) => key.startsWith(`${name}_`));
+    return Object.fromEntries(found.map(([key, values]) => [key.slice(name.length + 1), values])) as Group;
   }
 }
 

@@ -103,7 +103,7 @@ export function fromHash(store: Store, hash: string): State | null {
     const wanted = Number(words.get(`need${kind}`) ?? value);
     return wanted > 0 && Number.isFinite(wanted) ? wanted : value;
   });
-  state.mode = modesOf(store).find(({ mode }) => mode === words.get("colour"))?.mode ?? state.mode;
+  state.mode = modesOf(store).find((mode) => mode === words.get("colour")) ?? state.mode;
   const hidden = new Set(list("hide"));
   state.levels = state.levels.map((_, level) => !hidden.has(level + 1));
   if (words.has("goods")) state.goods = words.get("goods") === "1";

@@ -1,4 +1,4 @@
-// The store and its signals as the page carries them (report/page_store.cpp, report/page_signals.cpp).
+// The store and its signals as the page carries them (report/viewer/page_store.cpp, page_signals.cpp).
 
 import { readPageData } from "./page_data";
 
@@ -71,31 +71,14 @@ export async function readStore(base64: string): Promise<Store> {
   const page = await readPageData<StoreAbout>(base64);
   return {
     ...page.about,
-    label: {
-      position: page.get("label_position", Float32Array),
-      normal: page.get("label_normal", Float32Array),
-      kind: page.get("label_kind", Uint16Array),
-      level: page.get("label_level", Uint16Array),
-      verdict: page.get("label_verdict", Uint8Array),
-    },
-    candidate: {
-      position: page.get("unit_position", Float32Array),
-      axis: page.get("unit_axis", Float32Array),
-    },
-    part: {
-      look: page.get("part_look", Uint8Array),
-      corners: page.get("part_corners", Uint8Array),
-      outline: page.get("part_outline", Float32Array),
-      height: page.get("part_height", Float32Array),
-    },
-    mesh: {
-      vertex: page.get("mesh_vertex", Float32Array),
-      triangle: page.get("mesh_triangle", Uint32Array),
-    },
+    label: page.group<Store["label"]>("label"),
+    candidate: page.group<Store["candidate"]>("unit"),
+    part: page.group<Store["part"]>("part"),
+    mesh: page.group<Store["mesh"]>("mesh"),
   };
 }
 
-/** What each label's entries are measured by, as report/page_signals.cpp has it. */
+/** What each label's entries are measured by, as report/viewer/page_signals.cpp has it. */
 function needsOf({ label, labels }: Store): Float64Array {
   const any = labels.kinds.reduce((most, { requirement }) => Math.max(most, requirement), 0) || 1;
   return Float64Array.from(label.kind, (kind) => labels.kinds[kind].requirement || any);

@@ -36,9 +36,9 @@ export class Choice<Value extends string> {
   readonly root: HTMLFieldSetElement;
   private readonly inputs = new Map<Value, HTMLInputElement>();
 
-  constructor(name: string, legend: string, values: { value: Value; text: string }[], chosen: (value: Value) => void) {
+  constructor(name: string, legend: string, values: [Value, string][], chosen: (value: Value) => void) {
     this.root = element("fieldset", { class: "v3-choice" }, element("legend", { text: legend }));
-    for (const { value, text } of values) {
+    for (const [value, text] of values) {
       const input = element("input", { type: "radio", name, value, on: { change: () => chosen(value) } });
       this.inputs.set(value, input);
       this.root.append(element("label", {}, input, element("span", { text })));

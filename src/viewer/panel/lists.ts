@@ -30,6 +30,16 @@ abstract class SearchList {
   protected abstract id(index: number): string;
   protected abstract row(index: number): HTMLElement;
 
+  protected entry(kind: "unit" | "label", index: number, marks: Node[], pressed: () => void, note: string): HTMLElement {
+    const link = button(this.id(index), pressed, { class: "v3-link", "data-key": `${kind}${index}` });
+    return element(
+      "li",
+      { class: this.model.isSelected(kind, index) ? "selected" : "", [`data-${kind}`]: index },
+      ...marks,
+      element("div", {}, link, element("small", { text: note })),
+    );
+  }
+
   update(): void {
     if (this.root.hidden) return;
     const wanted = this.search.value.trim().toLowerCase();
@@ -81,22 +91,10 @@ export class UnitList extends SearchList {
       on: { change: (event) => this.model.switchUnit(unit, (event.target as HTMLInputElement).checked) },
     });
     box.checked = on;
-    const selected = state.selection?.kind === "unit" && state.selection.index === unit;
-    return element(
-      "li",
-      { class: selected ? "selected" : "", "data-unit": unit },
-      box,
-      element("span", { class: on ? "v3-badge" : "v3-badge off", text: number === undefined ? (on ? "+" : "·") : String(number) }),
-      element(
-        "div",
-        {},
-        button(this.id(unit), () => this.model.select({ kind: "unit", index: unit }), {
-          class: "v3-link",
-          "data-key": `unit${unit}`,
-        }),
-        element("small", { text: `${counted(coverage.reach[unit], "label")} alone${effect}` }),
-      ),
-    );
+    const text = number === undefined ? (on ? "+" : "·") : String(number);
+    const badge = element("span", { class: on ? "v3-badge" : "v3-badge off", text });
+    const select = () => this.model.select({ kind: "unit", index: unit });
+    return this.entry("unit", unit, [box, badge], select, `${counted(coverage.reach[unit], "label")} alone${effect}`);
   }
 }
 
@@ -119,21 +117,9 @@ export class LabelList extends SearchList {
   }
 
   protected row(label: number): HTMLElement {
-    const { coverage, state } = this.model;
-    const selected = state.selection?.kind === "label" && state.selection.index === label;
-    return element(
-      "li",
-      { class: selected ? "selected" : "", "data-label": label },
-      element("span", { class: coverage.met[label] ? "v3-dot" : "v3-dot unmet", "aria-hidden": "true" }),
-      element(
-        "div",
-        {},
-        button(this.id(label), () => this.show(label), {
-          class: "v3-link",
-          "data-key": `label${label}`,
-        }),
-        element("small", { text: decibels(coverage.margin(label)) + (coverage.met[label] ? "" : ", not reached") }),
-      ),
-    );
+    const { coverage } = this.model;
+    const dot = element("span", { class: coverage.met[label] ? "v3-dot" : "v3-dot unmet", "aria-hidden": "true" });
+    const note = decibels(coverage.margin(label)) + (coverage.met[label] ? "" : ", not reached");
+    return this.entry("label", label, [dot], () => this.show(label), note);
   }
 }

@@ -4,17 +4,12 @@ import type { Coverage } from "./coverage";
 import { percentage, plain } from "../data/format";
 import { verdicts, type Store } from "../data/store";
 
-export type Mode = "margin" | "signal" | "serving" | "certificate";
-const modes: { mode: Mode; name: string }[] = [
-  { mode: "margin", name: "Margin" },
-  { mode: "signal", name: "Signal" },
-  { mode: "serving", name: "Serving units" },
-  { mode: "certificate", name: "Certificate" },
-];
+export const modeNames = { margin: "Margin", signal: "Signal", serving: "Serving units", certificate: "Certificate" };
+export type Mode = keyof typeof modeNames;
 
 /** Those for which the store has what they show. */
-export function modesOf(store: Store): { mode: Mode; name: string }[] {
-  return modes.filter(({ mode }) => mode !== "certificate" || store.certificate);
+export function modesOf(store: Store): Mode[] {
+  return (Object.keys(modeNames) as Mode[]).filter((mode) => mode !== "certificate" || store.certificate);
 }
 
 export interface LabelClass {

@@ -1,4 +1,4 @@
-// What a selection of units does for every label, as placement/instance.cpp counts it: the same sums in the same
+// What a selection of units does for every label, as placement/problem/instance.cpp counts it: the same sums in the same
 // order in double precision, so that the same labels are met.
 
 import type { Signals, Store } from "../data/store";

@@ -17,7 +17,7 @@ import {
 import { colourOf } from "./palette";
 import type { Store } from "../data/store";
 
-/** CSS variables of the colours of part_look, as report/page_store.cpp numbers them. */
+/** CSS variables of the colours of part_look, as report/viewer/page_store.cpp numbers them. */
 const looks = ["--fx", "--fx-b", "--goods", "--fx-f"];
 const goodsLook = 2;
 const doorLook = 3;

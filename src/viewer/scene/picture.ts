@@ -125,7 +125,7 @@ export class Picture {
       labels.forEach((label, mark) => {
         const met = coverage.met[label] !== 0;
         const k = reach ? reach[label] : classes.of(label);
-        const selected = selection?.kind === "label" && selection.index === label;
+        const selected = this.model.isSelected("label", label);
         const shape = shapes[list[k].shape ?? (met ? "disc" : "triangle")];
         marks.setLook(mark, k, shape, selected ? 2 : reach && k === 0 ? 0 : 1, level);
         if (state.levels[level]) ++counts[k];
@@ -150,7 +150,7 @@ export class Picture {
     const removed = new Set(changedUnits(store, state).removed);
     state.on.forEach((on, unit) => {
       const number = this.model.numberOf(unit);
-      const selected = state.selection?.kind === "unit" && state.selection.index === unit;
+      const selected = this.model.isSelected("unit", unit);
       const shape = on || removed.has(unit) || selected ? (this.model.isInstalled(unit) ? shapes.square : shapes.disc) : shapes.cross;
       this.units.setLook(unit, on ? (number === undefined ? 1 : 0) : 2, shape, selected ? 2 : 1, 0);
       this.units.setNumber(unit, number !== undefined ? this.numbers.cellOf(number) : on ? plusCell : 0);

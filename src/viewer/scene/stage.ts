@@ -137,9 +137,7 @@ export class Stage {
     camera.position.set(at[0], at[1], at[2]);
     controls.target.set(target[0], target[1], target[2]);
     this.above.zoom = 1 / zoom;
-    controls.update();
-    this.updateCameras();
-    this.draw();
+    this.moved();
   }
 
   private current(): [PerspectiveCamera, OrbitControls] | [OrthographicCamera, MapControls] {
@@ -155,8 +153,7 @@ export class Stage {
     const tilt = Math.min(Math.max(Math.acos(way.z / distance) - up * 0.08, 0.02), this.orbit.maxPolarAngle);
     way.set(Math.sin(tilt) * Math.cos(around), Math.sin(tilt) * Math.sin(around), Math.cos(tilt));
     this.perspective.position.copy(this.orbit.target).addScaledVector(way, distance);
-    this.orbit.update();
-    this.draw();
+    this.moved();
   }
 
   shift(right: number, up: number): void {
@@ -166,17 +163,14 @@ export class Stage {
     const move = x.clone().multiplyScalar(right * step).addScaledVector(new Vector3(-x.y, x.x, 0), up * step);
     camera.position.add(move);
     controls.target.add(move);
-    controls.update();
-    this.draw();
+    this.moved();
   }
 
   zoom(factor: number): void {
     if (this.isPlan) this.above.zoom *= factor;
     else
       this.perspective.position.lerpVectors(this.orbit.target, this.perspective.position.clone(), 1 / factor);
-    this.current()[1].update();
-    this.updateCameras();
-    this.draw();
+    this.moved();
   }
 
   /** Looks at a point from so many metres, from the side that it faces where it faces any. */
@@ -191,9 +185,7 @@ export class Stage {
       way.setLength(facing ? distance : Math.min(way.length(), distance));
     }
     camera.position.copy(controls.target).add(way);
-    controls.update();
-    this.updateCameras();
-    this.draw();
+    this.moved();
   }
 
   resize(width: number, height: number): void {
@@ -302,6 +294,12 @@ export class Stage {
     const wide = this.width / this.height;
     [this.above.left, this.above.right, this.above.top, this.above.bottom] = [-0.5 * wide, 0.5 * wide, 0.5, -0.5];
     this.above.updateProjectionMatrix();
+  }
+
+  private moved(): void {
+    this.current()[1].update();
+    this.updateCameras();
+    this.draw();
   }
 
   private render(): void {

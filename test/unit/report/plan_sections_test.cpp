@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/report/chart/tornado_chart.hpp"
+#include "shelfbeam/report/chart/charts.hpp"
 
 #include "unit/report/supermarket_report.hpp"
 

@@ -1,5 +1,3 @@
-#include "shelfbeam/report/chart/scatter_chart.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/report/chart/charts.hpp"
 #include "shelfbeam/report/chart/svg.hpp"
 #include "shelfbeam/report/data/scale.hpp"
 #include "shelfbeam/report/data/text_format.hpp"

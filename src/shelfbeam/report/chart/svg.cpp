@@ -1,7 +1,5 @@
 #include "shelfbeam/report/chart/svg.hpp"
 
-#include <iterator>
-
 #include <fmt/format.h>
 
 #include "shelfbeam/report/data/text_format.hpp"
@@ -29,11 +27,6 @@ void SvgCanvas::rect(const Point& corner, double width, double height, std::stri
   close_element("rect", title);
 }
 
-void SvgCanvas::circle(const Point& centre, double radius, std::string_view css_class) {
-  body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" class=\"{}\"/>\n", coordinate(centre.x),
-                       coordinate(centre.y), coordinate(radius), css_class);
-}
-
 void SvgCanvas::line(const Point& from, const Point& to, std::string_view css_class) {
   body_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" class=\"{}\"/>\n", coordinate(from.x),
                        coordinate(from.y), coordinate(to.x), coordinate(to.y), css_class);
@@ -43,8 +36,7 @@ void SvgCanvas::polygon(std::span<const Point> points, std::string_view css_clas
   std::string data;
   for (const Point& p : points)
     data += fmt::format("{}{} {}", data.empty() ? "M" : "L", coordinate(p.x), coordinate(p.y));
-  body_ += fmt::format("<path d=\"{}Z\" class=\"{}\"", data, css_class);
-  close_element("path", title);
+  path(data + "Z", css_class, title);
 }
 
 void SvgCanvas::path(std::string_view data, std::string_view css_class, std::string_view title) {

@@ -19,7 +19,6 @@ class SvgCanvas {
  public:
   void rect(const Point& corner, double width, double height, std::string_view css_class,
             std::string_view title = {});
-  void circle(const Point& centre, double radius, std::string_view css_class);
   void line(const Point& from, const Point& to, std::string_view css_class);
   void polygon(std::span<const Point> points, std::string_view css_class, std::string_view title = {});
   void path(std::string_view data, std::string_view css_class, std::string_view title = {});

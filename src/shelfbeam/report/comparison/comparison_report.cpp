@@ -6,13 +6,11 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
-#include "shelfbeam/report/chart/histogram_chart.hpp"
-#include "shelfbeam/report/chart/scatter_chart.hpp"
+#include "shelfbeam/report/chart/charts.hpp"
 #include "shelfbeam/report/data/scale.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/comparison.hpp"
-#include "shelfbeam/report/page/html_table.hpp"
-#include "shelfbeam/report/page/page_style.hpp"
+#include "shelfbeam/report/page/html.hpp"
 
 namespace shelfbeam {
 
@@ -138,10 +136,6 @@ std::string transceiver_section(const ComparisonInput& input) {
   return html_section("transceivers", "Transceivers, the furthest off first", html);
 }
 
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
-}
-
 }  // namespace
 
 std::string comparison_csv(const ComparisonInput& input) {
@@ -153,9 +147,10 @@ std::string comparison_csv(const ComparisonInput& input) {
     const PairResult& result = input.comparison.pairs[k];
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(input.matrix.labels[pair.label].id),
                        pair.transceiver ? csv_field(input.matrix.transceivers[*pair.transceiver].id) : "",
-                       number(pair.measured), pair.error ? number(*pair.error) : "", number(pair.simulated),
-                       number(pair.standard_error), number(pair.measured / input.comparison.factor),
-                       result.residual ? number(*result.residual) : "", number(result.standardized),
+                       csv_number(pair.measured), pair.error ? csv_number(*pair.error) : "",
+                       csv_number(pair.simulated), csv_number(pair.standard_error),
+                       csv_number(pair.measured / input.comparison.factor),
+                       result.residual ? csv_number(*result.residual) : "", csv_number(result.standardized),
                        use_name(result.use), result.outlier ? 1 : 0);
   }
   return csv;
@@ -182,12 +177,8 @@ std::string comparison_html(const ComparisonInput& input) {
                              pair_table(input, comparison.outliers));
   body += html_section("worst", std::string(worst_pairs(comparison)), pair_table(input, comparison.worst));
   body += transceiver_section(input);
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{} beside "
-      "{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
-      escape(input.measured_name), escape(input.simulated_name), page_style(), body);
+  return html_page(fmt::format("{} beside {}", input.measured_name, input.simulated_name),
+                   "<main>\n" + body + "</main>\n");
 }
 
 }  // namespace shelfbeam

@@ -1,6 +1,5 @@
 #include "shelfbeam/base/csv.hpp"
 
-#include <cmath>
 #include <initializer_list>
 #include <map>
 #include <string>
@@ -10,23 +9,18 @@
 
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-// Nine significant digits keep 32-bit values; nothing for what is not a number.
-std::string field(double value) {
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
+std::string coordinates(const Vec3& v) {
+  return csv_number(v.x) + "," + csv_number(v.y) + "," + csv_number(v.z);
 }
 
 std::string row(std::initializer_list<std::string> fields) {
-  std::string line;
-  for (const std::string& text : fields) {
-    if (&text != fields.begin()) line += ',';
-    line += text;
-  }
-  return line + '\n';
+  return fmt::format("{}\n", fmt::join(fields, ","));
 }
 
 }  // namespace
@@ -44,15 +38,14 @@ std::string labels_csv(const ReportInput& input) {
     for (const std::uint32_t column : result.reached_by)
       serving += (serving.empty() ? "" : ";") + matrix.transceivers[column].id;
     const bool is_known = !matrix.flags.empty() && !input.plan.placement.selected.empty();
-    csv +=
-        row({csv_field(label.id), field(label.position.x), field(label.position.y), field(label.position.z),
-             field(label.normal.x), field(label.normal.y), field(label.normal.z), csv_field(label.type),
-             field(label.requirement), field(result.signal), field(result.margin()),
-             has_direct && result.signal > 0 ? field(result.direct / result.signal) : "", csv_field(serving),
-             result.strongest ? csv_field(matrix.transceivers[*result.strongest].id) : "",
-             !is_known                 ? ""
-             : result.rests_on_flagged ? "no"
-                                       : "yes"});
+    csv += row(
+        {csv_field(label.id), coordinates(label.position), coordinates(label.normal), csv_field(label.type),
+         csv_number(label.requirement), csv_number(result.signal), csv_number(result.margin()),
+         has_direct && result.signal > 0 ? csv_number(result.direct / result.signal) : "", csv_field(serving),
+         result.strongest ? csv_field(matrix.transceivers[*result.strongest].id) : "",
+         !is_known                 ? ""
+         : result.rests_on_flagged ? "no"
+                                   : "yes"});
   }
   return csv;
 }
@@ -67,11 +60,10 @@ std::string placement_csv(const ReportInput& input) {
   for (const UnitOutcome& unit : outcome.units) {
     const TransceiverColumn& t = matrix.transceivers[unit.column];
     const auto roll = roll_deg.find(t.id);
-    csv +=
-        row({csv_field(t.id), field(t.position.x), field(t.position.y), field(t.position.z), field(t.axis.x),
-             field(t.axis.y), field(t.axis.z), field(roll == roll_deg.end() ? 0 : roll->second),
-             csv_field(t.type), field(t.cost), t.installed ? "1" : "0", fmt::format("{}", unit.reaches_alone),
-             fmt::format("{}", unit.strongest_for), fmt::format("{}", unit.needed_by)});
+    csv += row({csv_field(t.id), coordinates(t.position), coordinates(t.axis),
+                csv_number(roll == roll_deg.end() ? 0 : roll->second), csv_field(t.type), csv_number(t.cost),
+                t.installed ? "1" : "0", fmt::format("{}", unit.reaches_alone),
+                fmt::format("{}", unit.strongest_for), fmt::format("{}", unit.needed_by)});
   }
   return csv;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "shelfbeam/plan/answer/certified_plan.hpp"

@@ -1,15 +1,32 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
-#include "shelfbeam/report/data/levels.hpp"
+#include "shelfbeam/report/data/distributions.hpp"
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/report.hpp"
-#include "shelfbeam/report/data/sampling.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 
 namespace shelfbeam {
+
+/// Labels of about the same height, drawn on one plan.
+struct ShelfLevel {
+  double low = 0, high = 0;           ///< m, heights of its lowest and highest label
+  std::vector<std::uint32_t> labels;  ///< ascending
+
+  /// "labels at 0.85 to 1.00 m"
+  std::string heights() const;
+};
+
+/// The greatest difference in height within a level, m.
+inline constexpr double level_band = 0.25;
+
+/// Bands from the lowest label up: a label joins while it is at most level_band above the band's first.
+std::vector<ShelfLevel> shelf_levels(std::span<const double> heights);
 
 /// Everything that the sections of a report draw on, computed once.
 struct ReportData {
@@ -33,6 +50,10 @@ struct ReportData {
   bool is_heard(std::uint32_t row) const {
     const auto signals = input.matrix.mean_row(row);
     return std::any_of(signals.begin(), signals.end(), [](float signal) { return signal > 0; });
+  }
+  /// What plans show of a label: its signal, where nothing was chosen the most it could get.
+  double shown_signal(std::uint32_t row) const {
+    return has_selection() ? outcome.labels[row].signal : outcome.labels[row].best;
   }
   bool has_direct() const { return input.matrix.direct.size() == input.matrix.mean.size(); }
   const LabelRow& label(std::uint32_t row) const { return input.matrix.labels[row]; }

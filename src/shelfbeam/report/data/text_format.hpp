@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shelfbeam/base/text.hpp"
 
@@ -23,6 +25,10 @@ std::string decibels(double value, int decimals = 1);
 /// Up to six significant digits without trailing zeros: for round numbers such as ticks and edges.
 std::string plain(double value);
 
+/// As tables for programs have it: nine significant digits, which keep 32-bit values; nothing for what is not
+/// finite.
+std::string csv_number(double value);
+
 /// A share in percent: 0.166 -> "16.6 %".
 std::string percent(double share, int decimals = 1);
 
@@ -40,5 +46,9 @@ struct SignalUnit {
 };
 
 SignalUnit signal_unit(double reference);
+
+/// Ids in their order, those that follow each other as one range: "A-1", "A-2", "A-3", "B" -> "A-1…3", "B". A
+/// range shares all but the number at the end, which grows by one and is written with as many leading zeros.
+std::vector<std::string> id_ranges(std::span<const std::string> ids);
 
 }  // namespace shelfbeam

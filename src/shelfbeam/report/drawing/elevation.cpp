@@ -1,9 +1,5 @@
-#include "shelfbeam/report/drawing/elevation.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,40 +11,11 @@ namespace shelfbeam {
 
 namespace {
 
-// The fixture's own directions: u along it, v across it, both from its rotation.
-struct Directions {
-  double c, s;
-  explicit Directions(double rotation_deg)
-      : c(std::cos(rotation_deg * std::numbers::pi / 180)),
-        s(std::sin(rotation_deg * std::numbers::pi / 180)) {}
-  double u(double x, double y) const { return c * x + s * y; }
-  double v(double x, double y) const { return c * y - s * x; }
-};
-
-struct Span {
-  double low = std::numeric_limits<double>::max(), high = -low;
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  double size() const { return high - low; }
-};
-
 // A part or label seen from one side: across the view, upwards, and how near it is.
 struct Seen {
   Span across;
   double bottom, top, nearness;
   const Part* part;
-};
-
-struct Outline {
-  Span u, v;
-  Outline(const Directions& d, const FixtureOutline& fixture) {
-    for (const auto& [x, y] : fixture.footprint) {
-      u.add(d.u(x, y));
-      v.add(d.v(x, y));
-    }
-  }
 };
 
 std::vector<std::uint32_t> labels_of(const Scene& scene, const FixtureOutline& fixture) {

@@ -1,14 +1,12 @@
-#include "shelfbeam/report/drawing/fixture_ids.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
 
 namespace shelfbeam {
@@ -22,18 +20,11 @@ struct Extent {
 };
 
 Extent extent_of(const PlanView& view, const FixtureOutline& fixture) {
-  const double turn = fixture.rotation_deg * std::numbers::pi / 180;
-  const double c = std::cos(turn), s = std::sin(turn);
-  double low_u = std::numeric_limits<double>::max(), high_u = -low_u, low_v = low_u, high_v = -low_u;
-  for (const auto& [x, y] : fixture.footprint) {
-    low_u = std::min(low_u, c * x + s * y);
-    high_u = std::max(high_u, c * x + s * y);
-    low_v = std::min(low_v, c * y - s * x);
-    high_v = std::max(high_v, c * y - s * x);
-  }
-  const double u = (low_u + high_u) / 2, v = (low_v + high_v) / 2;
-  Extent e{view.at(c * u - s * v, s * u + c * v), (high_u - low_u) * view.scale(),
-           (high_v - low_v) * view.scale(), -fixture.rotation_deg};
+  const Directions d(fixture.rotation_deg);
+  const Outline outline(d, fixture);
+  const double u = (outline.u.low + outline.u.high) / 2, v = (outline.v.low + outline.v.high) / 2;
+  Extent e{view.at(d.c * u - d.s * v, d.s * u + d.c * v), outline.u.size() * view.scale(),
+           outline.v.size() * view.scale(), -fixture.rotation_deg};
   if (e.across > 1.001 * e.along) {
     std::swap(e.along, e.across);
     e.angle_deg -= 90;

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -9,9 +7,6 @@
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
-#include "shelfbeam/report/drawing/elevation.hpp"
-#include "shelfbeam/report/drawing/fixture_ids.hpp"
-#include "shelfbeam/report/drawing/mesh_silhouette.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/drawing/plan_view.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
@@ -87,7 +82,8 @@ void draw_key(SvgCanvas& canvas, const Scene& scene, double y) {
                                      [](const Transceiver& t) { return t.installed; });
   double x = 360;
   canvas.path(fmt::format("M{} {}v-8", x, y), "label");
-  canvas.circle({x, y}, 2.2, "dot");
+  canvas.raw(
+      fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.2\" class=\"dot\"/>\n", coordinate(x), coordinate(y)));
   canvas.text({x + 9, y + 1}, "label, facing this way", "t");
   x += 180;
   canvas.path(fmt::format("M{} {}h8m-4 -4v8", x - 4, y - 4), "cand");

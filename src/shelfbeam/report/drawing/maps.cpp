@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/places.hpp"
-#include "shelfbeam/report/drawing/fixture_ids.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
 
 namespace shelfbeam {
@@ -17,10 +16,10 @@ namespace {
 constexpr double unit_radius = 13;
 
 std::size_t find_fullest(const std::vector<ShelfLevel>& levels) {
-  std::size_t best = 0;
-  for (std::size_t k = 1; k < levels.size(); ++k)
-    if (levels[k].labels.size() > levels[best].labels.size()) best = k;
-  return best;
+  const auto fewer = [](const ShelfLevel& a, const ShelfLevel& b) {
+    return a.labels.size() < b.labels.size();
+  };
+  return static_cast<std::size_t>(std::max_element(levels.begin(), levels.end(), fewer) - levels.begin());
 }
 
 std::vector<double> signals_of(const ReportData& data, std::size_t level) {
@@ -62,9 +61,9 @@ Maps::Maps(const ReportData& data)
       scale_(signals_of(data, fullest_)),
       radius_(label_mark_radius(view_, positions_of(data.input.matrix.labels))) {}
 
-double Maps::shown_signal(std::uint32_t label) const {
-  const LabelOutcome& outcome = data_.outcome.labels[label];
-  return data_.has_selection() ? outcome.signal : outcome.best;
+std::size_t Maps::class_of(std::uint32_t label) const {
+  const double signal = data_.shown_signal(label), requirement = data_.label(label).requirement;
+  return margin_class(margin_db(signal, requirement), is_met(signal, requirement));
 }
 
 std::vector<Point> Maps::places(const ShelfLevel& level) const {
@@ -130,17 +129,16 @@ std::string Maps::margin_map(std::size_t level_index) const {
   std::vector<std::size_t> order(level.labels.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
-    return shown_signal(level.labels[a]) * data_.label(level.labels[b]).requirement >
-           shown_signal(level.labels[b]) * data_.label(level.labels[a]).requirement;
+    return data_.shown_signal(level.labels[a]) * data_.label(level.labels[b]).requirement >
+           data_.shown_signal(level.labels[b]) * data_.label(level.labels[a]).requirement;
   });
   SvgCanvas canvas;
   for (const std::size_t k : order) {
     const std::uint32_t label = level.labels[k];
-    const double signal = shown_signal(label), requirement = data_.label(label).requirement;
-    const double margin = margin_db(signal, requirement);
-    const bool met = is_met(signal, requirement);
-    canvas.use(fmt::format("m{}", margin_class(margin, met)), at[k],
-               fmt::format("{}: {}, {}", data_.label(label).id, data_.unit.text(signal), decibels(margin)));
+    const double signal = data_.shown_signal(label);
+    canvas.use(fmt::format("m{}", class_of(label)), at[k],
+               fmt::format("{}: {}, {}", data_.label(label).id, data_.unit.text(signal),
+                           decibels(margin_db(signal, data_.label(label).requirement))));
     if (data_.outcome.labels[label].rests_on_flagged) canvas.use("hollow", at[k]);
     if (data_.has_selection() && label == data_.outcome.by_margin.front()) canvas.use("worst", at[k]);
   }
@@ -176,10 +174,7 @@ std::string Maps::signal_maps(std::size_t level_index) const {
 
 std::string Maps::margin_legend(const ShelfLevel& level) const {
   std::array<std::size_t, margin_classes.size()> counts{};
-  for (const std::uint32_t label : level.labels) {
-    const double signal = shown_signal(label), requirement = data_.label(label).requirement;
-    ++counts[margin_class(margin_db(signal, requirement), is_met(signal, requirement))];
-  }
+  for (const std::uint32_t label : level.labels) ++counts[class_of(label)];
   std::string html = "<ul class=\"legend\">";
   for (std::size_t k = 0; k < margin_classes.size(); ++k)
     if (k > 1 || counts[k] > 0)

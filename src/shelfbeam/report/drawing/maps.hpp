@@ -26,7 +26,7 @@ class Maps {
   std::size_t fullest_level() const { return fullest_; }
 
  private:
-  double shown_signal(std::uint32_t label) const;
+  std::size_t class_of(std::uint32_t label) const;
   std::vector<Point> places(const ShelfLevel& level) const;
   std::string picture(const std::string& marks, const std::string& css_class,
                       const std::string& description) const;

@@ -1,10 +1,8 @@
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,55 +11,37 @@ namespace shelfbeam {
 namespace {
 
 struct Box {
-  double low_x = std::numeric_limits<double>::max(), low_y = low_x, high_x = -low_x, high_y = -low_x;
+  Span x, y;
 
   explicit Box(const Part& part) {
-    for (const auto& [x, y] : part.footprint) {
-      low_x = std::min(low_x, x);
-      high_x = std::max(high_x, x);
-      low_y = std::min(low_y, y);
-      high_y = std::max(high_y, y);
+    for (const Vec2& corner : part.footprint) {
+      x.add(corner[0]);
+      y.add(corner[1]);
     }
   }
   bool holds(const Box& other) const {
     constexpr double slack = 1e-6;
-    return other.low_x > low_x - slack && other.high_x < high_x + slack && other.low_y > low_y - slack &&
-           other.high_y < high_y + slack;
+    return other.x.low > x.low - slack && other.x.high < x.high + slack && other.y.low > y.low - slack &&
+           other.y.high < y.high + slack;
   }
 };
+
+constexpr std::uint32_t most_triangles = 2000;  // of a part: about 60 kB of drawing
+constexpr double least_area = 1e-6;             // m^2, in plan
 
 }  // namespace
 
 std::string part_class(const Part& part) {
-  switch (part.kind) {
-    case PartKind::shell:
-      return "shell";
-    case PartKind::panel:
-      return "panel";
-    case PartKind::board:
-      return "board";
-    case PartKind::kick_plate:
-      return "kick";
-    case PartKind::goods: {
-      // From the place alone, so that the same product column has another colour on each shelf.
-      const auto& [x, y] = part.footprint.front();
-      const auto mixed =
-          static_cast<std::uint64_t>(std::llround(x * 100) * 73856093 ^ std::llround(y * 100) * 19349663 ^
-                                     std::llround(part.bottom * 100) * 83492791);
-      return fmt::format("goods c{}", (mixed >> 3) % 7);
-    }
-    case PartKind::tub:
-      return "tub";
-    case PartKind::casing:
-      return "casing";
-    case PartKind::door:
-      return "door";
-    case PartKind::solid:
-      return "solid";
-    case PartKind::mesh:
-      return "mesh";
-  }
-  return {};
+  constexpr const char* classes[] = {"shell", "panel",  "board", "kick",  "goods",
+                                     "tub",   "casing", "door",  "solid", "mesh"};
+  const std::string name = classes[static_cast<std::size_t>(part.kind)];
+  if (part.kind != PartKind::goods) return name;
+  // From the place alone, so that the same product column has another colour on each shelf.
+  const auto& [x, y] = part.footprint.front();
+  const auto mixed =
+      static_cast<std::uint64_t>(std::llround(x * 100) * 73856093 ^ std::llround(y * 100) * 19349663 ^
+                                 std::llround(part.bottom * 100) * 83492791);
+  return fmt::format("{} c{}", name, (mixed >> 3) % 7);
 }
 
 std::vector<std::uint32_t> parts_seen_from_above(const Scene& scene) {
@@ -109,6 +89,37 @@ text{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","Lib
 .tag{fill:#fff;stroke:#0a4d91;stroke-width:1}
 .ground{stroke:#4b555e;stroke-width:2}.guide{stroke:#a9b2ba;stroke-width:.8;stroke-dasharray:3 3}
 )";
+}
+
+std::string mesh_silhouette(const PlanView& view, const Scene& scene, const Part& part) {
+  if (part.triangle_count == 0 || part.triangle_count > most_triangles) return {};
+  std::string data;
+  for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+    auto [a, b, c] = scene.mesh.triangles[t];
+    const Vec3 normal = cross(scene.mesh.vertices[b] - scene.mesh.vertices[a],
+                              scene.mesh.vertices[c] - scene.mesh.vertices[a]);
+    if (std::abs(normal.z) < 2 * least_area) continue;
+    if (normal.z < 0) std::swap(b, c);
+    char step = 'M';
+    for (const std::uint32_t corner : {a, b, c}) {
+      const Point p = view.at(scene.mesh.vertices[corner].x, scene.mesh.vertices[corner].y);
+      data += fmt::format("{}{} {}", step, coordinate(p.x), coordinate(p.y));
+      step = 'L';
+    }
+    data += 'Z';
+  }
+  return data;
+}
+
+std::string mesh_silhouette(const PlanView& view, const Scene& scene, std::uint32_t fixture) {
+  std::string data;
+  for (const Part& part : scene.parts) {
+    if (part.fixture != fixture || part.kind == PartKind::shell || part.footprint.size() < 3) continue;
+    const std::string of_part = mesh_silhouette(view, scene, part);
+    if (of_part.empty()) return {};
+    data += of_part;
+  }
+  return data;
 }
 
 }  // namespace shelfbeam

@@ -2,14 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "shelfbeam/report/chart/svg.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
+
+/// From the least to the largest of some values.
+struct Span {
+  double low = std::numeric_limits<double>::max(), high = -low;
+
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double size() const { return high - low; }
+};
 
 /// The mapping from metres of the store's floor to a drawing, with its frame: room outline, axes, scale bar.
 class PlanView {
@@ -20,11 +31,11 @@ class PlanView {
   double width() const { return width_; }
   double height() const { return height_; }
   double scale() const { return scale_; }  ///< units per metre
-  /// The share of their usual size that marks and ids keep where a metre is small: 1 up to rooms of about 60
+  /// The share of their usual size that marks and ids keep where a metre is small: 1 up to rooms of some 60
   /// m.
   double mark_share() const { return std::min(1.0, scale_ / 16); }
   Point at(double x, double y) const {
-    return {left + (x - low_x_) * scale_, bottom_ - (y - low_y_) * scale_};
+    return {left + (x - x_.low) * scale_, bottom_ - (y - y_.low) * scale_};
   }
   std::vector<Point> outline(std::span<const std::array<double, 2>> polygon) const;
 
@@ -35,7 +46,7 @@ class PlanView {
  private:
   static constexpr double left = 52, right = 16, below = 84;
 
-  double low_x_ = 0, low_y_ = 0, high_x_ = 1, high_y_ = 1;  // m
+  Span x_, y_;  // m
   double scale_ = 1, width_ = 0, height_ = 0, bottom_ = 0;
 };
 

@@ -9,7 +9,7 @@
 
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
-#include "shelfbeam/report/drawing/mesh_silhouette.hpp"
+#include "shelfbeam/report/drawing/part_drawing.hpp"
 
 namespace shelfbeam {
 

@@ -29,4 +29,8 @@ double label_mark_radius(const PlanView& view, std::span<const Vec3> positions);
 std::vector<Point> label_mark_places(const PlanView& view, std::span<const Vec3> positions,
                                      std::span<const Vec3> normals, double radius);
 
+/// The fixtures' ids, along their long sides. What is too small to hold its id has it beside, clear of other
+/// fixtures, ids and the marks of labels; where nothing is free near by, farther off with a line to it.
+void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
+
 }  // namespace shelfbeam

@@ -4,10 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/report/messages/bound.hpp"
-#include "shelfbeam/report/messages/certificate.hpp"
-#include "shelfbeam/report/messages/selection.hpp"
-#include "shelfbeam/report/messages/unreachable.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/reach.hpp"
 
 namespace shelfbeam {
 

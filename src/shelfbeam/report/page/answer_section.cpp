@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/report/messages/bound.hpp"
 #include "shelfbeam/report/messages/headline.hpp"
-#include "shelfbeam/report/messages/unreachable.hpp"
-#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/reach.hpp"
+#include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
 namespace shelfbeam {

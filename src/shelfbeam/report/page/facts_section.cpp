@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/report/data/id_ranges.hpp"
-#include "shelfbeam/report/messages/bound.hpp"
-#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
 

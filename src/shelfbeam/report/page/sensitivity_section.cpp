@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "shelfbeam/report/chart/tornado_chart.hpp"
-#include "shelfbeam/report/data/id_ranges.hpp"
-#include "shelfbeam/report/messages/certificate.hpp"
-#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/chart/charts.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
 namespace shelfbeam {
@@ -88,7 +88,6 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
 std::string labels(const ReportData& data, const std::vector<std::uint32_t>& rows, const char* what) {
   if (rows.empty()) return {};
   std::vector<std::string> ids;
-  ids.reserve(rows.size());
   for (const std::uint32_t row : rows) ids.push_back(data.label(row).id);
   std::string list;
   for (const std::string& range : id_ranges(ids)) list += fmt::format("<li>{}</li> ", escape(range));

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/report/data/id_ranges.hpp"
-#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 
 namespace shelfbeam {
@@ -44,8 +44,8 @@ std::string served_labels(const ReportData& data) {
     list += "</ul></dd>\n";
   }
   return fmt::format(
-      "<details>\n<summary>The labels each unit serves</summary>\n<dl "
-      "class=\"serves\">\n{}</dl>\n</details>\n",
+      "<details>\n<summary>The labels each unit serves</summary>\n"
+      "<dl class=\"serves\">\n{}</dl>\n</details>\n",
       list);
 }
 
@@ -80,8 +80,7 @@ std::string unit_section(const ReportData& data) {
           paragraph(
               "Numbers of labels: that the unit reaches without help; that get the largest part of their "
               "signal from it; that would fall below their requirement without it. A unit looks down, or "
-              "leans "
-              "so far from it towards a direction in the plan, 0° along x and 90° along y.",
+              "leans so far from it towards a direction in the plan, 0° along x and 90° along y.",
               "note") +
           served_labels(data));
 }

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/report/page/html_table.hpp"
+#include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 #include "shelfbeam/report/viewer/page_signals.hpp"
-#include "shelfbeam/report/viewer/page_store.hpp"
 
 namespace shelfbeam {
 
@@ -18,13 +17,6 @@ extern const std::string_view viewer_script;
 namespace {
 
 constexpr const char* heading = "The store in 3-D";
-
-std::vector<double> shown_signals(const ReportData& data) {
-  std::vector<double> signals;
-  for (const LabelOutcome& label : data.outcome.labels)
-    signals.push_back(data.has_selection() ? label.signal : label.best);
-  return signals;
-}
 
 std::string share_text(double share) {
   return significant(100 * share, 2) + "\u00A0%";
@@ -90,7 +82,9 @@ std::string viewer_section(const ReportData& data, std::string_view script) {
             "This build of shelfbeam was made without Node.js or its packages, so the 3-D view was left "
             "out. Everything else is here.",
             "note"));
-  const SignalScale scale(shown_signals(data));
+  std::vector<double> signals;
+  for (std::uint32_t i = 0; i < data.outcome.labels.size(); ++i) signals.push_back(data.shown_signal(i));
+  const SignalScale scale(signals);
   const PackedSignals packed = pack_signals(data.input.matrix, data.input.plan.placement, most_signal_bytes);
   const std::string body = fmt::format(
       "<style>#viewer{{{}}}\n@media screen and (prefers-color-scheme:dark){{#viewer{{{}}}}}</style>\n"

@@ -1,9 +1,7 @@
 #include "shelfbeam/report/viewer/page_data.hpp"
 
-#include <array>
 #include <bit>
 #include <stdexcept>
-#include <type_traits>
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -11,12 +9,6 @@
 namespace shelfbeam {
 
 namespace {
-
-template <std::size_t size>
-using Bits =
-    std::conditional_t<size == 1, std::uint8_t,
-                       std::conditional_t<size == 2, std::uint16_t,
-                                          std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>>;
 
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
@@ -45,29 +37,12 @@ std::string to_base64(std::string_view bytes) {
 
 }  // namespace
 
-template <class Value>
-void PageData::add_planes(std::string_view name, std::string_view type, std::span<const Value> values) {
-  arrays_ += fmt::format("{}{{\"name\":\"{}\",\"type\":\"{}\",\"count\":{}}}", arrays_.empty() ? "" : ",",
-                         name, type, values.size());
-  for (unsigned plane = 0; plane < sizeof(Value); ++plane)
-    for (const Value& value : values)
-      bytes_ += static_cast<char>(std::bit_cast<Bits<sizeof(Value)>>(value) >> (8U * plane) & 255U);
-}
-
-void PageData::add(std::string_view name, std::span<const std::uint8_t> values) {
-  add_planes(name, "u8", values);
-}
-void PageData::add(std::string_view name, std::span<const std::uint16_t> values) {
-  add_planes(name, "u16", values);
-}
-void PageData::add(std::string_view name, std::span<const std::uint32_t> values) {
-  add_planes(name, "u32", values);
-}
-void PageData::add(std::string_view name, std::span<const float> values) {
-  add_planes(name, "f32", values);
-}
-void PageData::add(std::string_view name, std::span<const double> values) {
-  add_planes(name, "f64", values);
+void PageData::add(std::string_view name, char kind, std::size_t width, std::span<const std::byte> bytes) {
+  static_assert(std::endian::native == std::endian::little);
+  arrays_ += fmt::format("{}{{\"name\":\"{}\",\"type\":\"{}{}\",\"count\":{}}}", arrays_.empty() ? "" : ",",
+                         name, kind, 8 * width, bytes.size() / width);
+  for (std::size_t plane = 0; plane < width; ++plane)
+    for (std::size_t k = plane; k < bytes.size(); k += width) bytes_ += static_cast<char>(bytes[k]);
 }
 
 std::string PageData::base64(std::string_view about) const {

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 namespace shelfbeam {
 
@@ -17,18 +19,17 @@ namespace shelfbeam {
 /// neighbours (exponents, the high bytes of small numbers) comes together, which deflate likes.
 class PageData {
  public:
-  void add(std::string_view name, std::span<const std::uint8_t> values);
-  void add(std::string_view name, std::span<const std::uint16_t> values);
-  void add(std::string_view name, std::span<const std::uint32_t> values);
-  void add(std::string_view name, std::span<const float> values);
-  void add(std::string_view name, std::span<const double> values);
+  /// Of std::uint8_t, std::uint16_t, std::uint32_t, float or double.
+  template <class Value>
+  void add(std::string_view name, const std::vector<Value>& values) {
+    add(name, std::is_floating_point_v<Value> ? 'f' : 'u', sizeof(Value), std::as_bytes(std::span(values)));
+  }
 
   /// `about` is JSON.
   std::string base64(std::string_view about) const;
 
  private:
-  template <class Value>
-  void add_planes(std::string_view name, std::string_view type, std::span<const Value> values);
+  void add(std::string_view name, char kind, std::size_t width, std::span<const std::byte> bytes);
 
   std::string arrays_;  ///< JSON objects, separated by commas
   std::string bytes_;

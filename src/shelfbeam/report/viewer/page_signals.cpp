@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/placement/problem/instance.hpp"
-#include "shelfbeam/report/data/sampling.hpp"
+#include "shelfbeam/report/data/distributions.hpp"
 #include "shelfbeam/report/viewer/page_data.hpp"
 
 namespace shelfbeam {
@@ -126,16 +126,16 @@ std::vector<std::uint16_t> details(const PageSignals& signals, const std::vector
 PackedSignals packed(PageSignals signals) {
   const auto error = details(signals, signals.error), direct = details(signals, signals.direct);
   PageData data;
-  data.add("row_size", std::span(signals.row_size));
-  data.add("gap", std::span(signals.gap));
+  data.add("row_size", signals.row_size);
+  data.add("gap", signals.gap);
   if (signals.grain > 0)
-    data.add("grains", std::span(signals.grains));
+    data.add("grains", signals.grains);
   else
-    data.add("mean", std::span(signals.mean));
-  data.add("negative", std::span(signals.negative));
-  data.add("error", std::span(error));
-  data.add("direct", std::span(direct));
-  data.add("rest", std::span(signals.rest));
+    data.add("mean", signals.mean);
+  data.add("negative", signals.negative);
+  data.add("error", error);
+  data.add("direct", direct);
+  data.add("rest", signals.rest);
   std::string base64 = data.base64(fmt::format(
       R"({{"grain":{},"detailsFrom":{},"leastError":{},"errorStep":{},"directStep":{}}})", signals.grain,
       signals.details_from, signals.least_error, signals.error_step, signals.direct_step));

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/report/chart/palette.hpp"
+#include "shelfbeam/report/data/report_data.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 
 namespace shelfbeam {
@@ -60,5 +62,9 @@ struct PackedSignals {
   std::string base64;
 };
 PackedSignals pack_signals(const SignalMatrix& matrix, const Placement& placement, std::size_t most_bytes);
+
+/// What the 3-D view draws and names, in base64 (PageData): room, parts of fixtures, labels, candidates, the
+/// question and its answer. Positions are in m and in single precision, requirements as they are.
+std::string pack_store(const ReportData& data, const SignalScale& scale);
 
 }  // namespace shelfbeam

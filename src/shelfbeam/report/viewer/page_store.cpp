@@ -1,11 +1,10 @@
-#include "shelfbeam/report/viewer/page_store.hpp"
-
 #include <map>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/report/viewer/page_data.hpp"
+#include "shelfbeam/report/viewer/page_signals.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
@@ -27,17 +26,8 @@ Json point(const Vec3& v) {
 
 // How a part is drawn: the classes of its colours, in the order that the script knows.
 std::uint8_t look_of(PartKind kind) {
-  switch (kind) {
-    case PartKind::board:
-    case PartKind::tub:
-      return 1;
-    case PartKind::goods:
-      return 2;
-    case PartKind::door:
-      return 3;
-    default:
-      return 0;
-  }
+  if (kind == PartKind::board || kind == PartKind::tub) return 1;
+  return kind == PartKind::goods ? 2 : kind == PartKind::door ? 3 : 0;
 }
 
 void add_parts(PageData& page, const Scene& scene) {
@@ -65,12 +55,12 @@ void add_parts(PageData& page, const Scene& scene) {
     heights.push_back(static_cast<float>(part.bottom));
     heights.push_back(static_cast<float>(part.top));
   }
-  page.add("part_look", std::span(look));
-  page.add("part_corners", std::span(corner_count));
-  page.add("part_outline", std::span(corners));
-  page.add("part_height", std::span(heights));
-  page.add("mesh_vertex", std::span(mesh_vertices));
-  page.add("mesh_triangle", std::span(mesh_triangles));
+  page.add("part_look", look);
+  page.add("part_corners", corner_count);
+  page.add("part_outline", corners);
+  page.add("part_height", heights);
+  page.add("mesh_vertex", mesh_vertices);
+  page.add("mesh_triangle", mesh_triangles);
 }
 
 // Labels of one type that need the same: one threshold for them in the page.
@@ -90,10 +80,10 @@ Json add_labels(PageData& page, const ReportData& data) {
   }
   for (std::size_t k = 0; k < data.levels.size(); ++k)
     for (const std::uint32_t label : data.levels[k].labels) level[label] = static_cast<std::uint16_t>(k);
-  page.add("label_position", std::span(position));
-  page.add("label_normal", std::span(normal));
-  page.add("label_kind", std::span(kind));
-  page.add("label_level", std::span(level));
+  page.add("label_position", position);
+  page.add("label_normal", normal);
+  page.add("label_kind", kind);
+  page.add("label_level", level);
   return {{"ids", ids}, {"kinds", kinds}};
 }
 
@@ -108,8 +98,8 @@ Json add_units(PageData& page, const ReportData& data) {
     types.push_back(units[j].type);
     if (units[j].installed) installed.push_back(j);
   }
-  page.add("unit_position", std::span(position));
-  page.add("unit_axis", std::span(axis));
+  page.add("unit_position", position);
+  page.add("unit_axis", axis);
   Json needed_by = Json::array();
   for (const UnitOutcome& unit : data.outcome.units) needed_by.push_back(unit.needed_by);
   return {{"ids", ids},
@@ -127,7 +117,7 @@ Json add_certificate(PageData& page, const ReportData& data) {
   if (certificate)
     for (const LabelVerdict& label : certificate->labels)
       verdicts.push_back(static_cast<std::uint8_t>(label.verdict));
-  page.add("label_verdict", std::span(verdicts));
+  page.add("label_verdict", verdicts);
   return certificate ? Json{{"confidence", certificate->confidence}} : Json();
 }
 

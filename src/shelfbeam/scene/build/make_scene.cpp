@@ -11,8 +11,8 @@
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_scene.hpp"
-#include "shelfbeam/scene/store/device_csv.hpp"
 #include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/scene/store/store_parts.hpp"
 #include "shelfbeam/scene/store_names.hpp"
 #include "shelfbeam/scene/warning_list.hpp"
 
@@ -196,9 +196,8 @@ class SceneMaker {
   void add_transceivers() {
     for (std::size_t g = 0; g < store_.grids.size(); ++g) {
       const TransceiverGrid& grid = store_.grids[g];
-      const auto steps = [&](int axis) {
-        const double extent =
-            grid.max[static_cast<std::size_t>(axis)] - grid.min[static_cast<std::size_t>(axis)];
+      const auto steps = [&](std::size_t axis) {
+        const double extent = grid.max[axis] - grid.min[axis];
         return extent > 0 ? std::max(1L, std::lround(extent / grid.spacing)) : 0L;
       };
       const auto coordinate = [&](std::size_t axis, long k, long n) {

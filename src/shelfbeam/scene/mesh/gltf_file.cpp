@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -15,28 +16,37 @@ namespace shelfbeam {
 
 namespace {
 
-enum ComponentType : std::int64_t {
-  signed_byte = 5120,
-  unsigned_byte = 5121,
-  signed_short = 5122,
-  unsigned_short = 5123,
-  unsigned_int = 5125,
-  real = 5126
-};
-
 constexpr std::int64_t most = std::int64_t{1} << 50;  // of bytes or numbers: beyond any file, and exact
-
-std::size_t bytes_of(std::int64_t component_type) {
-  return component_type == unsigned_int || component_type == real             ? 4
-         : component_type == signed_short || component_type == unsigned_short ? 2
-                                                                              : 1;
-}
 
 template <class T>
 T value_at(std::string_view bytes, std::size_t at) {
   T value{};
   std::memcpy(&value, bytes.data() + at, sizeof value);
   return value;
+}
+
+template <class T>
+double number_at(std::string_view bytes, std::size_t at) {
+  return value_at<T>(bytes, at);
+}
+
+// Types of numbers in a buffer.
+struct Component {
+  std::size_t bytes;
+  double (*at)(std::string_view bytes, std::size_t at);
+  double largest = 0;  // that stands for 1 where numbers are normalized; 0: they are as they are
+};
+constexpr std::int64_t first_component = 5120;
+constexpr std::array<Component, 7> components{{{1, number_at<std::int8_t>, 127},
+                                               {1, number_at<std::uint8_t>, 255},
+                                               {2, number_at<std::int16_t>, 32767},
+                                               {2, number_at<std::uint16_t>, 65535},
+                                               {},
+                                               {4, number_at<std::uint32_t>},
+                                               {4, number_at<float>}}};
+
+const Component& component_of(std::int64_t type) {
+  return components[static_cast<std::size_t>(type - first_component)];
 }
 
 struct Chunks {
@@ -68,19 +78,15 @@ Chunks chunks_of(std::string_view text, const std::string& name) {
 }
 
 std::string from_base64(std::string_view text, const JsonCursor& place) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3);
   std::uint32_t group = 0;
   int bits = 0;
   while (text.ends_with('=')) text.remove_suffix(1);
   for (const char c : text) {
-    const int digit = c >= 'A' && c <= 'Z'   ? c - 'A'
-                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+'             ? 62
-                      : c == '/'             ? 63
-                                             : -1;
-    if (digit < 0) place.fail("is no base64", "export the file again");
+    const std::size_t digit = digits.find(c);
+    if (digit == digits.npos) place.fail("is no base64", "export the file again");
     group = group << 6 | static_cast<std::uint32_t>(digit);
     if ((bits += 6) < 8) continue;
     bits -= 8;
@@ -91,16 +97,12 @@ std::string from_base64(std::string_view text, const JsonCursor& place) {
 
 // "a%20b.bin" -> "a b.bin"
 std::string without_percent(std::string_view uri) {
-  const auto digit = [](char c) {
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-  };
   std::string name;
   for (std::size_t k = 0; k < uri.size(); ++k) {
-    if (uri[k] == '%' && k + 2 < uri.size() && digit(uri[k + 1]) >= 0 && digit(uri[k + 2]) >= 0) {
-      name += static_cast<char>(digit(uri[k + 1]) * 16 + digit(uri[k + 2]));
+    unsigned char byte = 0;
+    const char* const hex = uri.data() + k + 1;
+    if (uri[k] == '%' && k + 2 < uri.size() && std::from_chars(hex, hex + 2, byte, 16).ptr == hex + 2) {
+      name += static_cast<char>(byte);
       k += 2;
     } else {
       name += uri[k];
@@ -151,24 +153,9 @@ JsonCursor GltfFile::item(std::string_view list, const JsonCursor& number) const
 }
 
 double GltfFile::Numbers::at(std::size_t index, std::size_t component) const {
-  const std::size_t at = index * stride + component * bytes_of(type);
-  const auto scaled = [&](double value, double largest) {
-    return is_normalized ? std::max(value / largest, -1.0) : value;
-  };
-  switch (type) {
-    case signed_byte:
-      return scaled(value_at<std::int8_t>(bytes, at), 127);
-    case unsigned_byte:
-      return scaled(value_at<std::uint8_t>(bytes, at), 255);
-    case signed_short:
-      return scaled(value_at<std::int16_t>(bytes, at), 32767);
-    case unsigned_short:
-      return scaled(value_at<std::uint16_t>(bytes, at), 65535);
-    case unsigned_int:
-      return value_at<std::uint32_t>(bytes, at);
-    default:
-      return value_at<float>(bytes, at);
-  }
+  const Component& kind = component_of(type);
+  const double value = kind.at(bytes, index * stride + component * kind.bytes);
+  return is_normalized && kind.largest > 0 ? std::max(value / kind.largest, -1.0) : value;
 }
 
 GltfFile::Numbers GltfFile::numbers(const JsonCursor& number, std::string_view type, std::size_t components) {
@@ -178,8 +165,9 @@ GltfFile::Numbers GltfFile::numbers(const JsonCursor& number, std::string_view t
     accessor["type"].fail("is another", fmt::format("'{}' is expected", type));
   Numbers numbers;
   numbers.components = components;
-  numbers.type = accessor["componentType"].integer(signed_byte, real);
-  if (numbers.type == 5124) accessor["componentType"].fail("is 5124", "5120 to 5126 without it are known");
+  numbers.type = accessor["componentType"].integer(first_component, first_component + 6);
+  if (component_of(numbers.type).bytes == 0)
+    accessor["componentType"].fail("is 5124", "5120 to 5126 without it are known");
   if (const auto normalized = accessor.find("normalized")) numbers.is_normalized = normalized->boolean();
   numbers.count = static_cast<std::size_t>(accessor["count"].integer(1, most));
 
@@ -188,7 +176,7 @@ GltfFile::Numbers GltfFile::numbers(const JsonCursor& number, std::string_view t
   const std::size_t begin = count_at(view, "byteOffset", 0), length = count_at(view, "byteLength", 0);
   if (begin > buffer.size() || length > buffer.size() - begin)
     view.fail("reaches beyond its buffer", "export the file again");
-  const std::size_t size = components * bytes_of(numbers.type);
+  const std::size_t size = components * component_of(numbers.type).bytes;
   numbers.stride = count_at(view, "byteStride", static_cast<std::int64_t>(size));
   const std::size_t offset = count_at(accessor, "byteOffset", 0);
   // Each number takes a place of its own, so the file is as large as what is read of it.

@@ -1,5 +1,4 @@
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include <fmt/format.h>

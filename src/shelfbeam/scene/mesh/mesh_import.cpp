@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cstdint>
 #include <set>
 #include <unordered_map>
@@ -25,23 +24,12 @@ std::string printable(std::string name) {
   return name;
 }
 
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 std::optional<MaterialId> mapped(const std::string& name,
                                  const std::vector<std::pair<std::string, MaterialId>>& materials) {
   for (const auto& [pattern, material] : materials)
     if (matches_glob(name, pattern)) return material;
   return std::nullopt;
 }
-
-struct SamePlace {
-  bool operator()(const Vec3& a, const Vec3& b) const { return a.x == b.x && a.y == b.y && a.z == b.z; }
-};
 
 struct PlaceHash {
   std::size_t operator()(const Vec3& p) const {
@@ -57,7 +45,7 @@ struct PlaceHash {
 MeshPiece piece_of(const MeshTriangles::OfMaterial& part, bool y_is_up) {
   MeshPiece piece;
   piece.name = printable(part.name);
-  std::unordered_map<Vec3, std::uint32_t, PlaceHash, SamePlace> known;
+  std::unordered_map<Vec3, std::uint32_t, PlaceHash> known;
   for (const auto& triangle : part.triangles) {
     auto& corners = piece.triangles.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -91,7 +79,7 @@ std::vector<MeshPiece> import_mesh(const std::filesystem::path& name, const Stor
                                    const std::vector<std::pair<std::string, MaterialId>>& materials,
                                    const std::string& where) {
   const std::filesystem::path file = folder.find(name, where, "mesh");
-  const std::string extension = extension_of(file);
+  const std::string extension = lower_case(file.extension().string());
   const bool is_gltf = extension == ".gltf" || extension == ".glb";
   if (!is_gltf && extension != ".obj" && extension != ".stl" && extension != ".ply")
     throw InputError(where,

@@ -2,9 +2,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <optional>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,18 +21,6 @@ struct Type {
   Kind kind;
   std::size_t bytes;
 };
-
-std::optional<Type> type_of(std::string_view name) {
-  if (name == "char" || name == "int8") return Type{Kind::signed_integer, 1};
-  if (name == "uchar" || name == "uint8") return Type{Kind::unsigned_integer, 1};
-  if (name == "short" || name == "int16") return Type{Kind::signed_integer, 2};
-  if (name == "ushort" || name == "uint16") return Type{Kind::unsigned_integer, 2};
-  if (name == "int" || name == "int32") return Type{Kind::signed_integer, 4};
-  if (name == "uint" || name == "uint32") return Type{Kind::unsigned_integer, 4};
-  if (name == "float" || name == "float32") return Type{Kind::real, 4};
-  if (name == "double" || name == "float64") return Type{Kind::real, 8};
-  return std::nullopt;
-}
 
 struct Property {
   Type type;
@@ -61,9 +47,16 @@ struct Header {
 };
 
 Type expect_type(const MeshLines& lines, std::string_view name) {
-  const auto type = type_of(name);
-  if (!type) lines.fail("the type of a property is not known");
-  return *type;
+  using enum Kind;
+  if (name == "char" || name == "int8") return {signed_integer, 1};
+  if (name == "uchar" || name == "uint8") return {unsigned_integer, 1};
+  if (name == "short" || name == "int16") return {signed_integer, 2};
+  if (name == "ushort" || name == "uint16") return {unsigned_integer, 2};
+  if (name == "int" || name == "int32") return {signed_integer, 4};
+  if (name == "uint" || name == "uint32") return {unsigned_integer, 4};
+  if (name == "float" || name == "float32") return {real, 4};
+  if (name == "double" || name == "float64") return {real, 8};
+  lines.fail("the type of a property is not known");
 }
 
 Property read_property(const MeshLines& lines, const Element& element) {
@@ -127,12 +120,42 @@ bool is_length(double count) {
   return count >= 0 && count <= most_counted && count == std::floor(count);
 }
 
-class PlyBytes {
+/// The numbers of elements: words of an ASCII file, an element a line, or the bytes of a binary one.
+class Numbers {
  public:
-  PlyBytes(std::string_view bytes, bool is_little) : bytes_(bytes), is_little_(is_little) {}
+  Numbers(MeshLines& lines, std::string_view format)
+      : lines_(lines),
+        bytes_(lines.rest()),
+        is_ascii_(format == "ascii"),
+        is_little_(format == "binary_little_endian") {}
 
-  std::optional<double> next(Type type) {
-    if (type.bytes > bytes_.size()) return std::nullopt;
+  void begin_element() {
+    if (is_ascii_ && !lines_.next()) fail_early();
+    at_ = 0;
+  }
+  double coordinate(Type type) { return is_ascii_ ? lines_.coordinate(at_++) : next(type); }
+  double next(Type type) {
+    if (!is_ascii_) return next_bytes(type);
+    const auto value = at_ < lines_.words().size() ? to_number(lines_.words()[at_]) : std::nullopt;
+    if (!value) lines_.fail(fmt::format("a number is expected as value {}", at_ + 1));
+    ++at_;
+    return *value;
+  }
+  void bad_length() const {
+    if (is_ascii_) lines_.fail(fmt::format("value {} is no length of a list", at_));
+    lines_.fail_file("is damaged: a list has a negative length");
+  }
+  void bad_index(const std::string& problem) const {
+    if (is_ascii_) lines_.fail(problem);
+    lines_.fail_file(fmt::format("is damaged: {}", problem));
+  }
+
+ private:
+  [[noreturn]] void fail_early() const {
+    lines_.fail_file("ends before the last of the elements that its header counts");
+  }
+  double next_bytes(Type type) {
+    if (type.bytes > bytes_.size()) fail_early();
     std::uint64_t bits = 0;
     for (std::size_t k = 0; k < type.bytes; ++k) {
       const std::size_t from = is_little_ ? type.bytes - 1 - k : k;
@@ -143,71 +166,21 @@ class PlyBytes {
       return type.bytes == 8 ? std::bit_cast<double>(bits)
                              : std::bit_cast<float>(static_cast<std::uint32_t>(bits));
     if (type.kind == Kind::unsigned_integer) return static_cast<double>(bits);
-    switch (type.bytes) {
-      case 1:
-        return static_cast<std::int8_t>(bits);
-      case 2:
-        return static_cast<std::int16_t>(bits);
-      default:
-        return static_cast<std::int32_t>(bits);
-    }
+    return type.bytes == 1   ? static_cast<std::int8_t>(bits)
+           : type.bytes == 2 ? static_cast<std::int16_t>(bits)
+                             : static_cast<std::int32_t>(bits);
   }
 
- private:
-  std::string_view bytes_;
-  bool is_little_;
-};
-
-/// The numbers of an ASCII file, an element a line.
-class AsciiNumbers {
- public:
-  explicit AsciiNumbers(MeshLines& lines) : lines_(lines) {}
-
-  void begin_element() {
-    if (!lines_.next()) lines_.fail_file("ends before the last of the elements that its header counts");
-    at_ = 0;
-  }
-  double coordinate(Type) { return lines_.coordinate(at_++); }
-  double next(Type) {
-    const auto value = at_ < lines_.words().size() ? to_number(lines_.words()[at_]) : std::nullopt;
-    if (!value) lines_.fail(fmt::format("a number is expected as value {}", at_ + 1));
-    ++at_;
-    return *value;
-  }
-  void bad_length() const { lines_.fail(fmt::format("value {} is no length of a list", at_)); }
-  void bad_index(const std::string& problem) const { lines_.fail(problem); }
-
- private:
   MeshLines& lines_;
-  std::size_t at_ = 0;
+  std::string_view bytes_;
+  bool is_ascii_, is_little_;
+  std::size_t at_ = 0;  ///< the next word
 };
 
-class BinaryNumbers {
- public:
-  BinaryNumbers(const MeshLines& lines, bool is_little) : lines_(lines), bytes_(lines.rest(), is_little) {}
-
-  void begin_element() {}
-  double coordinate(Type type) { return next(type); }
-  double next(Type type) {
-    const auto value = bytes_.next(type);
-    if (!value) lines_.fail_file("ends before the last of the elements that its header counts");
-    return *value;
-  }
-  void bad_length() const { lines_.fail_file("is damaged: a list has a negative length"); }
-  void bad_index(const std::string& problem) const {
-    lines_.fail_file(fmt::format("is damaged: {}", problem));
-  }
-
- private:
-  const MeshLines& lines_;
-  PlyBytes bytes_;
-};
-
-template <class Numbers>
 class PlyReader {
  public:
-  PlyReader(const MeshLines& lines, const Header& header, Numbers numbers)
-      : lines_(lines), header_(header), numbers_(std::move(numbers)) {}
+  PlyReader(MeshLines& lines, const Header& header)
+      : lines_(lines), header_(header), numbers_(lines, header.format) {}
 
   void read(MeshTriangles& triangles) {
     for (const Element& element : header_.elements)
@@ -264,13 +237,11 @@ class PlyReader {
 
 void read_ply(MeshLines& lines, MeshTriangles& triangles) {
   const Header header = read_header(lines);
-  if (header.format == "ascii")
-    PlyReader(lines, header, AsciiNumbers(lines)).read(triangles);
-  else if (header.format == "binary_little_endian" || header.format == "binary_big_endian")
-    PlyReader(lines, header, BinaryNumbers(lines, header.format == "binary_little_endian")).read(triangles);
-  else
+  if (header.format != "ascii" && header.format != "binary_little_endian" &&
+      header.format != "binary_big_endian")
     lines.fail_file(
         "has a 'format' that is not known; ascii, binary_little_endian and binary_big_endian are");
+  PlyReader(lines, header).read(triangles);
 }
 
 }  // namespace shelfbeam

@@ -1,21 +1,13 @@
-#include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <string>
 
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/mesh/mesh_formats.hpp"
 
 namespace shelfbeam {
 
 namespace {
-
-std::string lower_case(std::string_view word) {
-  std::string lower(word);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
 
 void read_ascii(MeshLines& lines, MeshTriangles& triangles) {
   bool is_open = true;

@@ -1,7 +1,6 @@
 #include "shelfbeam/scene/mesh/mesh_triangles.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
 
 namespace shelfbeam {

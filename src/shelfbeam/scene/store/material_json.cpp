@@ -1,5 +1,3 @@
-#include "shelfbeam/scene/store/material_json.hpp"
-
 #include <array>
 #include <cmath>
 #include <optional>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/material/reflectances_940nm.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,8 +23,8 @@ struct Room {
 
 struct TransceiverGrid {
   Vec2 min{}, max{};
-  double spacing =
-      1;  ///< m; stretched a little where it does not divide the extent, so both ends are included
+  /// m; stretched a little where it does not divide the extent, so both ends are included
+  double spacing = 1;
   double z = 0;
   Vec3 axis{0, 0, -1};
   double roll_deg = 0;
@@ -76,7 +75,7 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
 /// Expands fixtures and grids, checks ids and positions, and freezes the result. Throws InputError.
 Scene make_scene(const Store& store);
 
-/// The store's scene with the units of a CSV (device_csv.hpp: read_transceivers_csv) in the place of its
+/// The store's scene with the units of a CSV (read_transceivers_csv) in the place of its
 /// candidates; they may hang anywhere, several at one place, too. Throws InputError with file and line.
 Scene scene_with_units(Store store, const std::filesystem::path& csv);
 

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <filesystem>
+
+#include <nlohmann/json_fwd.hpp>
+
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/device/emission.hpp"
+#include "shelfbeam/material/material.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 #include "shelfbeam/scene/store_names.hpp"
@@ -10,14 +15,22 @@ namespace shelfbeam {
 
 // The sections of a store file; each reads one and throws InputError with its JSON path.
 
+void read_materials(const JsonCursor& section, Store& store);
 void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store);
-/// The `emission` of a transceiver type, and the photometric file it names; its power is positive. Throws at
-/// the JSON path, or in the photometric file at the line.
-Emission read_emission(const JsonCursor& cursor, const StoreFolder& folder);
 /// After the transceiver types, which a threshold may name.
 void read_label_types(const JsonCursor& section, Store& store);
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store);
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                        Store& store);
+
+/// Labels from a CSV with the header `id,x,y,z,nx,ny,nz,type`. Throws InputError with file and line.
+void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store);
+
+/// Transceivers from a CSV with the header `id,x,y,z,ax,ay,az,roll_deg,type`; further columns are ignored, so
+/// that placement.csv can be read back.
+void read_transceivers_csv(const std::filesystem::path& path, const StoreNames& names, Store& store);
+
+/// A material as the resolved store writes it; read back it is the same to the bit.
+nlohmann::ordered_json resolved(const Material& material);
 
 }  // namespace shelfbeam

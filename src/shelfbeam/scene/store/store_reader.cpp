@@ -1,9 +1,7 @@
-#include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/scene/read_values.hpp"
-#include "shelfbeam/scene/store/material_json.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/report/data/sampling.hpp"
 #include "shelfbeam/report/data/scale.hpp"
 
 #include "unit/report/random_matrix.hpp"

@@ -1,6 +1,6 @@
-#include "shelfbeam/report/data/id_ranges.hpp"
-
 #include <gtest/gtest.h>
+
+#include "shelfbeam/report/data/text_format.hpp"
 
 namespace shelfbeam {
 namespace {

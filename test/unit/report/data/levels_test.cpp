@@ -1,11 +1,10 @@
-#include "shelfbeam/report/data/levels.hpp"
-
 #include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "shelfbeam/math/random.hpp"
+#include "shelfbeam/report/data/report_data.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -1,9 +1,9 @@
-#include "shelfbeam/report/drawing/fixture_ids.hpp"
-
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "shelfbeam/report/drawing/store_layer.hpp"
 
 #include "unit/report/markup.hpp"
 #include "unit/report/sample_store.hpp"

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/data/report.hpp"
-#include "shelfbeam/report/drawing/elevation.hpp"
-#include "shelfbeam/report/drawing/mesh_silhouette.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 
 #include "unit/report/markup.hpp"

@@ -12,11 +12,9 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/report/messages/bound.hpp"
-#include "shelfbeam/report/messages/certificate.hpp"
 #include "shelfbeam/report/messages/headline.hpp"
-#include "shelfbeam/report/messages/selection.hpp"
-#include "shelfbeam/report/messages/unreachable.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/reach.hpp"
 
 #include "unit/report/supermarket_report.hpp"
 

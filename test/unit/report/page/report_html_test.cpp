@@ -9,9 +9,9 @@
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/report/data/distributions.hpp"
-#include "shelfbeam/report/data/id_ranges.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/report_data.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
 
 #include "unit/report/markup.hpp"
 #include "unit/report/sample_store.hpp"

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -22,12 +21,12 @@ TEST(PageData, ComesBackAsItWas) {
   const std::vector<std::uint32_t> numbers{4294967295U, 66051};
   const std::vector<float> floats{0.1F, -1e-30F, INFINITY};
   const std::vector<double> doubles{0.1, -1e-300, 3};
-  page.add("bytes", std::span(bytes));
-  page.add("words", std::span(words));
-  page.add("numbers", std::span(numbers));
-  page.add("none", std::span(std::span<const float>()));
-  page.add("floats", std::span(floats));
-  page.add("doubles", std::span(doubles));
+  page.add("bytes", bytes);
+  page.add("words", words);
+  page.add("numbers", numbers);
+  page.add("none", std::vector<float>());
+  page.add("floats", floats);
+  page.add("doubles", doubles);
   const std::string text = page.base64(R"({"name":"Käse & <b>"})");
   const PageReader reader(text);
   EXPECT_EQ(reader.about["name"], "Käse & <b>");

@@ -10,7 +10,6 @@
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 #include "shelfbeam/report/viewer/page_data.hpp"
-#include "shelfbeam/report/viewer/page_store.hpp"
 
 #include "unit/report/page_reader.hpp"
 #include "unit/report/random_matrix.hpp"

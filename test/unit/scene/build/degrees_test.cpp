@@ -1,11 +1,10 @@
-#include "shelfbeam/scene/build/degrees.hpp"
-
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -1,0 +1,45 @@
+#include "app/files.hpp"
+
+#include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+
+#include "app/options/arguments.hpp"
+
+namespace shelfbeam::app {
+
+Store load_store(const std::filesystem::path& path, bool allow_outside, std::size_t memory) {
+  return read_store(path, {allow_outside, memory == 0 ? most_of_the_memory() : memory});
+}
+
+SignalTable table_without_signals(const Scene& scene) {
+  SignalTable table;
+  for (const Label& label : scene.labels) {
+    const double requirement = scene.type_of(label).requirement();
+    table.labels.push_back({label.id, requirement, requirement, 0, 0});
+  }
+  for (const Transceiver& unit : scene.transceivers)
+    table.transceivers.push_back({unit.id, scene.type_of(unit).cost, unit.installed, unit.position});
+  table.row_begin.assign(table.labels.size() + 1, 0);
+  return table;
+}
+
+void add_store_options(CLI::App& verb, bool& allow_outside) {
+  verb.add_flag("--allow-outside", allow_outside,
+                "Let the store file name files (meshes, tables, profiles) outside its folder");
+}
+
+void prepare_plan_folder(const std::filesystem::path& folder) {
+  make_output_folder(folder);
+  for (const char* name : {signal_name, placement_name, store_name, labels_name, placement_table_name,
+                           verification_name, report_name})
+    expect_writable(folder / name);
+}
+
+void write_report(AtomicFolder& files, const ReportInput& input) {
+  files.add(labels_name).write(labels_csv(input));
+  files.add(placement_table_name).write(placement_csv(input));
+  files.add(report_name).write(report_html(input));
+}
+
+}  // namespace shelfbeam::app

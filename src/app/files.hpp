@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+namespace shelfbeam::app {
+
+/// Reads a store file; the files that it names lie in its folder unless `allow_outside`. `memory`: bytes, 0
+/// for most of what the machine has.
+Store load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0);
+
+/// What placements are asked about, before there is any signal: labels and candidates of a scene.
+SignalTable table_without_signals(const Scene& scene);
+
+/// --allow-outside.
+void add_store_options(CLI::App& verb, bool& allow_outside);
+
+/// Names of what a plan leaves in its folder. A folder without placement.json is no whole plan.
+inline constexpr auto signal_name = "signal.h5";
+inline constexpr auto placement_name = "placement.json";
+inline constexpr auto store_name = "store.json";
+inline constexpr auto labels_name = "labels.csv";
+inline constexpr auto placement_table_name = "placement.csv";
+inline constexpr auto verification_name = "verification.csv";
+inline constexpr auto report_name = "report.html";
+
+/// Makes the folder; throws InputError where one of the files above could not be written.
+void prepare_plan_folder(const std::filesystem::path& folder);
+
+/// Adds labels.csv, placement.csv and report.html.
+void write_report(AtomicFolder& files, const ReportInput& input);
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,71 @@
+#include "shelfbeam/report/page/html.hpp"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/data/text_format.hpp"
+
+namespace shelfbeam {
+
+// page.css, made by cmake/embed.cmake.
+namespace embedded {
+extern const std::string_view page_css;
+}  // namespace embedded
+
+namespace {
+
+std::string class_attribute(const HtmlTable::Column& column) {
+  const char* const names[] = {"", " class=\"n\"", " class=\"w\"", " class=\"n w\""};
+  return names[(column.number ? 1 : 0) + (column.wraps ? 2 : 0)];
+}
+
+}  // namespace
+
+void HtmlTable::add_row(const std::vector<std::string>& cells) {
+  rows_ += "<tr>";
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    rows_ += fmt::format("<td{}>{}</td>", class_attribute(columns_[k]), escape(cells[k]));
+  rows_ += "</tr>\n";
+}
+
+std::string HtmlTable::html() const {
+  std::string head;
+  for (const Column& column : columns_)
+    head += fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(column), escape(column.head));
+  return fmt::format(
+      "<div class=\"scroll\" "
+      "tabindex=\"0\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+      head, rows_);
+}
+
+std::string html_section(const std::string& id, const std::string& heading, const std::string& body) {
+  return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, escape(heading), body);
+}
+
+std::string html_figure(const std::string& title, const std::string& picture, const std::string& note) {
+  return fmt::format("<figure><figcaption>{}</figcaption>\n{}{}</figure>\n", escape(title), picture,
+                     note.empty() ? "" : paragraph(note, "note"));
+}
+
+std::string paragraph(const std::string& text, const std::string& css_class) {
+  return css_class.empty() ? fmt::format("<p>{}</p>\n", escape(text))
+                           : fmt::format("<p class=\"{}\">{}</p>\n", css_class, escape(text));
+}
+
+std::string html_page(const std::string& title, const std::string& body, const std::string& light_colours,
+                      const std::string& dark_colours) {
+  std::string css(embedded::page_css);
+  const auto put = [&](std::string_view mark, const std::string& colours) {
+    css.replace(css.find(mark), mark.size(), colours);
+  };
+  put("/*light*/", light_colours);
+  put("/*dark*/", dark_colours);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+      escape(title), css, body);
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shelfbeam {
+
+/// A table that scrolls inside its box on narrow screens. Cells are given as plain text.
+class HtmlTable {
+ public:
+  struct Column {
+    std::string head;
+    bool number = true;  ///< right-aligned
+    bool wraps = false;  ///< may break its cells into lines
+  };
+
+  explicit HtmlTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  void add_row(const std::vector<std::string>& cells);
+  std::string html() const;
+
+ private:
+  std::vector<Column> columns_;
+  std::string rows_;
+};
+
+/// <section> with a heading; `body` is HTML.
+std::string html_section(const std::string& id, const std::string& heading, const std::string& body);
+
+/// <figure> with a caption; `picture` is HTML, the note below it plain text or empty.
+std::string html_figure(const std::string& title, const std::string& picture, const std::string& note);
+
+/// <p> from plain text.
+std::string paragraph(const std::string& text, const std::string& css_class = {});
+
+/// A page from its title, plain text, and its body. Its style sheet (page.css) is for light and dark, screen
+/// and paper; the colours are further CSS variables of it.
+std::string html_page(const std::string& title, const std::string& body,
+                      const std::string& light_colours = {}, const std::string& dark_colours = {});
+
+}  // namespace shelfbeam

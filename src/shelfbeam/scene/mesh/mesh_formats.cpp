@@ -1,0 +1,93 @@
+#include "shelfbeam/scene/mesh/mesh_formats.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/number.hpp"
+#include "shelfbeam/base/text.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr const char* advice = "repair the mesh in the program that wrote it";
+
+void split(std::string_view line, std::vector<std::string_view>& words) {
+  constexpr std::string_view blank = " \t\r\f\v";
+  words.clear();
+  for (std::size_t at = line.find_first_not_of(blank); at != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(blank, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(blank, end);
+  }
+}
+
+}  // namespace
+
+bool MeshLines::next() {
+  do {
+    if (at_ >= text_.size()) return false;
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    split(text_.substr(at_, end - at_), words_);
+    at_ = end + 1;
+    ++line_;
+  } while (words_.empty());
+  return true;
+}
+
+bool MeshLines::next_continued() {
+  if (!next()) return false;
+  while (words_.back().ends_with('\\')) {
+    words_.back().remove_suffix(1);
+    std::vector<std::string_view> before = std::exchange(words_, {});
+    if (before.back().empty()) before.pop_back();
+    const bool goes_on = next();
+    if (goes_on) before.insert(before.end(), words_.begin(), words_.end());
+    words_ = std::move(before);
+    if (words_.empty()) words_.emplace_back();
+    if (!goes_on) break;
+  }
+  return true;
+}
+
+std::string_view MeshLines::from(std::size_t word) const {
+  const char* begin = words_[word].data();
+  return {begin, static_cast<std::size_t>(words_.back().data() + words_.back().size() - begin)};
+}
+
+double MeshLines::coordinate(std::size_t word) const {
+  if (word >= words_.size()) fail("a coordinate is missing");
+  const auto number = to_number(words_[word]);
+  if (number && std::isfinite(*number)) return *number;
+  fail(is_utf8(words_[word])
+           ? fmt::format("the coordinate '{}' is no finite number", words_[word].substr(0, 40))
+           : "a coordinate is no number");
+}
+
+Vec3 MeshLines::finite(const Vec3& vertex, std::size_t number) const {
+  if (is_finite(vertex)) return vertex;
+  throw InputError(where_,
+                   fmt::format("vertex {} (counted from 0) of '{}' is not finite", number, file_.string()),
+                   advice);
+}
+
+void MeshLines::expect_taken(bool taken, std::size_t corners) const {
+  if (taken) return;
+  if (corners > MeshTriangles::most_corners) fail(fmt::format("a face with a dent has {} corners", corners));
+  throw InputError(where_,
+                   fmt::format("the mesh '{}' has more triangles than the memory holds", file_.string()),
+                   "simplify it, or allow more memory");
+}
+
+void MeshLines::fail(const std::string& problem) const {
+  throw InputError(where_, fmt::format("line {} of '{}': {}", line_, file_.string(), problem), advice);
+}
+
+void MeshLines::fail_file(const std::string& problem) const {
+  throw InputError(where_, fmt::format("the mesh '{}' {}", file_.string(), problem), advice);
+}
+
+}  // namespace shelfbeam
