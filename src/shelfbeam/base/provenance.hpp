@@ -25,6 +25,8 @@ struct Provenance {
   std::string store_hash;  ///< scene_hash of what was simulated; empty for a matrix from elsewhere
   std::uint64_t seed = 0;
   std::string estimator;  ///< e.g. "uniform mis (balance), direct exact"; empty for a matrix from elsewhere
+
+  bool operator==(const Provenance&) const = default;
 };
 
 }  // namespace shelfbeam

@@ -22,6 +22,8 @@ struct LabelRow {
   double signal_cost = 0;  ///< delta_i of (3.14)
   std::uint32_t batches = 0;
   std::uint64_t samples = 0;  ///< first rays drawn for this label, all batches
+
+  bool operator==(const LabelRow&) const = default;
 };
 
 /// What is known of a candidate transceiver beside its column.
@@ -32,11 +34,15 @@ struct TransceiverColumn {
   Vec3 axis;        ///< unit
   double cost = 1;  ///< c_j^T of (3.3)
   bool installed = false;
+
+  bool operator==(const TransceiverColumn&) const = default;
 };
 
 /// The part of a signal matrix that comes over certain paths.
 struct SignalLayer {
   std::vector<float> mean, standard_error;  ///< m n entries, as in SignalMatrix
+
+  bool operator==(const SignalLayer&) const = default;
 };
 
 /// The simulated signal matrix M (m labels x n transceivers, row-major) and what belongs to it.
@@ -64,6 +70,7 @@ struct SignalMatrix {
   std::span<const float> mean_row(std::size_t label) const {
     return std::span(mean).subspan(label * columns(), columns());
   }
+  bool operator==(const SignalMatrix&) const = default;
 };
 
 }  // namespace shelfbeam

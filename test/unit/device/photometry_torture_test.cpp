@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,59 +68,6 @@ TEST(PhotometryTorture, TruncationAtAnyLineIsOneClearError) {
           << name << " up to character " << end << ": " << message;
     }
     EXPECT_FALSE(test::input_error([&] { test::parse_photometry(test::is_ies(file), "", name); }).empty());
-  }
-}
-
-// Whatever stands in the place of any word: a profile that emits, or an InputError that names the file.
-void expect_profile_or_error(bool ies, const std::string& text, const std::string& what) {
-  try {
-    const DirectionTable table = test::parse_photometry(ies, text, "file");
-    EXPECT_GT(table.integral(), 0) << what;
-    EXPECT_NEAR(table.with_integral(1).integral(), 1, 1e-9) << what;
-  } catch (const InputError& error) {
-    EXPECT_TRUE(std::string_view(error.what()).starts_with("file")) << what << ": " << error.what();
-  } catch (const std::exception& error) {
-    ADD_FAILURE() << what << ": another exception: " << error.what();
-  }
-}
-
-TEST(PhotometryTorture, TruncationAtAnyCharacterIsAProfileOrAnError) {
-  for (const auto& file : test::corpus()) {
-    const std::string text = read_file(file);
-    for (std::size_t end = 0; end < text.size(); ++end)
-      expect_profile_or_error(test::is_ies(file), text.substr(0, end),
-                              file.filename().string() + " cut at " + std::to_string(end));
-  }
-}
-
-TEST(PhotometryTorture, AnyWordMayBeWrong) {
-  constexpr std::string_view blanks = " \t\r\n,";
-  const std::vector<std::string> wrong{"",
-                                       "-1",
-                                       "0",
-                                       "0.5",
-                                       "7",
-                                       "90",
-                                       "1e9",
-                                       "4294967297",
-                                       "nan",
-                                       "-inf",
-                                       "x",
-                                       "1,5",
-                                       "360",
-                                       "1e300",
-                                       "1e-300",
-                                       "99999999999999999999",
-                                       std::string(1, '\0')};
-  for (const auto& file : test::corpus()) {
-    const std::string text = read_file(file);
-    for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string::npos;) {
-      const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
-      for (const std::string& word : wrong)
-        expect_profile_or_error(test::is_ies(file), text.substr(0, begin) + word + text.substr(end),
-                                file.filename().string() + ": '" + word + "' at " + std::to_string(begin));
-      begin = text.find_first_not_of(blanks, end);
-    }
   }
 }
 
