@@ -16,7 +16,7 @@ namespace shelfbeam {
 std::string placement_json(const Placement& placement, const SignalTable& table,
                            const ReachCurve& curve = {});
 
-/// What `place --at-most` writes.
+/// The answer of `reach_most`.
 std::string reach_json(const Reach& reach, const SignalTable& table);
 
 /// So many ids of labels at most stand in one list of critical or missed labels; their number is told.
