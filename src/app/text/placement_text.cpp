@@ -8,8 +8,7 @@
 
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/placement/answer/scenarios.hpp"
-#include "shelfbeam/placement/problem/critical.hpp"
+#include "shelfbeam/placement/answer/weak_spots.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/milp/model_file.hpp"
+#include "shelfbeam/milp/model.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"

@@ -11,7 +11,6 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
-#include "shelfbeam/plan/io/verification_file.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"

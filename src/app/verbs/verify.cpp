@@ -12,9 +12,8 @@
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
-#include "shelfbeam/plan/io/verification_file.hpp"
+#include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
-#include "shelfbeam/plan/verify_installation.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 

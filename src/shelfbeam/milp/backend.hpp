@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/milp/lp_session.hpp"
 #include "shelfbeam/milp/solver.hpp"
 
 namespace shelfbeam::milp {

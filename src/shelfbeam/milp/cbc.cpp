@@ -27,31 +27,48 @@ class Silent final : public CoinMessageHandler {
   CoinMessageHandler* clone() const override { return new Silent(*this); }
 };
 
-void load(const Model& model, double cost_scale, OsiClpSolverInterface& solver) {
-  const double solver_infinity = solver.getInfinity();
-  const auto bound = [&](double value) { return std::clamp(value, -solver_infinity, solver_infinity); };
-  std::vector<double> lower, upper, cost, row_lower, row_upper, values;
-  std::vector<int> indices, lengths;
-  std::vector<CoinBigIndex> starts{0};
-  for (const Column& column : model.columns) {
-    lower.push_back(bound(column.lower));
-    upper.push_back(bound(column.upper));
-    cost.push_back(column.cost * cost_scale);
-  }
-  for (const Row& row : model.rows) {
-    row_lower.push_back(bound(row.lower));
-    row_upper.push_back(bound(row.upper));
-    for (const Entry& entry : row.entries) {
-      indices.push_back(static_cast<int>(entry.column));
-      values.push_back(entry.value);
+double bound(double value) {
+  return std::clamp(value, -COIN_DBL_MAX, COIN_DBL_MAX);
+}
+
+// Columns and rows as both solvers take them.
+struct Columns {
+  std::vector<double> lower, upper, cost;
+
+  Columns(std::span<const Column> columns, double cost_scale) {
+    for (const Column& column : columns) {
+      lower.push_back(bound(column.lower));
+      upper.push_back(bound(column.upper));
+      cost.push_back(column.cost * cost_scale);
     }
-    lengths.push_back(static_cast<int>(row.entries.size()));
-    starts.push_back(static_cast<CoinBigIndex>(indices.size()));
   }
+};
+struct Rows {
+  std::vector<double> lower, upper, values;
+  std::vector<int> indices;
+  std::vector<CoinBigIndex> starts{0};
+
+  explicit Rows(std::span<const Row> rows) {
+    for (const Row& row : rows) {
+      lower.push_back(bound(row.lower));
+      upper.push_back(bound(row.upper));
+      for (const Entry& entry : row.entries) {
+        indices.push_back(static_cast<int>(entry.column));
+        values.push_back(entry.value);
+      }
+      starts.push_back(static_cast<CoinBigIndex>(indices.size()));
+    }
+  }
+};
+
+void load(const Model& model, double cost_scale, OsiClpSolverInterface& solver) {
+  const Columns columns(model.columns, cost_scale);
+  const Rows rows(model.rows);
   const CoinPackedMatrix matrix(false, static_cast<int>(model.columns.size()),
-                                static_cast<int>(model.rows.size()), starts.back(), values.data(),
-                                indices.data(), starts.data(), lengths.data());
-  solver.loadProblem(matrix, lower.data(), upper.data(), cost.data(), row_lower.data(), row_upper.data());
+                                static_cast<int>(model.rows.size()), rows.starts.back(), rows.values.data(),
+                                rows.indices.data(), rows.starts.data(), nullptr);
+  solver.loadProblem(matrix, columns.lower.data(), columns.upper.data(), columns.cost.data(),
+                     rows.lower.data(), rows.upper.data());
   for (std::size_t j = 0; j < model.columns.size(); ++j)
     if (model.columns[j].integer) solver.setInteger(static_cast<int>(j));
 }
@@ -106,32 +123,16 @@ class ClpSession final : public LpSession {
     silent_.setLogLevel(0);
     clp_.passInMessageHandler(&silent_);
     clp_.setLogLevel(0);
-    std::vector<double> lower, upper, cost;
-    for (const Column& column : columns) {
-      lower.push_back(clp_bound(column.lower));
-      upper.push_back(clp_bound(column.upper));
-      cost.push_back(column.cost * scale_);
-    }
+    const Columns all(columns, scale_);
     const std::vector<CoinBigIndex> starts(columns.size() + 1, 0);
-    clp_.addColumns(static_cast<int>(columns.size()), lower.data(), upper.data(), cost.data(), starts.data(),
-                    nullptr, nullptr);
+    clp_.addColumns(static_cast<int>(columns.size()), all.lower.data(), all.upper.data(), all.cost.data(),
+                    starts.data(), nullptr, nullptr);
   }
 
   void add_rows(std::span<const Row> rows) override {
-    std::vector<double> lower, upper, values;
-    std::vector<CoinBigIndex> starts{0};
-    std::vector<int> indices;
-    for (const Row& row : rows) {
-      lower.push_back(clp_bound(row.lower));
-      upper.push_back(clp_bound(row.upper));
-      for (const Entry& entry : row.entries) {
-        indices.push_back(static_cast<int>(entry.column));
-        values.push_back(entry.value);
-      }
-      starts.push_back(static_cast<CoinBigIndex>(indices.size()));
-    }
-    clp_.addRows(static_cast<int>(rows.size()), lower.data(), upper.data(), starts.data(), indices.data(),
-                 values.data());
+    const Rows more(rows);
+    clp_.addRows(static_cast<int>(rows.size()), more.lower.data(), more.upper.data(), more.starts.data(),
+                 more.indices.data(), more.values.data());
   }
 
   LpResult solve(double time_limit_s, const RunControl& control) override {
@@ -161,8 +162,6 @@ class ClpSession final : public LpSession {
   }
 
  private:
-  static double clp_bound(double value) { return std::clamp(value, -COIN_DBL_MAX, COIN_DBL_MAX); }
-
   double scale_;
   Silent silent_;
   ClpSimplex clp_;

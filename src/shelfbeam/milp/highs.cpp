@@ -12,12 +12,31 @@ namespace shelfbeam::milp {
 
 namespace {
 
-HighsLp to_highs(const Model& model, double cost_scale) {
+// Without zeros.
+struct Rows {
+  std::vector<double> lower, upper, values;
+  std::vector<HighsInt> starts{0}, indices;
+
+  explicit Rows(std::span<const Row> rows) {
+    for (const Row& row : rows) {
+      lower.push_back(row.lower);
+      upper.push_back(row.upper);
+      for (const Entry& entry : row.entries) {
+        if (entry.value == 0) continue;
+        indices.push_back(static_cast<HighsInt>(entry.column));
+        values.push_back(entry.value);
+      }
+      starts.push_back(static_cast<HighsInt>(indices.size()));
+    }
+  }
+};
+
+HighsLp to_highs(std::span<const Column> columns, Rows rows, double cost_scale) {
   HighsLp lp;
-  lp.num_col_ = static_cast<HighsInt>(model.columns.size());
-  lp.num_row_ = static_cast<HighsInt>(model.rows.size());
+  lp.num_col_ = static_cast<HighsInt>(columns.size());
+  lp.num_row_ = static_cast<HighsInt>(rows.lower.size());
   lp.sense_ = ObjSense::kMinimize;
-  for (const Column& column : model.columns) {
+  for (const Column& column : columns) {
     lp.col_cost_.push_back(column.cost * cost_scale);
     lp.col_lower_.push_back(column.lower);
     lp.col_upper_.push_back(column.upper);
@@ -27,17 +46,11 @@ HighsLp to_highs(const Model& model, double cost_scale) {
   matrix.format_ = MatrixFormat::kRowwise;
   matrix.num_col_ = lp.num_col_;
   matrix.num_row_ = lp.num_row_;
-  matrix.start_ = {0};
-  for (const Row& row : model.rows) {
-    lp.row_lower_.push_back(row.lower);
-    lp.row_upper_.push_back(row.upper);
-    for (const Entry& entry : row.entries) {
-      if (entry.value == 0) continue;
-      matrix.index_.push_back(static_cast<HighsInt>(entry.column));
-      matrix.value_.push_back(entry.value);
-    }
-    matrix.start_.push_back(static_cast<HighsInt>(matrix.index_.size()));
-  }
+  lp.row_lower_ = std::move(rows.lower);
+  lp.row_upper_ = std::move(rows.upper);
+  matrix.start_ = std::move(rows.starts);
+  matrix.index_ = std::move(rows.indices);
+  matrix.value_ = std::move(rows.values);
   return lp;
 }
 
@@ -79,10 +92,8 @@ class HighsSession final : public LpSession {
     highs_.setOptionValue("threads", HighsInt{1});
     highs_.setOptionValue("solver", "simplex");
     highs_.setOptionValue("presolve", "off");  // it would not use the basis
-    Model model;
-    model.columns = columns_;
-    for (Column& column : model.columns) column.integer = false;
-    loaded_ = highs_.passModel(to_highs(model, scale_)) != HighsStatus::kError;
+    for (Column& column : columns_) column.integer = false;
+    loaded_ = highs_.passModel(to_highs(columns_, Rows({}), scale_)) != HighsStatus::kError;
     highs_.setCallback(
         [this](int, const std::string&, const HighsCallbackDataOut*, HighsCallbackDataIn* in, void*) {
           in->user_interrupt = control_ != nullptr && control_->cancelled() ? 1 : 0;
@@ -92,21 +103,10 @@ class HighsSession final : public LpSession {
   }
 
   void add_rows(std::span<const Row> rows) override {
-    std::vector<double> lower, upper, values;
-    std::vector<HighsInt> starts, indices;
-    for (const Row& row : rows) {
-      lower.push_back(row.lower);
-      upper.push_back(row.upper);
-      starts.push_back(static_cast<HighsInt>(indices.size()));
-      for (const Entry& entry : row.entries) {
-        if (entry.value == 0) continue;
-        indices.push_back(static_cast<HighsInt>(entry.column));
-        values.push_back(entry.value);
-      }
-    }
-    const auto status =
-        highs_.addRows(static_cast<HighsInt>(rows.size()), lower.data(), upper.data(),
-                       static_cast<HighsInt>(indices.size()), starts.data(), indices.data(), values.data());
+    const Rows more(rows);
+    const auto status = highs_.addRows(static_cast<HighsInt>(rows.size()), more.lower.data(),
+                                       more.upper.data(), static_cast<HighsInt>(more.indices.size()),
+                                       more.starts.data(), more.indices.data(), more.values.data());
     loaded_ = loaded_ && status != HighsStatus::kError;
   }
 
@@ -162,7 +162,7 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
   if (options.node_limit)
     highs.setOptionValue("mip_max_nodes",
                          static_cast<HighsInt>(std::min<std::uint64_t>(*options.node_limit, kHighsIInf)));
-  if (highs.passModel(to_highs(model, scale)) == HighsStatus::kError) return {};
+  if (highs.passModel(to_highs(model.columns, Rows(model.rows), scale)) == HighsStatus::kError) return {};
 
   detail::BoundReport report(control);
   highs.setCallback(

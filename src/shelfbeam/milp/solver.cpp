@@ -1,6 +1,9 @@
 #include "shelfbeam/milp/solver.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,11 +12,24 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/milp/backend.hpp"
-#include "shelfbeam/milp/verify.hpp"
 
 namespace shelfbeam::milp {
 
 namespace {
+
+double miss(double value, double lower, double upper) {
+  double worst = 0;
+  if (lower > -infinity) worst = std::max(worst, (lower - value) / std::max(1.0, std::abs(lower)));
+  if (upper < infinity) worst = std::max(worst, (value - upper) / std::max(1.0, std::abs(upper)));
+  return worst;
+}
+
+// What sums of this model's costs can be trusted to, beside the relative gap.
+double objective_slack(const Model& model, double objective_value) {
+  double largest = 0;
+  for (const Column& column : model.columns) largest = std::max(largest, std::abs(column.cost));
+  return feasibility_tolerance * std::max(largest, std::abs(objective_value));
+}
 
 // Not every solver accepts a model without columns: its rows are met by nothing, or not at all.
 Result solve_empty(const Model& model) {
@@ -29,6 +45,60 @@ Result guarded(const Model& model, const SolveOptions& options, const RunControl
 }
 
 }  // namespace
+
+double violation(const Model& model, std::span<const double> x) {
+  if (x.size() != model.columns.size()) return infinity;
+  double worst = 0;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    const Column& column = model.columns[j];
+    if (!std::isfinite(x[j])) return infinity;
+    worst = std::max(worst, miss(x[j], column.lower, column.upper));
+    if (column.integer) worst = std::max(worst, std::abs(x[j] - std::round(x[j])));
+  }
+  for (const Row& row : model.rows) {
+    double sum = 0;
+    for (const Entry& entry : row.entries) sum += entry.value * x[entry.column];
+    worst = std::max(worst, miss(sum, row.lower, row.upper));
+  }
+  return worst;
+}
+
+double objective(const Model& model, std::span<const double> x) {
+  double sum = 0;
+  for (std::size_t j = 0; j < x.size(); ++j) sum += model.columns[j].cost * x[j];
+  return sum;
+}
+
+Result verified(const Model& model, const SolveOptions& options, Result result) {
+  Result wrong;
+  if (result.termination == Termination::error) return wrong;
+  if (result.termination == Termination::infeasible) {
+    if (!result.solution.empty()) return wrong;
+    return {Termination::infeasible, infinity, infinity, {}};
+  }
+  if (std::isnan(result.dual_bound)) result.dual_bound = -infinity;
+
+  const bool found = !result.solution.empty() || model.columns.empty();
+  if (!found) {
+    result.primal_bound = infinity;
+    return result.termination == Termination::optimal ? wrong : result;
+  }
+  for (std::size_t j = 0; j < std::min(result.solution.size(), model.columns.size()); ++j) {
+    double& value = result.solution[j];
+    if (model.columns[j].integer && std::abs(value - std::round(value)) <= feasibility_tolerance)
+      value = std::round(value);
+  }
+  if (violation(model, result.solution) > feasibility_tolerance) return wrong;
+  result.primal_bound = objective(model, result.solution);
+
+  const double slack = objective_slack(model, result.primal_bound);
+  if (result.dual_bound > result.primal_bound + slack) return wrong;
+  result.dual_bound = std::min(result.dual_bound, result.primal_bound);
+  const double allowed = options.relative_gap * std::abs(result.primal_bound) + slack;
+  if (result.termination == Termination::optimal && result.primal_bound - result.dual_bound > allowed)
+    return wrong;
+  return result;
+}
 
 std::span<const Backend> backends() {
   static const std::array table = {
@@ -51,6 +121,29 @@ std::span<const Backend> wanted_backends(std::string_view name) {
     known.push_back(backend.name);
   }
   throw InputError("MIP back end", fmt::format("'{}' is not built in", name), suggest(name, known));
+}
+
+void detail::BoundReport::operator()(double primal, double dual) {
+  const auto now = std::chrono::steady_clock::now();
+  if (control_.progress == nullptr || now < next_) return;
+  next_ = now + std::chrono::milliseconds(200);
+  const bool found = std::isfinite(primal) && std::abs(primal) < 1e40;
+  const bool bounded = std::isfinite(dual) && std::abs(dual) < 1e40;
+  std::string text = found ? fmt::format("best {:.6g}", primal) : "nothing found yet";
+  if (bounded) text += fmt::format(", bound {:.6g}", dual);
+  if (found && bounded && primal != 0) text += fmt::format(", gap {:.1f} %", 100 * (primal - dual) / primal);
+  control_.report("solve", -1, text);
+}
+
+double detail::objective_scale(std::span<const Column> columns) {
+  double largest = 0;
+  bool whole = true;
+  for (const Column& column : columns) {
+    largest = std::max(largest, std::abs(column.cost));
+    whole = whole && column.cost == std::round(column.cost);
+  }
+  if (largest == 0 || (whole && largest <= 1e6)) return 1;
+  return std::ldexp(1.0, std::clamp(10 - (std::ilogb(largest) + 1), -1020, 1020));
 }
 
 }  // namespace shelfbeam::milp

@@ -22,14 +22,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Clp is faster than HiGHS on large linear programs.
-std::vector<milp::Backend> for_large_lp(std::span<const milp::Backend> backends) {
-  std::vector<milp::Backend> sorted(backends.begin(), backends.end());
-  std::stable_partition(sorted.begin(), sorted.end(),
-                        [](const milp::Backend& backend) { return backend.name == "cbc"; });
-  return sorted;
-}
-
 /// The labels that no selection meets, whatever becomes of the others.
 std::vector<Unreachable> unreachable_labels(const SignalTable& table, const Question& question) {
   // Sums of another order round differently where points have options or a unit may fail. Who is
@@ -100,9 +92,8 @@ Placement place(const SignalTable& table, const Question& question, const PlaceO
     if (options.solver == SolverChoice::greedy) {
       placement = greedy_placement(table, question, known);
     } else if (known && searches) {
-      const auto of_large_lp = for_large_lp(backends);
       placement = detail::search_placement(
-          table, question, *known, {backends, of_large_lp, without_mip}, left(), options.seed, control,
+          table, question, *known, {backends, without_mip}, left(), options.seed, control,
           {.settles_ties = options.settles_ties, .step_limit = options.step_limit});
     } else if (without_mip ||
                (searches && table.entries.size() > detail::SearchLimits{}.most_model_entries)) {

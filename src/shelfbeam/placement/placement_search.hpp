@@ -14,7 +14,7 @@ namespace shelfbeam::detail {
 
 /// Who is asked for linear and mixed-integer programs, in this order: the next where one fails.
 struct Solvers {
-  std::span<const milp::Backend> preferred, for_large_lp;
+  std::span<const milp::Backend> preferred;
   bool only_linear = false;  ///< no mixed-integer programs: no solver has a part in the answer or its proof
 };
 
@@ -49,7 +49,6 @@ Placement search_placement(const SignalTable& table, const Question& question,
 std::optional<std::vector<std::uint32_t>> first_selection(const SignalTable& table, const Question& question,
                                                           const std::vector<std::uint32_t>& start,
                                                           double time_limit_s, std::uint64_t seed,
-                                                          const RunControl& control,
-                                                          const SearchLimits& limits = {});
+                                                          const RunControl& control);
 
 }  // namespace shelfbeam::detail

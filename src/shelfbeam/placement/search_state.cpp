@@ -1,34 +1,110 @@
 #include "shelfbeam/placement/search_state.hpp"
 
-#include <string>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam::detail {
 
-void SearchProgress::report(std::string_view stage, double, std::string_view detail) {
-  if (sink_ == nullptr) return;
-  const std::string below = stage == task ? "" : fmt::format("; {}", stage);
-  sink_->report(task, -1, fmt::format("{}{} {}", incumbent_.text(), below, detail));
+Incumbent::Incumbent(const SignalTable& table, const Question& question, const CostBounds& bounds,
+                     const Selection& start)
+    : table_(table),
+      question_(question),
+      bounds_(bounds),
+      is_weighted_(question.combination == Combination::weighted) {
+  accept(start);
+  const std::size_t count = least_count(table, question);
+  bound_ = is_weighted_ ? bounds.cheapest(count) : static_cast<double>(count);
+}
+
+double Incumbent::value_of(const Selection& selected) const {
+  const Check check = check_selection(table_, question_, selected);
+  return check.objective + (is_weighted_ ? check.transceiver_cost : 0);
+}
+
+// Nothing for what the checker rejects.
+std::optional<double> Incumbent::first_value(const Selection& selected) const {
+  const Check check = check_selection(table_, question_, selected);
+  if (!check.met()) return std::nullopt;
+  return is_weighted_ ? check.objective + check.transceiver_cost : static_cast<double>(selected.size());
+}
+
+bool Incumbent::accept(const Selection& selected) {
+  const std::optional<double> value = first_value(selected);
+  if (!value) return false;
+  selected_ = selected;
+  value_ = *value;
+  return true;
+}
+
+bool Incumbent::offer(const std::optional<Selection>& found) {
+  if (!found) return false;
+  const std::optional<double> value = first_value(*found);
+  return value && *value < value_ && accept(*found);
+}
+
+bool Incumbent::raise(double bound, BoundProof proof, std::string_view step) {
+  bound = bounds_.rounded(bound);
+  if (!(bound > bound_)) return false;
+  if (bound > value_ * (1 + 1e-6)) {
+    if (proof == BoundProof::solver) return false;
+    throw std::logic_error(
+        fmt::format("{}: a lower bound of {} contradicts a selection of {}", step, bound, value_));
+  }
+  bound_ = std::min(bound, value_);
+  proof_ = proof;
+  return true;
+}
+
+void Incumbent::close_by_solver(const std::optional<Selection>& proven) {
+  if (!proven || is_closed()) return;
+  const std::optional<double> value = first_value(*proven);
+  if (!value || *value > value_ * (1 + equal_values)) return;
+  solver_closed_ = true;
+  if (!is_weighted_) bound_ = value_;
+  proof_ = BoundProof::solver;
+}
+
+std::string Incumbent::text() const {
+  const double gap = value_ > bound_ ? 100 * (value_ - bound_) / value_ : 0;
+  return fmt::format("best {:.6g}, at least {:.6g}, gap {:.1f} %", value_, bound_, gap);
 }
 
 SearchState::SearchState(const SignalTable& t, const Question& q, const Selection& start, const Solvers& s,
-                         double time_limit_s, const SearchLimits& l, const RunControl& c)
+                         double time_limit_s, std::uint64_t own_seed, const RunControl& c,
+                         const SearchLimits& l)
     : table(t),
       question(q),
       solvers(s),
       limits(l),
       deadline(l.step_limit ? no_limit_s : time_limit_s),
+      seed(static_cast<std::uint32_t>(mix_key(own_seed, 0))),
       problem(t, q),
       is_weighted(q.combination == Combination::weighted),
       first_cost(first_objective(t, q)),
       bounds(t, first_cost),
       incumbent(t, q, bounds, start),
-      progress(incumbent, c.progress),
-      control{c.threads, c.cancel, c.progress == nullptr ? nullptr : &progress} {
+      watcher(c.progress),
+      control{c.threads, c.cancel, c.progress == nullptr ? nullptr : this} {
   if (t.rows() * t.columns() <= l.most_places_of_local_search) matrix.emplace(t, q.model);
+  if (has_tree(0)) tree.emplace(problem, *matrix);
+}
+
+void SearchState::offer_second(const std::optional<Selection>& found) {
+  if (!found || found->size() != incumbent.selected().size()) return;
+  const double other = incumbent.value_of(*found);
+  if (other < second->value && incumbent.accept(*found)) second->value = other;
+}
+
+void SearchState::raise_second(double bound, BoundProof proof) {
+  bound = second->bounds.rounded(bound);
+  if (!(bound > second->lower_bound)) return;
+  second->lower_bound = bound;
+  incumbent.rest_on(proof);
 }
 
 const Reduction& SearchState::reduction() {
@@ -38,6 +114,11 @@ const Reduction& SearchState::reduction() {
     reduction_ = reduce_cover(table, question, first_cost, pinned, [this] { return out_of_time(); });
   }
   return *reduction_;
+}
+
+void SearchState::report(std::string_view stage, double, std::string_view detail) {
+  const std::string below = stage == "placing" ? "" : fmt::format("; {}", stage);
+  watcher->report("placing", -1, fmt::format("{}{} {}", incumbent.text(), below, detail));
 }
 
 }  // namespace shelfbeam::detail

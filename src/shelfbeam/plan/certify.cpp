@@ -8,9 +8,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
-#include "shelfbeam/plan/decisive_rows.hpp"
-#include "shelfbeam/plan/label_rounds.hpp"
-#include "shelfbeam/plan/optimism.hpp"
+#include "shelfbeam/plan/bound_rows.hpp"
 #include "shelfbeam/plan/refine.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 
@@ -248,7 +246,7 @@ class Certifier {
 
   // The matrix learns the fresh rows for good only if a placement is found on it.
   bool learn() {
-    RowsBefore before(matrix_, fresh_labels());
+    RowsBefore before(matrix_, fresh_);
     for (const FreshRow& row : fresh_) join(row, matrix_);
     SignalTable table = rule_(matrix_);
     Placement placement = place(table, placement_.question, in_time(), control_);
@@ -261,12 +259,6 @@ class Certifier {
     table_ = std::move(table);
     adopt(std::move(placement));
     return true;
-  }
-
-  std::vector<std::uint32_t> fresh_labels() const {
-    std::vector<std::uint32_t> rows;
-    for (const FreshRow& row : fresh_) join_sets(rows, {row.label});
-    return rows;
   }
 
   std::string why_no_answer(const Placement& placement) const {

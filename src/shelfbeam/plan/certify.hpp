@@ -42,7 +42,8 @@ struct Certified {
 /// r = 1, 2, ..., each with random numbers of its own and at level (1 - confidence) / 2^r:
 /// - the selected units are simulated afresh, and every label is called reached, missed or undecided
 ///   (verification.hpp),
-/// - fresh upper limits of a few labels' signals must need as many units as the placement has (optimism.hpp),
+/// - fresh upper limits of a few labels' signals must need as many units as the placement has
+/// (bound_rows.hpp),
 /// - labels that are not reached get more samples for all candidates, which the matrix learns, and the
 ///   placement is made anew.
 /// Where the matrix leaves labels unreachable, fresh upper limits of these must do so, too: they are missed

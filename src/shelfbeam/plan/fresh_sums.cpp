@@ -57,7 +57,6 @@ FreshSums fresh_sums(const Scene& scene, const SimulationOptions& options, std::
   };
   const BatchRun run = sample_batches(scene, options, batches, take, control);
   result.samples_per_batch = run.samples_per_batch;
-  result.rays = run.rays;
   result.largest = rows == 0 ? 0 : *std::max_element(largest.begin(), largest.end());
   const std::size_t columns = rows == 0 ? 0 : run.known.size() / rows;
   std::vector<double> signals(columns), values(width);

@@ -30,8 +30,6 @@ struct FreshSum {
   /// `largest`, the most that any batch gave any quantity of its kind, or `large_hit` requirements if that is
   /// more: nobody has seen the hit that was missed.
   double rare_upper(double level, double largest, double requirement) const;
-  /// Whether the standard error is not to be trusted, as in PowerSums.
-  bool is_skewed() const { return sampled.is_skewed(); }
   /// Whether the spread of the batches is not to be trusted: hit in fewer than `least_hits` of them, or so
   /// skewed that it rests on few.
   bool is_rare() const { return (hits < least_hits && hits < sampled.count()) || sampled.is_skewed(); }
@@ -44,7 +42,7 @@ struct FreshSum {
 struct FreshSums {
   std::size_t width = 0;
   std::uint32_t batches = 0;
-  std::uint64_t samples_per_batch = 0, rays = 0;
+  std::uint64_t samples_per_batch = 0;
   std::vector<FreshSum> sums;  ///< of label i from i * width on
   double largest = 0;          ///< of all values of all sums in a batch, known light left out
 

@@ -25,8 +25,8 @@ std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
   std::vector<float> planned;
   for (const std::uint32_t i : labels)
     for (const std::uint32_t j : plan.placement.selected) planned.push_back(matrix.mean[matrix.at(i, j)]);
-  const VerificationEffort effort{Rounds::with_enough_paths(fresh),
-                                  mix_key(fresh.seed ^ 0x73656e7369746976, 0), least_verifying_batches};
+  VerificationEffort effort{Rounds::with_enough_paths(fresh), least_verifying_batches};
+  effort.simulation.seed = mix_key(fresh.seed ^ 0x73656e7369746976, 0);
   try {
     return reflectance_sensitivity(sub_scene(scene, labels, plan.placement.selected), plan.placement.question,
                                    planned, options, effort, control);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
-#include "shelfbeam/plan/fresh_sums.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 
 namespace shelfbeam {
@@ -37,57 +37,63 @@ void join(const FreshRow& fresh, SignalMatrix& matrix) {
   matrix.by_length.clear();
 }
 
+FreshRow fresh_row(const FreshSums& fresh, std::size_t k, std::uint32_t label,
+                   std::span<const std::uint32_t> order) {
+  const std::size_t n = order.size();
+  FreshRow row{label,
+               std::vector<double>(n),
+               std::vector<double>(n),
+               std::vector<std::uint8_t>(n),
+               fresh.batches,
+               fresh.batches * fresh.samples_per_batch};
+  for (std::size_t c = 0; c < n; ++c) {
+    const FreshSum& sum = fresh.of(k)[c];
+    row.mean[order[c]] = sum.mean();
+    row.standard_error[order[c]] = sum.sampled.standard_error();
+    row.flags[order[c]] = sum.sampled.is_skewed() ? 1 : 0;
+  }
+  return row;
+}
+
 std::vector<FreshRow> fresh_rows(const Scene& scene, const std::vector<std::uint32_t>& labels,
                                  const VerificationEffort& effort, const RunControl& control) {
-  std::vector<std::uint32_t> all(scene.transceivers.size());
-  std::iota(all.begin(), all.end(), 0U);
-  SimulationOptions options = effort.simulation;
-  options.seed = effort.seed;
   const SumRule each = [](std::size_t, std::span<const double> signals, std::span<double> sums) {
     std::copy(signals.begin(), signals.end(), sums.begin());
   };
-  const FreshSums fresh =
-      fresh_sums(sub_scene(scene, labels, all), options, effort.batches, all.size(), each, control);
+  const FreshSums fresh = fresh_sums(sub_scene(scene, labels), effort.simulation, effort.batches,
+                                     scene.transceivers.size(), each, control);
+  std::vector<std::uint32_t> in_order(scene.transceivers.size());
+  std::iota(in_order.begin(), in_order.end(), 0U);
   std::vector<FreshRow> rows;
-  for (std::size_t k = 0; k < labels.size(); ++k) {
-    rows.push_back({labels[k], {}, {}, {}, fresh.batches, fresh.batches * fresh.samples_per_batch});
-    for (const FreshSum& sum : fresh.of(k)) {
-      rows.back().mean.push_back(sum.mean());
-      rows.back().standard_error.push_back(sum.sampled.standard_error());
-      rows.back().flags.push_back(sum.is_skewed() ? 1 : 0);
-    }
-  }
+  for (std::size_t k = 0; k < labels.size(); ++k) rows.push_back(fresh_row(fresh, k, labels[k], in_order));
   return rows;
 }
 
-RowsBefore::RowsBefore(SignalMatrix& matrix, std::vector<std::uint32_t> labels)
-    : labels_(std::move(labels)),
-      by_bounce_(std::move(matrix.by_bounce)),
-      by_length_(std::move(matrix.by_length)) {
+RowsBefore::RowsBefore(SignalMatrix& matrix, std::span<const FreshRow> fresh)
+    : by_bounce_(std::move(matrix.by_bounce)), by_length_(std::move(matrix.by_length)) {
   matrix.by_bounce.clear();
   matrix.by_length.clear();
-  const std::size_t n = matrix.columns();
-  for (const std::uint32_t i : labels_) {
-    rows_.push_back(matrix.labels[i]);
-    const auto first = static_cast<std::ptrdiff_t>(matrix.at(i, 0)),
-               last = first + static_cast<std::ptrdiff_t>(n);
-    mean_.insert(mean_.end(), matrix.mean.begin() + first, matrix.mean.begin() + last);
-    standard_error_.insert(standard_error_.end(), matrix.standard_error.begin() + first,
-                           matrix.standard_error.begin() + last);
-    if (!matrix.flags.empty())
-      flags_.insert(flags_.end(), matrix.flags.begin() + first, matrix.flags.begin() + last);
+  for (const FreshRow& one : fresh) {
+    const auto row_of = [&](const auto& values) {
+      if (values.empty()) return values;
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(matrix.at(one.label, 0));
+      return std::decay_t<decltype(values)>(first, first + static_cast<std::ptrdiff_t>(matrix.columns()));
+    };
+    rows_.push_back({one.label, matrix.labels[one.label], row_of(matrix.mean), row_of(matrix.standard_error),
+                     row_of(matrix.flags)});
   }
 }
 
 void RowsBefore::restore(SignalMatrix& matrix) {
-  const std::size_t n = matrix.columns();
-  for (std::size_t k = 0; k < labels_.size(); ++k) {
-    matrix.labels[labels_[k]] = rows_[k];
-    const auto to = static_cast<std::ptrdiff_t>(matrix.at(labels_[k], 0));
-    const auto from = static_cast<std::ptrdiff_t>(k * n);
-    std::copy_n(mean_.begin() + from, n, matrix.mean.begin() + to);
-    std::copy_n(standard_error_.begin() + from, n, matrix.standard_error.begin() + to);
-    if (!flags_.empty()) std::copy_n(flags_.begin() + from, n, matrix.flags.begin() + to);
+  for (const Row& row : rows_) {
+    const auto put = [&](const auto& values, auto& all) {
+      std::copy(values.begin(), values.end(),
+                all.begin() + static_cast<std::ptrdiff_t>(matrix.at(row.label, 0)));
+    };
+    matrix.labels[row.label] = row.about;
+    put(row.mean, matrix.mean);
+    put(row.standard_error, matrix.standard_error);
+    if (!row.flags.empty()) put(row.flags, matrix.flags);
   }
   matrix.by_bounce = std::move(by_bounce_);
   matrix.by_length = std::move(by_length_);

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/plan/fresh_sums.hpp"
 #include "shelfbeam/plan/verification.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
@@ -20,6 +22,10 @@ struct FreshRow {
   std::uint64_t samples = 0;  ///< first rays
 };
 
+/// Of a label whose sums k begin with its signals, those of the columns in this order.
+FreshRow fresh_row(const FreshSums& fresh, std::size_t k, std::uint32_t label,
+                   std::span<const std::uint32_t> order);
+
 /// Samples some labels afresh, for all sources. Throws as `sample_batches`.
 std::vector<FreshRow> fresh_rows(const Scene& scene, const std::vector<std::uint32_t>& labels,
                                  const VerificationEffort& effort, const RunControl& control = {});
@@ -29,18 +35,21 @@ std::vector<FreshRow> fresh_rows(const Scene& scene, const std::vector<std::uint
 /// path length are dropped, and direct parts stay.
 void join(const FreshRow& fresh, SignalMatrix& matrix);
 
-/// What `join` is going to change of a matrix.
+/// What joining such rows is going to change of a matrix.
 class RowsBefore {
  public:
   /// Takes the parts by bounce and by path length out of the matrix.
-  RowsBefore(SignalMatrix& matrix, std::vector<std::uint32_t> labels);
+  RowsBefore(SignalMatrix& matrix, std::span<const FreshRow> fresh);
   void restore(SignalMatrix& matrix);
 
  private:
-  std::vector<std::uint32_t> labels_;
-  std::vector<LabelRow> rows_;
-  std::vector<float> mean_, standard_error_;  ///< of the labels, row by row
-  std::vector<std::uint8_t> flags_;           ///< the same; empty where the matrix has none
+  struct Row {
+    std::uint32_t label = 0;
+    LabelRow about;
+    std::vector<float> mean, standard_error;
+    std::vector<std::uint8_t> flags;  ///< empty where the matrix has none
+  };
+  std::vector<Row> rows_;
   std::vector<SignalLayer> by_bounce_, by_length_;
 };
 

@@ -69,14 +69,12 @@ class Steps {
         labels_(std::move(labels)),
         counted_(question, planned, scene_.transceivers.size()),
         simulation_(effort.simulation),
-        batches_(std::max(effort.batches, least_verifying_batches)),
+        batches_(effort.batches),
         control_(control) {
-    simulation_.seed = effort.seed;
     for (const Label& label : scene_.labels) requirement_.push_back(scene_.type_of(label).requirement());
     as_given_ = sample(scene_);
   }
 
-  std::uint32_t batches() const { return batches_; }
   LeastMargin as_given() const { return margin_of(as_given_, weakest(as_given_)); }
 
   ReflectanceStep with(std::size_t material, double reflectance) const {
@@ -229,15 +227,13 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const Question& question
       nearest_to_missing(at_low, result.high.least.ratio, varied.size());
   result.watched = watched.size();
   const std::size_t columns = scene.transceivers.size();
-  std::vector<std::uint32_t> units(columns);
-  std::iota(units.begin(), units.end(), 0U);
   std::vector<float> planned_of_watched;
   for (const std::uint32_t i : watched) {
     const auto row = planned.subspan(i * columns, columns);
     planned_of_watched.insert(planned_of_watched.end(), row.begin(), row.end());
   }
-  const Steps steps(sub_scene(scene, watched, units), watched, question, planned_of_watched, effort, control);
-  result.batches = steps.batches();
+  const Steps steps(sub_scene(scene, watched), watched, question, planned_of_watched, effort, control);
+  result.batches = effort.batches;
   result.as_given = steps.as_given();
   for (std::size_t k = 0; k < varied.size(); ++k) {
     MaterialSensitivity& one = result.materials[k];

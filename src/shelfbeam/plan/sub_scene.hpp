@@ -7,9 +7,23 @@
 
 namespace shelfbeam {
 
-/// The same shop with some of its labels and transceivers, in the order given: what is simulated of it
-/// follows the same law as in the whole scene, for devices are not in the way of light.
-Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels,
-                std::span<const std::uint32_t> transceivers);
+/// The same shop with some of its labels, in the order given: what is simulated of it follows the same law as
+/// in the whole scene, for devices are not in the way of light.
+inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels) {
+  Scene part = scene;
+  part.store_hash.clear();
+  part.labels.clear();
+  for (const std::uint32_t i : labels) part.labels.push_back(scene.labels[i]);
+  return part;
+}
+
+/// The same with some of its transceivers, too.
+inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels,
+                       std::span<const std::uint32_t> transceivers) {
+  Scene part = sub_scene(scene, labels);
+  part.transceivers.clear();
+  for (const std::uint32_t j : transceivers) part.transceivers.push_back(scene.transceivers[j]);
+  return part;
+}
 
 }  // namespace shelfbeam

@@ -11,25 +11,10 @@ namespace shelfbeam {
 
 namespace {
 
-// Limits of one label's sums at the level of one statement.
-class Limits {
- public:
-  Limits(std::span<const FreshSum> sums, double largest, double requirement)
-      : sums_(sums), largest_(largest), requirement_(requirement) {}
-
-  double lower(std::size_t k, double level) const { return sums_[k].lower(level); }
-  double upper(std::size_t k, double level) const {
-    return sums_[k].is_rare()
-               ? std::max(sums_[k].upper(level), sums_[k].rare_upper(level, largest_, requirement_))
-               : sums_[k].upper(level);
-  }
-  std::size_t size() const { return sums_.size(); }
-  const FreshSum& operator[](std::size_t k) const { return sums_[k]; }
-
- private:
-  std::span<const FreshSum> sums_;
-  double largest_, requirement_;
-};
+double upper_limit(const FreshSum& sum, double level, double largest, double requirement) {
+  const double upper = sum.upper(level);
+  return sum.is_rare() ? std::max(upper, sum.rare_upper(level, largest, requirement)) : upper;
+}
 
 // The sum of all signals but one, for each, without subtraction: where nothing is left it is 0.
 void sums_without_one(std::span<const double> signals, std::span<double> sums) {
@@ -50,36 +35,37 @@ void describe(LabelVerdict& label, const FreshSum& sum) {
 }
 
 // Every sum must meet the requirement: that of all units, or those without one of them.
-void judge_sums(LabelVerdict& label, const Limits& limits, double level) {
+void judge_sums(LabelVerdict& label, std::span<const FreshSum> sums, double largest, double level) {
   std::size_t weakest = 0;
   label.lower = label.upper = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < limits.size(); ++k) {
-    if (limits[k].mean() < limits[weakest].mean()) weakest = k;
-    label.lower = std::min(label.lower, limits.lower(k, level));
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    if (sums[k].mean() < sums[weakest].mean()) weakest = k;
+    label.lower = std::min(label.lower, sums[k].lower(level));
     // Any of them may be the one that fails by chance.
-    label.upper = std::min(label.upper, limits.upper(k, level / static_cast<double>(limits.size())));
+    label.upper = std::min(label.upper, upper_limit(sums[k], level / static_cast<double>(sums.size()),
+                                                    largest, label.requirement));
   }
-  describe(label, limits[weakest]);
+  describe(label, sums[weakest]);
 }
 
 // So many links must do, one or two, and which they are was planned.
-void judge_links(LabelVerdict& label, const Limits& limits, std::span<const float> planned,
-                 std::size_t needed, double level) {
-  if (limits.size() < needed) return;
-  std::vector<std::size_t> order(limits.size());
+void judge_links(LabelVerdict& label, std::span<const FreshSum> sums, double largest,
+                 std::span<const float> planned, std::size_t needed, double level) {
+  if (sums.size() < needed) return;
+  std::vector<std::size_t> order(sums.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return planned[a] > planned[b]; });
   label.lower = std::numeric_limits<double>::infinity();
   std::size_t weakest = order[0];
   for (std::size_t k = 0; k < needed; ++k) {
-    if (limits[order[k]].mean() < limits[weakest].mean()) weakest = order[k];
-    label.lower = std::min(label.lower, limits.lower(order[k], level));
+    if (sums[order[k]].mean() < sums[weakest].mean()) weakest = order[k];
+    label.lower = std::min(label.lower, sums[order[k]].lower(level));
   }
-  describe(label, limits[weakest]);
-  std::vector<double> upper(limits.size());
-  for (std::size_t k = 0; k < limits.size(); ++k)
-    upper[k] = limits.upper(k, level / static_cast<double>(needed));
+  describe(label, sums[weakest]);
+  std::vector<double> upper(sums.size());
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    upper[k] = upper_limit(sums[k], level / static_cast<double>(needed), largest, label.requirement);
   std::nth_element(upper.begin(), upper.begin() + static_cast<std::ptrdiff_t>(needed - 1), upper.end(),
                    std::greater<>());
   label.upper = upper[needed - 1];
@@ -107,20 +93,18 @@ std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, s
     else
       sums[0] = std::accumulate(signals.begin(), signals.end(), 0.0);
   };
-  SimulationOptions options = effort.simulation;
-  options.seed = effort.seed;
-  const FreshSums fresh =
-      fresh_sums(scene, options, std::max(effort.batches, least_verifying_batches), width, rule, control);
+  const FreshSums fresh = fresh_sums(scene, effort.simulation, effort.batches, width, rule, control);
   // P(any of m verdicts is wrong) <= m (level / m), whatever the dependence between labels (Bonferroni);
   // Sidak's 1 - (1 - level)^(1/m) asks for independence and would be larger by a share of level / 2 at most.
   const double of_one = level / static_cast<double>(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     LabelVerdict& label = labels[i];
-    const Limits limits(fresh.of(i), fresh.largest, label.requirement);
+    const std::span<const FreshSum> sums = fresh.of(i);
     if (adds_up)
-      judge_sums(label, limits, of_one);
+      judge_sums(label, sums, fresh.largest, of_one);
     else
-      judge_links(label, limits, planned.subspan(i * columns, columns), question.redundant ? 2 : 1, of_one);
+      judge_links(label, sums, fresh.largest, planned.subspan(i * columns, columns),
+                  question.redundant ? 2 : 1, of_one);
     label.samples = fresh.batches * fresh.samples_per_batch;
     if (is_met(label.lower, label.requirement))
       label.verdict = Verdict::reached;

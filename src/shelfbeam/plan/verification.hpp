@@ -15,8 +15,9 @@ namespace shelfbeam {
 
 /// How much is simulated, and with which random numbers.
 struct VerificationEffort {
-  SimulationOptions simulation;  ///< estimator and memory; the stopping rule plays no part
-  std::uint64_t seed = 1;        ///< not that of the matrix which the placement was chosen on
+  /// Estimator, memory and seed, which is not that of the matrix which the placement was chosen on; the
+  /// stopping rule plays no part.
+  SimulationOptions simulation;
   std::uint32_t batches = 64;
 };
 

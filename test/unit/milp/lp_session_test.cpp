@@ -1,5 +1,3 @@
-#include "shelfbeam/milp/lp_session.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -7,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/milp/verify.hpp"
+#include "shelfbeam/milp/solver.hpp"
 
 #include "unit/milp/example_models.hpp"
 

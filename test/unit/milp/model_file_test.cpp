@@ -1,11 +1,10 @@
-#include "shelfbeam/milp/model_file.hpp"
-
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/milp/model.hpp"
 #include "shelfbeam/milp/solver.hpp"
 
 #include "support/expect_input_error.hpp"

@@ -1,11 +1,10 @@
-#include "shelfbeam/milp/verify.hpp"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "shelfbeam/milp/backend.hpp"
+#include "shelfbeam/milp/solver.hpp"
 
 #include "unit/milp/example_models.hpp"
 

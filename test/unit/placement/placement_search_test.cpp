@@ -94,10 +94,9 @@ Tally run_with(std::uint64_t seed, int cases, const test::RandomTableLimits& tab
     const Question question = random.next_question();
     const auto greedy = greedy_selection(table, question);
     if (!check_selection(table, question, greedy).met()) continue;
-    compare(
-        table, question,
-        detail::search_placement(table, question, greedy, {backends, backends}, 0, 1, {.threads = 1}, limits),
-        tally);
+    compare(table, question,
+            detail::search_placement(table, question, greedy, {backends}, 0, 1, {.threads = 1}, limits),
+            tally);
   }
   return tally;
 }
@@ -156,7 +155,7 @@ TEST(PlacementSearch, SurvivesSolversThatFailAndLie) {
     const auto greedy = greedy_selection(table, question);
     if (!check_selection(table, question, greedy).met()) continue;
     const Placement answer = detail::search_placement(
-        table, question, greedy, {both, milp::backends()}, 0, 1, {.threads = 1},
+        table, question, greedy, {both}, 0, 1, {.threads = 1},
         {.most_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
     compare(table, question, answer, tally);
     by_the_next += answer.solver.find(milp::backends().back().name) != std::string::npos;
@@ -177,7 +176,7 @@ TEST(PlacementSearch, BelievesASolverWithinItsGap) {
     if (!check_selection(table, question, greedy).met() || greedy.empty()) continue;
     const auto backends = milp::backends();
     const Placement answer = detail::search_placement(
-        table, question, greedy, {backends, backends}, 0, 1, {},
+        table, question, greedy, {backends}, 0, 1, {},
         {.most_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
     EXPECT_EQ(answer.status, Status::optimal);
     EXPECT_LT(answer.gap(), 1e-6);

@@ -18,7 +18,6 @@
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/plan/verification.hpp"
-#include "shelfbeam/plan/verify_installation.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
@@ -259,8 +258,9 @@ TEST(Verify, CallsLabelsWhatTheyAre) {
       std::vector<float> planned;
       for (std::size_t i = 0; i < truth.rows(); ++i)
         for (const std::uint32_t j : chosen) planned.push_back(truth.mean[truth.at(i, j)]);
+      reuse.seed = 9;
       const auto verdicts =
-          verify(part, {.model = model, .redundant = redundant}, planned, 1e-6, {reuse, 9, 256});
+          verify(part, {.model = model, .redundant = redundant}, planned, 1e-6, {reuse, 256});
       int decided = 0;
       for (std::size_t i = 0; i < verdicts.size(); ++i) {
         if (verdicts[i].verdict == Verdict::undecided) continue;
@@ -330,7 +330,7 @@ TEST(CertifySlow, IntervalsOfSumsHoldTheTruth) {
   int held = 0, narrow = 0, pairs = 0;
   for (std::uint64_t seed = 0; seed < 1200; ++seed) {
     const auto verdicts =
-        verify(part, {}, {}, 0.025 * static_cast<double>(truth.rows()), {few_samples(1), 1000 + seed, 64});
+        verify(part, {}, {}, 0.025 * static_cast<double>(truth.rows()), {few_samples(1000 + seed), 64});
     for (const std::size_t i : {seed % (truth.rows() / 2), truth.rows() / 2 + seed % (truth.rows() / 2)}) {
       const double exact = received(truth, i, chosen, coop);
       ++pairs;

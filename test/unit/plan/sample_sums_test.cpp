@@ -186,17 +186,11 @@ TEST(Refine, JoinsBatches) {
   const SimulationOptions options = options_of(EstimatorKind::uniform);
   SignalMatrix matrix = simulate(scene, options).matrix;
   const SignalMatrix before = matrix;
-  const VerificationEffort effort{options, 77, 64};
-  for (const FreshRow& row : fresh_rows(scene, {2, 5}, effort)) join(row, matrix);
-  SimulationOptions other = options;
-  other.seed = 77;
-  const FreshSums fresh = fresh_sums(sub_scene(scene, std::vector<std::uint32_t>{2, 5},
-                                               [&] {
-                                                 std::vector<std::uint32_t> all(matrix.columns());
-                                                 std::iota(all.begin(), all.end(), 0U);
-                                                 return all;
-                                               }()),
-                                     other, 64, matrix.columns(), each, {});
+  SimulationOptions afresh = options;
+  afresh.seed = 77;
+  for (const FreshRow& row : fresh_rows(scene, {2, 5}, {afresh, 64})) join(row, matrix);
+  const FreshSums fresh =
+      fresh_sums(sub_scene(scene, std::vector<std::uint32_t>{2, 5}), afresh, 64, matrix.columns(), each, {});
   EXPECT_EQ(matrix.labels[2].batches, before.labels[2].batches + 64);
   EXPECT_EQ(matrix.labels[2].samples, 3 * before.labels[2].samples);
   EXPECT_EQ(matrix.labels[3].batches, before.labels[3].batches);
@@ -246,7 +240,7 @@ TEST(Refine, FlagsFreshBatchesAsASimulation) {
   const Scene scene = test::PlanStore().scene();
   const SimulationOptions options = options_of(EstimatorKind::uniform);
   const SignalMatrix matrix = simulate(scene, options).matrix;
-  const FreshRow row = fresh_rows(scene, {2}, {options, options.seed, matrix.labels[2].batches}).front();
+  const FreshRow row = fresh_rows(scene, {2}, {options, matrix.labels[2].batches}).front();
   const auto first = matrix.flags.begin() + static_cast<std::ptrdiff_t>(matrix.at(2, 0));
   EXPECT_EQ(row.flags,
             std::vector<std::uint8_t>(first, first + static_cast<std::ptrdiff_t>(matrix.columns())));
@@ -264,8 +258,10 @@ TEST(Refine, CanBeTakenBack) {
   matrix.flags.assign(matrix.mean.size(), 0);
   matrix.flags[matrix.at(5, 1)] = 1;
   const SignalMatrix was = matrix;
-  RowsBefore before(matrix, {2, 5});
-  for (const FreshRow& row : fresh_rows(scene, {2, 5}, {options, 77, 64})) join(row, matrix);
+  options.seed = 77;
+  const std::vector<FreshRow> fresh = fresh_rows(scene, {2, 5}, {options, 64});
+  RowsBefore before(matrix, fresh);
+  for (const FreshRow& row : fresh) join(row, matrix);
   EXPECT_NE(matrix.mean, was.mean);
   matrix.flags[matrix.at(2, 0)] ^= 1;
   EXPECT_TRUE(matrix.by_bounce.empty());

@@ -33,8 +33,10 @@ std::vector<float> signals_of(const Scene& scene, const SimulationOptions& optio
 
 Sensitivity of(const Scene& scene, const SimulationOptions& simulation, const Question& question = {},
                double assumed_error = 0.1, std::uint64_t seed = 11, unsigned threads = 0) {
+  SimulationOptions fresh = simulation;
+  fresh.seed = seed;
   return reflectance_sensitivity(scene, question, signals_of(scene, simulation), {assumed_error, 0.99},
-                                 {simulation, seed, 64}, {.threads = threads});
+                                 {fresh, 64}, {.threads = threads});
 }
 
 Scene plan_scene(double low, double high) {

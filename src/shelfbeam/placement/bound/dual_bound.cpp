@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "shelfbeam/placement/bound/bound_row.hpp"
-
 namespace shelfbeam::detail {
 
 namespace {

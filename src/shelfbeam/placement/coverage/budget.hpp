@@ -27,7 +27,10 @@ struct Reach {
   double seconds = 0;      ///< wall time
 
   /// (upper_bound - reached) / upper_bound; 0 when proven.
-  double gap() const;
+  double gap() const {
+    if (upper_bound <= reached) return 0;
+    return static_cast<double>(upper_bound - reached) / static_cast<double>(upper_bound);
+  }
 };
 
 /// The most labels that at most `units` transceivers reach, and with how few of them. A label counts when it

@@ -45,11 +45,8 @@ void ReachSearch::look() {
 }
 
 // What every column would add to the selection, less one unit; and what that is without an addition.
-ReachSearch::Gains ReachSearch::gains(std::optional<std::uint32_t> without, std::size_t& reached,
-                                      double& lacks) {
+ReachSearch::Gains ReachSearch::gains(std::optional<std::uint32_t> without) {
   Gains result{std::vector<std::size_t>(chosen_.size(), 0), std::vector<double>(chosen_.size(), 0.0)};
-  reached = 0;
-  lacks = 0;
   for (std::size_t i = 0; i < shares_.size(); ++i) {
     const auto row = table_.row(i);
     double sum = shares_[i].sum, largest = shares_[i].largest;
@@ -63,9 +60,9 @@ ReachSearch::Gains ReachSearch::gains(std::optional<std::uint32_t> without, std:
       }
     }
     const double lack = detail::lacking(sum, largest, question_);
-    lacks += lack;
+    result.lacks += lack;
     if (lack == 0) {
-      ++reached;
+      ++result.reached;
       continue;
     }
     work_ += row.size();
@@ -93,16 +90,6 @@ std::optional<ReachSearch::Choice> ReachSearch::best(const Gains& gains, std::op
     if (better) best = one;
   }
   return best;
-}
-
-bool ReachSearch::add(Aim aim) {
-  std::size_t reached = 0;
-  double lacks = 0;
-  const auto choice = best(gains({}, reached, lacks), {}, aim);
-  if (!choice) return false;
-  choose(choice->column, true);
-  look();
-  return true;
 }
 
 bool ReachSearch::drop() {
@@ -134,12 +121,12 @@ bool ReachSearch::drop() {
 // Another unit in the place of this one, where that reaches more labels, or as many with less lacking.
 bool ReachSearch::exchange(std::uint32_t out) {
   constexpr double least_help = 1e-9;  // keeps rounding from exchanging to and fro
-  std::size_t reached = 0;
-  double lacks = 0;
-  const auto choice = best(gains(out, reached, lacks), out, Aim::labels);
+  const Gains without = gains(out);
+  const auto choice = best(without, out, Aim::labels);
   if (!choice) return false;
-  const std::size_t then = reached + choice->labels;
-  const bool better = then > reached_ || (then == reached_ && lacks - choice->lacking < lacks_ - least_help);
+  const std::size_t then = without.reached + choice->labels;
+  const bool better =
+      then > reached_ || (then == reached_ && without.lacks - choice->lacking < lacks_ - least_help);
   if (!better) return false;
   const std::vector<std::uint32_t> before = selected();
   const std::size_t reached_before = reached_;
@@ -150,18 +137,6 @@ bool ReachSearch::exchange(std::uint32_t out) {
   if (reached_ > reached_before || (reached_ == reached_before && lacks_ < lacks_before)) return true;
   start(before);  // rounding had it better than it is
   return false;
-}
-
-void ReachSearch::prune() {
-  while (true) {
-    const std::vector<std::uint32_t> before = selected();
-    const std::size_t reached = reached_;
-    if (!drop()) return;
-    if (reached_ < reached) {
-      start(before);
-      return;
-    }
-  }
 }
 
 void ReachSearch::improve(std::size_t most_units, std::size_t work, const RunControl& control,
@@ -176,7 +151,10 @@ void ReachSearch::improve(std::size_t most_units, std::size_t work, const RunCon
     while (count_ < most_units && goes_on()) {
       const std::size_t before = reached_;
       const std::vector<std::uint32_t> kept = selected();
-      if (!add(count_ + 1 == most_units ? Aim::labels : Aim::what_is_lacking)) break;
+      const auto choice = best(gains({}), {}, count_ + 1 == most_units ? Aim::labels : Aim::what_is_lacking);
+      if (!choice) break;
+      choose(choice->column, true);
+      look();
       if (count_ == most_units && reached_ == before) {
         start(kept);
         break;
@@ -186,7 +164,12 @@ void ReachSearch::improve(std::size_t most_units, std::size_t work, const RunCon
     for (const std::uint32_t j : selected())
       if (!table_.transceivers[j].installed && chosen_[j] && goes_on() && exchange(j)) better = true;
   }
-  prune();
+  while (true) {
+    const std::vector<std::uint32_t> before = selected();
+    const std::size_t reached = reached_;
+    if (!drop()) return;
+    if (reached_ < reached) return start(before);
+  }
 }
 
 std::vector<std::uint32_t> ReachSearch::selected() const {

@@ -21,12 +21,6 @@ class ReachSearch {
   /// Takes up a selection that holds the installed units.
   void start(const std::vector<std::uint32_t>& selected);
 
-  enum class Aim {
-    what_is_lacking,  ///< as the greedy method: also what brings labels nearer
-    labels            ///< labels that become met, then the same
-  };
-  /// Adds one unit; false where none helps.
-  bool add(Aim aim);
   /// Leaves out the unit without which fewest labels are missed; false where all are installed.
   bool drop();
   /// Exchanges units for others, adds up to `most_units` and at last leaves out those that reach nothing,
@@ -36,12 +30,18 @@ class ReachSearch {
 
   std::vector<std::uint32_t> selected() const;
   std::size_t count() const { return count_; }
-  std::size_t reached() const { return reached_; }
 
  private:
+  enum class Aim {
+    what_is_lacking,  ///< as the greedy method: also what brings labels nearer
+    labels            ///< labels that become met, then the same
+  };
+
   struct Gains {
     std::vector<std::size_t> labels;  ///< per column: labels that become met
     std::vector<double> lacking;      ///< per column: how much less is lacking
+    std::size_t reached = 0;          ///< labels, without an addition
+    double lacks = 0;                 ///< without an addition
   };
   struct Choice {
     std::uint32_t column = 0;
@@ -49,10 +49,9 @@ class ReachSearch {
     double lacking = 0;
   };
 
-  Gains gains(std::optional<std::uint32_t> without, std::size_t& reached, double& lacks);
+  Gains gains(std::optional<std::uint32_t> without);
   std::optional<Choice> best(const Gains& gains, std::optional<std::uint32_t> without, Aim aim) const;
   bool exchange(std::uint32_t out);
-  void prune();
   double share(std::size_t label, const SignalEntry& entry) const {
     return share_of(entry.signal, requirement_[label], question_);
   }

@@ -1,5 +1,3 @@
-#include "shelfbeam/placement/heuristic/annealing.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/random.hpp"
+#include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/kernels/active_rows.hpp"
 #include "shelfbeam/placement/kernels/similar_columns.hpp"
-#include "shelfbeam/placement/kernels/walks.hpp"
 
 namespace shelfbeam::detail {
 
@@ -179,16 +177,11 @@ bool can_anneal(const Question& question) {
   return question.combination == Combination::lexicographic && receiving(question) == Receiving::sum;
 }
 
-std::optional<std::vector<std::uint32_t>> anneal(const SearchProblem& problem, const SearchMatrix& all,
-                                                 const std::vector<std::uint32_t>& start,
-                                                 const Effort& effort, std::uint32_t seed,
-                                                 const RunControl& control) {
+std::optional<Selection> anneal(const SearchProblem& problem, const SearchMatrix& all, const Selection& start,
+                                const Effort& effort, std::uint32_t seed, const RunControl& control) {
   if (!can_anneal(problem.question)) return std::nullopt;
-  return best_of_walks(seed, control, [&](std::uint32_t own_seed, const RunControl& own) -> Found {
-    Annealing walk(problem, all, start, own_seed);
-    walk.run(effort, own);
-    return walk.best();
-  });
+  return best_of_walks(seed, effort, control,
+                       [&](std::uint32_t own_seed) { return Annealing(problem, all, start, own_seed); });
 }
 
 }  // namespace shelfbeam::detail

@@ -1,12 +1,10 @@
-#include "shelfbeam/placement/heuristic/cover_search.hpp"
-
 #include <algorithm>
 #include <random>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "shelfbeam/placement/kernels/walks.hpp"
+#include "shelfbeam/placement/heuristic/searches.hpp"
 
 namespace shelfbeam::detail {
 
@@ -188,18 +186,14 @@ bool is_plain_cover(const SignalTable& table, const Question& question) {
          question.combination == Combination::lexicographic && table.mounts.empty() && table.apart.empty();
 }
 
-std::optional<std::vector<std::uint32_t>> cover_search(const SignalTable& table, const Question& question,
-                                                       const Reduction& reduction,
-                                                       const std::vector<std::uint32_t>& start,
-                                                       const Effort& effort, std::uint32_t seed,
-                                                       const RunControl& control) {
+std::optional<Selection> cover_search(const SignalTable& table, const Question& question,
+                                      const Reduction& reduction, const Selection& start,
+                                      const Effort& effort, std::uint32_t seed, const RunControl& control) {
   if (!is_plain_cover(table, question)) return std::nullopt;
   if (reduction.infeasible || start.size() <= reduction.forced.size()) return std::nullopt;
   const SparseCover cover(table, question, reduction);
-  const auto columns = best_of_walks(seed, control, [&](std::uint32_t own_seed, const RunControl& own) {
-    CoverWalk walk(cover, start.size() - reduction.forced.size(), own_seed);
-    walk.run(effort, own);
-    return walk.best();
+  const auto columns = best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
+    return CoverWalk(cover, start.size() - reduction.forced.size(), own_seed);
   });
   if (!columns) return std::nullopt;
   std::vector<std::uint32_t> selected = reduction.forced;

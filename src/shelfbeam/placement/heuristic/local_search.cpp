@@ -1,5 +1,3 @@
-#include "shelfbeam/placement/heuristic/local_search.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/kernels/active_rows.hpp"
-#include "shelfbeam/placement/kernels/walks.hpp"
 
 namespace shelfbeam::detail {
 
@@ -49,8 +47,8 @@ class Walk {
       if (move % between_looks == 0) {
         if (effort.is_over(control)) return;
         control.report("local search", -1, fmt::format("{} moves", move));
+        recount();  // sums that were added to and taken from drift
       }
-      if (move % between_looks == 0) recount();  // sums that were added to and taken from drift
       now_ = move;
       while (meets_rows()) {
         if (effort.is_over(control)) return;
@@ -95,15 +93,16 @@ class Walk {
     recount();
   }
 
-  Receiving counting_rule() const { return rule_ == Receiving::sum_without_best ? rule_ : Receiving::sum; }
+  void receive(std::uint32_t j) {
+    const Receiving rule = rule_ == Receiving::sum_without_best ? rule_ : Receiving::sum;
+    SearchKernels::receive(rule, rows_.column(j), rows_.padded(), held_.data(), largest_.data());
+  }
 
   void recount() {
     held_.assign(rows_.padded(), 0.0F);
     largest_.assign(rows_.padded(), 0.0F);
-    for (std::size_t j = 0; j < in_.size(); ++j)
-      if (in_[j])
-        SearchKernels::receive(counting_rule(), rows_.column(j), rows_.padded(), held_.data(),
-                               largest_.data());
+    for (std::uint32_t j = 0; j < in_.size(); ++j)
+      if (in_[j]) receive(j);
   }
 
   bool meets_rows() {
@@ -195,8 +194,7 @@ class Walk {
       if (replaces)
         recount();
       else
-        SearchKernels::receive(counting_rule(), rows_.column(in), rows_.padded(), held_.data(),
-                               largest_.data());
+        receive(in);
     }
     constexpr double rounding = 1e-12;
     while (cost() >= best_cost_ * (1 - rounding))
@@ -227,15 +225,11 @@ class Walk {
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> local_search(const SearchProblem& problem, const SearchMatrix& all,
-                                                       const std::vector<std::uint32_t>& start,
-                                                       const Effort& effort, std::uint32_t seed,
-                                                       const RunControl& control) {
-  return best_of_walks(seed, control, [&](std::uint32_t own_seed, const RunControl& own) {
-    Walk walk(problem, all, start, own_seed);
-    walk.run(effort, own);
-    return walk.best();
-  });
+std::optional<Selection> local_search(const SearchProblem& problem, const SearchMatrix& all,
+                                      const Selection& start, const Effort& effort, std::uint32_t seed,
+                                      const RunControl& control) {
+  return best_of_walks(seed, effort, control,
+                       [&](std::uint32_t own_seed) { return Walk(problem, all, start, own_seed); });
 }
 
 }  // namespace shelfbeam::detail

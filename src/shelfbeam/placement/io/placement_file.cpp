@@ -11,10 +11,9 @@
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/placement/answer/scenarios.hpp"
+#include "shelfbeam/placement/answer/weak_spots.hpp"
 #include "shelfbeam/placement/io/placement_json.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
-#include "shelfbeam/placement/problem/critical.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 
 namespace shelfbeam {

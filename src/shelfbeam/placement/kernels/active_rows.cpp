@@ -41,10 +41,14 @@ void ActiveRows::take_hardest_for(std::span<const std::uint32_t> selected, std::
     for (const std::uint32_t j : selected) sum += used_of(i, j);
     by_sum.emplace_back(sum, i);
   }
-  count = std::min(count, by_sum.size());
-  std::partial_sort(by_sum.begin(), by_sum.begin() + static_cast<std::ptrdiff_t>(count), by_sum.end());
+  take_least(by_sum, count);
+}
+
+void ActiveRows::take_least(std::vector<std::pair<float, std::uint32_t>>& by_received, std::size_t count) {
+  const auto end = by_received.begin() + static_cast<std::ptrdiff_t>(std::min(count, by_received.size()));
+  std::partial_sort(by_received.begin(), end, by_received.end());
   std::vector<std::uint32_t> rows;
-  for (std::size_t k = 0; k < count; ++k) rows.push_back(by_sum[k].second);
+  for (auto one = by_received.begin(); one != end; ++one) rows.push_back(one->second);
   take(rows);
 }
 
@@ -53,12 +57,10 @@ bool ActiveRows::learn(std::span<const float> received, std::uint32_t label) {
   std::vector<std::pair<float, std::uint32_t>> short_of;
   for (std::uint32_t i = 0; i < all_.rows(); ++i)
     if (received[i] < 1 && !is_known_[i]) short_of.emplace_back(received[i], i);
-  std::sort(short_of.begin(), short_of.end());
-  std::vector<std::uint32_t> fresh;
-  for (std::size_t k = 0; k < std::min(at_once, short_of.size()); ++k) fresh.push_back(short_of[k].second);
-  if (fresh.empty() && !is_known_[label]) fresh.push_back(label);  // met in float arithmetic only
-  take(fresh);
-  return !fresh.empty();
+  // Of no row: met in float arithmetic only.
+  if (short_of.empty() && !is_known_[label]) short_of.emplace_back(received[label], label);
+  take_least(short_of, at_once);
+  return !short_of.empty();
 }
 
 void ActiveRows::ask_more_of(std::uint32_t label) {

@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/placement/kernels/search_kernels.hpp"
-#include "shelfbeam/placement/kernels/search_matrix.hpp"
+#include "shelfbeam/placement/kernels/search_problem.hpp"
 
 namespace shelfbeam::detail {
 
@@ -25,8 +26,6 @@ class ActiveRows {
 
   float used_of(std::uint32_t row, std::uint32_t column) const;
 
-  /// Adds rows that are not known yet.
-  void take(std::span<const std::uint32_t> rows);
   /// Adds the `count` rows to which a selection gives least.
   void take_hardest_for(std::span<const std::uint32_t> selected, std::size_t count);
   /// After a selection that meets all active rows failed on all: adds those that lack most of `received`
@@ -37,6 +36,10 @@ class ActiveRows {
   void ask_more_of(std::uint32_t label);
 
  private:
+  /// Adds rows that are not known yet.
+  void take(std::span<const std::uint32_t> rows);
+  void take_least(std::vector<std::pair<float, std::uint32_t>>& by_received, std::size_t count);
+
   static constexpr std::size_t block = SearchMatrix::block;
 
   const SearchMatrix& all_;

@@ -12,9 +12,6 @@ enum class Receiving { sum, best, sum_without_best, second_best };
 inline bool is_sum(Receiving rule) {
   return rule == Receiving::sum || rule == Receiving::sum_without_best;
 }
-inline bool survives(Receiving rule) {
-  return rule == Receiving::sum_without_best || rule == Receiving::second_best;
-}
 
 /// The inner loops of searches, over the rows of a SearchMatrix, compiled for several kinds of processor. The
 /// number of rows is a multiple of SearchMatrix::block.

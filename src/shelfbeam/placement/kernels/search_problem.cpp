@@ -2,12 +2,89 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
+#include "shelfbeam/placement/kernels/search_kernels.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 
 namespace shelfbeam::detail {
+
+namespace {
+
+// Larger ratios are as good as this one, and sums of them stay finite.
+constexpr float largest = 1e6F;
+// The last number below 1: links that fail the rule by less than rounding must not seem to pass.
+constexpr float just_short = 1 - std::numeric_limits<float>::epsilon() / 2;
+
+std::vector<std::uint32_t> all_rows(const SignalTable& table) {
+  std::vector<std::uint32_t> rows(table.rows());
+  std::iota(rows.begin(), rows.end(), 0U);
+  return rows;
+}
+
+}  // namespace
+
+SearchMatrix::SearchMatrix(const SignalTable& table, CommunicationModel model,
+                           std::vector<std::uint32_t> rows)
+    : rows_(std::move(rows)),
+      padded_((rows_.size() + block - 1) / block * block),
+      columns_(table.columns()),
+      values_(padded_ * columns_, 0.0F) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const double requirement = requirement_of(table.labels[rows_[i]], model);
+    for (const SignalEntry& entry : table.row(rows_[i])) {
+      float& value = values_[entry.transceiver * padded_ + i];
+      value = static_cast<float>(std::min(entry.signal / requirement, static_cast<double>(largest)));
+      if (model == CommunicationModel::non_cooperative && !is_met(entry.signal, requirement))
+        value = std::min(value, just_short);
+    }
+  }
+}
+
+SearchMatrix::SearchMatrix(const SignalTable& table, CommunicationModel model)
+    : SearchMatrix(table, model, all_rows(table)) {}
+
+Receiving receiving(const Question& question) {
+  if (question.model == CommunicationModel::cooperative)
+    return question.redundant ? Receiving::sum_without_best : Receiving::sum;
+  return question.redundant ? Receiving::second_best : Receiving::best;
+}
+
+Margin margin_of(const SignalTable& table, const Question& question, const SearchMatrix& all,
+                 std::span<const std::uint32_t> selected, std::vector<float>& received) {
+  Margin margin{std::numeric_limits<double>::infinity(), 0, true};
+  received.assign(2 * all.padded_rows(), 0.0F);
+  const Receiving rule = receiving(question);
+  float* const value = received.data();
+  float* const best = received.data() + all.padded_rows();
+  for (const std::uint32_t j : selected)
+    SearchKernels::receive(rule, all.column(j), all.padded_rows(), value, best);
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < all.rows(); ++i) least = std::min(least, received[i]);
+  std::vector<bool> chosen(table.columns(), false);
+  for (const std::uint32_t j : selected) chosen[j] = true;
+  double of_unmet = std::numeric_limits<double>::infinity();
+  // The smallest in truth is among these, and whoever is not met if any is. (Nobody knows among ratios that
+  // were cut off.)
+  const float lowest = least < largest / 10 ? least * (1 + 5 * static_cast<float>(search_tolerance))
+                                            : std::numeric_limits<float>::infinity();
+  for (std::uint32_t i = 0; i < all.rows(); ++i) {
+    if (received[i] > lowest) continue;
+    const double requirement = requirement_of(table.labels[i], question.model);
+    const double signal = received_signal(table, i, chosen, question);
+    const double ratio = signal / requirement;
+    const bool met = is_met(signal, requirement);
+    // Ratios round: of two that are the same one may be met. The label that is not is to be told.
+    if (margin.is_met ? !met || ratio < margin.smallest : !met && ratio < of_unmet) margin.label = i;
+    if (!met) of_unmet = std::min(of_unmet, ratio);
+    margin.is_met = margin.is_met && met;
+    margin.smallest = std::min(margin.smallest, ratio);
+  }
+  return margin;
+}
 
 SearchProblem::SearchProblem(const SignalTable& t, const Question& q)
     : table(t), question(q), excludes(t.columns()), available(t.columns(), true) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "shelfbeam/placement/kernels/search_matrix.hpp"
+#include "shelfbeam/placement/kernels/search_problem.hpp"
 
 namespace shelfbeam::detail {
 
@@ -14,10 +16,35 @@ namespace shelfbeam::detail {
 /// first asked for.
 class SimilarColumns {
  public:
-  SimilarColumns(const SearchMatrix& all, std::span<const std::uint32_t> candidates);
+  SimilarColumns(const SearchMatrix& all, std::span<const std::uint32_t> candidates)
+      : candidates_(candidates.begin(), candidates.end()), similar_(all.columns()) {
+    constexpr std::size_t block = SearchMatrix::block, looked_at = 512;
+    const std::size_t step = std::max<std::size_t>(1, all.rows() / looked_at);
+    const std::size_t rows = (all.rows() + step - 1) / step;
+    sampled_ = (rows + block - 1) / block * block;
+    sample_.assign(sampled_ * all.columns(), 0.0F);
+    for (std::size_t j = 0; j < all.columns(); ++j)
+      for (std::size_t r = 0; r < rows; ++r)
+        sample_[j * sampled_ + r] = std::min(all.column(j)[r * step], 1.0F);
+  }
 
   /// Up to 60 candidates other than `column`, the most similar first.
-  std::span<const std::uint32_t> to(std::uint32_t column);
+  std::span<const std::uint32_t> to(std::uint32_t column) {
+    constexpr std::size_t most = 60;
+    std::vector<std::uint32_t>& similar = similar_[column];
+    if (!similar.empty()) return similar;
+    std::vector<std::pair<float, std::uint32_t>> by_distance;
+    const float* const own = sample_.data() + column * sampled_;
+    for (const std::uint32_t j : candidates_) {
+      if (j == column) continue;
+      by_distance.emplace_back(SearchKernels::distance(own, sample_.data() + j * sampled_, sampled_), j);
+    }
+    const std::size_t count = std::min(most, by_distance.size());
+    std::partial_sort(by_distance.begin(), by_distance.begin() + static_cast<std::ptrdiff_t>(count),
+                      by_distance.end());
+    for (std::size_t k = 0; k < count; ++k) similar.push_back(by_distance[k].second);
+    return similar;
+  }
 
  private:
   std::vector<std::uint32_t> candidates_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -9,26 +10,46 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/parallel.hpp"
-#include "shelfbeam/placement/kernels/effort.hpp"
 
 namespace shelfbeam::detail {
 
+/// Columns of a table, ascending unless it says otherwise.
+using Selection = std::vector<std::uint32_t>;
+
+/// How long a search may go on. What it finds can be found again where the steps end it, not the time.
+struct Effort {
+  std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();  ///< moves of a walk, nodes of a tree
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+
+  double seconds_left() const {
+    return std::chrono::duration<double>(until - std::chrono::steady_clock::now()).count();
+  }
+  /// The time ends it, or somebody does.
+  bool is_over(const RunControl& control) const {
+    return control.cancelled() || std::chrono::steady_clock::now() >= until;
+  }
+};
+
+/// Of one local search, side by side: so many seeds it takes.
+inline constexpr std::uint32_t walks_at_once = 2;
+
 /// What a walk over selections has found: the best, ascending, and its cost; infinite where there is none.
 struct Found {
-  std::optional<std::vector<std::uint32_t>> selected;
+  std::optional<Selection> selected;
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// The cheapest of what walk(seed, control) finds for `seed` and the seeds that follow it, the first of equal
-/// ones, on `control.threads` threads. Only the first walk reports progress.
-template <class Walk>
-std::optional<std::vector<std::uint32_t>> best_of_walks(std::uint32_t seed, const RunControl& control,
-                                                        const Walk& walk) {
+/// The cheapest of what the walks of `seed` and the seeds that follow it find, the first of equal ones, on
+/// `control.threads` threads. Only the first walk reports progress.
+template <class MakeWalk>
+std::optional<Selection> best_of_walks(std::uint32_t seed, const Effort& effort, const RunControl& control,
+                                       const MakeWalk& make_walk) {
   std::vector<Found> found(walks_at_once);
   with_threads(control.threads, [&] {
     for_each_task(found.size(), [&](std::size_t k) {
-      found[k] = walk(seed + static_cast<std::uint32_t>(k),
-                      k == 0 ? control : RunControl{control.threads, control.cancel});
+      auto walk = make_walk(seed + static_cast<std::uint32_t>(k));
+      walk.run(effort, k == 0 ? control : RunControl{control.threads, control.cancel});
+      found[k] = walk.best();
     });
   });
   return std::min_element(found.begin(), found.end(),

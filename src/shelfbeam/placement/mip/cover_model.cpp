@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "shelfbeam/milp/verify.hpp"
+#include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/bounds.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"

@@ -20,57 +20,37 @@ bool closes(double bound, double value) {
   return std::isfinite(value) && value - bound <= proof_gap * value;
 }
 
-/// The best selection so far, by the question's own order; infinite while there is none.
-class Incumbent {
- public:
-  Incumbent(const SignalTable& table, const Question& question) : table_(table), question_(question) {}
-
-  void offer(const std::optional<std::vector<std::uint32_t>>& candidate) {
-    if (!candidate) return;
-    const double value = value_of(*candidate);
-    const auto count = static_cast<double>(candidate->size());
-    const bool better = question_.combination == Combination::weighted
-                            ? value < value_
-                            : std::pair(count, value) < std::pair(count_, value_);
-    if (!better) return;
-    selected_ = *candidate;
-    count_ = count;
-    value_ = value;
-  }
-
-  const std::vector<std::uint32_t>& selected() const { return selected_; }
-  double count() const { return count_; }
-  /// The second objective (lexicographic), or the whole sum (weighted).
-  double value() const { return value_; }
-
- private:
-  double value_of(const std::vector<std::uint32_t>& selected) const {
-    const Check check = check_selection(table_, question_, selected);
-    return check.objective + (question_.combination == Combination::weighted ? check.transceiver_cost : 0);
-  }
-
-  const SignalTable& table_;
-  const Question& question_;
-  std::vector<std::uint32_t> selected_;
-  double count_ = milp::infinity;
-  double value_ = milp::infinity;
-};
-
+/// Improves the best selection so far, by the question's own order.
 struct Search {
   const SignalTable& table;
   const Question& question;
-  Incumbent& incumbent;
   detail::CoverModel& model;
+  std::vector<std::uint32_t> selected = {};
+  double count = milp::infinity;  ///< while there is none
+  double value = milp::infinity;  ///< the second objective (lexicographic), or the whole sum (weighted)
+
+  void offer(const std::optional<std::vector<std::uint32_t>>& candidate) {
+    if (!candidate) return;
+    const bool is_weighted = question.combination == Combination::weighted;
+    const Check check = check_selection(table, question, *candidate);
+    const double new_value = check.objective + (is_weighted ? check.transceiver_cost : 0);
+    const auto new_count = static_cast<double>(candidate->size());
+    const bool better =
+        is_weighted ? new_value < value : std::pair(new_count, new_value) < std::pair(count, value);
+    if (!better) return;
+    selected = *candidate;
+    count = new_count;
+    value = new_value;
+  }
 
   /// Fewest units first; the second objective only once their number is proven, at that number.
   MipAnswer lexicographic() {
     MipAnswer answer;
     const std::vector<double> ones = first_objective(table, question);
-    const auto fewest = model.minimise(ones, incumbent.count());
+    const auto fewest = model.minimise(ones, count);
     if (fewest.infeasible) return infeasible();
-    incumbent.offer(fewest.selected);
+    offer(fewest.selected);
     answer.solver_failed = fewest.failed;
-    const double count = incumbent.count();
     const double proven_count = std::clamp(CostBounds(table, ones).rounded(fewest.bound),
                                            static_cast<double>(least_count(table, question)), count);
     answer.placement.count_lower_bound = proven_count;
@@ -83,15 +63,15 @@ struct Search {
     const std::vector<double> cost = objective_coefficients(table, question);
     const CostBounds bounds(table, cost);
     double bound = bounds.cheapest(static_cast<std::size_t>(proven_count));
-    bool is_optimal = is_fewest && closes(bound, incumbent.value());
+    bool is_optimal = is_fewest && closes(bound, value);
     if (is_fewest && !is_optimal) {
-      const auto best = model.minimise(cost, incumbent.value(), static_cast<std::size_t>(count));
-      incumbent.offer(best.selected);
+      const auto best = model.minimise(cost, value, static_cast<std::size_t>(count));
+      offer(best.selected);
       answer.solver_failed = answer.solver_failed || best.failed;
       bound = std::max(bound, bounds.rounded(best.bound));
-      is_optimal = best.proven || closes(bound, incumbent.value());
+      is_optimal = best.proven || closes(bound, value);
     }
-    set_value(answer.placement, incumbent.value(), bound, is_optimal);
+    set_value(answer.placement, value, bound, is_optimal);
     return answer;
   }
 
@@ -99,20 +79,20 @@ struct Search {
     MipAnswer answer;
     const std::vector<double> cost = first_objective(table, question);
     const CostBounds bounds(table, cost);
-    const std::size_t count = least_count(table, question);
-    double bound = bounds.cheapest(count);
-    bool is_optimal = closes(bound, incumbent.value());
+    const std::size_t least = least_count(table, question);
+    double bound = bounds.cheapest(least);
+    bool is_optimal = closes(bound, value);
     if (!is_optimal) {
-      const auto best = model.minimise(cost, incumbent.value());
+      const auto best = model.minimise(cost, value);
       if (best.infeasible) return infeasible();
-      incumbent.offer(best.selected);
+      offer(best.selected);
       answer.solver_failed = best.failed;
       bound = std::max(bound, bounds.rounded(best.bound));
-      is_optimal = best.proven || closes(bound, incumbent.value());
+      is_optimal = best.proven || closes(bound, value);
     }
-    set_value(answer.placement, incumbent.value(), bound, is_optimal);
+    set_value(answer.placement, value, bound, is_optimal);
     answer.placement.count_lower_bound =
-        static_cast<double>(std::max(count, bounds.fewest(answer.placement.lower_bound)));
+        static_cast<double>(std::max(least, bounds.fewest(answer.placement.lower_bound)));
     return answer;
   }
 
@@ -145,14 +125,13 @@ SolveFunction limited(const SolveFunction& solve, std::optional<std::uint64_t> n
 MipAnswer place_by_mip(const SignalTable& table, const Question& question,
                        const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control) {
-  Incumbent incumbent(table, question);
-  incumbent.offer(start);
   detail::CoverModel model(table, question, solve, time_limit_s, control);
-  Search search{table, question, incumbent, model};
+  Search search{table, question, model};
+  search.offer(start);
   MipAnswer answer =
       question.combination == Combination::lexicographic ? search.lexicographic() : search.weighted();
   answer.placement.question = question;
-  answer.placement.selected = incumbent.selected();
+  answer.placement.selected = search.selected;
   answer.placement.unit_costs = label_costs(table, question.objective).unit;
   return answer;
 }

@@ -1,13 +1,13 @@
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
 
 #include "shelfbeam/placement/problem/cover_rows.hpp"
-#include "shelfbeam/placement/reduce/bit_rows.hpp"
 
 namespace shelfbeam::detail {
 
@@ -15,9 +15,39 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-std::string_view bytes(std::span<const std::uint64_t> words) {
-  return {reinterpret_cast<const char*>(words.data()), words.size_bytes()};
-}
+/// Sets over 0 ... columns - 1, a bit each: rows of a 0/1 matrix.
+class BitRows {
+ public:
+  BitRows(std::size_t rows, std::size_t columns) : words_((columns + 63) / 64), bits_(rows * words_, 0) {}
+
+  void add(std::size_t row, std::size_t column) {
+    bits_[row * words_ + column / 64] |= std::uint64_t{1} << column % 64;
+  }
+
+  std::string_view bytes(std::size_t row) const {
+    return {reinterpret_cast<const char*>(bits_.data() + row * words_), words_ * sizeof bits_[0]};
+  }
+
+  bool is_subset(std::size_t part, std::size_t whole) const {
+    const std::uint64_t* p = bits_.data() + part * words_;
+    const std::uint64_t* w = bits_.data() + whole * words_;
+    for (std::size_t k = 0; k < words_; ++k)
+      if ((p[k] & ~w[k]) != 0) return false;
+    return true;
+  }
+
+  /// Calls visit(column) for the columns of a row, ascending.
+  template <class Visit>
+  void for_each(std::size_t row, Visit visit) const {
+    for (std::size_t k = 0; k < words_; ++k)
+      for (std::uint64_t rest = bits_[row * words_ + k]; rest != 0; rest &= rest - 1)
+        visit(static_cast<std::uint32_t>(64 * k + static_cast<std::size_t>(std::countr_zero(rest))));
+  }
+
+ private:
+  std::size_t words_;
+  std::vector<std::uint64_t> bits_;
+};
 
 /// The elements of 0 ... n - 1 that `keep` names.
 std::vector<std::uint32_t> indices(const std::vector<bool>& keep) {
@@ -113,7 +143,7 @@ class CoverReducer {
     std::vector<std::uint32_t> order;
     std::unordered_set<std::string_view> seen;
     for (std::uint32_t k = 0; k < labels.size(); ++k) {
-      if (seen.insert(bytes(rows.row(k))).second)
+      if (seen.insert(rows.bytes(k)).second)
         order.push_back(k);
       else
         unmet_[labels[k]] = false;

@@ -4,7 +4,6 @@
 #include <functional>
 #include <stdexcept>
 
-#include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/search_problem.hpp"
 #include "shelfbeam/placement/tree/proof.hpp"
 
@@ -99,31 +98,6 @@ class ProofChecker {
     return proof_.steps[at_++];
   }
 
-  std::vector<double> values(const std::vector<float>& weights, double price, std::size_t units,
-                             const std::vector<bool>& allowed, double& need) const {
-    // By the search's rule, which is below the contract's: what meets the one meets the other, and near-ties
-    // count as they did there.
-    const auto& rows = is_sum_ ? rows_ : relaxed_rows_;
-    std::vector<double> value(table_.columns(), 0.0);
-    std::vector<std::uint32_t> columns;
-    for (std::uint32_t j = 0; j < value.size(); ++j)
-      if (allowed[j]) columns.push_back(j);
-    need = 0;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      const auto weight = static_cast<double>(weights.at(r));
-      if (!(weight >= 0) || !std::isfinite(weight)) throw std::out_of_range("a weight is no such number");
-      const double open = lacking(rows[r], relaxed);
-      if (open == 0) continue;
-      const double shift = is_sum_ ? Proof::shift * open / static_cast<double>(units) : 0;
-      const double counted = open - static_cast<double>(units) * shift;
-      need += weight * counted;
-      for (const std::uint32_t j : columns)
-        value[j] += weight * std::min(counted, std::max(0.0, rows[r][j] - shift));
-    }
-    for (const std::uint32_t j : columns) value[j] -= price * static_cast<double>(problem_.cost[j]);
-    return value;
-  }
-
   struct Sums {
     double most = 0, without_one = 0;
   };
@@ -192,10 +166,28 @@ class ProofChecker {
   Weighing weighing(std::size_t units, const std::vector<bool>& allowed) {
     if (units == 0) throw std::out_of_range("no unit is left to weigh");
     const std::uint32_t id = next();
+    const std::vector<float>& weights = proof_.weights.at(id >> 16).at(id & 0xFFFF);
     const auto price = static_cast<double>(std::bit_cast<float>(next()));
     if (!(price >= 0) || !std::isfinite(price)) throw std::out_of_range("a price is no such number");
-    Weighing w;
-    w.value = values(proof_.weights.at(id >> 16).at(id & 0xFFFF), price, units, allowed, w.need);
+    // By the search's rule, which is below the contract's: what meets the one meets the other, and near-ties
+    // count as they did there.
+    const auto& rows = is_sum_ ? rows_ : relaxed_rows_;
+    Weighing w{std::vector<double>(table_.columns(), 0.0)};
+    std::vector<std::uint32_t> columns;
+    for (std::uint32_t j = 0; j < w.value.size(); ++j)
+      if (allowed[j]) columns.push_back(j);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const auto weight = static_cast<double>(weights.at(r));
+      if (!(weight >= 0) || !std::isfinite(weight)) throw std::out_of_range("a weight is no such number");
+      const double open = lacking(rows[r], relaxed);
+      if (open == 0) continue;
+      const double shift = is_sum_ ? Proof::shift * open / static_cast<double>(units) : 0;
+      const double counted = open - static_cast<double>(units) * shift;
+      w.need += weight * counted;
+      for (const std::uint32_t j : columns)
+        w.value[j] += weight * std::min(counted, std::max(0.0, rows[r][j] - shift));
+    }
+    for (const std::uint32_t j : columns) w.value[j] -= price * static_cast<double>(problem_.cost[j]);
     const std::int64_t left = proof_.most_cost - spent_;
     w.paid = price > 0 && left > 0 ? price * static_cast<double>(left) : 0;
     // Such a price proves nothing, and differences of large numbers must not seem to.

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/kernels/effort.hpp"
-#include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/search_problem.hpp"
+#include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/tree/proof.hpp"
 
 namespace shelfbeam::detail {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "shelfbeam/plan/answer/certified_plan.hpp"
+#include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
@@ -18,5 +19,8 @@ std::string certificate_json(const Certificate& certificate, const SignalTable& 
 /// Reads such a file, or that of a placement alone, against the table it belongs to. Throws as
 /// `read_placement`. Of the labels a certificate has verdicts alone, and the curve is without `selected`.
 CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& table);
+
+/// verification.csv (docs/formats/report.md): a row a label, in the order of the scene.
+std::string verification_csv(const Certificate& certificate, const Scene& scene);
 
 }  // namespace shelfbeam

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/answer/weak_spots.hpp"
 #include "shelfbeam/placement/coverage/reach_bound.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
-#include "shelfbeam/placement/problem/critical.hpp"
 
 #include "support/processor_time.hpp"
 #include "unit/placement/brute_force.hpp"

@@ -1,5 +1,3 @@
-#include "shelfbeam/placement/heuristic/cover_search.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -8,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 #include "unit/placement/formula_instances.hpp"

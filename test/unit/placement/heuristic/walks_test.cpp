@@ -7,9 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/placement/heuristic/annealing.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
-#include "shelfbeam/placement/heuristic/local_search.hpp"
+#include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/kernels/similar_columns.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/milp/model_file.hpp"
+#include "shelfbeam/milp/model.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 

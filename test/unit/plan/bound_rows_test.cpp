@@ -1,4 +1,4 @@
-#include "shelfbeam/plan/decisive_rows.hpp"
+#include "shelfbeam/plan/bound_rows.hpp"
 
 #include <algorithm>
 

@@ -1,17 +1,72 @@
-#include "shelfbeam/plan/optimism.hpp"
+#include "shelfbeam/plan/bound_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numeric>
+#include <set>
+#include <utility>
 
-#include "shelfbeam/plan/decisive_rows.hpp"
-#include "shelfbeam/plan/fresh_sums.hpp"
+#include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 
 namespace shelfbeam {
 
 namespace {
+
+constexpr std::size_t rows_at_once = 16;
+
+std::uint32_t strongest_of(const SignalTable& table, std::uint32_t row) {
+  const auto entries = table.row(row);
+  const auto best = std::max_element(entries.begin(), entries.end(),
+                                     [](const auto& a, const auto& b) { return a.signal < b.signal; });
+  return best == entries.end() ? std::numeric_limits<std::uint32_t>::max() : best->transceiver;
+}
+
+// The first of an order, spread over the shop: one a strongest unit.
+std::vector<std::uint32_t> spread(const SignalTable& table,
+                                  std::vector<std::pair<double, std::uint32_t>> order) {
+  std::sort(order.begin(), order.end());
+  std::vector<std::uint32_t> rows;
+  std::set<std::uint32_t> seen;
+  for (const auto& [worth, row] : order) {
+    if (rows.size() == rows_at_once) break;
+    if (seen.insert(strongest_of(table, row)).second) rows.push_back(row);
+  }
+  return rows;
+}
+
+// What so many units could give at most, as parts of the requirement.
+double most_of(const SignalTable& table, const Question& question, std::uint32_t row, std::size_t units) {
+  std::vector<double> signals;
+  for (const SignalEntry& entry : table.row(row)) signals.push_back(entry.signal);
+  const std::size_t count = std::min(units, signals.size());
+  std::partial_sort(signals.begin(), signals.begin() + static_cast<std::ptrdiff_t>(count), signals.end(),
+                    std::greater<>());
+  double sum = 0;
+  for (std::size_t k = 0; k < count; ++k) sum += signals[k];
+  return sum / requirement_of(table.labels[row], question.model);
+}
+
+}  // namespace
+
+SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint32_t>& rows) {
+  SignalTable part;
+  part.transceivers = table.transceivers;
+  part.mounts = table.mounts;
+  part.apart = table.apart;
+  part.row_begin = {0};
+  for (const std::uint32_t i : rows) {
+    part.labels.push_back(table.labels[i]);
+    const auto row = table.row(i);
+    part.entries.insert(part.entries.end(), row.begin(), row.end());
+    part.row_begin.push_back(part.entries.size());
+  }
+  return part;
+}
 
 // Every entry has a limit of its own, one of a sum, and one of a rare sum.
 constexpr double limits_an_entry = 3;
@@ -47,14 +102,10 @@ void add_limits(SignalTable& table, std::span<const FreshSum> sums, const std::v
   table.row_begin.push_back(table.entries.size());
 }
 
-}  // namespace
-
 OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
                                const std::vector<std::uint32_t>& rows, double level,
                                const VerificationEffort& effort, const RunControl& control) {
   const std::size_t n = planned.columns();
-  std::vector<std::uint32_t> all(n);
-  std::iota(all.begin(), all.end(), 0U);
   std::vector<std::vector<std::uint32_t>> orders;
   orders.reserve(rows.size());
   for (const std::uint32_t i : rows) orders.push_back(by_strength(planned, i));
@@ -65,10 +116,8 @@ OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
       sums[n + k] = sum += sums[k];
     }
   };
-  SimulationOptions options = effort.simulation;
-  options.seed = effort.seed;
-  const FreshSums fresh = fresh_sums(sub_scene(scene, rows, all), options,
-                                     std::max(effort.batches, least_verifying_batches), 2 * n, rule, control);
+  const FreshSums fresh =
+      fresh_sums(sub_scene(scene, rows), effort.simulation, effort.batches, 2 * n, rule, control);
   OptimisticRows result{table_of_rows(planned, rows), {}};
   result.table.entries.clear();
   result.table.row_begin = {0};
@@ -78,21 +127,8 @@ OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
   for (std::size_t k = 0; k < rows.size(); ++k)
     add_limits(result.table, fresh.of(k), orders[k], of_one, fresh.largest,
                result.table.labels[k].requirement);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    FreshRow row{rows[k],
-                 std::vector<double>(n),
-                 std::vector<double>(n),
-                 std::vector<std::uint8_t>(n),
-                 fresh.batches,
-                 fresh.batches * fresh.samples_per_batch};
-    for (std::size_t c = 0; c < n; ++c) {
-      const FreshSum& sum = fresh.of(k)[c];
-      row.mean[orders[k][c]] = sum.mean();
-      row.standard_error[orders[k][c]] = sum.sampled.standard_error();
-      row.flags[orders[k][c]] = sum.is_skewed() ? 1 : 0;
-    }
-    result.fresh.push_back(std::move(row));
-  }
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    result.fresh.push_back(fresh_row(fresh, k, rows[k], orders[k]));
   return result;
 }
 
@@ -112,6 +148,33 @@ SignalTable expected_optimism(const SignalTable& planned, const SignalMatrix& ma
     }
   }
   return table;
+}
+
+DecisiveRows decisive_rows(const SignalTable& table, const Question& question, std::size_t count,
+                           const PlaceOptions& wanted, const RunControl& control) {
+  const Deadline deadline(wanted.time_limit_s);
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t i = 0; i < table.rows(); ++i)
+    order.emplace_back(most_of(table, question, i, std::max<std::size_t>(count, 2) - 1), i);
+  DecisiveRows decisive;
+  decisive.rows = spread(table, std::move(order));
+  std::sort(decisive.rows.begin(), decisive.rows.end());
+  PlaceOptions options = wanted;
+  while ((options.step_limit || !deadline.has_passed()) && !control.cancelled()) {
+    options.time_limit_s = deadline.seconds_left();
+    options.settles_ties = false;
+    const Placement answer = place(table_of_rows(table, decisive.rows), question, options, control);
+    decisive.suffice = answer.count_lower_bound >= static_cast<double>(count);
+    if (decisive.suffice || !answer.has_selection() || answer.count() >= count) break;
+    const Check check = check_selection(table, question, answer.selected);
+    order.clear();
+    for (const std::uint32_t i : check.unmet)
+      order.emplace_back(check.signal[i] / requirement_of(table.labels[i], question.model), i);
+    if (order.empty()) break;
+    for (const std::uint32_t row : spread(table, std::move(order))) decisive.rows.push_back(row);
+    std::sort(decisive.rows.begin(), decisive.rows.end());
+  }
+  return decisive;
 }
 
 }  // namespace shelfbeam

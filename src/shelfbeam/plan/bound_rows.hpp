@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/plan/refine.hpp"
 #include "shelfbeam/plan/verification.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
-#include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
 
@@ -34,5 +34,20 @@ OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
 /// What `optimistic_rows` of all labels may be expected to be, from the errors of a matrix.
 SignalTable expected_optimism(const SignalTable& planned, const SignalMatrix& matrix, std::size_t rows,
                               double level, std::uint32_t batches);
+
+/// The same question about some labels: the rows of a table, ascending.
+SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint32_t>& rows);
+
+struct DecisiveRows {
+  std::vector<std::uint32_t> rows;  ///< ascending
+  bool suffice = false;             ///< these labels alone need `count` units
+};
+
+/// A few labels that need so many units by themselves, found by adding what the best placement for those so
+/// far leaves unmet. A bound that is to be proven on fresh samples needs these alone to be simulated. Where
+/// they do not suffice, some selection of fewer units meets all labels, or time was short: the limits of
+/// `options` are of time for all placements together, and of steps for each.
+DecisiveRows decisive_rows(const SignalTable& table, const Question& question, std::size_t count,
+                           const PlaceOptions& options, const RunControl& control);
 
 }  // namespace shelfbeam

@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/answer/scenarios.hpp"
+#include "shelfbeam/placement/answer/weak_spots.hpp"
 
 #include <cmath>
 

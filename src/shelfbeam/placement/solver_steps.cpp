@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/placement/mip/cover_model.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/mounts.hpp"
+#include "shelfbeam/placement/search_state.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+using Answer = CoverModel::Outcome;
+
+// Each solver in turn, until one has an answer that can be relied on.
+template <class Ask>
+auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, const Ask& ask) {
+  for (std::size_t k = 0;; ++k) {
+    state.asked = fmt::format("{} {}", backends[k].name, backends[k].version);
+    auto answer = ask(backends[k]);
+    if (!answer.failed || k + 1 == backends.size()) return answer;
+  }
+}
+
+// The same of MIP solvers, within the limit of steps where there is one.
+template <class Ask>
+Answer ask_mips_in_turn(SearchState& state, const Ask& ask) {
+  return ask_in_turn(state, state.solvers.preferred, [&](const milp::Backend& backend) -> Answer {
+    return ask(limited(backend.solve, state.limits.step_limit));
+  });
+}
+
+void begin_tree_with(const LpBound& lp, SearchState& state) {
+  std::vector<std::uint32_t> rows;
+  std::vector<double> weights;
+  for (std::size_t k = 0; k < lp.rows.size(); ++k) {
+    if (!lp.rows[k].is_plain()) continue;
+    rows.push_back(lp.rows[k].label);
+    weights.push_back(lp.y[k]);
+  }
+  if (state.tree && !rows.empty()) state.tree->begin_with(rows, weights);
+}
+
+// The part as a table of its own, where units cost what is minimised.
+SignalTable table_of(const SignalTable& table, std::span<const double> cost, const CoverPart& part,
+                     const std::vector<bool>& is_out, std::vector<std::uint32_t>& columns) {
+  SignalTable own;
+  std::vector<std::uint32_t> place(table.columns(), ~std::uint32_t{0});
+  for (const std::uint32_t j : part.columns) {
+    if (is_out[j]) continue;
+    place[j] = static_cast<std::uint32_t>(own.transceivers.size());
+    columns.push_back(j);
+    own.transceivers.push_back(table.transceivers[j]);
+    own.transceivers.back().cost = cost[j];
+    own.transceivers.back().installed = false;
+  }
+  for (const auto& mount : table.mounts) {
+    std::vector<std::uint32_t> options;
+    for (const std::uint32_t j : mount)
+      if (place[j] < own.columns()) options.push_back(place[j]);
+    if (options.size() > 1) own.mounts.push_back(std::move(options));
+  }
+  for (const auto& [a, b] : table.apart)
+    if (place[a] < own.columns() && place[b] < own.columns()) own.apart.emplace_back(place[a], place[b]);
+  own.row_begin = {0};
+  for (const std::uint32_t i : part.labels) {
+    own.labels.push_back(table.labels[i]);
+    for (const SignalEntry& entry : table.row(i))
+      if (place[entry.transceiver] < own.columns())
+        own.entries.push_back({place[entry.transceiver], entry.signal});
+    own.row_begin.push_back(own.entries.size());
+  }
+  return own;
+}
+
+/// Lets a MIP solver do what is left of a non-cooperative question (reduce_cover), part by part. `cost` is
+/// what is minimised. Answers without `left_out` are looked for; the bound is theirs, infinite where there
+/// are none. `selected` is not checked yet.
+Answer place_reduced(const SignalTable& table, const Question& question, std::span<const double> cost,
+                     const Reduction& reduction, std::span<const std::uint32_t> left_out,
+                     const SolveFunction& solve, double time_limit_s, const RunControl& control) {
+  const Deadline deadline(time_limit_s);
+  Answer answer;
+  if (reduction.infeasible) return answer;
+  std::vector<std::uint32_t> selected = reduction.forced;
+  answer.bound = 0;
+  for (const std::uint32_t j : reduction.forced) answer.bound += cost[j];
+  answer.proven = true;
+  bool is_whole = true;
+  std::vector<bool> is_out(table.columns(), false);
+  for (const std::uint32_t j : left_out) is_out[j] = true;
+  const Mounts mounts(table);
+  for (const std::uint32_t j : reduction.forced)
+    mounts.for_each_excluded(j, [&](std::uint32_t other) { is_out[other] = true; });
+  for (const CoverPart& part : reduction.parts) {
+    if (part.labels.empty()) continue;
+    std::vector<std::uint32_t> columns;
+    const SignalTable own = table_of(table, cost, part, is_out, columns);
+    Question sum;
+    sum.model = question.model;
+    sum.combination = Combination::weighted;
+    const MipAnswer best = place_by_mip(own, sum, std::nullopt, solve, deadline.seconds_left(), control);
+    answer.proven = answer.proven && best.placement.status == Status::optimal;
+    answer.failed = answer.failed || best.solver_failed;
+    answer.bound += std::max(0.0, best.placement.lower_bound);
+    is_whole = is_whole && !best.placement.selected.empty();
+    for (const std::uint32_t j : best.placement.selected) selected.push_back(columns[j]);
+  }
+  std::sort(selected.begin(), selected.end());
+  if (is_whole) answer.selected = std::move(selected);
+  return answer;
+}
+
+// Without the units that no better selection has, as their reduced costs show: with one of them it costs more
+// than `worth`, which is just below the best known.
+Answer ask_about_the_rest(SearchState& state, const Effort& effort) {
+  const bool is_whole = state.bounds.rounded(0.5) > 0.5;
+  const double known = state.incumbent.value();
+  const double worth = is_whole ? known - 1 : known * (1 - equal_values);
+  const std::vector<std::uint32_t> useless =
+      state.relaxation ? useless_columns(*state.relaxation, worth) : std::vector<std::uint32_t>{};
+  Answer answer = ask_mips_in_turn(state, [&](const SolveFunction& solve) {
+    return place_reduced(state.table, state.question, state.first_cost, state.reduction(), useless, solve,
+                         effort.seconds_left(), state.control);
+  });
+  state.offer(answer.selected);
+  // Costs that are whole numbers leave nothing between `worth` and the best known.
+  const double best = state.incumbent.value();
+  if (!useless.empty()) answer.bound = std::min(answer.bound, best - worth >= 0.5 ? best : worth);
+  return answer;
+}
+
+Answer ask_about_all(SearchState& state, const Effort& effort) {
+  Question first = state.question;
+  if (!state.is_weighted) first.objective = Objective::count;
+  const Answer answer = ask_mips_in_turn(state, [&](const SolveFunction& solve) {
+    const MipAnswer mip = place_by_mip(state.table, first, state.incumbent.selected(), solve,
+                                       effort.seconds_left(), state.control);
+    return Answer{.selected = mip.placement.selected,
+                  .bound = mip.placement.lower_bound,
+                  .proven = mip.placement.status == Status::optimal,
+                  .failed = mip.solver_failed};
+  });
+  state.offer(answer.selected);
+  return answer;
+}
+
+}  // namespace
+
+void raise_bound_by_lp(SearchState& state, const Effort& effort) {
+  struct Relaxation : LpBound {
+    bool failed = false;
+  };
+  const bool is_large = state.table.entries.size() > state.limits.most_small_lp_entries;
+  std::vector<milp::Backend> backends(state.solvers.preferred.begin(), state.solvers.preferred.end());
+  if (is_large)  // Clp is faster than HiGHS on large linear programs
+    std::stable_partition(backends.begin(), backends.end(),
+                          [](const milp::Backend& backend) { return backend.name == "cbc"; });
+  const Relaxation lp = ask_in_turn(state, backends, [&](const milp::Backend& backend) {
+    Relaxation relaxation;
+    if (state.is_weighted) {
+      relaxation = {lp_bound(state.table, state.question, state.first_cost, backend,
+                             {.time_limit_s = effort.seconds_left()}, state.control)};
+      state.raise(relaxation.dual.bound, BoundProof::dual);
+    } else {
+      CountBound count =
+          count_bound(state.table, state.question, backend, effort.seconds_left(), state.control);
+      state.raise(static_cast<double>(count.count), BoundProof::dual);
+      relaxation = {std::move(count.relaxation)};
+    }
+    relaxation.failed = relaxation.rounds == 0 && !state.out_of_time();
+    return relaxation;
+  });
+  state.relaxation = lp.dual;
+  begin_tree_with(lp, state);
+}
+
+void ask_mip(SearchState& state, const Effort& effort) {
+  if (!state.may_ask_mip()) return;
+  const Answer answer = state.is_cover() ? ask_about_the_rest(state, effort) : ask_about_all(state, effort);
+  state.raise(answer.bound, BoundProof::solver);
+  if (answer.proven) state.incumbent.close_by_solver(answer.selected);
+}
+
+void bound_second_by_lp(SearchState& state, const Effort& effort) {
+  const std::size_t count = state.incumbent.selected().size();
+  const LpBound lp =
+      lp_bound(state.table, state.question, state.second->cost, state.solvers.preferred.front(),
+               {.time_limit_s = effort.seconds_left(), .answers = {count, count}}, state.control);
+  state.raise_second(lp.dual.bound, BoundProof::dual);
+  begin_tree_with(lp, state);
+}
+
+void ask_mip_for_second(SearchState& state, const Effort& effort) {
+  const Selection& best = state.incumbent.selected();
+  const Answer answer = ask_mips_in_turn(state, [&](const SolveFunction& solve) {
+    CoverModel model(state.table, state.question, solve, effort.seconds_left(), state.control);
+    const double known = check_selection(state.table, state.question, best).objective;
+    return model.minimise(state.second->cost, known, best.size());
+  });
+  state.offer_second(answer.selected);
+  state.raise_second(answer.bound, BoundProof::solver);
+  if (!answer.proven) return;
+  state.second->solver_closed = true;
+  state.incumbent.rest_on(BoundProof::solver);
+}
+
+}  // namespace shelfbeam::detail
