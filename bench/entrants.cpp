@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/transport/uniform/label_walk.hpp"
 #include "shelfbeam/transport/uniform/uniform.hpp"
+#include "shelfbeam/transport/uniform/walks.hpp"
 #include "shelfbeam/transport/world/direct.hpp"
 
 #include "support.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/transport/reuse/reuse.hpp"
-#include "shelfbeam/transport/tally/tally.hpp"
+#include "shelfbeam/transport/uniform/walks.hpp"
 #include "shelfbeam/transport/world/path_rules.hpp"
 
 #include "batch_sums.hpp"

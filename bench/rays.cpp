@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/transport/uniform/label_walk.hpp"
+#include "shelfbeam/transport/uniform/walks.hpp"
 
 #include "bare_rays.hpp"
 #include "support.hpp"

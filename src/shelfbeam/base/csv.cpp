@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/number.hpp"
 #include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam {
@@ -99,6 +98,15 @@ double CsvReader::amount(std::size_t field) const {
 std::string CsvReader::id(std::size_t field) const {
   if (fields_[field].empty()) fail(field, "is empty", "an id is expected");
   return std::string(fields_[field]);
+}
+
+std::uint32_t CsvIds::read(const CsvReader& csv, std::size_t field) const {
+  const std::string id = csv.id(field);
+  const auto found = index_.find(id);
+  if (found != index_.end()) return found->second;
+  const std::string near = nearest(id, known_);
+  csv.fail(field, fmt::format("the matrix has no {} '{}'", kind_, id),
+           near.empty() ? "correct the id or remove the line" : fmt::format("did you mean '{}'?", near));
 }
 
 std::string csv_field(std::string_view field) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace shelfbeam {
@@ -43,6 +45,26 @@ class CsvReader {
   std::size_t next_line_ = 1;  ///< of `position_`
   std::vector<std::string_view> fields_;
   std::deque<std::string> unescaped_;  ///< fields that had doubled quotes
+};
+
+/// Things that lines of a CSV file name by their ids.
+class CsvIds {
+ public:
+  /// The items, which have an `id` each and outlive this; errors call one of them `kind`.
+  template <class Items>
+  CsvIds(const Items& items, std::string_view kind) : kind_(kind) {
+    for (const auto& item : items) {
+      index_.emplace(item.id, static_cast<std::uint32_t>(known_.size()));
+      known_.push_back(item.id);
+    }
+  }
+  /// The index of the item that a field names. Throws InputError where the matrix has none of this id.
+  std::uint32_t read(const CsvReader& csv, std::size_t field) const;
+
+ private:
+  std::string_view kind_;
+  std::vector<std::string_view> known_;
+  std::unordered_map<std::string_view, std::uint32_t> index_;
 };
 
 /// `field` as it must stand in a CSV file: quoted where it would not be read back as it is.

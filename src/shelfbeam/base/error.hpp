@@ -30,13 +30,18 @@ enum class Setting {
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& where, const std::string& problem, const std::string& suggestion = {},
-             Setting setting = Setting::none);
+             Setting setting = Setting::none)
+      : std::runtime_error((where.empty() ? "" : where + ": ") + problem +
+                           (suggestion.empty() ? "" : "; " + suggestion)),
+        where_(where),
+        setting_(setting) {}
 
   const std::string& where() const { return where_; }
   Setting setting() const { return setting_; }
 
  protected:
-  InputError(const InputError& error, const std::string& addition, Setting setting);
+  InputError(const InputError& error, const std::string& addition, Setting setting)
+      : std::runtime_error(error.what() + ("; " + addition)), where_(error.where_), setting_(setting) {}
 
  private:
   std::string where_;
@@ -48,7 +53,8 @@ class OutputError : public InputError {
  public:
   using InputError::InputError;
   /// The same with more to say at its end.
-  OutputError(const OutputError& error, const std::string& addition, Setting setting);
+  OutputError(const OutputError& error, const std::string& addition, Setting setting)
+      : InputError(static_cast<const InputError&>(error), addition, setting) {}
 };
 
 /// The user stopped the work before it had anything worth keeping.

@@ -3,6 +3,10 @@
 #include <cstdint>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+
 namespace shelfbeam {
 
 /// Beyond any version: numbers in files are at most this.
@@ -12,6 +16,11 @@ inline constexpr std::int64_t most_versions = 1'000'000;
 /// file. Throws InputError at `where` unless `found` is the version that this program reads; it says whether
 /// a newer or an older program is needed. To be asked before the rest of a file: other versions may have
 /// other contents.
-void expect_format_version(const std::string& where, std::int64_t found, std::int64_t known);
+inline void expect_format_version(const std::string& where, std::int64_t found, std::int64_t known) {
+  if (found != known)
+    throw InputError(where, fmt::format("is of format version {}, this program reads {}", found, known),
+                     found > known ? "use a newer version of shelfbeam"
+                                   : "use the version of shelfbeam that wrote it, or make it anew");
+}
 
 }  // namespace shelfbeam

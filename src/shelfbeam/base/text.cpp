@@ -1,8 +1,11 @@
 #include "shelfbeam/base/text.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -123,6 +126,22 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
     if (end == std::string_view::npos) return fields;
     line.remove_prefix(end + 1);
   }
+}
+
+std::optional<double> to_number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);  // from_chars knows no '+'
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stopped != end) return std::nullopt;
+  return value;
+}
+
+std::string_view amount_problem(double value) {
+  if (std::isnan(value)) return "is NaN";
+  if (std::isinf(value)) return "is infinite";
+  if (value < 0) return "is negative";
+  return {};
 }
 
 }  // namespace shelfbeam

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,5 +36,12 @@ std::string counted(std::uint64_t count, std::string_view singular, std::string_
 
 /// Whether the bytes are well-formed UTF-8 (RFC 3629).
 bool is_utf8(std::string_view text);
+
+/// The number that the whole of `text` is ("nan" and "inf" are numbers here); nothing when it is none or lies
+/// outside the range of a double. Independent of the locale.
+std::optional<double> to_number(std::string_view text);
+
+/// What is wrong with a signal, cost or requirement ("is NaN"); empty when it is finite and not negative.
+std::string_view amount_problem(double value);
 
 }  // namespace shelfbeam

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "shelfbeam/device/sine_segment.hpp"
+#include "shelfbeam/device/direction_densities.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
@@ -111,8 +111,7 @@ std::optional<DirectionSample> DirectionTable::sample(double u1, double u2) cons
   double between = 0, phi = 2 * pi * u2;
   if (g.phi.size() > 1) {
     const double part = u2 * g.along_phi.back();
-    const auto above = std::upper_bound(g.along_phi.begin() + 1, g.along_phi.end() - 1, part);
-    lower = static_cast<std::size_t>(above - g.along_phi.begin()) - 1;
+    lower = locate(g.along_phi, part).lower;
     upper = lower + 1;
     const double mass = g.along_phi[upper] - g.along_phi[lower];
     const double share = mass > 0 ? std::min(1.0, (part - g.along_phi[lower]) / mass) : 0;
@@ -136,9 +135,7 @@ std::optional<DirectionSample> DirectionTable::sample(double u1, double u2) cons
 
   const double across = std::sin(theta);
   const Vec3 direction{across * std::cos(phi), across * std::sin(phi), std::cos(theta)};
-  const double density = pdf(direction);
-  if (!(density > 0)) return std::nullopt;
-  return DirectionSample{direction, density};
+  return usable(direction, pdf(direction));
 }
 
 double DirectionTable::pdf(const Vec3& direction) const {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "shelfbeam/device/cosine_power.hpp"
+#include "shelfbeam/device/direction_densities.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
@@ -24,10 +24,6 @@ Vec3 draw(const SinTwoTheta&, double u1, double u2) {
   const double across = std::cbrt(u1), phi = 2 * pi * u2;
   return {across * std::cos(phi), across * std::sin(phi), std::sqrt(1 - across * across)};
 }
-std::string_view type_name(const SinTwoTheta&) {
-  return "sin2theta";
-}
-
 double intensity(const IsotropicHemisphere& e, const Vec3& d) {
   return d.z > 0 ? e.intensity : 0;
 }
@@ -40,10 +36,6 @@ double pdf(const IsotropicHemisphere&, const Vec3& d) {
 Vec3 draw(const IsotropicHemisphere&, double u1, double u2) {
   return detail::CosinePower{0}.draw(u1, u2);
 }
-std::string_view type_name(const IsotropicHemisphere&) {
-  return "isotropic";
-}
-
 double pdf(const GeneralizedLambertian& e, const Vec3& d) {
   return detail::CosinePower{e.order}.pdf(d);
 }
@@ -56,10 +48,6 @@ double power(const GeneralizedLambertian& e) {
 Vec3 draw(const GeneralizedLambertian& e, double u1, double u2) {
   return detail::CosinePower{e.order}.draw(u1, u2);
 }
-std::string_view type_name(const GeneralizedLambertian&) {
-  return "lambertian";
-}
-
 double intensity(const EmissionTable& e, const Vec3& d) {
   return e.intensity.value(d);
 }
@@ -69,10 +57,6 @@ double power(const EmissionTable& e) {
 double pdf(const EmissionTable& e, const Vec3& d) {
   return e.intensity.pdf(d);
 }
-std::string_view type_name(const EmissionTable&) {
-  return "table";
-}
-
 template <class RotationallySymmetric>
 double mean_intensity(const RotationallySymmetric& e, double theta) {
   return intensity(e, {std::sin(theta), 0, std::cos(theta)});
@@ -119,7 +103,7 @@ double pdf(const Emission& emission, const Vec3& direction) {
 }
 
 std::string_view type_name(const Emission& emission) {
-  return std::visit([](const auto& e) { return type_name(e); }, emission);
+  return std::visit([](const auto& e) { return e.type_name; }, emission);
 }
 
 }  // namespace shelfbeam

@@ -14,22 +14,30 @@ namespace shelfbeam {
 
 /// eta = peak sin 2 theta: most of the light leaves at 45 degrees (the paper's transceiver).
 struct SinTwoTheta {
+  static constexpr std::string_view type_name = "sin2theta";
+
   double peak = 1;  ///< W/sr at 45 degrees
 };
 
 /// The same intensity over the hemisphere.
 struct IsotropicHemisphere {
+  static constexpr std::string_view type_name = "isotropic";
+
   double intensity = 1;  ///< W/sr
 };
 
 /// eta = flux (order + 1) / (2 pi) cos^order theta.
 struct GeneralizedLambertian {
+  static constexpr std::string_view type_name = "lambertian";
+
   double order = 1;
   double flux = 1;  ///< W
 };
 
 /// A measured profile, of the store file or of an IES or EULUMDAT file (photometry.hpp).
 struct EmissionTable {
+  static constexpr std::string_view type_name = "table";
+
   DirectionTable intensity;  ///< W/sr
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/device/cosine_power.hpp"
+#include "shelfbeam/device/direction_densities.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
@@ -22,10 +22,6 @@ double pdf(const CosineResponse&, const Vec3& d) {
 Vec3 draw(const CosineResponse&, double u1, double u2) {
   return sample_cosine_hemisphere(u1, u2);
 }
-std::string_view type_name(const CosineResponse&) {
-  return "cosine";
-}
-
 detail::CosinePower lobe(const CosinePowerResponse& r) {
   return {r.exponent, std::cos(r.cutoff)};
 }
@@ -41,10 +37,6 @@ double pdf(const CosinePowerResponse& r, const Vec3& d) {
 Vec3 draw(const CosinePowerResponse& r, double u1, double u2) {
   return lobe(r).draw(u1, u2);
 }
-std::string_view type_name(const CosinePowerResponse&) {
-  return "cosine_power";
-}
-
 double response(const ResponseTable& r, double cos_theta) {
   return cos_theta > 0 ? r.response.value(std::acos(std::min(1.0, cos_theta)), 0) : 0;
 }
@@ -56,10 +48,6 @@ double integral(const ResponseTable& r) {
 double pdf(const ResponseTable& r, const Vec3& d) {
   return r.response.pdf(d);
 }
-std::string_view type_name(const ResponseTable&) {
-  return "table";
-}
-
 template <class Closed>
 std::optional<DirectionSample> sample(const Closed& r, double u1, double u2) {
   const Vec3 direction = draw(r, u1, u2);
@@ -88,7 +76,7 @@ double pdf(const Responsivity& responsivity, const Vec3& direction) {
 }
 
 std::string_view type_name(const Responsivity& responsivity) {
-  return std::visit([](const auto& r) { return type_name(r); }, responsivity);
+  return std::visit([](const auto& r) { return r.type_name; }, responsivity);
 }
 
 }  // namespace shelfbeam

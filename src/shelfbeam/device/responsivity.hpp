@@ -13,16 +13,22 @@ namespace shelfbeam {
 // from the label's normal. Labels are one-sided: R is zero behind them.
 
 /// R = cos theta: the signal is the irradiance at the label.
-struct CosineResponse {};
+struct CosineResponse {
+  static constexpr std::string_view type_name = "cosine";
+};
 
 /// R = cos^exponent theta up to the cut-off, zero beyond it; exponent 1 is the cosine.
 struct CosinePowerResponse {
+  static constexpr std::string_view type_name = "cosine_power";
+
   double exponent = 1;                   ///< 0 or more
   double cutoff = std::numbers::pi / 2;  ///< radians, above 0, at most pi / 2
 };
 
 /// R measured at some angles, linear in theta between them, zero beyond the last.
 struct ResponseTable {
+  static constexpr std::string_view type_name = "table";
+
   DirectionTable response;  ///< a single phi, no theta beyond pi / 2
 };
 

@@ -4,9 +4,7 @@
 #include <stdexcept>
 
 #include "shelfbeam/material/optics/directions.hpp"
-#include "shelfbeam/material/optics/facet_reflection.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
-#include "shelfbeam/material/optics/require.hpp"
 
 namespace shelfbeam {
 

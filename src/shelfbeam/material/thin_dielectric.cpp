@@ -5,7 +5,6 @@
 
 #include "shelfbeam/material/optics/directions.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
-#include "shelfbeam/material/optics/require.hpp"
 
 namespace shelfbeam {
 

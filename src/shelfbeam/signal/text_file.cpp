@@ -11,6 +11,7 @@
 #include <zlib.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
 
 namespace shelfbeam::detail {
 namespace fs = std::filesystem;
@@ -20,8 +21,7 @@ namespace {
 constexpr std::size_t piece = 1 << 16;
 
 [[noreturn]] void cannot_read(const fs::path& path) {
-  const std::string why = std::generic_category().message(errno);
-  throw InputError(path.string(), fmt::format("cannot be read ({})", why), "check the path");
+  throw InputError(path.string(), fmt::format("cannot be read ({})", system_reason()), "check the path");
 }
 
 void check_is_file(const fs::path& path) {

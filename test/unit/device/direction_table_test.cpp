@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/device/photometry/type_b.hpp"
-#include "shelfbeam/device/sine_segment.hpp"
+#include "shelfbeam/device/direction_densities.hpp"
+#include "shelfbeam/device/photometry/planes.hpp"
 
 #include "unit/device/profiles.hpp"
 

@@ -1,11 +1,11 @@
-#include "shelfbeam/math/sobol.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "shelfbeam/math/random.hpp"
 
 #include "support/hypothesis.hpp"
 

@@ -12,7 +12,7 @@
 #include "shelfbeam/stats/distributions.hpp"
 #include "shelfbeam/stats/moments.hpp"
 #include "shelfbeam/transport/reuse/reuse.hpp"
-#include "shelfbeam/transport/tally/item_sums.hpp"
+#include "shelfbeam/transport/tally/estimator.hpp"
 #include "shelfbeam/transport/tally/known_light.hpp"
 
 namespace shelfbeam::test {
@@ -99,7 +99,7 @@ inline CoverageTable coverage_of(const Scene& scene, const World& world, const E
   for (std::size_t item = 0; item < estimator.items(); ++item) {
     const Estimator::Block& block = estimator.block(item);
     const std::size_t entries = block.rows.size() * block.columns.size();
-    std::vector<detail::ItemSums> sums(lengths.size(), detail::ItemSums(entries, false, 0));
+    std::vector<ItemSums> sums(lengths.size(), ItemSums(entries, false, 0));
     std::vector<std::string> classes(entries);
     for (std::size_t e = 0; e < entries; ++e) {
       const std::size_t i = block.rows[e / block.columns.size()], j = block.columns[e % block.columns.size()];
@@ -129,7 +129,7 @@ inline CoverageTable coverage_of(const Scene& scene, const World& world, const E
           count.of_reference += std::pow(reference.error[i * n + j] / error, 2);
           if (!found.is_skewed()) count.unflagged.add(z, interval);
         }
-        sums[k] = detail::ItemSums(entries, false, 0);
+        sums[k] = ItemSums(entries, false, 0);
       }
     }
   }

@@ -27,13 +27,13 @@ class EulumdatReader {
 
   DirectionTable read() {
     skip(2, "the header");
-    const std::size_t symmetry = whole("the symmetry", 0, 4);
+    const std::size_t symmetry = lines_.whole(number("the symmetry"), 0, 4, "the symmetry");
     const std::size_t c_count = extent("the number of C-planes");
     skip(1, "the distance of the C-planes");
     const std::size_t gamma_count = extent("the number of intensities in a C-plane");
     skip(17, "the description");  // the distance of gammas, names, sizes, flux fractions
     const double factor = number("the conversion factor");
-    if (!(factor > 0)) fail(fmt::format("the conversion factor is {}", factor), "it is positive");
+    if (!(factor > 0)) lines_.fail(fmt::format("the conversion factor is {}", factor), "it is positive");
     skip(1, "the tilt during measurement");
     const std::size_t lamp_sets = extent("the number of sets of lamps", 0);
     skip(6 * lamp_sets, "the sets of lamps");
@@ -42,7 +42,7 @@ class EulumdatReader {
     const std::vector<double> c = angles(c_count, 360, "the C-angle");
     const std::size_t c_line = lines_.line();
     const std::vector<double> gamma = angles(gamma_count, 180, "the gamma angle");
-    if (gamma_count < 2) fail("there is one gamma angle", "at least two are needed");
+    if (gamma_count < 2) lines_.fail("there is one gamma angle", "at least two are needed");
     std::vector<Plane> planes;
     for (const double angle : stored(symmetry, c, c_line))
       planes.push_back({angle, intensities(angle, gamma_count, factor)});
@@ -60,10 +60,6 @@ class EulumdatReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
-    lines_.fail(lines_.line(), problem, suggestion);
-  }
-
   void skip(std::size_t count, std::string_view what) {
     for (std::size_t k = 0; k < count; ++k) lines_.next(what);
   }
@@ -74,25 +70,18 @@ class EulumdatReader {
     std::replace(word.begin(), word.end(), ',', '.');
     const auto value = detail::finite_number(word);
     if (!value)
-      fail(fmt::format("'{}' is no number, where {} should be", detail::quoted(word), what),
-           "each line holds one value: check that none is missing before it");
+      lines_.fail(fmt::format("'{}' is no number, where {} should be", detail::quoted(word), what),
+                  "each line holds one value: check that none is missing before it");
     return *value;
-  }
-
-  std::size_t whole(std::string_view what, std::size_t low, std::size_t high) {
-    const double value = number(what);
-    if (value != std::floor(value) || value < static_cast<double>(low) || value > static_cast<double>(high))
-      fail(fmt::format("{} is {}", what, value),
-           fmt::format("a whole number from {} to {} is expected", low, high));
-    return static_cast<std::size_t>(value);
   }
 
   /// A count of values that are still to come, a line each.
   std::size_t extent(std::string_view what, std::size_t least = 1) {
-    const std::size_t count = whole(what, least, std::numeric_limits<std::uint32_t>::max());
+    const std::size_t count =
+        lines_.whole(number(what), least, std::numeric_limits<std::uint32_t>::max(), what);
     if (count > lines_.remaining())
-      fail(fmt::format("{} is {}, but only {} lines follow", what, count, lines_.remaining()),
-           "fetch the file again: it is truncated, or its counts are wrong");
+      lines_.fail(fmt::format("{} is {}, but only {} lines follow", what, count, lines_.remaining()),
+                  "fetch the file again: it is truncated, or its counts are wrong");
     return count;
   }
 
@@ -101,10 +90,11 @@ class EulumdatReader {
     result.reserve(count);
     for (std::size_t k = 0; k < count; ++k) {
       const double angle = detail::snapped(number(what));
-      if (k == 0 && angle != 0) fail(fmt::format("{} is {}", what, angle), "angles begin at 0");
+      if (k == 0 && angle != 0) lines_.fail(fmt::format("{} is {}", what, angle), "angles begin at 0");
       if (k > 0 && !(angle > result.back()))
-        fail(fmt::format("{} {} follows {}", what, angle, result.back()), "angles ascend");
-      if (angle > last) fail(fmt::format("{} is {}", what, angle), fmt::format("they end at {}", last));
+        lines_.fail(fmt::format("{} {} follows {}", what, angle, result.back()), "angles ascend");
+      if (angle > last)
+        lines_.fail(fmt::format("{} is {}", what, angle), fmt::format("they end at {}", last));
       result.push_back(angle);
     }
     return result;
@@ -142,10 +132,10 @@ class EulumdatReader {
     values.reserve(std::min(count, lines_.remaining()));
     for (std::size_t k = 0; k < count; ++k) {
       const double value = number(fmt::format("an intensity of the C-plane {}", std::fmod(c, 360)));
-      if (value < 0) fail(fmt::format("an intensity is {}", value), "intensities are not negative");
+      if (value < 0) lines_.fail(fmt::format("an intensity is {}", value), "intensities are not negative");
       values.push_back(value * factor);
       if (!std::isfinite(values.back()))
-        fail("an intensity is not finite", "check the intensities and the conversion factor");
+        lines_.fail("an intensity is not finite", "check the intensities and the conversion factor");
     }
     return values;
   }

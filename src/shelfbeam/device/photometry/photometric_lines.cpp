@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/number.hpp"
 #include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam::detail {
@@ -38,6 +37,14 @@ PhotometricLines::PhotometricLines(std::string_view text, std::string name)
 void PhotometricLines::fail(std::size_t line, const std::string& problem,
                             const std::string& suggestion) const {
   throw InputError(line == 0 ? name_ : fmt::format("{}: line {}", name_, line), problem, suggestion);
+}
+
+std::size_t PhotometricLines::whole(double value, std::size_t low, std::size_t high,
+                                    std::string_view what) const {
+  if (value != std::floor(value) || value < static_cast<double>(low) || value > static_cast<double>(high))
+    fail(fmt::format("{} is {}", what, value),
+         fmt::format("a whole number from {} to {} is expected", low, high));
+  return static_cast<std::size_t>(value);
 }
 
 std::string_view PhotometricLines::next(std::string_view what) {

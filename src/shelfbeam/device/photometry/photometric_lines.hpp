@@ -20,6 +20,13 @@ class PhotometricLines {
   /// InputError at a line, counted from 1; 0 is the whole file.
   [[noreturn]] void fail(std::size_t line, const std::string& problem, const std::string& suggestion) const;
 
+  /// The same at the line that `next` gave last.
+  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
+    fail(line(), problem, suggestion);
+  }
+  /// A number of that line as a whole one. Throws InputError unless it is, within [low, high].
+  std::size_t whole(double value, std::size_t low, std::size_t high, std::string_view what) const;
+
   /// The number of the line that `next` gave last.
   std::size_t line() const { return next_; }
   std::size_t remaining() const { return lines_.size() - next_; }

@@ -2,7 +2,13 @@
 
 #include <cmath>
 #include <optional>
+#include <stdexcept>
+#include <string_view>
 
+#include <fmt/format.h>
+
+#include "shelfbeam/material/optics/microfacets.hpp"
+#include "shelfbeam/material/optics/scatter_sample.hpp"
 #include "shelfbeam/math/vec3.hpp"
 
 namespace shelfbeam::detail {
@@ -19,6 +25,26 @@ inline std::optional<Vec3> refracted(const Vec3& w, const Vec3& h, double eta) {
   const double sin2_t = (1 - cos_i * cos_i) / (eta * eta);
   if (sin2_t >= 1) return std::nullopt;
   return h * (cos_i / eta - std::sqrt(1 - sin2_t)) - w / eta;
+}
+
+/// Throws std::invalid_argument unless low <= value <= high: "ior is 0.9, must be from 1 to 4".
+inline void require_range(std::string_view what, double value, double low, double high) {
+  if (!(value >= low && value <= high))
+    throw std::invalid_argument(fmt::format("{} is {}, must be from {} to {}", what, value, low, high));
+}
+
+inline constexpr double largest_ior = 4;  ///< germanium; a misplaced decimal point is larger
+
+/// Draws a mirror image of `known` in a facet that it sees, which reflects fresnel(cosine to its normal).
+template <class Fresnel>
+std::optional<ScatterSample> sample_reflection(const Microfacets& facets, const Vec3& known, double u1,
+                                               double u2, const Fresnel& fresnel) {
+  const Vec3 h = facets.sample(known, u1, u2);
+  const Vec3 direction = reflected(known, h);
+  const double cosine = dot(known, h);
+  if (cosine <= 0 || direction.z <= 0) return std::nullopt;
+  return ScatterSample{direction, fresnel(cosine) * facets.weight(known, direction, h),
+                       facets.reflection_pdf(known, h)};
 }
 
 }  // namespace shelfbeam::detail

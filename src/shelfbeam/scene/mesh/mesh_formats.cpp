@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/number.hpp"
 #include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/number.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/mesh/mesh_formats.hpp"
 
 namespace shelfbeam {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -11,7 +9,6 @@
 
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/signal/text_file.hpp"
 
@@ -71,26 +68,11 @@ void forbid_pairs(SignalTable& table, const std::filesystem::path& path) {
   if (csv.fields().size() != 2 || csv.fields()[0] != "a" || csv.fields()[1] != "b")
     csv.fail("is not the header of a file of pairs", expected);
 
-  std::vector<std::string_view> known;
-  std::unordered_map<std::string_view, std::uint32_t> column;
-  for (const SignalTable::Transceiver& unit : table.transceivers) {
-    column.emplace(unit.id, static_cast<std::uint32_t>(known.size()));
-    known.push_back(unit.id);
-  }
-  const auto read = [&](std::size_t field) {
-    const std::string id = csv.id(field);
-    const auto found = column.find(id);
-    if (found == column.end()) {
-      const std::string near = nearest(id, known);
-      csv.fail(field, fmt::format("the matrix has no transceiver '{}'", id),
-               near.empty() ? "correct the id or remove the line" : fmt::format("did you mean '{}'?", near));
-    }
-    return found->second;
-  };
+  const CsvIds columns(table.transceivers, "transceiver");
   while (csv.next()) {
     if (csv.fields().size() != 2)
       csv.fail(fmt::format("has {} fields where 2 are expected", csv.fields().size()), "correct the line");
-    const std::uint32_t a = read(0), b = read(1);
+    const std::uint32_t a = columns.read(csv, 0), b = columns.read(csv, 1);
     if (a == b) csv.fail(fmt::format("names '{}' twice", csv.id(0)), "name two transceivers");
     if (table.transceivers[a].installed && table.transceivers[b].installed)
       csv.fail(fmt::format("'{}' and '{}' are both installed already", csv.id(0), csv.id(1)),

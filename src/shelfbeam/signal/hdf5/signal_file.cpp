@@ -1,13 +1,19 @@
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/format_version.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/hdf5/hdf5_io.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
+#include "shelfbeam/signal/text_file.hpp"
 
 namespace shelfbeam {
 
@@ -15,22 +21,31 @@ namespace {
 
 using Quantity = SignalRows::Quantity;
 
-// One member of every row as a data set.
-template <class Row, class T>
-auto gather(const std::vector<Row>& rows, T Row::*member) {
-  std::vector<std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>> values;
-  values.reserve(rows.size());
-  for (const Row& row : rows) values.push_back(row.*member);
-  return values;
-}
+// What a member of rows is stored as.
+template <class T>
+using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 
-template <class Row>
-std::vector<double> gather(const std::vector<Row>& rows, Vec3 Row::*member) {
-  std::vector<double> values;
-  values.reserve(3 * rows.size());
-  for (const Row& row : rows)
-    values.insert(values.end(), {(row.*member).x, (row.*member).y, (row.*member).z});
-  return values;
+// Calls use(path, member) for everything that is known of labels, their ids first.
+template <class Use>
+void each_label_member(const Use& use) {
+  use("/labels/id", &LabelRow::id);
+  use("/labels/type", &LabelRow::type);
+  use("/labels/position", &LabelRow::position);
+  use("/labels/normal", &LabelRow::normal);
+  use("/labels/requirement", &LabelRow::requirement);
+  use("/labels/link_cost", &LabelRow::link_cost);
+  use("/labels/signal_cost", &LabelRow::signal_cost);
+  use("/labels/batches", &LabelRow::batches);
+  use("/labels/samples", &LabelRow::samples);
+}
+template <class Use>
+void each_unit_member(const Use& use) {
+  use("/transceivers/id", &TransceiverColumn::id);
+  use("/transceivers/type", &TransceiverColumn::type);
+  use("/transceivers/position", &TransceiverColumn::position);
+  use("/transceivers/axis", &TransceiverColumn::axis);
+  use("/transceivers/cost", &TransceiverColumn::cost);
+  use("/transceivers/installed", &TransceiverColumn::installed);
 }
 
 class MatrixWriter {
@@ -57,35 +72,28 @@ class MatrixWriter {
     if (rows_.length_layers() > 0) file_.attribute("length_step", matrix_.length_step);
     layers("length", "/lengths", rows_.bounce_layers(), rows_.length_layers());
 
-    const auto& labels = matrix_.labels;
     file_.group("/labels");
-    file_.texts("/labels/id", gather(labels, &LabelRow::id));
-    file_.texts("/labels/type", gather(labels, &LabelRow::type));
-    vectors("/labels/position", gather(labels, &LabelRow::position));
-    vectors("/labels/normal", gather(labels, &LabelRow::normal));
-    numbers("/labels/requirement", gather(labels, &LabelRow::requirement));
-    numbers("/labels/link_cost", gather(labels, &LabelRow::link_cost));
-    numbers("/labels/signal_cost", gather(labels, &LabelRow::signal_cost));
-    numbers("/labels/batches", gather(labels, &LabelRow::batches));
-    numbers("/labels/samples", gather(labels, &LabelRow::samples));
-
-    const auto& units = matrix_.transceivers;
+    each_label_member([&](const auto& path, auto member) { column(path, matrix_.labels, member); });
     file_.group("/transceivers");
-    file_.texts("/transceivers/id", gather(units, &TransceiverColumn::id));
-    file_.texts("/transceivers/type", gather(units, &TransceiverColumn::type));
-    vectors("/transceivers/position", gather(units, &TransceiverColumn::position));
-    vectors("/transceivers/axis", gather(units, &TransceiverColumn::axis));
-    numbers("/transceivers/cost", gather(units, &TransceiverColumn::cost));
-    numbers("/transceivers/installed", gather(units, &TransceiverColumn::installed));
+    each_unit_member([&](const auto& path, auto member) { column(path, matrix_.transceivers, member); });
   }
 
  private:
-  template <class T>
-  void numbers(const std::string& path, const std::vector<T>& values) {
-    file_.numbers(path, std::span(values), {values.size()});
-  }
-  void vectors(const std::string& path, const std::vector<double>& values) {
-    file_.numbers(path, std::span(values), {values.size() / 3, 3});
+  template <class Row, class T>
+  void column(const std::string& path, const std::vector<Row>& rows, T Row::*member) {
+    if constexpr (std::is_same_v<T, Vec3>) {
+      std::vector<double> values;
+      for (const Row& row : rows)
+        values.insert(values.end(), {(row.*member).x, (row.*member).y, (row.*member).z});
+      file_.numbers(path, std::span<const double>(values), {rows.size(), 3});
+    } else {
+      std::vector<Stored<T>> values;
+      for (const Row& row : rows) values.push_back(row.*member);
+      if constexpr (std::is_same_v<T, std::string>)
+        file_.texts(path, values);
+      else
+        file_.numbers(path, std::span<const Stored<T>>(values), {rows.size()});
+    }
   }
   void entries(const std::string& path, Quantity quantity) {
     file_.rows<float>(path, {matrix_.rows(), matrix_.columns()},
@@ -152,6 +160,125 @@ void write(const SignalMatrix& head, const SignalRows& rows, AtomicFile& target)
   file.close();
 }
 
+class MatrixReader {
+ public:
+  explicit MatrixReader(const std::filesystem::path& path) : name_(path.string()), file_(path) {}
+
+  SignalMatrix read() {
+    if (!file_.has_attribute("format_version"))
+      throw InputError(name_, "is HDF5, but no signal file of this program", "name the output of 'simulate'");
+    expect_format_version(name_, file_.attribute<std::uint32_t>("format_version"), signal_format_version);
+    SignalMatrix matrix;
+    matrix.provenance = {file_.text_attribute("program_version"), file_.text_attribute("store_hash"),
+                         file_.attribute<std::uint64_t>("seed"), file_.text_attribute("estimator")};
+    matrix.wavelength_nm = file_.attribute<double>("wavelength_nm");
+
+    const std::size_t m = file_.length("/labels/id"), n = file_.length("/transceivers/id");
+    if (m == 0 || n == 0) throw InputError(name_, "has no labels or no transceivers", "simulate it again");
+    // Before anything of size m or n is made, the reading of their ids shows that there is room.
+    each_label_member([&](const auto& path, auto member) { column(path, m, matrix.labels, member); });
+    each_unit_member([&](const auto& path, auto member) { column(path, n, matrix.transceivers, member); });
+
+    matrix.standard_error = entries("/standard_error", matrix);
+    matrix.mean = means("/mean", matrix, matrix.standard_error);
+    matrix.direct = entries("/direct", matrix);
+    if (file_.has("/flags")) matrix.flags = flags("/flags", matrix);
+    matrix.by_bounce = layers("bounce", "/bounces", matrix);
+    matrix.by_length = layers("length", "/lengths", matrix);
+    if (!matrix.by_length.empty()) {
+      matrix.length_step = file_.attribute<double>("length_step");
+      if (!(std::isfinite(matrix.length_step) && matrix.length_step > 0))
+        fail("attribute length_step", "is no length");
+    }
+    return matrix;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& place, std::string_view problem) const {
+    throw InputError(name_ + ": " + place, std::string(problem), "simulate or export it again");
+  }
+
+  template <class Row, class T>
+  void column(const std::string& path, std::size_t count, std::vector<Row>& rows, T Row::*member) const {
+    const auto set = [&](auto values) {
+      rows.resize(count);
+      for (std::size_t i = 0; i < count; ++i) rows[i].*member = static_cast<T>(std::move(values[i]));
+    };
+    if constexpr (std::is_same_v<T, std::string>)
+      set(file_.texts(path, count));
+    else if constexpr (std::is_same_v<T, Vec3>)
+      set(vectors(path, count));
+    else if constexpr (std::is_same_v<T, double>)
+      set(amounts(path, count));
+    else
+      set(file_.numbers<Stored<T>>(path, {count}));
+  }
+
+  std::vector<SignalLayer> layers(const std::string& kind, const std::string& path,
+                                  const SignalMatrix& matrix) const {
+    std::vector<SignalLayer> layers;
+    if (!file_.has_attribute(kind + "_layers")) return layers;
+    for (std::uint32_t k = 0; k < file_.attribute<std::uint32_t>(kind + "_layers"); ++k) {
+      SignalLayer& layer = layers.emplace_back();
+      layer.standard_error = entries(fmt::format("{}/{}/standard_error", path, k), matrix);
+      layer.mean = means(fmt::format("{}/{}/mean", path, k), matrix, layer.standard_error);
+    }
+    return layers;
+  }
+
+  std::vector<Vec3> vectors(const std::string& path, std::size_t count) const {
+    const auto values = file_.numbers<double>(path, {count, 3});
+    std::vector<Vec3> vectors;
+    for (std::size_t i = 0; i < count; ++i) {
+      vectors.push_back({values[3 * i], values[3 * i + 1], values[3 * i + 2]});
+      if (!is_finite(vectors.back())) fail(fmt::format("{}, row {}", path, i + 1), "is not finite");
+    }
+    return vectors;
+  }
+
+  std::vector<double> amounts(const std::string& path, std::size_t count) const {
+    auto values = file_.numbers<double>(path, {count});
+    for (std::size_t i = 0; i < count; ++i)
+      if (const auto problem = amount_problem(values[i]); !problem.empty())
+        fail(fmt::format("{}, row {}", path, i + 1), problem);
+    return values;
+  }
+
+  // A matrix of entries of which none has a problem(place among them, value).
+  template <class T, class Problem>
+  std::vector<T> checked(const std::string& path, const SignalMatrix& matrix, const Problem& problem) const {
+    auto values = file_.numbers<T>(path, {matrix.rows(), matrix.columns()});
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (const auto found = problem(k, values[k]); !found.empty())
+        fail(fmt::format("{}, label '{}', transceiver '{}'", path, matrix.labels[k / matrix.columns()].id,
+                         matrix.transceivers[k % matrix.columns()].id),
+             found);
+    return values;
+  }
+
+  std::vector<float> entries(const std::string& path, const SignalMatrix& matrix) const {
+    return checked<float>(path, matrix, [](std::size_t, float value) { return amount_problem(value); });
+  }
+
+  std::vector<std::uint8_t> flags(const std::string& path, const SignalMatrix& matrix) const {
+    return checked<std::uint8_t>(path, matrix, [](std::size_t, std::uint8_t value) {
+      return value > 1 ? fmt::format("is {}, which is neither 0 nor 1", value) : std::string();
+    });
+  }
+
+  // An estimate of next to nothing may come out below zero, but not by many errors.
+  std::vector<float> means(const std::string& path, const SignalMatrix& matrix,
+                           const std::vector<float>& error) const {
+    constexpr float most_errors = 10;
+    return checked<float>(path, matrix, [&](std::size_t k, float value) {
+      return amount_problem(-value < most_errors * error[k] ? std::abs(value) : value);
+    });
+  }
+
+  std::string name_;
+  detail::Hdf5Reader file_;
+};
+
 }  // namespace
 
 void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path) {
@@ -173,6 +300,15 @@ void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const s
   AtomicFile target(path);
   write(head, rows, target);
   target.commit();
+}
+
+SignalMatrix read_signal_file(const std::filesystem::path& path) {
+  if (!is_hdf5(path)) throw InputError(path.string(), "is no HDF5 file", "name the output of 'simulate'");
+  return MatrixReader(path).read();
+}
+
+bool is_hdf5(const std::filesystem::path& path) {
+  return detail::read_first_bytes(path, 8) == "\x89HDF\r\n\x1a\n" || detail::has_file_checksum(path);
 }
 
 }  // namespace shelfbeam

@@ -5,7 +5,6 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -44,31 +43,6 @@ Fields read_header(CsvReader& csv) {
   return fields;
 }
 
-/// Ids of labels or transceivers.
-class Ids {
- public:
-  template <class Items>
-  Ids(const Items& items, std::string_view kind) : kind_(kind) {
-    for (const auto& item : items) {
-      index_.emplace(item.id, static_cast<std::uint32_t>(known_.size()));
-      known_.push_back(item.id);
-    }
-  }
-  std::uint32_t read(const CsvReader& csv, std::size_t field) const {
-    const std::string id = csv.id(field);
-    const auto found = index_.find(id);
-    if (found != index_.end()) return found->second;
-    const std::string near = nearest(id, known_);
-    csv.fail(field, fmt::format("the matrix has no {} '{}'", kind_, id),
-             near.empty() ? "correct the id or remove the line" : fmt::format("did you mean '{}'?", near));
-  }
-
- private:
-  std::string_view kind_;
-  std::vector<std::string_view> known_;
-  std::unordered_map<std::string_view, std::uint32_t> index_;
-};
-
 }  // namespace
 
 Measurements read_measurements(const std::filesystem::path& path, const SignalMatrix& matrix) {
@@ -76,7 +50,7 @@ Measurements read_measurements(const std::filesystem::path& path, const SignalMa
   CsvReader csv(text, path.string());
   const auto [label, transceiver, signal, error] = read_header(csv);
   const std::size_t width = csv.fields().size();
-  const Ids labels(matrix.labels, "label"), transceivers(matrix.transceivers, "transceiver");
+  const CsvIds labels(matrix.labels, "label"), transceivers(matrix.transceivers, "transceiver");
 
   Measurements result;
   result.of_pairs = transceiver.has_value();

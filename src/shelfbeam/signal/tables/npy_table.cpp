@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/number.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/tables/formats.hpp"
 #include "shelfbeam/signal/text_file.hpp"
@@ -27,47 +26,35 @@ struct NpyHeader {
   std::size_t data_begin = 0;  ///< bytes from the beginning of the file
 };
 
-class HeaderText {
- public:
-  HeaderText(std::string text, std::string name) : text_(std::move(text)), name_(std::move(name)) {}
-
-  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
-    throw InputError(name_ + ": header", problem, suggestion);
-  }
-
-  /// What stands behind 'key': up to `end`, that included.
-  std::string_view value(std::string_view key, std::string_view end) const {
+NpyHeader parse_header(std::string_view text, const std::string& name) {
+  const auto wrong = [&](const std::string& problem, const std::string& suggestion) {
+    return InputError(name + ": header", problem, suggestion);
+  };
+  // What stands behind 'key': up to `end`, that included.
+  const auto value = [&](std::string_view key, std::string_view end) {
     const std::string quoted = fmt::format("'{}':", key);
-    const std::string_view text = text_;
     if (const auto found = text.find(quoted); found != std::string_view::npos) {
       const std::string_view rest = text.substr(found + quoted.size());
       if (const auto stop = rest.find_first_of(end); stop != std::string_view::npos)
         return trim(rest.substr(0, stop + 1));
     }
-    fail(fmt::format("has no '{}'", key), "write the file again with numpy.save");
-  }
-
- private:
-  std::string text_;
-  std::string name_;
-};
-
-NpyHeader parse_header(const HeaderText& text) {
+    throw wrong(fmt::format("has no '{}'", key), "write the file again with numpy.save");
+  };
   NpyHeader header;
-  const std::string_view type = text.value("descr", ",");
+  const std::string_view type = value("descr", ",");
   if (type == "'<f8',")
     header.is_double = true;
   else if (type != "'<f4',")
-    text.fail(fmt::format("the data are of type {}", type.substr(0, type.size() - 1)),
-              type.starts_with("'>") ? "big-endian is not read: save matrix.astype('<f4')"
-                                     : "'<f4' and '<f8' are read: save matrix.astype('<f4')");
+    throw wrong(fmt::format("the data are of type {}", type.substr(0, type.size() - 1)),
+                type.starts_with("'>") ? "big-endian is not read: save matrix.astype('<f4')"
+                                       : "'<f4' and '<f8' are read: save matrix.astype('<f4')");
 
-  const std::string_view order = text.value("fortran_order", ",");
+  const std::string_view order = value("fortran_order", ",");
   if (order != "True," && order != "False,")
-    text.fail("'fortran_order' is neither True nor False", "write it again");
+    throw wrong("'fortran_order' is neither True nor False", "write it again");
   header.columns_first = order == "True,";
 
-  const std::string_view shape = text.value("shape", ")");
+  const std::string_view shape = value("shape", ")");
   std::vector<std::size_t> extents;
   for (std::string_view part :
        split(shape.substr(std::min<std::size_t>(1, shape.size()), shape.size() - 2), ',')) {
@@ -78,7 +65,7 @@ NpyHeader parse_header(const HeaderText& text) {
   }
   constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - 1;
   if (extents.size() != 2 || extents[0] == 0 || extents[1] == 0 || extents[0] > most || extents[1] > most)
-    text.fail(fmt::format("the shape is {}", shape), "a matrix (labels, transceivers) is expected");
+    throw wrong(fmt::format("the shape is {}", shape), "a matrix (labels, transceivers) is expected");
   header.rows = extents[0];
   header.columns = extents[1];
   return header;
@@ -96,7 +83,7 @@ NpyHeader read_header(const fs::path& path) {
   if (byte(6) < 1 || byte(6) > 3 || bytes.size() < prefix || length > bytes.size() - prefix)
     throw InputError(path.string() + ": header", "is damaged, truncated or of an unknown NPY version",
                      "write the file again with numpy.save");
-  NpyHeader header = parse_header(HeaderText(bytes.substr(prefix, length), path.string()));
+  NpyHeader header = parse_header(std::string_view(bytes).substr(prefix, length), path.string());
   header.data_begin = prefix + length;
   return header;
 }

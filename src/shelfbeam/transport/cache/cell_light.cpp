@@ -1,11 +1,10 @@
-#include "shelfbeam/transport/cache/cell_light.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/math/sobol.hpp"
+#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/transport/cache/lane_kernels.hpp"
+#include "shelfbeam/transport/cache/surface_cells.hpp"
 #include "shelfbeam/transport/world/specular_chain.hpp"
 
 namespace shelfbeam::detail {

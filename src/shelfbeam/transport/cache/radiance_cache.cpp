@@ -11,7 +11,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/warp.hpp"
-#include "shelfbeam/transport/cache/cell_light.hpp"
+#include "shelfbeam/transport/cache/surface_cells.hpp"
 
 namespace shelfbeam {
 

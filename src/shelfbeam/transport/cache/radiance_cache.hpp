@@ -7,15 +7,8 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/transport/cache/lane_kernels.hpp"
 #include "shelfbeam/transport/cache/surface_cells.hpp"
-#include "shelfbeam/transport/cache/surface_guide.hpp"
-#include "shelfbeam/transport/cache/unit_groups.hpp"
 
 namespace shelfbeam {
-
-namespace detail {
-struct CellLight;
-struct CellLink;
-}  // namespace detail
 
 /// A rough solution of the whole transport, fixed before the first batch, for every unit at once: surfaces in
 /// cells of half a metre and six facings, each with the share of every unit's light that reaches it and the

@@ -7,8 +7,8 @@
 
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/math/sobol.hpp"
-#include "shelfbeam/transport/world/random_stream.hpp"
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/transport/world/world.hpp"
 
 namespace shelfbeam {
 

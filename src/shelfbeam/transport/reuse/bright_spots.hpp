@@ -9,7 +9,7 @@
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/transport/reuse/path_vertex.hpp"
-#include "shelfbeam/transport/world/area_density.hpp"
+#include "shelfbeam/transport/world/next_event.hpp"
 
 namespace shelfbeam {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "shelfbeam/transport/cache/lane_row.hpp"
+#include "shelfbeam/transport/cache/lane_kernels.hpp"
 #include "shelfbeam/transport/cache/radiance_cache.hpp"
 #include "shelfbeam/transport/cache/unit_groups.hpp"
 #include "shelfbeam/transport/world/direct.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/math/sobol.hpp"
-#include "shelfbeam/transport/world/area_density.hpp"
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/transport/world/next_event.hpp"
 
 namespace shelfbeam {
 

@@ -11,12 +11,12 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/math/sobol.hpp"
+#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/transport/reuse/bright_spots.hpp"
-#include "shelfbeam/transport/reuse/shared_point.hpp"
-#include "shelfbeam/transport/world/area_density.hpp"
+#include "shelfbeam/transport/reuse/residual.hpp"
 #include "shelfbeam/transport/world/direct.hpp"
 #include "shelfbeam/transport/world/label_clusters.hpp"
+#include "shelfbeam/transport/world/next_event.hpp"
 
 namespace shelfbeam {
 
@@ -74,17 +74,165 @@ struct ReuseEstimator::Impl {
     }
   }
 
+  // The cache's light on every label, by many rays that only look it up, and that of sources which they meet
+  // over mirrors.
   void look_up(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
-               std::uint64_t& rays) const;
+               std::uint64_t& rays) const {
+    for (std::size_t c = 0; c < block.rows.size(); ++c) {
+      const std::uint32_t i = block.rows[c];
+      LaneRow& row = work.labels[c];
+      const Responsivity& responsivity = world.receivers.responsivity(i);
+      const double weight = integral(responsivity) / effort.lookups;
+      RandomStream random(key, batch, static_cast<std::uint32_t>(c), 1);
+      const ScrambledSobol square(mix_key(mix_key(key, batch), 2 * c));
+      const bool is_point = world.receivers.is_point(i);
+      // A row of the cache is used one ray later, when it has come from memory.
+      struct Found {
+        PathVertex vertex;
+        float weight;
+        double density;  ///< of the ray, per area
+      };
+      std::optional<Found> last;
+      const auto use = [&](const Found& found) {
+        found.vertex.look_up(units, found.weight, row);
+        if (found.vertex.is_capped)
+          spots.add_near(found.vertex, found.density, static_cast<double>(found.weight), random, row, rays);
+      };
+      for (std::uint32_t s = 0; s < effort.lookups; ++s) {
+        const auto [u1, u2] = square.point(s);
+        const auto drawn = shelfbeam::sample(responsivity, u1, u2);
+        if (!drawn) continue;
+        SurfacePoint from = work.at[c];
+        if (!is_point) {
+          const double u3 = random.unit(), u4 = random.unit();
+          from = world.receivers.point(i, u3, u4);
+        }
+        const auto end = follow_chain(
+            world, from, world.receivers.frame(i).to_world(drawn->direction), Departure::scattered, random,
+            rays, [&](std::size_t j, double value) { row.add(units.place(j), weight * value); });
+        if (!end) continue;
+        Found found{PathVertex(world, cache, *end), static_cast<float>(weight * end->throughput), 0};
+        found.vertex.is_capped = end->is_straight;
+        if (end->is_straight) found.density = pdf_of(i, from, end->point);
+        found.vertex.row.prefetch();
+        if (last) use(*last);
+        last.emplace(found);
+      }
+      if (last) use(*last);
+    }
+  }
+
+  // What bright spots send straight to the labels.
   void add_spots(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
-                 std::uint64_t& rays) const;
+                 std::uint64_t& rays) const {
+    work.targets.clear();
+    for (const SurfacePoint& point : work.at) work.targets.push_back(point.position);
+    const auto receive = [&](std::uint32_t c, const Vec3& from) {
+      const double response = world.receivers.response(block.rows[c], from);
+      return SpotReceiver{response, response / integral(world.receivers.responsivity(block.rows[c]))};
+    };
+    spots.light_up(
+        work.targets, {0.05 * requirement, effort.spot_rays}, {mix_key(key, 0x5B075), batch},
+        work.residual.spots, rays, receive,
+        [&](std::uint32_t c, std::uint32_t place, double value) { work.labels[c].add(place, value); });
+  }
+
+  // What the cache misses, at some points for each label.
   void add_residual(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
-                    std::uint64_t& rays) const;
-  struct Sharers;
-  void share_points(const Block& block, Workspace& work, std::uint64_t& rays) const;
-  bool looks_large(std::size_t i, std::size_t j) const;
-  double direct_chance(std::size_t i, std::size_t j) const;
-  double pdf_of(std::uint32_t label, const SurfacePoint& at, const SurfacePoint& there) const;
+                    std::uint64_t& rays) const {
+    std::uint32_t group = 0;
+    const auto flush = [&] {
+      if (work.vertices.empty()) return;
+      while (work.points.size() < work.vertices.size()) work.points.emplace_back(units.size());
+      for (ResidualRows& row : work.points) row.clear();
+      residual.estimate(work.vertices, {mix_key(key, 0x9E51D), batch, group++}, work.residual,
+                        std::span(work.points).first(work.vertices.size()), rays);
+      share_points(block, work, rays);
+      work.vertices.clear();
+      work.found.clear();
+    };
+    for (std::uint32_t s = 0; s < effort.points; ++s)
+      for (std::size_t c = 0; c < block.rows.size(); ++c) {
+        const std::uint32_t i = block.rows[c];
+        const Responsivity& responsivity = world.receivers.responsivity(i);
+        const auto [u1, u2] = ScrambledSobol(mix_key(mix_key(key, batch), 2 * c + 1)).point(s);
+        RandomStream random(key, batch, static_cast<std::uint32_t>(c), 2 + s);
+        const auto drawn = shelfbeam::sample(responsivity, u1, u2);
+        if (!drawn) continue;
+        const double weight = integral(responsivity) / effort.points;
+        const auto end = follow_chain(world, work.at[c], world.receivers.frame(i).to_world(drawn->direction),
+                                      Departure::scattered, random, rays, [](std::size_t, double) {});
+        if (!end) continue;
+        work.vertices.emplace_back(world, cache, *end);
+        work.vertices.back().is_capped = end->is_straight;
+        work.found.push_back({static_cast<std::uint32_t>(c), weight * end->throughput,
+                              end->is_straight && work.vertices.back().has_base()});
+        if (work.vertices.size() == effort.group) flush();
+      }
+    flush();
+  }
+
+  // The labels of a cluster, which share a point. All of them send K rays, which `gain` has: W_c / K.
+  struct Sharers {
+    const Impl& impl;
+    const Block& block;
+    const std::vector<SurfacePoint>& at;
+    const PathVertex& vertex;
+
+    std::size_t size() const { return block.rows.size(); }
+    const Vec3& position(std::uint32_t c) const { return at[c].position; }
+    double rays(std::uint32_t) const { return 1; }
+    double density(std::uint32_t c) const { return impl.pdf_of(block.rows[c], at[c], vertex.end.point); }
+    double gain(std::uint32_t c) const {
+      return integral(impl.world.receivers.responsivity(block.rows[c])) / impl.effort.points *
+             vertex.exit_towards(at[c].position);
+    }
+  };
+
+  // Every label of the cluster takes what the base of a point sends to it.
+  void share_points(const Block& block, Workspace& work, std::uint64_t& rays) const {
+    for (std::size_t b = 0; b < work.vertices.size(); ++b) {
+      const auto& [owner, weight, is_shared] = work.found[b];
+      const PathVertex& vertex = work.vertices[b];
+      const ChainEnd& end = vertex.end;
+      work.labels[owner].add(work.points[b].own, weight);
+      if (is_shared)
+        share_point(
+            world, end.point, Sharers{*this, block, work.at, vertex}, owner,
+            {end.throughput * end.probability, end.probability}, work.sharing, rays,
+            [&](std::uint32_t c, double of_base) { work.labels[c].add(work.points[b].base, of_base); });
+      else
+        work.labels[owner].add(work.points[b].base, vertex.exit * weight);
+    }
+  }
+
+  // Whether a label or source is large for its distance, so that a batch's direct light takes several
+  // samples.
+  bool looks_large(std::size_t i, std::size_t j) const {
+    constexpr double much = 0.1;
+    if (j >= world.scene.transceivers.size()) return true;
+    const auto& size = world.scene.type_of(world.scene.labels[i]).size;
+    const Transceiver& unit = world.scene.transceivers[j];
+    const double extent = size[0] + size[1] + 2 * world.scene.type_of(unit).radius;
+    return extent > much * length(unit.position - world.scene.labels[i].position);
+  }
+
+  // Units too far or too weak to matter are asked for their direct light in some batches only.
+  double direct_chance(std::size_t i, std::size_t j) const {
+    constexpr double seldom = 0.125, little = 0.01;
+    if (j >= world.scene.transceivers.size()) return 1;
+    const double away = length(world.scene.transceivers[j].position - world.scene.labels[i].position);
+    const double most = static_cast<double>(units.peak(units.place(j) / lanes)) / (away * away);
+    return most > little * world.scene.type_of(world.scene.labels[i]).requirement() ? 1 : seldom;
+  }
+
+  // Density per area with which a label's rays hit a point, but for what stands between.
+  double pdf_of(std::uint32_t label, const SurfacePoint& at, const SurfacePoint& there) const {
+    const auto seen = sight(at.position, there);
+    if (!seen) return 0;
+    return seen->area_density(
+        pdf(world.receivers.responsivity(label), world.receivers.frame(label).to_local(seen->direction)));
+  }
 
   const World& world;
   const PathRules rules{.strategy = Strategy::nee, .samples_direct = false};
@@ -98,165 +246,6 @@ struct ReuseEstimator::Impl {
   std::vector<std::uint64_t> keys;
   mutable tbb::enumerable_thread_specific<Workspace> workspaces;
 };
-
-// The cache's light on every label, by many rays that only look it up, and that of sources which they meet
-// over mirrors.
-void ReuseEstimator::Impl::look_up(const Block& block, std::uint64_t key, std::uint32_t batch,
-                                   Workspace& work, std::uint64_t& rays) const {
-  for (std::size_t c = 0; c < block.rows.size(); ++c) {
-    const std::uint32_t i = block.rows[c];
-    LaneRow& row = work.labels[c];
-    const Responsivity& responsivity = world.receivers.responsivity(i);
-    const double weight = integral(responsivity) / effort.lookups;
-    RandomStream random(key, batch, static_cast<std::uint32_t>(c), 1);
-    const ScrambledSobol square(mix_key(mix_key(key, batch), 2 * c));
-    const bool is_point = world.receivers.is_point(i);
-    // A row of the cache is used one ray later, when it has come from memory.
-    struct Found {
-      PathVertex vertex;
-      float weight;
-      double density;  ///< of the ray, per area
-    };
-    std::optional<Found> last;
-    const auto use = [&](const Found& found) {
-      found.vertex.look_up(units, found.weight, row);
-      if (found.vertex.is_capped)
-        spots.add_near(found.vertex, found.density, static_cast<double>(found.weight), random, row, rays);
-    };
-    for (std::uint32_t s = 0; s < effort.lookups; ++s) {
-      const auto [u1, u2] = square.point(s);
-      const auto drawn = shelfbeam::sample(responsivity, u1, u2);
-      if (!drawn) continue;
-      SurfacePoint from = work.at[c];
-      if (!is_point) {
-        const double u3 = random.unit(), u4 = random.unit();
-        from = world.receivers.point(i, u3, u4);
-      }
-      const auto end = follow_chain(
-          world, from, world.receivers.frame(i).to_world(drawn->direction), Departure::scattered, random,
-          rays, [&](std::size_t j, double value) { row.add(units.place(j), weight * value); });
-      if (!end) continue;
-      Found found{PathVertex(world, cache, *end), static_cast<float>(weight * end->throughput), 0};
-      found.vertex.is_capped = end->is_straight;
-      if (end->is_straight) found.density = pdf_of(i, from, end->point);
-      found.vertex.row.prefetch();
-      if (last) use(*last);
-      last.emplace(found);
-    }
-    if (last) use(*last);
-  }
-}
-
-// Whether a label or source is large for its distance, so that a batch's direct light takes several samples.
-bool ReuseEstimator::Impl::looks_large(std::size_t i, std::size_t j) const {
-  constexpr double much = 0.1;
-  if (j >= world.scene.transceivers.size()) return true;
-  const auto& size = world.scene.type_of(world.scene.labels[i]).size;
-  const Transceiver& unit = world.scene.transceivers[j];
-  const double extent = size[0] + size[1] + 2 * world.scene.type_of(unit).radius;
-  return extent > much * length(unit.position - world.scene.labels[i].position);
-}
-
-// Units too far or too weak to matter are asked for their direct light in some batches only.
-double ReuseEstimator::Impl::direct_chance(std::size_t i, std::size_t j) const {
-  constexpr double seldom = 0.125, little = 0.01;
-  if (j >= world.scene.transceivers.size()) return 1;
-  const double away = length(world.scene.transceivers[j].position - world.scene.labels[i].position);
-  const double most = static_cast<double>(units.peak(units.place(j) / lanes)) / (away * away);
-  return most > little * world.scene.type_of(world.scene.labels[i]).requirement() ? 1 : seldom;
-}
-
-// Density per area with which a label's rays hit a point, but for what stands between.
-double ReuseEstimator::Impl::pdf_of(std::uint32_t label, const SurfacePoint& at,
-                                    const SurfacePoint& there) const {
-  const auto seen = sight(at.position, there);
-  if (!seen) return 0;
-  return seen->area_density(
-      pdf(world.receivers.responsivity(label), world.receivers.frame(label).to_local(seen->direction)));
-}
-
-// What bright spots send straight to the labels.
-void ReuseEstimator::Impl::add_spots(const Block& block, std::uint64_t key, std::uint32_t batch,
-                                     Workspace& work, std::uint64_t& rays) const {
-  work.targets.clear();
-  for (const SurfacePoint& point : work.at) work.targets.push_back(point.position);
-  const auto receive = [&](std::uint32_t c, const Vec3& from) {
-    const double response = world.receivers.response(block.rows[c], from);
-    return SpotReceiver{response, response / integral(world.receivers.responsivity(block.rows[c]))};
-  };
-  spots.light_up(work.targets, {0.05 * requirement, effort.spot_rays}, {mix_key(key, 0x5B075), batch},
-                 work.residual.spots, rays, receive, [&](std::uint32_t c, std::uint32_t place, double value) {
-                   work.labels[c].add(place, value);
-                 });
-}
-
-// What the cache misses, at some points for each label.
-void ReuseEstimator::Impl::add_residual(const Block& block, std::uint64_t key, std::uint32_t batch,
-                                        Workspace& work, std::uint64_t& rays) const {
-  std::uint32_t group = 0;
-  const auto flush = [&] {
-    if (work.vertices.empty()) return;
-    while (work.points.size() < work.vertices.size()) work.points.emplace_back(units.size());
-    for (ResidualRows& row : work.points) row.clear();
-    residual.estimate(work.vertices, {mix_key(key, 0x9E51D), batch, group++}, work.residual,
-                      std::span(work.points).first(work.vertices.size()), rays);
-    share_points(block, work, rays);
-    work.vertices.clear();
-    work.found.clear();
-  };
-  for (std::uint32_t s = 0; s < effort.points; ++s)
-    for (std::size_t c = 0; c < block.rows.size(); ++c) {
-      const std::uint32_t i = block.rows[c];
-      const Responsivity& responsivity = world.receivers.responsivity(i);
-      const auto [u1, u2] = ScrambledSobol(mix_key(mix_key(key, batch), 2 * c + 1)).point(s);
-      RandomStream random(key, batch, static_cast<std::uint32_t>(c), 2 + s);
-      const auto drawn = shelfbeam::sample(responsivity, u1, u2);
-      if (!drawn) continue;
-      const double weight = integral(responsivity) / effort.points;
-      const auto end = follow_chain(world, work.at[c], world.receivers.frame(i).to_world(drawn->direction),
-                                    Departure::scattered, random, rays, [](std::size_t, double) {});
-      if (!end) continue;
-      work.vertices.emplace_back(world, cache, *end);
-      work.vertices.back().is_capped = end->is_straight;
-      work.found.push_back({static_cast<std::uint32_t>(c), weight * end->throughput,
-                            end->is_straight && work.vertices.back().has_base()});
-      if (work.vertices.size() == effort.group) flush();
-    }
-  flush();
-}
-
-// The labels of a cluster, which share a point. All of them send K rays, which `gain` has: W_c / K.
-struct ReuseEstimator::Impl::Sharers {
-  const Impl& impl;
-  const Block& block;
-  const std::vector<SurfacePoint>& at;
-  const PathVertex& vertex;
-
-  std::size_t size() const { return block.rows.size(); }
-  const Vec3& position(std::uint32_t c) const { return at[c].position; }
-  double rays(std::uint32_t) const { return 1; }
-  double density(std::uint32_t c) const { return impl.pdf_of(block.rows[c], at[c], vertex.end.point); }
-  double gain(std::uint32_t c) const {
-    return integral(impl.world.receivers.responsivity(block.rows[c])) / impl.effort.points *
-           vertex.exit_towards(at[c].position);
-  }
-};
-
-// Every label of the cluster takes what the base of a point sends to it.
-void ReuseEstimator::Impl::share_points(const Block& block, Workspace& work, std::uint64_t& rays) const {
-  for (std::size_t b = 0; b < work.vertices.size(); ++b) {
-    const auto& [owner, weight, is_shared] = work.found[b];
-    const PathVertex& vertex = work.vertices[b];
-    const ChainEnd& end = vertex.end;
-    work.labels[owner].add(work.points[b].own, weight);
-    if (is_shared)
-      share_point(world, end.point, Sharers{*this, block, work.at, vertex}, owner,
-                  {end.throughput * end.probability, end.probability}, work.sharing, rays,
-                  [&](std::uint32_t c, double of_base) { work.labels[c].add(work.points[b].base, of_base); });
-    else
-      work.labels[owner].add(work.points[b].base, vertex.exit * weight);
-  }
-}
 
 ReuseEstimator::ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort,
                                const RunControl& control)

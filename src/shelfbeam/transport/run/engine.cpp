@@ -237,8 +237,6 @@ void Engine::foresee() {
     if (options_.relative_error)
       predicted_ = std::max(all, all * std::pow(error / options_.relative_error->error, 2));
   }
-  if (options_.has_fixed_samples())
-    predicted_ = static_cast<double>(limit_) * static_cast<double>(sums_.size());
   if (options_.time_s) predicted_ = all * std::max(1.0, *options_.time_s / seconds());
 }
 

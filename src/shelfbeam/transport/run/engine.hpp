@@ -17,7 +17,6 @@
 #include "shelfbeam/transport/run/simulation_options.hpp"
 #include "shelfbeam/transport/run/simulation_summary.hpp"
 #include "shelfbeam/transport/tally/estimator.hpp"
-#include "shelfbeam/transport/tally/item_sums.hpp"
 #include "shelfbeam/transport/tally/known_light.hpp"
 #include "shelfbeam/transport/world/world.hpp"
 

@@ -30,29 +30,29 @@ MatrixRows::MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& 
   }
 }
 
-void MatrixRows::fill(Quantity quantity, std::size_t row, std::span<float> values) const {
-  const auto known = [&](std::size_t j) {
-    switch (quantity) {
-      case Quantity::mean:
-        return known_.straight(row, j) + known_.mirrored(row, j);
-      case Quantity::direct:
-        return known_.straight(row, j);
-      case Quantity::standard_error:
-        break;
-    }
-    return 0.0;
-  };
+// Fills a row with what is `known` of column j, and for the items with sampled(item's sums, entry) +
+// known(j).
+template <class Known, class Sampled>
+void MatrixRows::fill_with(std::size_t row, std::span<float> values, const Known& known,
+                           const Sampled& sampled) const {
   for (std::size_t j = 0; j < values.size(); ++j) values[j] = static_cast<float>(known(j));
   each_item(row, [&](std::size_t item, std::size_t r) {
     const auto& columns = estimator_.block(item).columns;
-    const ItemSums& sums = sums_[item];
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      const std::size_t entry = r * columns.size() + c, j = columns[c];
-      const double sampled = quantity == Quantity::mean     ? sums.entry(entry).mean()
-                             : quantity == Quantity::direct ? sums.direct(entry)
-                                                            : sums.entry(entry).standard_error();
-      values[j] = static_cast<float>(sampled + known(j));
-    }
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      values[columns[c]] =
+          static_cast<float>(sampled(sums_[item], r * columns.size() + c) + known(columns[c]));
+  });
+}
+
+void MatrixRows::fill(Quantity quantity, std::size_t row, std::span<float> values) const {
+  const auto known = [&](std::size_t j) {
+    const double mirrored = quantity == Quantity::mean ? known_.mirrored(row, j) : 0;
+    return quantity == Quantity::standard_error ? 0 : known_.straight(row, j) + mirrored;
+  };
+  fill_with(row, values, known, [&](const ItemSums& sums, std::size_t entry) {
+    return quantity == Quantity::mean     ? sums.entry(entry).mean()
+           : quantity == Quantity::direct ? sums.direct(entry)
+                                          : sums.entry(entry).standard_error();
   });
 }
 
@@ -72,15 +72,9 @@ void MatrixRows::fill_layer(std::size_t layer, Quantity quantity, std::size_t ro
     if (!is_mean || layer > 1 || layer >= bounce_layers_) return 0.0;
     return layer == 0 ? known_.straight(row, j) : known_.mirrored(row, j);
   };
-  for (std::size_t j = 0; j < values.size(); ++j) values[j] = static_cast<float>(known(j));
-  each_item(row, [&](std::size_t item, std::size_t r) {
-    const auto& columns = estimator_.block(item).columns;
-    const ItemSums& sums = sums_[item];
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      const std::size_t entry = r * columns.size() + c, j = columns[c];
-      const PowerSums found = sums.layer_entry(layer, entry);
-      values[j] = static_cast<float>(is_mean ? found.mean() + known(j) : found.standard_error());
-    }
+  fill_with(row, values, known, [&](const ItemSums& sums, std::size_t entry) {
+    const PowerSums found = sums.layer_entry(layer, entry);
+    return is_mean ? found.mean() : found.standard_error();
   });
 }
 
@@ -128,9 +122,8 @@ SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint6
 
 SignalMatrix filled(SignalMatrix head, const SignalRows& rows) {
   using Quantity = SignalRows::Quantity;
-  const std::size_t entries = head.rows() * head.columns();
-  const auto fill_all = [&](std::vector<float>& values, const auto& fill) {
-    values.resize(entries);
+  const auto fill_all = [&](auto& values, const auto& fill) {
+    values.resize(head.rows() * head.columns());
     for (std::size_t i = 0; i < head.rows(); ++i)
       fill(i, std::span(values).subspan(i * head.columns(), head.columns()));
   };
@@ -140,9 +133,7 @@ SignalMatrix filled(SignalMatrix head, const SignalRows& rows) {
   fill_all(head.mean, of_all(Quantity::mean));
   fill_all(head.standard_error, of_all(Quantity::standard_error));
   fill_all(head.direct, of_all(Quantity::direct));
-  head.flags.resize(entries);
-  for (std::size_t i = 0; i < head.rows(); ++i)
-    rows.fill_flags(i, std::span(head.flags).subspan(i * head.columns(), head.columns()));
+  fill_all(head.flags, [&](std::size_t i, std::span<std::uint8_t> row) { rows.fill_flags(i, row); });
   const auto of_layer = [&](std::size_t layer, Quantity quantity) {
     return [&rows, layer, quantity](std::size_t i, std::span<float> row) {
       rows.fill_layer(layer, quantity, i, row);

@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
-#include "shelfbeam/signal/signal_rows.hpp"
 #include "shelfbeam/transport/tally/estimator.hpp"
-#include "shelfbeam/transport/tally/item_sums.hpp"
 #include "shelfbeam/transport/tally/known_light.hpp"
 
 namespace shelfbeam::detail {
@@ -43,6 +42,9 @@ class MatrixRows : public SignalRows {
     for (const std::uint32_t item : tall_) use(item, row);
     for (std::size_t p = starts_[row]; p < starts_[row + 1]; ++p) use(parts_[p].item, parts_[p].row);
   }
+
+  template <class Known, class Sampled>
+  void fill_with(std::size_t row, std::span<float> values, const Known& known, const Sampled& sampled) const;
 
   const Estimator& estimator_;
   const std::vector<ItemSums>& sums_;

@@ -3,71 +3,40 @@
 #include <algorithm>
 #include <numeric>
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/task_arena.h>
-
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/transport/run/batch_driver.hpp"
 #include "shelfbeam/transport/run/make_estimator.hpp"
-#include "shelfbeam/transport/run/memory.hpp"
 #include "shelfbeam/transport/tally/known_light.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-// Hands out the rows of batches.
-class Rows {
- public:
-  Rows(const Estimator& estimator, std::size_t columns, const std::function<void(const BatchRow&)>& take)
-      : estimator_(estimator), take_(take), row_(std::vector<double>(columns)) {
-    for (std::size_t item = 0; item < estimator.items(); ++item)
-      if (estimator.block(item).columns.size() != columns)
-        throw InputError("strategy particle", "has no batches of whole rows", "use another strategy",
-                         Setting::strategy);
+// Hands out the rows of a batch.
+void hand_out(const Estimator::Block& block, std::vector<BatchValues::Value> values,
+              const std::function<void(const BatchRow&)>& take) {
+  std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.entry < b.entry; });
+  const std::size_t columns = block.columns.size();
+  std::vector<double> row(columns);
+  auto next = values.begin();
+  for (std::size_t r = 0; r < block.rows.size(); ++r) {
+    std::fill(row.begin(), row.end(), 0.0);
+    for (; next != values.end() && next->entry < (r + 1) * columns; ++next)
+      row[block.columns[next->entry - r * columns]] = next->total;
+    take({block.rows[r], row});
   }
-
-  void hand_out(std::size_t item, const BatchValues& values) {
-    const Estimator::Block& block = estimator_.block(item);
-    const std::size_t columns = block.columns.size();
-    std::vector<double>& row = row_.local();
-    auto next = sorted(values).begin();
-    const auto end = sorted_.local().end();
-    for (std::size_t r = 0; r < block.rows.size(); ++r) {
-      std::fill(row.begin(), row.end(), 0.0);
-      for (; next != end && next->entry < (r + 1) * columns; ++next)
-        row[block.columns[next->entry - r * columns]] = next->total;
-      take_({block.rows[r], row});
-    }
-  }
-
- private:
-  const std::vector<BatchValues::Value>& sorted(const BatchValues& values) {
-    auto& own = sorted_.local();
-    own = values.values;
-    const auto by_entry = [](const auto& a, const auto& b) { return a.entry < b.entry; };
-    if (!std::is_sorted(own.begin(), own.end(), by_entry)) std::sort(own.begin(), own.end(), by_entry);
-    return own;
-  }
-
-  const Estimator& estimator_;
-  const std::function<void(const BatchRow&)>& take_;
-  tbb::enumerable_thread_specific<std::vector<BatchValues::Value>> sorted_;
-  tbb::enumerable_thread_specific<std::vector<double>> row_;
-};
+}
 
 }  // namespace
 
 BatchRun sample_batches(const Scene& scene, const SimulationOptions& options, std::uint32_t batches,
                         const std::function<void(const BatchRow&)>& take, const RunControl& control) {
-  tbb::task_arena arena(control.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(control.threads));
   const ThreadsAllowed allowed(control.threads);
   BatchRun run;
   run.batches = batches;
-  arena.execute([&] {
-    detail::expect_room(scene, options, false);
+  with_threads(control.threads, [&] {
+    expect_room(scene, options, false);
     const World world(scene);
     const auto estimator = make_estimator(world, options, control);
     run.samples_per_batch = estimator->samples_per_batch();
@@ -78,7 +47,10 @@ BatchRun sample_batches(const Scene& scene, const SimulationOptions& options, st
     for (std::size_t i = 0; i < rows; ++i)
       for (std::size_t j = 0; j < columns; ++j)
         run.known[i * columns + j] = static_cast<float>(known.straight(i, j) + known.mirrored(i, j));
-    Rows matrix(*estimator, columns, take);
+    for (std::size_t item = 0; item < estimator->items(); ++item)
+      if (estimator->block(item).columns.size() != columns)
+        throw InputError("strategy particle", "has no batches of whole rows", "use another strategy",
+                         Setting::strategy);
     std::vector<std::uint32_t> items(estimator->items());
     std::iota(items.begin(), items.end(), 0U);
     detail::BatchDriver driver(scene, *estimator, control);
@@ -86,7 +58,9 @@ BatchRun sample_batches(const Scene& scene, const SimulationOptions& options, st
     for (std::uint32_t first = 0; first < batches && !control.cancelled(); first += at_once) {
       driver.run(
           items, first, std::min(at_once, batches - first),
-          [&](std::size_t item, std::uint32_t, const BatchValues& values) { matrix.hand_out(item, values); },
+          [&](std::size_t item, std::uint32_t, const BatchValues& batch) {
+            hand_out(estimator->block(item), batch.values, take);
+          },
           [](std::uint32_t) { return true; });
       control.report("simulating", static_cast<double>(first) / batches);
     }

@@ -6,15 +6,12 @@
 #include <string>
 #include <utility>
 
-#include <tbb/task_arena.h>
-
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/transport/run/engine.hpp"
 #include "shelfbeam/transport/run/make_estimator.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
-#include "shelfbeam/transport/run/memory.hpp"
 
 namespace shelfbeam {
 
@@ -66,15 +63,13 @@ template <class Use>
 SimulationSummary run(const Scene& scene, const SimulationOptions& options, bool keeps_matrix,
                       const RunControl& control, Use use) {
   const auto start = std::chrono::steady_clock::now();
-  const int threads = control.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(control.threads);
-  tbb::task_arena arena(threads);
   const ThreadsAllowed allowed(control.threads);
   SimulationSummary summary;
-  arena.execute([&] {
-    detail::expect_room(scene, options, keeps_matrix);
+  with_threads(control.threads, [&] {
+    expect_room(scene, options, keeps_matrix);
     const World world(scene);
     const auto estimator = make_estimator(world, options, control);
-    detail::expect_room(world, *estimator, options, keeps_matrix);
+    expect_room(world, *estimator, options, keeps_matrix);
     const std::string hash = scene_hash(scene);
     detail::Engine engine(world, *estimator, options, hash, control);
     try {

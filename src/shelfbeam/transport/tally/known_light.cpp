@@ -39,15 +39,14 @@ KnownLight::KnownLight(const World& world, const PathRules& rules, const RunCont
       std::uint64_t of_row = 0;
       if (mirrored_.empty() && world.receivers.is_point(i)) {
         of_row = fill_row(world, i);
-        rays.fetch_add(of_row, std::memory_order_relaxed);
-        continue;
-      }
-      for (std::size_t j = 0; j < columns_; ++j) {
-        if (!is_point_to_point(world, i, j)) continue;
-        const DirectSignal signal = direct_between_points(world, i, j, rules);
-        straight_[i * columns_ + j] = static_cast<float>(signal.straight);
-        if (!mirrored_.empty()) mirrored_[i * columns_ + j] = static_cast<float>(signal.mirrored);
-        of_row += signal.rays;
+      } else {
+        for (std::size_t j = 0; j < columns_; ++j) {
+          if (!is_point_to_point(world, i, j)) continue;
+          const DirectSignal signal = direct_between_points(world, i, j, rules);
+          straight_[i * columns_ + j] = static_cast<float>(signal.straight);
+          if (!mirrored_.empty()) mirrored_[i * columns_ + j] = static_cast<float>(signal.mirrored);
+          of_row += signal.rays;
+        }
       }
       rays.fetch_add(of_row, std::memory_order_relaxed);
     }

@@ -1,11 +1,9 @@
-#include "shelfbeam/transport/uniform/label_walk.hpp"
-
 #include <cmath>
 #include <limits>
 #include <variant>
 
 #include "shelfbeam/math/frame.hpp"
-#include "shelfbeam/transport/world/mis_weights.hpp"
+#include "shelfbeam/transport/uniform/walks.hpp"
 #include "shelfbeam/transport/world/next_event.hpp"
 
 namespace shelfbeam {

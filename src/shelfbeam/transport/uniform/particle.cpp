@@ -1,10 +1,9 @@
-#include "shelfbeam/transport/uniform/particle.hpp"
-
 #include <cmath>
 #include <limits>
 #include <variant>
 
 #include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/transport/uniform/walks.hpp"
 #include "shelfbeam/transport/world/next_event.hpp"
 
 namespace shelfbeam {

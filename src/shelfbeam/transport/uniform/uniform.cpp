@@ -8,8 +8,7 @@
 
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/transport/uniform/label_walk.hpp"
-#include "shelfbeam/transport/uniform/particle.hpp"
+#include "shelfbeam/transport/uniform/walks.hpp"
 #include "shelfbeam/transport/world/direct.hpp"
 
 namespace shelfbeam {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/transport/tally/estimator.hpp"
-#include "shelfbeam/transport/tally/tally.hpp"
+#include "shelfbeam/transport/uniform/walks.hpp"
 #include "shelfbeam/transport/world/path_rules.hpp"
 #include "shelfbeam/transport/world/world.hpp"
 

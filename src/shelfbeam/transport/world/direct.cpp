@@ -19,13 +19,6 @@ std::uint32_t multiplier(std::uint32_t side) {
 
 }  // namespace
 
-DirectSignal& DirectSignal::operator+=(const DirectSignal& other) {
-  straight += other.straight;
-  mirrored += other.mirrored;
-  rays += other.rays;
-  return *this;
-}
-
 DirectSignal direct_signal(const World& world, std::size_t i, std::size_t j, const SurfacePoint& label,
                            const LightPoint& light, const PathRules& rules) {
   return light_from(

@@ -15,7 +15,12 @@ struct DirectSignal {
   double mirrored = 0;  ///< over one plane mirror, if the rules look for these from end to end
   std::uint64_t rays = 0;
 
-  DirectSignal& operator+=(const DirectSignal& other);
+  DirectSignal& operator+=(const DirectSignal& other) {
+    straight += other.straight;
+    mirrored += other.mirrored;
+    rays += other.rays;
+    return *this;
+  }
 };
 
 /// Light from a point of source j to a point (connect): the sums over the straight way and over plane mirrors

@@ -1,11 +1,42 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/transport/world/path_rules.hpp"
+#include "shelfbeam/transport/world/ray_scene.hpp"
 #include "shelfbeam/transport/world/world.hpp"
 
 namespace shelfbeam {
+
+// Multiple importance sampling (2.7.3; Veach 1997, chapter 9). Where techniques k draw n_k samples each of
+// the same paths, with densities p_k in one measure, a sample x that technique i has drawn counts
+//
+//     w_i f(x) / (n_i p_i),        w_i = (n_i p_i)^b / sum_k (n_k p_k)^b,            (2.19)
+//
+// all p_k at x. The weights of a path sum to 1 over the techniques, so the estimate has no bias.
+
+/// w_i of one of two techniques, from its density and that of the other, each times its number of samples.
+inline double mis_weight(Heuristic heuristic, double own, double other) {
+  const double ratio = other / own;
+  return 1 / (1 + (heuristic == Heuristic::power ? ratio * ratio : ratio));
+}
+
+/// The balance heuristic of any number of techniques: the weight cancels the density of the technique that
+/// has drawn x, so whichever it was, x counts f(x) / sum_k n_k p_k.
+class BalanceHeuristic {
+ public:
+  /// n_k p_k of another technique.
+  void add(double density) { sum_ += density; }
+  bool can_be_drawn() const { return sum_ > 0; }
+  double estimate(double f) const { return f / sum_; }
+
+ private:
+  double sum_ = 0;
+};
 
 /// Next-event estimation (2.7.2): joins a vertex x of a path to a point y that no random direction need meet,
 /// of a source or, where the path comes from a source, of a label. Each way between them, the straight one
@@ -39,6 +70,37 @@ void connect(const World& world, const SurfacePoint& vertex, const Vec3& end, bo
     const double open = ends(*bent) / bent->length_squared;
     if (open > 0) mirrored(open * world.mirrors.share(g, *bent, vertex, end, world.rays), *bent);
   }
+}
+
+/// How a point of a surface is seen from elsewhere.
+struct Sight {
+  Vec3 direction;  ///< unit, to the surface
+  double cosine;   ///< of its angle of incidence, above 0
+  double squared;  ///< distance, m^2
+
+  /// The density per area of rays that leave in this direction with some density per solid angle p:
+  /// p cos(theta) / r^2, as dA cos(theta) / r^2 is the solid angle of dA (2.10).
+  double area_density(double p) const { return p * cosine / squared; }
+};
+
+/// Nothing where the point is seen from behind, its normal being that of the side which is meant.
+inline std::optional<Sight> sight(const Vec3& from, const SurfacePoint& to) {
+  const Vec3 way = to.position - from;
+  const double squared = length_squared(way);
+  if (!(squared > 0)) return std::nullopt;
+  const Vec3 direction = way / std::sqrt(squared);
+  const double cosine = -dot(direction, to.normal);
+  if (!(cosine > 0)) return std::nullopt;
+  return Sight{direction, cosine, squared};
+}
+
+/// The same density for rays that leave a surface with p = cos(theta') / pi: G / pi, with the geometry term G
+/// (2.11) but for what stands between. 0 where one side is seen from behind.
+inline double cosine_area_density(const SurfacePoint& from, const SurfacePoint& to) {
+  const Vec3 way = to.position - from.position;
+  const double squared = length_squared(way);
+  const double cosines = std::max(0.0, dot(way, from.normal)) * std::max(0.0, -dot(way, to.normal));
+  return squared > 0 ? cosines / (pi * squared * squared) : 0;
 }
 
 }  // namespace shelfbeam

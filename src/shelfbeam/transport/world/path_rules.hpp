@@ -22,7 +22,7 @@ inline constexpr auto names_of<Strategy> = std::to_array<Named<Strategy>>({{"wal
                                                                            {"mis", Strategy::mis},
                                                                            {"particle", Strategy::particle}});
 
-/// Weights of multiple importance sampling (2.19), mis_weights.hpp.
+/// Weights of multiple importance sampling (2.19), next_event.hpp.
 enum class Heuristic {
   balance,  ///< b = 1
   power     ///< b = 2

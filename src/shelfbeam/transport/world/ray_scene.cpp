@@ -167,10 +167,22 @@ struct RayScene::Impl {
   Device device;
   std::vector<std::optional<ThinDielectric>> pane;  // by material
   TriangleSet opaque, panes;                        // `panes` has no scene where there are none
-  double step = 0;                                  // m, how far from a surface rays start
+  double step = 0;                                  // m, how far from a surface rays start,
+  double end = 0;                                   // and how far before a point they end
 
   Float3 leave(const SurfacePoint& from, const Vec3& direction) const {
     return to_float(from.position + from.normal * std::copysign(step, dot(from.normal, direction)));
+  }
+
+  // A ray that ends shortly before a point.
+  RTCRay ray_to(const SurfacePoint& from, const Vec3& to) const {
+    const Float3 target = to_float(to);
+    const Vec3 way = to - from.position;
+    const Float3 origin = leave(from, way);
+    RTCRay ray{};
+    aim(ray, origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
+        static_cast<float>(std::max(0.0, 1 - end / length(way))));
+    return ray;
   }
 };
 
@@ -178,7 +190,7 @@ RayScene::RayScene(const Scene& scene) {
   auto impl = std::make_unique<Impl>();
   const double unit = rounding * largest_coordinate(scene);
   impl->step = steps * unit;
-  end_ = end_steps * unit;
+  impl->end = end_ = end_steps * unit;
   for (const NamedMaterial& named : scene.materials) {
     const auto* pane = std::get_if<ThinDielectric>(&named.material);
     impl->pane.push_back(pane != nullptr ? std::optional(*pane) : std::nullopt);
@@ -213,12 +225,7 @@ std::optional<Hit> RayScene::intersect(const SurfacePoint& from, const Vec3& dir
 }
 
 Passage RayScene::passage(const SurfacePoint& from, const Vec3& to) const {
-  const Float3 target = to_float(to);
-  const Vec3 way = to - from.position;
-  const Float3 origin = impl_->leave(from, way);
-  RTCRay shadow{};
-  aim(shadow, origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
-      static_cast<float>(std::max(0.0, 1 - end_ / length(way))));
+  RTCRay shadow = impl_->ray_to(from, to);
   trace(impl_->opaque.scene.get(), shadow);
   if (shadow.tfar < 0) return {0, 0};
   return impl_->panes.scene ? through_panes(from, to) : Passage{};
@@ -242,18 +249,15 @@ void RayScene::each_passage(const SurfacePoint& from, std::span<const Vec3> to, 
     alignas(64) int valid[width];
     for (std::size_t k = 0; k < width; ++k) {
       valid[k] = k < count ? -1 : 0;
-      const Vec3& end = to[first + std::min(k, count - 1)];
-      const Float3 target = to_float(end);
-      const Vec3 way = end - from.position;
-      const Float3 origin = impl_->leave(from, way);
-      rays.org_x[k] = origin.x;
-      rays.org_y[k] = origin.y;
-      rays.org_z[k] = origin.z;
-      rays.dir_x[k] = target.x - origin.x;
-      rays.dir_y[k] = target.y - origin.y;
-      rays.dir_z[k] = target.z - origin.z;
-      rays.tfar[k] = static_cast<float>(std::max(0.0, 1 - end_ / length(way)));
-      rays.mask[k] = std::numeric_limits<unsigned>::max();
+      const RTCRay ray = impl_->ray_to(from, to[first + std::min(k, count - 1)]);
+      rays.org_x[k] = ray.org_x;
+      rays.org_y[k] = ray.org_y;
+      rays.org_z[k] = ray.org_z;
+      rays.dir_x[k] = ray.dir_x;
+      rays.dir_y[k] = ray.dir_y;
+      rays.dir_z[k] = ray.dir_z;
+      rays.tfar[k] = ray.tfar;
+      rays.mask[k] = ray.mask;
     }
     trace(impl_->opaque.scene.get(), valid, rays);
     bool is_blocked[width];
@@ -270,15 +274,10 @@ void RayScene::each_passage(const SurfacePoint& from, std::span<const Vec3> to, 
 }
 
 Passage RayScene::through_panes(const SurfacePoint& from, const Vec3& to) const {
-  const Float3 target = to_float(to);
   const Vec3 direction = normalized(to - from.position);
   Passage passage;
   for (SurfacePoint at = from; passage.share > 0;) {
-    const Vec3 way = to - at.position;
-    const Float3 origin = impl_->leave(at, way);
-    RTCRayHit ray{};
-    aim(ray.ray, origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z},
-        static_cast<float>(std::max(0.0, 1 - end_ / length(way))));
+    RTCRayHit ray{impl_->ray_to(at, to), {}};
     if (!impl_->panes.cut(ray)) break;
     const Triangle& pane = impl_->panes.hit_by(ray);
     at = pane.point(static_cast<double>(ray.hit.u), static_cast<double>(ray.hit.v));

@@ -14,13 +14,26 @@ namespace shelfbeam {
 /// signal is averaged. The width of a rectangle is horizontal.
 class Receivers {
  public:
-  explicit Receivers(const Scene& scene);
+  explicit Receivers(const Scene& scene) {
+    labels_.reserve(scene.labels.size());
+    for (const Label& label : scene.labels) {
+      const LabelType& type = scene.type_of(label);
+      if (type.size[0] > 0) rectangles_.push_back(static_cast<std::uint32_t>(labels_.size()));
+      labels_.push_back(
+          {label.position, Frame::of_surface(label.normal), type.size[0], type.size[1], &type.responsivity});
+    }
+  }
 
   std::size_t size() const { return labels_.size(); }
   bool is_point(std::size_t i) const { return labels_[i].width == 0; }
 
   /// A point of the label, uniform over its area, from two uniform numbers.
-  SurfacePoint point(std::size_t i, double u1, double u2) const;
+  SurfacePoint point(std::size_t i, double u1, double u2) const {
+    const Sensor& label = labels_[i];
+    if (label.width == 0) return {label.position, label.frame.z};
+    return {label.position + label.frame.to_world({(u1 - 0.5) * label.width, (u2 - 0.5) * label.height, 0}),
+            label.frame.z};
+  }
 
   /// z is the label's normal.
   const Frame& frame(std::size_t i) const { return labels_[i].frame; }

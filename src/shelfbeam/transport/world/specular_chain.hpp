@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "shelfbeam/transport/world/path_rules.hpp"
-#include "shelfbeam/transport/world/random_stream.hpp"
 #include "shelfbeam/transport/world/world.hpp"
 
 namespace shelfbeam {

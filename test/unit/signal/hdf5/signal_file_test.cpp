@@ -11,7 +11,6 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/hdf5/hdf5_io.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
-#include "shelfbeam/signal/signal_rows.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "support/expect_input_error.hpp"

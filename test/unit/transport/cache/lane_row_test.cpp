@@ -1,9 +1,9 @@
-#include "shelfbeam/transport/cache/lane_row.hpp"
-
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "shelfbeam/transport/cache/lane_kernels.hpp"
 
 namespace shelfbeam {
 namespace {

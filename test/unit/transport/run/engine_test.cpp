@@ -95,7 +95,7 @@ TEST(Engine, AddsBatchesInTheirOrder) {
   ASSERT_LE(estimator->items(), 8U);
   const auto one_by_one = [&](std::uint32_t first, std::uint32_t second) {
     const Estimator::Block& block = estimator->block(0);
-    detail::ItemSums sums(block.rows.size() * block.columns.size(), true, 0);
+    ItemSums sums(block.rows.size() * block.columns.size(), true, 0);
     BatchValues values;
     for (std::uint32_t b = 0; b < batches; ++b) {
       values.clear();

@@ -11,8 +11,6 @@
 namespace shelfbeam {
 namespace {
 
-using detail::ErrorSurvey;
-using detail::ItemSums;
 using detail::KnownLight;
 
 /// One label and two units; `sums` are put together by hand.

@@ -1,9 +1,9 @@
-#include "shelfbeam/transport/run/stopping.hpp"
-
 #include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "shelfbeam/transport/run/error_survey.hpp"
 
 namespace shelfbeam {
 namespace {

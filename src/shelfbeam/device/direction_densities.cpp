@@ -1,4 +1,4 @@
-#include "shelfbeam/device/sine_segment.hpp"
+#include "shelfbeam/device/direction_densities.hpp"
 
 #include <algorithm>
 #include <cmath>

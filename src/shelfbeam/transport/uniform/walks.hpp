@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "shelfbeam/transport/world/path_rules.hpp"
+#include "shelfbeam/transport/world/world.hpp"
 
 namespace shelfbeam {
 
@@ -36,5 +36,22 @@ class Tally {
   LengthSteps lengths_;
   std::vector<double> sums_;
 };
+
+/// One random walk from label i (2.7, started at the sensor, with the errata), for the strategies walk, nee
+/// and mis: the first direction by the label's responsivity, the others by the materials; connections to one
+/// source chosen uniformly among n, so p_e = 1/n; Russian roulette on the throughput (2.18).
+///
+/// Adds its contributions to `tally` (n wide).
+void walk_from_label(const World& world, std::size_t i, const PathKey& key, const PathRules& rules,
+                     Tally& tally);
+
+/// One particle from source j: a share of its flux is followed from surface to surface, at each of which (and
+/// at the source) it is connected to every label; labels of some size are also met by it after mirrors and
+/// refraction. An implementation of the same integral as `walk_from_label` that shares with it the materials
+/// and devices, but no estimator.
+///
+/// Adds its contributions to `tally` (m wide).
+void follow_particle(const World& world, std::size_t j, const PathKey& key, const PathRules& rules,
+                     Tally& tally);
 
 }  // namespace shelfbeam

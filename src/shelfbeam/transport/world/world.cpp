@@ -1,4 +1,4 @@
-#include "shelfbeam/transport/world/enlarged.hpp"
+#include "shelfbeam/transport/world/world.hpp"
 
 #include <algorithm>
 #include <cmath>
