@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "shelfbeam/material/optics/directions.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 
 namespace shelfbeam {

@@ -1,6 +1,6 @@
 #include "shelfbeam/material/lambertian.hpp"
 
-#include "shelfbeam/material/optics/directions.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {

@@ -6,7 +6,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "shelfbeam/material/optics/directions.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/material/optics/microfacets.hpp"
 #include "shelfbeam/math/warp.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/material/optics/directions.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 
 namespace shelfbeam {

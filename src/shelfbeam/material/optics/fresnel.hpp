@@ -1,5 +1,16 @@
 #pragma once
 
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/material/optics/microfacets.hpp"
+#include "shelfbeam/material/optics/scatter_sample.hpp"
+#include "shelfbeam/math/vec3.hpp"
+
 namespace shelfbeam {
 
 /// Share of unpolarised light that a smooth boundary reflects (2.32, in the index forms of its R_s and R_p).
@@ -9,4 +20,41 @@ double fresnel_dielectric(double cos_i, double eta);
 /// The same for a conductor with the complex index eta + i k, seen from air.
 double fresnel_conductor(double cos_i, double eta, double k);
 
+namespace detail {
+
+/// Mirrors `w` about the unit normal `h`.
+constexpr Vec3 reflected(const Vec3& w, const Vec3& h) {
+  return h * (2 * dot(w, h)) - w;
+}
+
+/// Snell's law: where light that leaves the boundary along `w` (w . h > 0) came from beyond it; `eta` is the
+/// index there over the index at `w`. Nothing under total internal reflection.
+inline std::optional<Vec3> refracted(const Vec3& w, const Vec3& h, double eta) {
+  const double cos_i = dot(w, h);
+  const double sin2_t = (1 - cos_i * cos_i) / (eta * eta);
+  if (sin2_t >= 1) return std::nullopt;
+  return h * (cos_i / eta - std::sqrt(1 - sin2_t)) - w / eta;
+}
+
+/// Throws std::invalid_argument unless low <= value <= high: "ior is 0.9, must be from 1 to 4".
+inline void require_range(std::string_view what, double value, double low, double high) {
+  if (!(value >= low && value <= high))
+    throw std::invalid_argument(fmt::format("{} is {}, must be from {} to {}", what, value, low, high));
+}
+
+inline constexpr double largest_ior = 4;  ///< germanium; a misplaced decimal point is larger
+
+/// Draws a mirror image of `known` in a facet that it sees, which reflects fresnel(cosine to its normal).
+template <class Fresnel>
+std::optional<ScatterSample> sample_reflection(const Microfacets& facets, const Vec3& known, double u1,
+                                               double u2, const Fresnel& fresnel) {
+  const Vec3 h = facets.sample(known, u1, u2);
+  const Vec3 direction = reflected(known, h);
+  const double cosine = dot(known, h);
+  if (cosine <= 0 || direction.z <= 0) return std::nullopt;
+  return ScatterSample{direction, fresnel(cosine) * facets.weight(known, direction, h),
+                       facets.reflection_pdf(known, h)};
+}
+
+}  // namespace detail
 }  // namespace shelfbeam

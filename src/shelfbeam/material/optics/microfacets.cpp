@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "shelfbeam/material/optics/directions.hpp"
+#include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {

@@ -41,14 +41,13 @@ void expect_possible(const Scene& scene, const SimulationOptions& options) {
                        "give the type a radius, or use another strategy", Setting::strategy);
 }
 
-// Three floats and a flag an entry, two more floats for each layer; 0 where the matrix goes straight into a
-// file.
-double result_bytes(double entries, const SimulationOptions& options, bool keeps_matrix) {
-  return keeps_matrix ? entries * (1 + sizeof(float) * (3 + 2 * static_cast<double>(options.layers()))) : 0;
-}
-
-void expect_at_most(double needed, std::size_t labels, std::size_t sources,
-                    const SimulationOptions& options) {
+// The work, and of the matrix three floats and a flag an entry, two more floats for each layer; none of it
+// where it goes straight into a file.
+void expect_at_most(double work, std::size_t labels, std::size_t sources, const SimulationOptions& options,
+                    bool keeps_matrix) {
+  const double entries = static_cast<double>(labels) * static_cast<double>(sources);
+  const double each = 1 + sizeof(float) * (3 + 2 * static_cast<double>(options.layers()));
+  const double needed = work + (keeps_matrix ? entries * each : 0);
   if (options.memory == 0 || needed <= static_cast<double>(options.memory)) return;
   throw InputError("memory",
                    fmt::format("{} labels and {} candidates need {:.3g} GB, {:.3g} GB may be used", labels,
@@ -84,18 +83,15 @@ void expect_room(const Scene& scene, const SimulationOptions& options, bool keep
   each += sizeof(double) *
           static_cast<double>(ItemSums::size(1, options.rules().samples_direct, options.layers()));
   if (options.estimator == EstimatorKind::uniform) each += sizeof(std::uint32_t);  // a column index
-  expect_at_most(entries * each + result_bytes(entries, options, keeps_matrix), scene.labels.size(), sources,
-                 options);
+  expect_at_most(entries * each, scene.labels.size(), sources, options, keeps_matrix);
 }
 
 void expect_room(const World& world, const Estimator& estimator, const SimulationOptions& options,
                  bool keeps_matrix) {
-  const std::size_t labels = world.receivers.size(), sources = world.emitters.size();
   const std::size_t own = detail::Engine::bytes(world, estimator, options) +
                           detail::KnownLight::bytes(world, options.rules()) + estimator.bytes();
-  const double entries = static_cast<double>(labels) * static_cast<double>(sources);
-  expect_at_most(static_cast<double>(own) + result_bytes(entries, options, keeps_matrix), labels, sources,
-                 options);
+  expect_at_most(static_cast<double>(own), world.receivers.size(), world.emitters.size(), options,
+                 keeps_matrix);
 }
 
 }  // namespace shelfbeam

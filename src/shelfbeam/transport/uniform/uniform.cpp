@@ -95,7 +95,7 @@ std::uint32_t direct_strata(std::uint32_t samples, std::size_t width) {
 void UniformEstimator::sample_direct_light(std::size_t item, std::uint32_t batch, Tally& tally) const {
   const std::uint32_t side = direct_strata(per_batch_, width_);
   for (std::size_t k = 0; k < width_; ++k) {
-    const std::size_t i = label_of(item, k), j = source_of(item, k);
+    const std::size_t i = by_source_ ? k : item, j = by_source_ ? item : k;
     if (is_point_to_point(world_, i, j)) continue;
     const PathKey key{mix_key(mix_key(seed_, label_keys_[i]), source_keys_[j]), batch, 0};
     const DirectSignal signal = sample_direct(world_, i, j, key, side, rules_);

@@ -31,8 +31,6 @@ class UniformEstimator : public Estimator {
               BatchValues& values) const override;
 
  private:
-  std::size_t label_of(std::size_t item, std::size_t k) const { return by_source_ ? k : item; }
-  std::size_t source_of(std::size_t item, std::size_t k) const { return by_source_ ? item : k; }
   void sample_direct_light(std::size_t item, std::uint32_t batch, Tally& tally) const;
 
   const World& world_;

@@ -206,8 +206,6 @@ RayScene::RayScene(const Scene& scene) {
 }
 
 RayScene::~RayScene() = default;
-RayScene::RayScene(RayScene&&) noexcept = default;
-RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 std::optional<Hit> RayScene::intersect(const SurfacePoint& from, const Vec3& direction) const {
   RTCRayHit ray{};

@@ -46,8 +46,6 @@ class RayScene {
  public:
   explicit RayScene(const Scene& scene);
   ~RayScene();
-  RayScene(RayScene&&) noexcept;
-  RayScene& operator=(RayScene&&) noexcept;
 
   /// First surface along a unit direction, panes included.
   std::optional<Hit> intersect(const SurfacePoint& from, const Vec3& direction) const;
