@@ -22,10 +22,6 @@ Result solve_cbc(const Model& model, const SolveOptions& options, const RunContr
 Model read_cbc(const std::filesystem::path& path);
 std::unique_ptr<LpSession> lp_cbc(std::span<const Column> columns);
 
-}  // namespace shelfbeam::milp
-
-namespace shelfbeam::milp::detail {
-
 /// Passes incumbent and bound on to the progress sink, a few times a second at most.
 class BoundReport {
  public:
@@ -43,4 +39,4 @@ class BoundReport {
 /// costs (1e-7 and the like) never decide; 1 for whole-numbered costs, whose integrality solvers use.
 double objective_scale(std::span<const Column> columns);
 
-}  // namespace shelfbeam::milp::detail
+}  // namespace shelfbeam::milp

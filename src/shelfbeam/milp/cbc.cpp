@@ -75,7 +75,7 @@ void load(const Model& model, double cost_scale, OsiClpSolverInterface& solver) 
 
 class Watch final : public CbcEventHandler {
  public:
-  Watch(const RunControl& control, detail::BoundReport& report, double cost_scale)
+  Watch(const RunControl& control, BoundReport& report, double cost_scale)
       : control_(control), report_(report), cost_scale_(cost_scale) {}
 
   CbcEventHandler* clone() const override { return new Watch(*this); }
@@ -90,7 +90,7 @@ class Watch final : public CbcEventHandler {
 
  private:
   const RunControl& control_;
-  detail::BoundReport& report_;
+  BoundReport& report_;
   double cost_scale_;
 };
 
@@ -119,7 +119,7 @@ class TimeLimit final : public ClpEventHandler {
 
 class ClpSession final : public LpSession {
  public:
-  explicit ClpSession(std::span<const Column> columns) : scale_(detail::objective_scale(columns)) {
+  explicit ClpSession(std::span<const Column> columns) : scale_(objective_scale(columns)) {
     silent_.setLogLevel(0);
     clp_.passInMessageHandler(&silent_);
     clp_.setLogLevel(0);
@@ -174,7 +174,7 @@ std::string_view cbc_version() {
 }
 
 Result solve_cbc(const Model& model, const SolveOptions& options, const RunControl& control) {
-  const double scale = detail::objective_scale(model.columns);
+  const double scale = objective_scale(model.columns);
   Silent silent;
   silent.setLogLevel(0);
   OsiClpSolverInterface solver;
@@ -190,7 +190,7 @@ Result solve_cbc(const Model& model, const SolveOptions& options, const RunContr
     cbc.setMaximumNodes(static_cast<int>(std::min<std::uint64_t>(*options.node_limit, INT_MAX)));
   cbc.setAllowableFractionGap(options.relative_gap);
   cbc.setAllowableGap(0);
-  detail::BoundReport report(control);
+  BoundReport report(control);
   const Watch watch(control, report, scale);
   cbc.passInEventHandler(&watch);
   // Cuts at every node. No preprocessing: CBC 2.10.8 then returns fractional values as optimal now and then.

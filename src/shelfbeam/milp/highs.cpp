@@ -87,7 +87,7 @@ struct SchedulerGuard {
 class HighsSession final : public LpSession {
  public:
   explicit HighsSession(std::span<const Column> columns)
-      : columns_(columns.begin(), columns.end()), scale_(detail::objective_scale(columns)) {
+      : columns_(columns.begin(), columns.end()), scale_(objective_scale(columns)) {
     highs_.setOptionValue("output_flag", false);
     highs_.setOptionValue("threads", HighsInt{1});
     highs_.setOptionValue("solver", "simplex");
@@ -146,7 +146,7 @@ std::string_view highs_version() {
 
 Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control) {
   const SchedulerGuard guard;
-  const double scale = detail::objective_scale(model.columns);
+  const double scale = objective_scale(model.columns);
   // Its workers spin: more than there are cores only get in each other's way.
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const unsigned threads = control.threads != 0 ? std::min(control.threads, cores) : cores;
@@ -164,7 +164,7 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
                          static_cast<HighsInt>(std::min<std::uint64_t>(*options.node_limit, kHighsIInf)));
   if (highs.passModel(to_highs(model.columns, Rows(model.rows), scale)) == HighsStatus::kError) return {};
 
-  detail::BoundReport report(control);
+  BoundReport report(control);
   highs.setCallback(
       [&](int type, const std::string&, const HighsCallbackDataOut* out, HighsCallbackDataIn* in, void*) {
         if (type == kCallbackMipInterrupt) report(out->mip_primal_bound / scale, out->mip_dual_bound / scale);

@@ -123,7 +123,7 @@ std::span<const Backend> wanted_backends(std::string_view name) {
   throw InputError("MIP back end", fmt::format("'{}' is not built in", name), suggest(name, known));
 }
 
-void detail::BoundReport::operator()(double primal, double dual) {
+void BoundReport::operator()(double primal, double dual) {
   const auto now = std::chrono::steady_clock::now();
   if (control_.progress == nullptr || now < next_) return;
   next_ = now + std::chrono::milliseconds(200);
@@ -135,7 +135,7 @@ void detail::BoundReport::operator()(double primal, double dual) {
   control_.report("solve", -1, text);
 }
 
-double detail::objective_scale(std::span<const Column> columns) {
+double objective_scale(std::span<const Column> columns) {
   double largest = 0;
   bool whole = true;
   for (const Column& column : columns) {

@@ -13,24 +13,6 @@
 
 namespace shelfbeam {
 
-namespace {
-
-std::vector<std::uint32_t> undecided(const std::vector<LabelVerdict>& labels) {
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t i = 0; i < labels.size(); ++i)
-    if (labels[i].verdict == Verdict::undecided) rows.push_back(i);
-  return rows;
-}
-
-// The signals by which links are planned; sums need no plan.
-std::vector<float> planned_signals(const Scene& scene, const Question& question,
-                                   const SimulationOptions& options, const RunControl& control) {
-  if (question.model == CommunicationModel::cooperative) return {};
-  return simulate(scene, options, control).matrix.mean;
-}
-
-}  // namespace
-
 VerificationEffort Rounds::effort(Purpose purpose, std::uint32_t batches) const {
   const std::uint64_t stream = static_cast<std::uint64_t>(purpose) << 32 | round_;
   VerificationEffort effort{simulation_, batches};
@@ -80,7 +62,10 @@ std::string why_no_more(const Rounds& rounds, const LabelRounds& labels, double 
 
 CertifiedPlan verify_installation(const Scene& scene, const Question& question, const CertifyOptions& options,
                                   const RunControl& control) {
-  const std::vector<float> planned = planned_signals(scene, question, options.simulation, control);
+  // The signals by which links are planned; sums need no plan.
+  std::vector<float> planned;
+  if (question.model == CommunicationModel::non_cooperative)
+    planned = simulate(scene, options.simulation, control).matrix.mean;
   CertifiedPlan plan;
   Placement& placement = plan.placement;
   placement.question = question;
@@ -95,7 +80,9 @@ CertifiedPlan verify_installation(const Scene& scene, const Question& question, 
   LabelRounds verdicts(scene, certificate.labels);
   try {
     while (true) {
-      const std::vector<std::uint32_t> rows = undecided(certificate.labels);
+      std::vector<std::uint32_t> rows;
+      for (std::uint32_t i = 0; i < certificate.labels.size(); ++i)
+        if (certificate.labels[i].verdict == Verdict::undecided) rows.push_back(i);
       if (rows.empty()) break;
       if (rounds.round() > 0) {
         certificate.open = why_no_more(rounds, verdicts, verdicts.cost_of_next());

@@ -49,15 +49,8 @@ class CountedSignals {
   std::vector<std::uint32_t> column_;
 };
 
-// What each label gets, batch by batch, the known part included.
-struct Batches {
-  std::uint32_t count = 0;
-  std::vector<float> signal;  ///< of label i from i * count on
-
-  std::span<const float> of(std::size_t label) const {
-    return std::span(signal).subspan(label * count, count);
-  }
-};
+// By label what it gets, batch by batch, the known part included.
+using Batches = std::vector<std::vector<float>>;
 
 // One material after the other, at some of the labels.
 class Steps {
@@ -89,15 +82,15 @@ class Steps {
     step.least = margin_of(batches, weakest_label);
     double changes = 0;
     for (std::size_t i = 0; i < requirement_.size(); ++i) {
-      const double before = mean(as_given_.of(i)), after = mean(batches.of(i));
+      const double before = mean(as_given_[i]), after = mean(batches[i]);
       if (before > 0) changes += after / before - 1;
       if (!is_met(after, requirement_[i])) ++step.labels_short;
     }
     step.mean_change = changes / static_cast<double>(requirement_.size());
     Moments difference;
     for (std::uint32_t b = 0; b < batches_; ++b)
-      difference.add(static_cast<double>(batches.of(weakest_label)[b]) -
-                     static_cast<double>(as_given_.of(weakest_label)[b]));
+      difference.add(static_cast<double>(batches[weakest_label][b]) -
+                     static_cast<double>(as_given_[weakest_label][b]));
     step.change = difference.mean() / requirement_[weakest_label];
     step.change_error = difference.standard_error() / requirement_[weakest_label];
     return step;
@@ -109,17 +102,15 @@ class Steps {
   }
 
   Batches sample(const Scene& scene) const {
-    Batches batches{batches_, std::vector<float>(requirement_.size() * batches_)};
-    std::vector<std::uint32_t> taken(requirement_.size(), 0);
+    Batches batches(requirement_.size());
     const auto take = [&](const BatchRow& row) {
-      batches.signal[row.label * batches_ + taken[row.label]++] =
-          static_cast<float>(counted_(row.label, row.values));
+      batches[row.label].push_back(static_cast<float>(counted_(row.label, row.values)));
     };
     const BatchRun run = sample_batches(scene, simulation_, batches_, take, control_);
     const std::size_t columns = scene.transceivers.size();
     for (std::size_t i = 0; i < requirement_.size(); ++i) {
       const auto known = static_cast<float>(counted_(i, std::span(run.known).subspan(i * columns, columns)));
-      for (std::uint32_t b = 0; b < batches_; ++b) batches.signal[i * batches_ + b] += known;
+      for (float& signal : batches[i]) signal += known;
     }
     return batches;
   }
@@ -127,13 +118,13 @@ class Steps {
   // The first of several; a scene has a label at least.
   std::size_t weakest(const Batches& batches) const {
     std::vector<double> ratio(requirement_.size());
-    for (std::size_t i = 0; i < ratio.size(); ++i) ratio[i] = mean(batches.of(i)) / requirement_[i];
+    for (std::size_t i = 0; i < ratio.size(); ++i) ratio[i] = mean(batches[i]) / requirement_[i];
     return static_cast<std::size_t>(std::min_element(ratio.begin(), ratio.end()) - ratio.begin());
   }
 
   LeastMargin margin_of(const Batches& batches, std::size_t label) const {
     Moments moments;
-    for (const float value : batches.of(label)) moments.add(static_cast<double>(value));
+    for (const float value : batches[label]) moments.add(static_cast<double>(value));
     return {moments.mean() / requirement_[label], moments.standard_error() / requirement_[label],
             labels_[label]};
   }

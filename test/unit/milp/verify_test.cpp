@@ -54,16 +54,16 @@ TEST(MilpVerify, RejectsWrongClaims) {
 
 TEST(MilpVerify, ScalesCostsByPowersOfTwo) {
   Model model = test::triangle();
-  EXPECT_EQ(detail::objective_scale(model.columns), 1);  // whole costs stay
+  EXPECT_EQ(objective_scale(model.columns), 1);  // whole costs stay
   for (const double cost : {0.3, 1e-300, 1e-9, 700.5, 1e300, -1e-5}) {
     model.columns[0].cost = cost;
     model.columns[1].cost = model.columns[2].cost = 0;
-    const double scaled = std::abs(cost) * detail::objective_scale(model.columns);
+    const double scaled = std::abs(cost) * objective_scale(model.columns);
     EXPECT_GE(scaled, 512);
     EXPECT_LT(scaled, 1024);
   }
   model.columns[0].cost = 0;
-  EXPECT_EQ(detail::objective_scale(model.columns), 1);
+  EXPECT_EQ(objective_scale(model.columns), 1);
 }
 
 }  // namespace

@@ -26,21 +26,20 @@ std::vector<Critical> critical_units(const SignalTable& table, const Question& q
                                      const std::vector<std::uint32_t>& selected) {
   Question nothing_fails = question;
   nothing_fails.redundant = false;
-  constexpr std::size_t none = ~std::size_t{0};
-  std::vector<std::size_t> place(table.columns(), none);
+  std::vector<std::size_t> place(table.columns(), 0);
+  std::vector<bool> working(table.columns(), false);
   std::vector<Critical> result;
   for (const std::uint32_t j : selected) {
     place[j] = result.size();
+    working[j] = true;
     result.push_back({j, {}});
   }
-  std::vector<bool> working(table.columns(), false);
-  for (const std::uint32_t j : selected) working[j] = true;
   std::vector<SignalEntry> heard;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
     const double requirement = requirement_of(table.labels[i], question.model);
     heard.clear();
     for (const SignalEntry& entry : table.row(i))
-      if (place[entry.transceiver] != none) heard.push_back(entry);
+      if (working[entry.transceiver]) heard.push_back(entry);
     if (!is_met(received_signal(heard, working, nothing_fails), requirement)) continue;
     for (const SignalEntry& entry : heard) {
       working[entry.transceiver] = false;

@@ -11,21 +11,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// sum_i y_i b_i and, per column, sum_i y_i a_ij.
-struct WeighedRows {
-  double bound = 0;
-  std::vector<double> weight;
-
-  WeighedRows(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
-              std::span<const double> y, std::size_t most_units)
-      : weight(table.columns(), 0.0) {
-    BoundRowReader reader(table, question, most_units);
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      if (y[k] > 0 && std::isfinite(y[k]))
-        bound += y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
-  }
-};
-
 /// A mounting point that no unit is installed at, or a column with a point of its own.
 struct Point {
   std::vector<std::uint32_t> options;
@@ -101,12 +86,16 @@ void take_points(std::vector<Point> points, std::size_t least, std::size_t most,
 DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
                      std::span<const double> y, std::span<const double> cost, const AnswerSet& answers) {
   const std::size_t n = table.columns();
-  const WeighedRows weighed(table, question, rows, y, answers.most);
-  DualBound dual{weighed.bound, std::vector<double>(n, 0.0), {}};
-  double added = weighed.bound;
+  DualBound dual{0, std::vector<double>(n, 0.0), {}};
+  std::vector<double> weight(n, 0.0);  // sum_i y_i a_ij
+  BoundRowReader reader(table, question, answers.most);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (y[k] > 0 && std::isfinite(y[k]))
+      dual.bound += y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
+  double added = dual.bound;
   for (std::size_t j = 0; j < n; ++j) {
-    dual.reduced_cost.push_back(cost[j] - weighed.weight[j]);
-    added += std::abs(cost[j]) + weighed.weight[j];
+    dual.reduced_cost.push_back(cost[j] - weight[j]);
+    added += std::abs(cost[j]) + weight[j];
   }
 
   if (!std::isfinite(added)) {

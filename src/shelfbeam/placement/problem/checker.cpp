@@ -6,30 +6,6 @@
 
 namespace shelfbeam {
 
-namespace {
-
-struct Received {
-  double sum = 0;
-  std::uint32_t alone = 0;      ///< units that reach the label alone
-  std::uint32_t effective = 0;  ///< units that count as effective links
-};
-
-Received receive(const SignalTable& table, const Question& question, std::size_t i,
-                 const std::vector<bool>& chosen) {
-  const SignalTable::Label& label = table.labels[i];
-  const double effective = question.share * requirement_of(label, question.model);
-  Received result;
-  for (const SignalEntry& entry : table.row(i)) {
-    if (!chosen[entry.transceiver]) continue;
-    result.sum += entry.signal;
-    if (is_met(entry.signal, label.single_requirement)) ++result.alone;
-    if (is_met(entry.signal, effective)) ++result.effective;
-  }
-  return result;
-}
-
-}  // namespace
-
 Check check_selection(const SignalTable& table, const Question& question,
                       std::span<const std::uint32_t> selected) {
   std::vector<bool> chosen(table.columns(), false);
@@ -44,22 +20,29 @@ Check check_selection(const SignalTable& table, const Question& question,
   for (std::size_t j = 0; j < table.columns(); ++j)
     if (chosen[j]) check.transceiver_cost += table.transceivers[j].cost;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    const Received received = receive(table, question, i, chosen);
+    const double requirement = requirement_of(table.labels[i], question.model);
+    double sum = 0;
+    std::uint32_t alone = 0, effective = 0;  // units that reach it alone, and that count as effective links
+    for (const SignalEntry& entry : table.row(i)) {
+      if (!chosen[entry.transceiver]) continue;
+      sum += entry.signal;
+      if (is_met(entry.signal, table.labels[i].single_requirement)) ++alone;
+      if (is_met(entry.signal, question.share * requirement)) ++effective;
+    }
     check.signal.push_back(received_signal(table, i, chosen, question));
-    check.serving.push_back(received.alone);
-    if (!is_met(check.signal.back(), requirement_of(table.labels[i], question.model)))
-      check.unmet.push_back(static_cast<std::uint32_t>(i));
+    check.serving.push_back(alone);
+    if (!is_met(check.signal.back(), requirement)) check.unmet.push_back(static_cast<std::uint32_t>(i));
     switch (question.objective) {
       case Objective::count:
         break;
       case Objective::links:
-        check.objective += cost[i] * (cooperative ? count : received.alone);
+        check.objective += cost[i] * (cooperative ? count : alone);
         break;
       case Objective::effective_links:
-        check.objective += cost[i] * received.effective;
+        check.objective += cost[i] * effective;
         break;
       case Objective::signal:
-        check.objective += cost[i] * received.sum;
+        check.objective += cost[i] * sum;
         break;
     }
   }
