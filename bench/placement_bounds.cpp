@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/milp/solver.hpp"
-#include "shelfbeam/placement/bound/lp_bound.hpp"
+#include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
 #include "placement_instances.hpp"

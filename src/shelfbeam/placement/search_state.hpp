@@ -10,7 +10,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/deadline.hpp"
-#include "shelfbeam/placement/bound/lp_bound.hpp"
+#include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/placement_search.hpp"
 #include "shelfbeam/placement/problem/bounds.hpp"

@@ -1,5 +1,3 @@
-#include "shelfbeam/stats/moments.hpp"
-
 #include <cmath>
 #include <cstdint>
 
@@ -8,6 +6,7 @@
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/stats/distributions.hpp"
+#include "shelfbeam/stats/moments.hpp"
 
 namespace shelfbeam {
 namespace {

@@ -1,9 +1,4 @@
-#include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,190 +7,16 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/text.hpp"
-#include "shelfbeam/device/photometry/photometric_lines.hpp"
+#include "shelfbeam/device/photometry/ies_data.hpp"
 #include "shelfbeam/device/photometry/photometry.hpp"
-#include "shelfbeam/device/photometry/planes.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
+using detail::IesData;
 using detail::PhotometricLines;
 using detail::Plane;
-
-/// What an LM-63 file holds, as it stands there: symmetries not unfolded.
-struct IesData {
-  enum class Type { c = 1, b = 2 };
-  Type type = Type::c;
-  std::vector<double> vertical;  ///< degrees, ascending
-  std::vector<Plane> planes;  ///< horizontal angles in degrees, ascending; values in cd, all factors applied
-  std::size_t vertical_line = 0, horizontal_line = 0;  ///< where the angles stand
-};
-
-constexpr std::string_view separators = " \t,";
-
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return result;
-}
-
-bool is_tilt(std::string_view line) {
-  return upper(line.substr(0, 4)) == "TILT" && trim(line.substr(4)).starts_with('=');
-}
-
-/// Reads one file, a complete one of type C or B; after each step `lines_` stands behind the record that
-/// errors are about.
-class IesReader {
- public:
-  explicit IesReader(PhotometricLines& lines) : lines_(lines) {}
-
-  IesData read() {
-    read_label();
-    read_lamp();
-    data_.vertical = read_angles("vertical angle", verticals_);
-    data_.vertical_line = lines_.line();
-    const std::vector<double> horizontal = read_angles("horizontal angle", horizontals_);
-    data_.horizontal_line = lines_.line();
-    for (const double angle : horizontal) data_.planes.push_back({angle, read_intensities(angle)});
-    lines_.expect_end();
-    return std::move(data_);
-  }
-
- private:
-  /// Numbers on whole lines: a record may go over several lines, but never ends inside one.
-  std::vector<double> record(std::size_t count, std::string_view what) {
-    std::vector<double> values;
-    values.reserve(count);
-    while (values.size() < count) {
-      add_numbers(lines_.next(what), what, values);
-      if (values.size() > count)
-        lines_.fail(fmt::format("has more numbers than the {} of {}", count, what),
-                    "check the counts; a comma separates numbers, so decimals need a point");
-    }
-    return values;
-  }
-
-  void add_numbers(std::string_view line, std::string_view what, std::vector<double>& values) const {
-    for (std::size_t begin = line.find_first_not_of(separators); begin != std::string_view::npos;
-         begin = line.find_first_not_of(separators)) {
-      line.remove_prefix(begin);
-      const std::string_view word = line.substr(0, line.find_first_of(separators));
-      const auto value = detail::finite_number(word);
-      if (!value)
-        lines_.fail(fmt::format("'{}' is no number, where {} should be", detail::quoted(word), what),
-                    "check that the line is complete and that none is missing before it");
-      values.push_back(*value);
-      line.remove_prefix(word.size());
-    }
-  }
-
-  /// A count of numbers that are still to come: each takes a character.
-  std::size_t extent(double value, std::string_view what) const {
-    const std::size_t count = lines_.whole(value, 1, std::numeric_limits<std::uint32_t>::max(), what);
-    if (count > lines_.characters())
-      lines_.fail(fmt::format("{} is {}, which is more than the file can hold", what, count),
-                  "fetch the file again: it is truncated, or its counts are wrong");
-    return count;
-  }
-
-  void read_label() {
-    std::string_view line = lines_.next("the first line");
-    read_edition(line);
-    while (!is_tilt(line)) {
-      if (lines_.at_end())
-        lines_.fail(0, "has no line TILT=...: it is no IES (LM-63) file, or it is truncated",
-                    "an EULUMDAT file has the type 'eulumdat'");
-      line = lines_.next("TILT=");
-    }
-    read_tilt(trim(line.substr(line.find('=') + 1)));
-  }
-
-  void read_edition(std::string_view line) {
-    const std::string tag = upper(line);
-    if (tag.starts_with("IESNA91")) year_ = 1991;
-    for (const std::string_view prefix : {"IESNA:LM-63-", "IES:LM-63-"}) {
-      if (!tag.starts_with(prefix)) continue;
-      const std::string year = tag.substr(prefix.size());
-      year_ = 0;
-      for (const int known : {1986, 1991, 1995, 2002, 2019})
-        if (year == fmt::format("{}", known) || year == fmt::format("{:02}", known % 100)) year_ = known;
-      if (year_ == 0)
-        lines_.fail(fmt::format("'{}' is no known edition of LM-63", detail::quoted(line)),
-                    "known: 1986, 1991, 1995, 2002, 2019");
-    }
-  }
-
-  void read_tilt(std::string_view value) {
-    const std::string kind = upper(value);
-    if (kind == "NONE") return;
-    if (kind != "INCLUDE")
-      lines_.fail(fmt::format("TILT is '{}'", detail::quoted(value)),
-                  "NONE and INCLUDE are read; factors for the tilt only scale a profile, so write TILT=NONE");
-    // The factors scale all intensities alike, by how the unit is mounted: the shape does not depend on them.
-    lines_.whole(record(1, "the lamp-to-luminaire geometry")[0], 1, 3, "the lamp-to-luminaire geometry");
-    const std::size_t count = extent(record(1, "the number of tilt angles")[0], "the number of tilt angles");
-    const std::vector<double> angles = record(count, "the tilt angles");
-    if (angles.front() < 0 || angles.back() > 180 || !std::is_sorted(angles.begin(), angles.end()))
-      lines_.fail("the tilt angles do not ascend within 0 to 180", "check that none is missing");
-    for (const double factor : record(count, "the tilt factors"))
-      if (factor < 0) lines_.fail(fmt::format("a tilt factor is {}", factor), "factors are not negative");
-  }
-
-  void read_lamp() {
-    const std::vector<double> lamp = record(10, "the lamp data");
-    verticals_ = extent(lamp[3], "the number of vertical angles");
-    horizontals_ = extent(lamp[4], "the number of horizontal angles");
-    if (verticals_ < 2) lines_.fail("there is one vertical angle", "at least two are needed");
-    if (horizontals_ > lines_.characters() / verticals_)
-      lines_.fail(
-          fmt::format("{} x {} intensities are more than the file can hold", verticals_, horizontals_),
-          "check the counts; fetch the file again if it is truncated");
-    const std::size_t type = lines_.whole(lamp[5], 1, 3, "the photometric type");
-    if (type == 3)
-      lines_.fail("the photometric type is 3 (type A), which is not read", "convert the file to type C");
-    data_.type = static_cast<IesData::Type>(type);
-    lines_.whole(lamp[6], 1, 2, "the type of units");
-
-    const std::vector<double> ballast = record(3, "the ballast data");
-    const double multiplier = lamp[2];
-    // Later editions have another meaning in the place of the ballast-lamp factor.
-    const double ballast_lamp = year_ <= 1991 ? ballast[1] : 1;
-    factor_ = multiplier * ballast[0] * ballast_lamp;
-    if (!(multiplier > 0 && ballast[0] > 0 && ballast_lamp > 0))
-      lines_.fail(fmt::format("the multiplier {} or one of the ballast factors {} and {} is not above 0",
-                              multiplier, ballast[0], ballast_lamp),
-                  "factors are positive, and 1 where they do not matter");
-  }
-
-  std::vector<double> read_angles(std::string_view what, std::size_t count) {
-    std::vector<double> angles = record(count, fmt::format("the {}s", what));
-    for (double& angle : angles) angle = detail::snapped(angle);
-    for (std::size_t k = 1; k < count; ++k)
-      if (!(angles[k] > angles[k - 1]))
-        lines_.fail(fmt::format("the {} {} follows {}", what, angles[k], angles[k - 1]), "angles ascend");
-    return angles;
-  }
-
-  std::vector<double> read_intensities(double horizontal) {
-    std::vector<double> values =
-        record(verticals_, fmt::format("the intensities at horizontal angle {}", horizontal));
-    for (double& value : values) {
-      if (value < 0) lines_.fail(fmt::format("an intensity is {}", value), "intensities are not negative");
-      value *= factor_;
-      if (!std::isfinite(value))
-        lines_.fail("an intensity is not finite", "check the intensities and the multiplier");
-    }
-    return values;
-  }
-
-  PhotometricLines& lines_;
-  IesData data_;
-  int year_ = 1986;  ///< the first edition has no tag
-  std::size_t verticals_ = 0, horizontals_ = 0;
-  double factor_ = 1;
-};
 
 [[noreturn]] void bad_range(const PhotometricLines& lines, std::size_t line, const char* what, double first,
                             double last, const char* legal) {
@@ -254,7 +75,7 @@ DirectionTable type_b(IesData data, const PhotometricLines& lines) {
 
 DirectionTable parse_ies(std::string_view text, const std::string& name) {
   PhotometricLines lines(text, name);
-  IesData data = IesReader(lines).read();
+  IesData data = detail::read_ies_data(lines);
   return lines.checked(data.type == IesData::Type::b ? type_b(std::move(data), lines)
                                                      : type_c(std::move(data), lines));
 }

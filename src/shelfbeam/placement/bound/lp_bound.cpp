@@ -8,88 +8,15 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/deadline.hpp"
-#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/bound/cover_cuts.hpp"
+#include "shelfbeam/placement/bound/row_pricing.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
 
 constexpr double row_tolerance = 1e-6;
-
-/// Finds labels whose rows a fractional selection violates, spread over the shop: labels with the same
-/// strongest unit are neighbours, and one of them is enough at a time.
-class RowPricing {
- public:
-  /// For answers of at most so many units.
-  RowPricing(const SignalTable& table, const Question& question, std::size_t most_units)
-      : rows_(table.rows()),
-        columns_(table.columns()),
-        cover_(table, question, most_units),
-        strongest_(rows_, static_cast<std::uint32_t>(columns_)),
-        total_(rows_, 0.0) {
-    for_parts(rows_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        // By the signal itself: where one unit is enough, a_ij is 1 for many.
-        double largest = 0;
-        for (const SignalEntry& entry : table.row(i)) {
-          if (entry.signal <= largest) continue;
-          largest = entry.signal;
-          strongest_[i] = entry.transceiver;
-        }
-        cover_.for_entries(i, [&](std::uint32_t, double a) { total_[i] += a; });
-      }
-    });
-  }
-
-  /// For every strongest unit the label that could get least, in ascending order.
-  std::vector<std::uint32_t> hardest() const {
-    constexpr std::uint32_t none = ~std::uint32_t{0};
-    std::vector<std::uint32_t> best(columns_ + 1, none);
-    for (std::uint32_t i = 0; i < rows_; ++i) {
-      std::uint32_t& label = best[strongest_[i]];
-      if (label == none || total_[i] < total_[label]) label = i;
-    }
-    std::erase(best, none);
-    std::sort(best.begin(), best.end());
-    return best;
-  }
-
-  struct Violated {
-    double by = 0;
-    std::uint32_t label = 0;
-  };
-  /// The labels that `x` violates by more than `tolerance`, the worst of every strongest unit, worst first,
-  /// at most so many; `known` (one a label) are left out. One scan of the table on the threads of the present
-  /// arena.
-  std::vector<Violated> violated(std::span<const double> x, double tolerance, std::size_t most,
-                                 const std::vector<bool>& known) const {
-    std::vector<double> lacking(rows_);
-    for_parts(rows_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        lacking[i] = cover_.bound();
-        cover_.for_entries(i, [&](std::uint32_t j, double a) { lacking[i] -= a * x[j]; });
-      }
-    });
-    std::vector<Violated> worst(columns_ + 1);
-    for (std::uint32_t i = 0; i < rows_; ++i)
-      if (!known[i] && lacking[i] > worst[strongest_[i]].by) worst[strongest_[i]] = {lacking[i], i};
-    std::erase_if(worst, [&](const Violated& row) { return row.by <= tolerance; });
-    std::sort(worst.begin(), worst.end(), [](const Violated& a, const Violated& b) {
-      return a.by != b.by ? a.by > b.by : a.label < b.label;
-    });
-    worst.resize(std::min(worst.size(), most));
-    return worst;
-  }
-
- private:
-  std::size_t rows_;
-  std::size_t columns_;
-  CoverRows cover_;
-  std::vector<std::uint32_t> strongest_;  ///< per label; columns_ where nothing reaches it
-  std::vector<double> total_;             ///< per label: sum_j a_ij
-};
 
 class RowGeneration {
  public:

@@ -12,6 +12,10 @@
 
 namespace shelfbeam {
 
+namespace detail {
+class RecordWriter;
+}
+
 /// What a simulation must have in common with a checkpoint to go on from it: names and values, in a fixed
 /// order. Neither holds a line break.
 using CheckpointIdentity = std::vector<std::pair<std::string, std::string>>;
@@ -46,16 +50,14 @@ class CheckpointFile {
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  class RecordWriter;
-
   void append(const std::function<CheckpointState(std::uint32_t item)>& state);
   void rewrite(const std::function<CheckpointState(std::uint32_t item)>& state);
 
   std::filesystem::path path_;
   CheckpointIdentity identity_;
-  std::vector<std::uint32_t> saved_;   ///< batches in the file, by item
-  std::uint64_t size_ = 0;             ///< of what is good of the file; 0: there is none, or it is not ours
-  std::unique_ptr<RecordWriter> own_;  ///< the file that this process has made
+  std::vector<std::uint32_t> saved_;  ///< batches in the file, by item
+  std::uint64_t size_ = 0;            ///< of what is good of the file; 0: there is none, or it is not ours
+  std::unique_ptr<detail::RecordWriter> own_;  ///< the file that this process has made
 };
 
 /// The checkpoint that belongs to an output, beside it.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -15,7 +14,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/memory.hpp"
-#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/signal/hdf5/file_checksum.hpp"
 #include "shelfbeam/signal/text_file.hpp"
 
 namespace shelfbeam::detail {
@@ -87,45 +86,7 @@ bool is_ascii(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
 }
 
-// The HDF5 library trusts its files more than it may. So a file that we write begins with a line of text that
-// holds the XXH3-128 of all bytes behind the line, and damage is found before the library sees it.
-
-// The line and zeros behind it. HDF5 leaves such a "user block" alone; it takes no smaller one.
-constexpr std::size_t checksum_block = 512;
-constexpr std::string_view title = "shelfbeam signal file, XXH3-128 of what follows this line: ";
-constexpr std::size_t line_length = title.size() + 32 + 1;
-static_assert(line_length <= checksum_block);
-
-// The line as the bytes behind it call for.
-std::string line_of(std::istream& file) {
-  file.seekg(line_length);
-  return std::string(title) + content_hash(file) + "\n";
-}
-
-// Fills the block of a file that is complete otherwise.
-void write_file_checksum(const std::filesystem::path& path, const std::string& name) {
-  errno = 0;
-  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
-  const std::string line = line_of(file);
-  if (!file.bad()) file.clear();  // it is at its end
-  file.seekp(0);
-  file << line << std::flush;
-  if (!file) cannot_write(name, system_reason());
-}
-
-// Throws InputError unless all bytes of a file that has a checksum are those that were written.
-void verify_file_checksum(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (read_first_bytes(path, line_length) != line_of(file))
-    throw InputError(path.string(), "is damaged, or was changed: its checksum does not fit",
-                     "simulate it again, or cut off its first 512 bytes if the change was meant");
-}
-
 }  // namespace
-
-bool has_file_checksum(const std::filesystem::path& path) {
-  return read_first_bytes(path, title.size()) == title;
-}
 
 struct Hdf5Writer::File {
   Silence silence;

@@ -15,9 +15,6 @@
 
 namespace shelfbeam::detail {
 
-/// Whether the file begins with a checksum. Throws InputError when it cannot be read.
-bool has_file_checksum(const std::filesystem::path& path);
-
 using Shape = std::vector<std::size_t>;
 
 /// The number types that data sets and attributes hold.

@@ -11,6 +11,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/signal/hdf5/file_checksum.hpp"
 #include "shelfbeam/signal/hdf5/hdf5_io.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/signal/text_file.hpp"

@@ -1,5 +1,3 @@
-#include "shelfbeam/placement/bound/lp_bound.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -7,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 
 #include "unit/placement/brute_force.hpp"

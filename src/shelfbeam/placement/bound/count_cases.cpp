@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/placement/bound/count_bound.hpp"
+#include "shelfbeam/placement/problem/cover_rows.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+// A label, and the columns that give it a share or more.
+struct Split {
+  BoundRow row;
+  std::vector<std::uint32_t> strong;
+};
+
+class Cases {
+ public:
+  Cases(const SignalTable& table, const Question& question, const milp::Backend& backend, std::size_t most,
+        double time_limit_s, const RunControl& control)
+      : table_(table),
+        question_(question),
+        backend_(backend),
+        most_(most),
+        enough_(static_cast<double>(most) + 1e-6),
+        deadline_(time_limit_s),
+        control_(control),
+        cover_(table, question, most),
+        ones_(table.columns(), 1.0) {}
+
+  // Whether no answer is left among those that `open` bounds, which lack `without`.
+  bool close(const LpBound& open, const std::vector<std::uint32_t>& without) {
+    if (open.dual.bound >= enough_) return true;
+    if (open.x.empty()) return false;
+    const std::optional<Split> split = best_split(open);
+    if (!split) return false;
+    std::vector<BoundRow> with_strong = rows_of(open);
+    with_strong.push_back(split->row);
+    if (!close_case(open, std::move(with_strong), without)) return false;
+    std::vector<std::uint32_t> without_strong = without;
+    without_strong.insert(without_strong.end(), split->strong.begin(), split->strong.end());
+    return is_empty(open, without_strong) || close_case(open, rows_of(open), without_strong);
+  }
+
+ private:
+  static constexpr int most_cases = 64;
+  static constexpr double deepest = 5;  // levels
+
+  // Whether some label cannot be met without these columns.
+  bool is_empty(const LpBound& open, const std::vector<std::uint32_t>& without) const {
+    constexpr double rounding = 1e-9;
+    std::vector<bool> is_out(table_.columns(), false);
+    for (const std::uint32_t j : without) is_out[j] = true;
+    return std::any_of(open.labels.begin(), open.labels.end(), [&](std::uint32_t label) {
+      double most = 0;
+      cover_.for_entries(label, [&](std::uint32_t j, double a) { most += is_out[j] ? 0 : a; });
+      return most * (1 + rounding) < cover_.bound();
+    });
+  }
+
+  bool close_case(const LpBound& open, std::vector<BoundRow> rows,
+                  const std::vector<std::uint32_t>& without) {
+    const double left = deadline_.seconds_left();
+    if (left <= 0 || control_.cancelled() || ++cases_ > most_cases) return false;
+    control_.report("bound", -1, fmt::format("at most {} units, case {}", most_, cases_));
+    const LpBound bound = lp_bound(table_, question_, ones_, backend_,
+                                   {.time_limit_s = left,
+                                    .enough = enough_,
+                                    .answers = {.most = most_, .without = without},
+                                    .rows = std::move(rows)},
+                                   {control_.threads, control_.cancel});
+    if (bound.dual.bound >= enough_) return true;
+    // Given up where it would take more than `deepest` further levels at this pace.
+    const double gained = bound.dual.bound - open.dual.bound, lacking = enough_ - bound.dual.bound;
+    return bound.complete && lacking <= deepest * gained && close(bound, without);
+  }
+
+  // Of the labels with multipliers, one whose strong columns have about half a unit in the LP.
+  std::optional<Split> best_split(const LpBound& open) const {
+    std::vector<double> weight(table_.rows(), 0.0);
+    for (std::size_t k = 0; k < open.rows.size(); ++k) weight[open.rows[k].label] += open.y[k];
+    std::optional<Split> best;
+    double most = 0;
+    for (std::uint32_t label = 0; label < table_.rows(); ++label) {
+      if (weight[label] <= most) continue;
+      std::optional<Split> split = halved(label, open.x);
+      if (!split) continue;
+      most = weight[label];
+      best = std::move(split);
+    }
+    return best;
+  }
+
+  std::optional<Split> halved(std::uint32_t label, const std::vector<double>& x) const {
+    constexpr double least_part = 0.5, most_part = 0.8;
+    struct Term {
+      double a = 0;
+      std::uint32_t column = 0;
+    };
+    std::vector<Term> terms;
+    cover_.for_entries(label, [&](std::uint32_t j, double a) { terms.push_back({a, j}); });
+    std::sort(terms.begin(), terms.end(),
+              [](const Term& s, const Term& t) { return s.a != t.a ? s.a > t.a : s.column < t.column; });
+    double sum = 0;
+    std::size_t count = 0;
+    while (count < terms.size() && sum < least_part) {
+      const double a = terms[count].a;
+      while (count < terms.size() && terms[count].a == a) sum += x[terms[count++].column];
+    }
+    if (!(sum >= least_part && sum <= most_part)) return std::nullopt;
+    Split split;
+    split.row.label = label;
+    split.row.strongest = terms[count - 1].a;
+    for (std::size_t k = 0; k < count; ++k) split.strong.push_back(terms[k].column);
+    return split;
+  }
+
+  const SignalTable& table_;
+  const Question& question_;
+  const milp::Backend& backend_;
+  std::size_t most_;
+  double enough_;
+  Deadline deadline_;
+  const RunControl& control_;
+  CoverRows cover_;
+  std::vector<double> ones_;
+  int cases_ = 0;
+};
+
+}  // namespace
+
+bool needs_more(const SignalTable& table, const Question& question, const milp::Backend& backend,
+                std::size_t most, const LpBound& open, double time_limit_s, const RunControl& control) {
+  constexpr double most_lacking = 0.5;
+  if (open.dual.bound < static_cast<double>(most) - most_lacking) return false;
+  return Cases(table, question, backend, most, time_limit_s, control).close(open, {});
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,166 @@
+#pragma once
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/signal/checkpoint/checkpoint.hpp"
+
+// The bytes of a checkpoint file: a line, the identity as a record, a record for every state.
+
+namespace shelfbeam::detail {
+
+/// The length of a record with so many bytes of content.
+constexpr std::uint64_t record_size(std::uint64_t content) {
+  return 3 * sizeof(std::uint64_t) + content;
+}
+constexpr std::uint64_t state_size(std::size_t values) {
+  return record_size(2 * sizeof(std::uint32_t) + values * sizeof(double));
+}
+
+// Before the content of a record: its length, its hash, and a hash of both and the place in the file.
+struct RecordHead {
+  std::uint64_t length, content_hash, own_hash;
+};
+
+inline std::uint64_t hash_of_head(std::uint64_t length, std::uint64_t content_hash, std::uint64_t place) {
+  const std::array<std::uint64_t, 3> values{length, content_hash, place};
+  return hash64({reinterpret_cast<const char*>(values.data()), sizeof values});
+}
+
+/// Reads them back. What is cut off at the end is no record; anything else that does not fit its checksum
+/// throws InputError.
+class RecordReader {
+ public:
+  explicit RecordReader(const std::filesystem::path& path)
+      : name_(path.string()), file_(std::fopen(path.c_str(), "rb")) {
+    if (!file_)
+      throw InputError(name_, fmt::format("cannot be read ({})", system_reason()), "check its permissions");
+    size_ = std::filesystem::file_size(path);
+  }
+
+  bool line(std::string_view expected) {
+    std::string found(expected.size(), '\0');
+    if (read(found.data(), found.size()) != found.size() || found != expected) return false;
+    good_ = expected.size();
+    return true;
+  }
+  /// The content of the next record, until the next call; nothing at the end.
+  std::optional<std::string_view> next() {
+    RecordHead head;
+    if (size_ - good_ < sizeof head) return std::nullopt;
+    if (read(&head, sizeof head) != sizeof head ||
+        head.own_hash != hash_of_head(head.length, head.content_hash, good_))
+      fail();
+    const std::uint64_t left = size_ - good_ - sizeof head;
+    if (left < head.length) return std::nullopt;
+    content_.resize(head.length);
+    if (read(content_.data(), content_.size()) != content_.size() || hash64(content_) != head.content_hash)
+      fail();
+    good_ += record_size(head.length);
+    return content_;
+  }
+  std::uint64_t good() const { return good_; }  ///< bytes up to the end of the last record
+  [[noreturn]] void fail() const {
+    throw InputError(name_, fmt::format("is damaged at byte {}", good_),
+                     "delete it, or begin anew without resuming", Setting::resumption);
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::size_t read(void* data, std::size_t size) { return std::fread(data, 1, size, file_.get()); }
+
+  std::string name_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::uint64_t size_ = 0, good_ = 0;
+  std::string content_;
+};
+
+/// Writes records to a file, which it keeps open: whatever another process puts in its place, nobody else's
+/// file is written to. Throws OutputError.
+class RecordWriter {
+ public:
+  /// An existing, empty file. `name` stands for it in errors.
+  RecordWriter(const std::filesystem::path& path, std::string name)
+      : name_(std::move(name)), descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
+    if (descriptor_ < 0) fail();
+  }
+  ~RecordWriter() { ::close(descriptor_); }
+  RecordWriter(const RecordWriter&) = delete;
+  RecordWriter& operator=(const RecordWriter&) = delete;
+
+  void line(std::string_view text) { write(text); }
+  void record(std::string_view content) {
+    RecordHead head{content.size(), hash64(content), 0};
+    head.own_hash = hash_of_head(head.length, head.content_hash, written());
+    write({reinterpret_cast<const char*>(&head), sizeof head});
+    write(content);
+  }
+  void state(std::uint32_t item, const CheckpointState& state) {
+    const std::array<std::uint32_t, 2> numbers{item, state.batches};
+    content_.assign(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+    content_.append(reinterpret_cast<const char*>(state.values.data()), state.values.size_bytes());
+    record(content_);
+  }
+  /// To the disk.
+  void flush() {
+    write_pending();
+    if (::fdatasync(descriptor_) != 0) fail();
+  }
+  std::uint64_t written() const { return flushed_ + pending_.size(); }
+  /// Forgets what comes after so many bytes.
+  void cut(std::uint64_t size) {
+    pending_.clear();
+    flushed_ = size;
+    if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) fail();
+  }
+  /// Whether the file still has this name.
+  bool is_at(const std::filesystem::path& path) const {
+    struct stat there = {}, own = {};
+    return ::stat(path.c_str(), &there) == 0 && ::fstat(descriptor_, &own) == 0 &&
+           there.st_dev == own.st_dev && there.st_ino == own.st_ino;
+  }
+
+ private:
+  void write(std::string_view bytes) {
+    constexpr std::size_t most_pending = 1 << 20;
+    pending_ += bytes;
+    if (pending_.size() >= most_pending) write_pending();
+  }
+  void write_pending() {
+    for (std::size_t done = 0; done < pending_.size();) {
+      const ssize_t count = ::pwrite(descriptor_, pending_.data() + done, pending_.size() - done,
+                                     static_cast<off_t>(flushed_ + done));
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) fail();
+      done += static_cast<std::size_t>(count);
+    }
+    flushed_ += pending_.size();
+    pending_.clear();
+  }
+  [[noreturn]] void fail() const { cannot_write(name_, system_reason()); }
+
+  std::string name_;
+  int descriptor_;
+  std::string pending_, content_;
+  std::uint64_t flushed_ = 0;
+};
+
+}  // namespace shelfbeam::detail

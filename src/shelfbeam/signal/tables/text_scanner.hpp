@@ -1,0 +1,122 @@
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
+
+namespace shelfbeam::detail {
+
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f';
+}
+
+enum class LineBreaks {
+  matter,  ///< a number must stand on the line that is being read; `at_end` moves to the next line
+  blank    ///< a line break is as good as a blank
+};
+
+/// Reads blank-separated numbers from a text; what does not fit throws InputError with file, line and place.
+class TextScanner {
+ public:
+  /// `name` stands for the file in errors. The text must outlive the scanner.
+  TextScanner(std::string_view text, std::string name, LineBreaks line_breaks)
+      : text_(text), name_(std::move(name)), line_breaks_(line_breaks) {}
+
+  /// True when only blanks and line breaks are left; else stands before the next number.
+  bool at_end() {
+    skip_blanks();
+    while (position_ < text_.size() && text_[position_] == '\n') {
+      line_begin_ = ++position_;
+      ++line_;
+      skip_blanks();
+    }
+    return position_ == text_.size();
+  }
+  /// Throws unless the line ends here.
+  void end_line(std::string_view what) {
+    skip_blanks();
+    if (position_ < text_.size() && text_[position_] != '\n')
+      fail(fmt::format("the line goes on after {}", what), "remove the rest or correct the count");
+  }
+
+  /// The next whole number, within [low, high].
+  std::uint32_t whole(std::string_view what, std::uint32_t low, std::uint32_t high) {
+    const std::string_view word = token(what);
+    std::int64_t value = 0;
+    const char* end = word.data() + word.size();
+    const auto [stopped, error] = std::from_chars(word.data(), end, value);
+    if (stopped != end || error == std::errc::invalid_argument)
+      fail(fmt::format("{} is '{}'", what, word.substr(0, 40)), "a whole number is expected");
+    if (error != std::errc{} || value < low || value > high)
+      fail(fmt::format("{} is {}", what, word.substr(0, 40)),
+           fmt::format("a number from {} to {} is expected", low, high));
+    return static_cast<std::uint32_t>(value);
+  }
+  /// The next number; finite and not negative.
+  double amount(std::string_view what) {
+    const std::string_view word = token(what);
+    const auto value = to_number(word);
+    if (!value) fail(fmt::format("{} is '{}'", what, word.substr(0, 40)), "a number is expected");
+    if (const auto problem = amount_problem(*value); !problem.empty())
+      fail(fmt::format("{} {}", what, problem), "a finite number that is not negative is expected");
+    return *value;
+  }
+  /// A count from a file's first line. Throws when it is 0 or so large that the text could not bear it, so
+  /// that memory may be taken for it.
+  std::uint32_t extent(std::string_view what) {
+    // A row or column that nothing refers to needs no character of the text, so small texts get some slack.
+    constexpr std::size_t slack = 1 << 16;
+    const std::uint32_t count = whole(what, 1, std::numeric_limits<std::uint32_t>::max() - 1);
+    if (count > std::max(text_.size(), slack))
+      fail(fmt::format("{} is {}, more than a file of {} characters can hold", what, count, text_.size()),
+           "correct the count, or fetch the file again if it is truncated");
+    return count;
+  }
+
+  /// How many characters have been read.
+  std::size_t position() const { return position_; }
+  /// At the number that was read last.
+  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
+    throw InputError(fmt::format("{}: line {}, character {}", name_, line_, token_ - line_begin_ + 1),
+                     problem, suggestion);
+  }
+
+ private:
+  void skip_blanks() {
+    while (position_ < text_.size() && is_blank(text_[position_])) ++position_;
+    token_ = position_;
+  }
+  std::string_view token(std::string_view what) {
+    if (line_breaks_ == LineBreaks::blank)
+      at_end();
+    else
+      skip_blanks();
+    const std::size_t begin = position_;
+    while (position_ < text_.size() && !is_blank(text_[position_]) && text_[position_] != '\n') ++position_;
+    if (position_ == begin)
+      fail(fmt::format("the {} ends where {} is expected", position_ == text_.size() ? "file" : "line", what),
+           "check that the file is complete and its counts are right");
+    return text_.substr(begin, position_ - begin);
+  }
+
+  std::string_view text_;
+  std::string name_;
+  LineBreaks line_breaks_;
+  std::size_t position_ = 0;
+  std::size_t line_ = 1;
+  std::size_t line_begin_ = 0;
+  std::size_t token_ = 0;  ///< where the last token began, for errors
+};
+
+}  // namespace shelfbeam::detail
