@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/report.hpp"
-#include "shelfbeam/scene/store/store.hpp"
+
+#include "unit/report/sample_store.hpp"
 
 namespace {
 
@@ -20,14 +20,7 @@ constexpr std::size_t kept_candidates = 4;  // one in so many
 constexpr double farthest = 32;             // m
 
 SignalMatrix made_up(const Scene& scene) {
-  SignalMatrix matrix;
-  for (const Label& label : scene.labels) {
-    const LabelType& type = scene.type_of(label);
-    matrix.labels.push_back(
-        {label.id, type.name, label.position, label.normal, type.requirement(), 0, 0, 8, 1000});
-  }
-  for (const Transceiver& t : scene.transceivers)
-    matrix.transceivers.push_back({t.id, scene.type_of(t).name, t.position, t.axis, 1, t.installed});
+  SignalMatrix matrix = sample_store::rows_and_columns_of(scene);
   std::uint32_t at = 0;
   for (const Label& label : scene.labels)
     for (const Transceiver& t : scene.transceivers) {

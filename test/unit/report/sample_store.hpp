@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 // A store with a signal matrix made up from distance, angle and line of sight: good enough to look at, and
 // known without a simulation.
@@ -106,7 +106,8 @@ inline bool blocks(const FixtureOutline& fixture, const Vec3& a, const Vec3& b) 
   return enter < leave;
 }
 
-inline SignalMatrix matrix_of(const Scene& scene) {
+/// Labels and transceivers without signals.
+inline SignalMatrix rows_and_columns_of(const Scene& scene) {
   SignalMatrix matrix;
   for (const Label& label : scene.labels) {
     const LabelType& type = scene.type_of(label);
@@ -115,6 +116,11 @@ inline SignalMatrix matrix_of(const Scene& scene) {
   }
   for (const Transceiver& t : scene.transceivers)
     matrix.transceivers.push_back({t.id, scene.type_of(t).name, t.position, t.axis, 1, t.installed});
+  return matrix;
+}
+
+inline SignalMatrix matrix_of(const Scene& scene) {
+  SignalMatrix matrix = rows_and_columns_of(scene);
   std::uint32_t at = 0;
   for (const Label& label : scene.labels)
     for (const Transceiver& t : scene.transceivers) {
@@ -135,39 +141,11 @@ inline SignalMatrix matrix_of(const Scene& scene) {
   return matrix;
 }
 
-/// Installed units, then always the one that fills most of what labels lack, until all are met.
+/// A greedy selection, as if a solver had proven it.
 inline Placement cover(const SignalMatrix& matrix) {
-  Placement placement;
-  std::vector<double> lack;
-  for (const LabelRow& label : matrix.labels) lack.push_back(label.requirement);
-  const auto choose = [&](std::uint32_t column) {
-    placement.selected.push_back(column);
-    for (std::size_t i = 0; i < lack.size(); ++i)
-      lack[i] = std::max(0.0, lack[i] - static_cast<double>(matrix.mean[matrix.at(i, column)]));
-  };
-  for (std::uint32_t j = 0; j < matrix.columns(); ++j)
-    if (matrix.transceivers[j].installed) choose(j);
-  while (placement.selected.size() < matrix.columns()) {
-    double best = 0;
-    std::uint32_t winner = 0;
-    for (std::uint32_t j = 0; j < matrix.columns(); ++j) {
-      if (std::count(placement.selected.begin(), placement.selected.end(), j) > 0) continue;
-      double filled = 0;
-      for (std::size_t i = 0; i < lack.size(); ++i)
-        filled += std::min(lack[i] / matrix.labels[i].requirement,
-                           static_cast<double>(matrix.mean[matrix.at(i, j)]) / matrix.labels[i].requirement);
-      if (filled > best) {
-        best = filled;
-        winner = j;
-      }
-    }
-    if (best <= 1e-12) break;
-    choose(winner);
-  }
-  std::sort(placement.selected.begin(), placement.selected.end());
+  Placement placement = place(make_signal_table(matrix), {}, {.solver = SolverChoice::greedy});
   placement.status = Status::optimal;
-  placement.count_lower_bound = placement.objective_value = placement.lower_bound =
-      static_cast<double>(placement.count());
+  placement.count_lower_bound = placement.lower_bound = placement.objective_value;
   placement.solver = "HiGHS";
   placement.seconds = 1.25;
   return placement;
