@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "physics/bare_scene.hpp"
 
 namespace shelfbeam::test {

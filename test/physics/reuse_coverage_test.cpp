@@ -1,7 +1,6 @@
 // Whether the standard errors of path reuse can be trusted: how often 95 % intervals from 16 batches hold the
 // true value.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

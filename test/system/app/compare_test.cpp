@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstdint>
 #include <string>
 
 #include <fmt/format.h>

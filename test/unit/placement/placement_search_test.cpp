@@ -1,6 +1,5 @@
 #include "shelfbeam/placement/placement_search.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // The sections that a plan has only where it was asked for them.
 
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 

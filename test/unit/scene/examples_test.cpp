@@ -15,7 +15,6 @@
 #include "shelfbeam/math/places.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
-#include "support/expect_input_error.hpp"
 #include "unit/scene/solids.hpp"
 
 namespace shelfbeam {

@@ -1,6 +1,5 @@
 #include "shelfbeam/stats/log_histogram.hpp"
 
-#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>

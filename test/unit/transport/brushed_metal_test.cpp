@@ -1,7 +1,5 @@
 // The first roughness of a surface is the one along its horizontal direction, on level surfaces along x.
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "shelfbeam/transport/run/simulate.hpp"

@@ -1,7 +1,6 @@
 #include "shelfbeam/material/optics/fresnel.hpp"
 
 #include <cmath>
-#include <vector>
 
 #include <gtest/gtest.h>
 

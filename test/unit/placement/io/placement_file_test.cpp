@@ -1,7 +1,6 @@
 #include "shelfbeam/placement/io/placement_file.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,5 @@
 #include "shelfbeam/placement/mip/export_model.hpp"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "shelfbeam/milp/model.hpp"

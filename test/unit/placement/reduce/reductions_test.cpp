@@ -1,7 +1,6 @@
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <numeric>
 #include <utility>

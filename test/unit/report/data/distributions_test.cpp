@@ -1,7 +1,6 @@
 #include "shelfbeam/report/data/distributions.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 
-#include <map>
 #include <string>
 #include <vector>
 

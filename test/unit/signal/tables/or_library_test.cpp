@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <numeric>
 #include <random>
 #include <set>
 #include <string>

@@ -1,7 +1,6 @@
 #include "shelfbeam/transport/cache/surface_guide.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>

@@ -1,6 +1,5 @@
 #include "shelfbeam/transport/run/engine.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
