@@ -8,6 +8,8 @@
 
 #include "shelfbeam/base/error.hpp"
 
+#include "support/temp_folder.hpp"
+
 namespace shelfbeam::test {
 
 /// The message of the InputError that `action` throws; a test failure and an empty text when it throws none.
@@ -31,6 +33,14 @@ void expect_input_error(const Action& action, const Parts&... parts) {
   const std::string message = input_error(action);
   for (const std::string_view part : {std::string_view(parts)...})
     EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+}
+
+/// Expects that `read` refuses a file of this content, by its path and with every one of `parts`.
+template <class Read, class... Parts>
+void expect_file_refused(const Read& read, std::string_view content, const Parts&... parts) {
+  const TempFolder folder;
+  const auto path = folder.write("file", content);
+  expect_input_error([&] { read(path); }, path.string(), parts...);
 }
 
 }  // namespace shelfbeam::test

@@ -77,7 +77,6 @@ TEST(PlanFile, IsThatOfThePlacementAndMore) {
 }
 
 TEST(PlanFile, RejectsWhatDoesNotFit) {
-  const test::TempFolder folder;
   const std::string whole = plan_json(example_plan(), example());
   struct Case {
     std::string from, to, place, problem;
@@ -94,8 +93,8 @@ TEST(PlanFile, RejectsWhatDoesNotFit) {
     std::string text = whole;
     ASSERT_NE(text.find(from), std::string::npos) << from;
     text.replace(text.find(from), from.size(), to);
-    const auto path = folder.write("p.json", text);
-    test::expect_input_error([&] { read_plan(path, example()); }, "p.json", place, problem);
+    const auto read = [](const auto& path) { read_plan(path, example()); };
+    test::expect_file_refused(read, text, place, problem);
   }
 }
 

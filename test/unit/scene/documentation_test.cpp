@@ -1,3 +1,5 @@
+#include "support/documentation.hpp"
+
 #include <string>
 #include <vector>
 
@@ -12,19 +14,8 @@
 namespace shelfbeam {
 namespace {
 
+using test::fenced_blocks;
 using test::Json;
-
-// The fenced blocks of a kind, in the order of the page.
-std::vector<std::string> blocks(const std::string& kind, const std::string& name = "store.md") {
-  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/" + name);
-  const std::string open = "```" + kind + "\n";
-  std::vector<std::string> found;
-  for (std::size_t at = page.find(open); at != std::string::npos; at = page.find(open, at)) {
-    at += open.size();
-    found.push_back(page.substr(at, page.find("```", at) - at));
-  }
-  return found;
-}
 
 std::vector<std::string> ids_of(const Scene& scene) {
   std::vector<std::string> ids;
@@ -33,7 +24,7 @@ std::vector<std::string> ids_of(const Scene& scene) {
 }
 
 TEST(Documentation, ExampleOfTheStoreFileIsAccepted) {
-  const auto examples = blocks("jsonc");
+  const auto examples = fenced_blocks("store.md", "jsonc");
   ASSERT_EQ(examples.size(), 2u);
   const Scene scene = make_scene(test::read_text(examples[0]));
   EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
@@ -51,31 +42,31 @@ TEST(Documentation, ExampleOfTheStoreFileIsAccepted) {
 
 // The types of a fragment, in the example of the store file.
 Store with_types(const std::string& fragment) {
-  Json store = Json::parse(blocks("jsonc")[0], nullptr, true, true);
+  Json store = Json::parse(fenced_blocks("store.md", "jsonc")[0], nullptr, true, true);
   const Json types = Json::parse(fragment, nullptr, true, true);
   for (const auto& [section, members] : types.items()) store[section].update(members);
   return test::read_text(store.dump(), SHELFBEAM_SOURCE_DIR "/data/photometry");
 }
 
 TEST(Documentation, ExamplesOfTypesAreAccepted) {
-  const Store store = with_types(blocks("jsonc").at(1));
+  const Store store = with_types(fenced_blocks("store.md", "jsonc").at(1));
   EXPECT_EQ(store.materials.size(), 4u + 6);
   ASSERT_EQ(store.label_types.size(), 1u + 3);
   ASSERT_EQ(store.transceiver_types.size(), 1u + 3);
   const Emission& aisle = store.transceiver_types[1].emission;
   EXPECT_NEAR(store.label_types[1].threshold, mean_intensity(aisle, 0) / 36, 1e-15);
-  const Store measured = with_types("{" + blocks("jsonc", "photometry.md").at(0) + "}");
+  const Store measured = with_types("{" + fenced_blocks("photometry.md", "jsonc").at(0) + "}");
   ASSERT_EQ(measured.transceiver_types.size(), 1u + 2);
   EXPECT_NEAR(power(measured.transceiver_types[2].emission), 0.8, 1e-14);
 }
 
 TEST(Documentation, CsvExamplesAreAccepted) {
-  const auto files = blocks("csv");
+  const auto files = fenced_blocks("store.md", "csv");
   ASSERT_EQ(files.size(), 2u);
   const test::TempFolder folder;
   folder.write("labels.csv", files[0]);
   folder.write("units.csv", files[1]);
-  Json store = Json::parse(blocks("jsonc")[0], nullptr, true, true);
+  Json store = Json::parse(fenced_blocks("store.md", "jsonc")[0], nullptr, true, true);
   store["labels"] = {{"csv", "labels.csv"}};
   store["transceivers"]["list"] = {{"csv", "units.csv"}};
   const Scene scene = test::scene_of(store, folder.path());
@@ -85,7 +76,7 @@ TEST(Documentation, CsvExamplesAreAccepted) {
 
 TEST(Documentation, ErrorsAreAsShown) {
   const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/store.md");
-  Json store = Json::parse(blocks("jsonc")[0], nullptr, true, true);
+  Json store = Json::parse(fenced_blocks("store.md", "jsonc")[0], nullptr, true, true);
   const auto expect_shown = [&](const Json& wrong) {
     const std::string message = test::input_error([&] { test::scene_of(wrong); });
     EXPECT_NE(page.find("error: " + message + "\n"), std::string::npos) << message;

@@ -1,9 +1,9 @@
+#include "support/documentation.hpp"
+
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/constraints/apart.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
@@ -14,21 +14,9 @@ namespace {
 
 using test::TempFolder;
 
-// The fenced blocks of a kind, in the order of the page.
-std::vector<std::string> blocks(const std::string& page, const std::string& kind) {
-  const std::string open = "```" + kind + "\n", close = "```";
-  std::vector<std::string> found;
-  for (std::size_t at = page.find(open); at != std::string::npos; at = page.find(open, at)) {
-    at += open.size();
-    const std::size_t end = page.find(close, at);
-    found.push_back(page.substr(at, end - at));
-  }
-  return found;
-}
-
 TEST(Documentation, ExamplesOfTheMatrixFormatsAreRead) {
-  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/matrices.md");
-  const auto csv = blocks(page, "csv"), text = blocks(page, "text");
+  const auto csv = test::fenced_blocks("matrices.md", "csv");
+  const auto text = test::fenced_blocks("matrices.md", "text");
   ASSERT_EQ(csv.size(), 5u);
   ASSERT_EQ(text.size(), 3u);
   const TempFolder folder;

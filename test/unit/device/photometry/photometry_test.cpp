@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/documentation.hpp"
 #include "unit/device/photometry_files.hpp"
 
 namespace shelfbeam {
@@ -169,9 +170,7 @@ TEST(Photometry, TheBatwingIsStrongerTowards90Degrees) {
 }
 
 TEST(Photometry, TheExampleOfTheDocumentationIsRead) {
-  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/photometry.md");
-  const auto begin = page.find("```ies\n") + 7;
-  const DirectionTable table = parse_ies(page.substr(begin, page.find("```", begin) - begin), "example");
+  const DirectionTable table = parse_ies(test::fenced_blocks("photometry.md", "ies").at(0), "example");
   EXPECT_NEAR(value_at(table, 60, 180), 100, 1e-9);
   EXPECT_NEAR(value_at(table, 60, 270), 20, 1e-9);
 }

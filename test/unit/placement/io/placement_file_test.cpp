@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/signal/constraints/apart.hpp"
 
+#include "support/documentation.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
 #include "unit/placement/random_table.hpp"
@@ -125,10 +125,7 @@ TEST(PlacementFile, StatesWhatWasKeptApart) {
 
 // The example of the documentation is an answer to the question that its labels and units make up.
 TEST(PlacementFile, ReadsTheDocumentedExample) {
-  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/placement.md");
-  const std::string fence = "```json\n";
-  const std::size_t begin = page.find(fence) + fence.size();
-  const std::string example = page.substr(begin, page.find("```", begin) - begin);
+  const std::string example = test::fenced_blocks("placement.md", "json").at(0);
   SignalTable table = test::make_table({{1, 0, 0}, {1, 0, 0}, {0.5, 0.75, 0}, {0, 0.25, 1.5}}, 3);
   const std::vector<std::string> labels = {"A1-front-0", "A1-front-1", "B2-back-6", "B2-back-7"};
   for (std::size_t i = 0; i < labels.size(); ++i) table.labels[i].id = labels[i];
@@ -197,23 +194,21 @@ TEST(PlacementFile, WritesWhatWasStoppedWithoutASelection) {
 }
 
 TEST(PlacementFile, RejectsTwoOptionsOfAMountingPoint) {
-  const test::TempFolder folder;
-  const auto path = folder.write("p.json", placement_json(solved(), example()));
   SignalTable table = example();
   table.mounts = {{0, 1}};
-  test::expect_input_error([&] { read_placement(path, table); }, "p.json", "selected", "'T0' and 'T1'",
-                           "one mounting point");
+  test::expect_file_refused([&](const auto& path) { read_placement(path, table); },
+                            placement_json(solved(), example()), "selected", "'T0' and 'T1'",
+                            "one mounting point");
 }
 
 TEST(PlacementFile, RejectsWhatDoesNotFit) {
-  const test::TempFolder folder;
+  const auto read = [](const auto& path) { read_placement(path, example()); };
   const auto expect = [&](const std::string& from, const std::string& to, std::string_view place,
                           std::string_view problem) {
     std::string text = placement_json(solved(), example());
     ASSERT_NE(text.find(from), std::string::npos) << from;
     text.replace(text.find(from), from.size(), to);
-    const auto path = folder.write("p.json", text);
-    test::expect_input_error([&] { read_placement(path, example()); }, "p.json", place, problem);
+    test::expect_file_refused(read, text, place, problem);
   };
   expect("\"T1\"", "\"T7\"", "selected[1]", "T7");
   expect("\"T1\"", "\"T0\"", "selected[1]", "T0");
@@ -231,7 +226,7 @@ TEST(PlacementFile, RejectsWhatDoesNotFit) {
   expect("\"lower_bound\": 3.5", "\"lower_bound\": true", "lower_bound", "number");
   expect("\"unreachable\": []", "\"unreachable\": [{\"label\": \"X\", \"requirement\": 1, \"most\": 0}]",
          "unreachable[0].label", "X");
-  test::expect_input_error([&] { read_placement(folder / "missing.json", example()); }, "missing.json");
+  test::expect_input_error([&] { read("missing.json"); }, "missing.json");
 }
 
 }  // namespace

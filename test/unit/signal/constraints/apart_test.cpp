@@ -78,13 +78,11 @@ TEST(Apart, ReadsPairs) {
 }
 
 TEST(Apart, RefusesBrokenFilesWithPlace) {
-  const test::TempFolder folder;
   SignalMatrix matrix = test::small_matrix();
   matrix.transceivers[4].installed = true;
+  SignalTable table = make_signal_table(matrix);
   const auto refused = [&](std::string_view content, std::string_view place, std::string_view problem) {
-    SignalTable table = make_signal_table(matrix);
-    const auto file = folder.write("p.csv", content);
-    test::expect_input_error([&] { forbid_pairs(table, file); }, "p.csv", place, problem);
+    test::expect_file_refused([&](const auto& path) { forbid_pairs(table, path); }, content, place, problem);
   };
   refused("", "is empty", "'a,b'");
   refused("b,a\n", "line 1", "'a,b'");
@@ -93,8 +91,7 @@ TEST(Apart, RefusesBrokenFilesWithPlace) {
   refused("a,b\nG1-0-0,G1-0-0\n", "line 2", "twice");
   refused("a,b\nG1-0-0,\n", "line 2", "");
   refused("a,b\nG1-2-0,G1-4-0\n", "line 2", "installed already");
-  SignalTable table = make_signal_table(matrix);
-  test::expect_input_error([&] { forbid_pairs(table, folder / "none.csv"); }, "none.csv");
+  test::expect_input_error([&] { forbid_pairs(table, "none.csv"); }, "none.csv");
 }
 
 }  // namespace

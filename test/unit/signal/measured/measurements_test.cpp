@@ -58,11 +58,9 @@ TEST(Measurements, OfSeveralUnits) {
 }
 
 TEST(Measurements, BrokenFilesAreRefusedWithPlace) {
-  const TempFolder folder;
-  const SignalMatrix matrix = test::small_matrix();
+  const auto read = [](const auto& path) { read_measurements(path, test::small_matrix()); };
   const auto refused = [&](std::string_view content, std::string_view place, std::string_view problem) {
-    const auto path = folder.write("m.csv", content);
-    test::expect_input_error([&] { read_measurements(path, matrix); }, path.string(), place, problem);
+    test::expect_file_refused(read, content, place, problem);
   };
   refused("", "", "is empty");
   refused("label,signal\n", "", "has a header only");

@@ -8,7 +8,6 @@
 namespace shelfbeam {
 namespace {
 
-using test::expect_input_error;
 using test::TempFolder;
 
 SignalTable read(std::string_view content) {
@@ -54,15 +53,10 @@ TEST(CsvTable, ReadsPlainNumbers) {
   EXPECT_EQ(read("0.5\n0.25\n").rows(), 2u) << "a single column has no comma";
 }
 
-struct Broken {
-  const char* text;
-  const char* place;
-  const char* problem;
-};
-
 TEST(CsvTable, BrokenFilesAreRefusedWithPlace) {
-  const TempFolder folder;
-  const Broken all[] = {
+  const struct {
+    std::string_view text, place, problem;
+  } all[] = {
       {"id,T1,T2\nL1,1,2\nL2,1,nan\n", "line 3, field 3", "NaN"},
       {"nan,1\n1,1\n", "line 1, field 1", "NaN"},
       {"1,inf\n1,1\n", "line 1, field 2", "infinite"},
@@ -81,10 +75,8 @@ TEST(CsvTable, BrokenFilesAreRefusedWithPlace) {
       {"id,T1\n\"L1\"x,1\n", "line 2, field 1", "after its closing quote"},
       {"# from a spreadsheet, 2024\n1,2,3\n", "line 1", "is a comment"},
   };
-  for (const auto& [text, place, problem] : all) {
-    const auto path = folder.write("broken.csv", text);
-    expect_input_error([&] { read_signal_table(path); }, path.string(), place, problem);
-  }
+  for (const auto& [text, place, problem] : all)
+    test::expect_file_refused(read_signal_table, text, place, problem);
 }
 
 }  // namespace

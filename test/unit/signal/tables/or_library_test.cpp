@@ -14,7 +14,6 @@
 namespace shelfbeam {
 namespace {
 
-using test::expect_input_error;
 using test::TempFolder;
 
 using Rows = std::vector<std::set<std::uint32_t>>;
@@ -92,10 +91,8 @@ TEST(OrLibrary, BothFormsOfRandomInstancesAgree) {
 }
 
 TEST(OrLibrary, BrokenFilesAreRefusedWithPlace) {
-  const TempFolder folder;
-  const auto refused = [&](std::string_view content, std::string_view place, std::string_view problem) {
-    const auto path = folder.write("broken", content);
-    expect_input_error([&] { read_signal_table(path); }, path.string(), place, problem);
+  const auto refused = [](std::string_view content, std::string_view place, std::string_view problem) {
+    test::expect_file_refused(read_signal_table, content, place, problem);
   };
   refused("2 4\n1 1 1 1\n2 1 2\n2 1\n", "line 5", "file ends where a column number is expected");
   refused("2 4\n1 1 1 1\n2 1 5\n1 1\n", "line 3, character 5", "column number is 5");

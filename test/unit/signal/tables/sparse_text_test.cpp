@@ -32,15 +32,10 @@ TEST(SparseText, ReadsRowsRequirementsAndOrdersColumns) {
   EXPECT_EQ(table.row(2)[1].signal, 2);
 }
 
-struct Broken {
-  const char* text;
-  const char* place;
-  const char* problem;
-};
-
 TEST(SparseText, BrokenFilesAreRefusedWithPlace) {
-  const TempFolder folder;
-  const Broken all[] = {
+  const struct {
+    std::string_view text, place, problem;
+  } all[] = {
       {"2 2 0.5\n1 0 nan\n0\n", "line 2, character 5", "NaN"},
       {"2 2 0.5\n1 0 inf\n0\n", "line 2", "infinite"},
       {"2 2 0.5\n0\n1 0 -0.1\n", "line 3", "negative"},
@@ -63,17 +58,14 @@ TEST(SparseText, BrokenFilesAreRefusedWithPlace) {
       {"1 4000000000 0.5\n0\n", "line 1", "n is 4000000000, more than a file of"},
       {"1 99999999999999999999 0.5\n0\n", "line 1", "n is 99999999999999999999"},
   };
-  for (const auto& [text, place, problem] : all) {
-    const auto path = folder.write("broken.txt", text);
-    expect_input_error([&] { read_signal_table(path); }, path.string(), place, problem);
-  }
+  for (const auto& [text, place, problem] : all)
+    test::expect_file_refused(read_signal_table, text, place, problem);
 }
 
 TEST(AnyText, OtherContentIsRefused) {
   const TempFolder folder;
-  const auto refused = [&](std::string_view content, std::string_view problem) {
-    const auto path = folder.write("file", content);
-    expect_input_error([&] { read_signal_table(path); }, path.string(), problem);
+  const auto refused = [](std::string_view content, std::string_view problem) {
+    test::expect_file_refused(read_signal_table, content, problem);
   };
   refused("", "is empty");
   refused(" \n\r\n\t", "is empty");
