@@ -1,15 +1,22 @@
 #include "shelfbeam/stats/moments.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/stats/distributions.hpp"
+
 namespace shelfbeam {
 namespace {
 
-// Tolerances here bound the rounding of a few thousand additions (n * 2^-53 < 1e-12) with a margin of 10.
+// Tolerances of Moments bound the rounding of a few thousand additions (n * 2^-53 < 1e-12) with a margin
+// of 10.
 
 Moments of(const std::vector<double>& values) {
   Moments moments;
@@ -76,6 +83,82 @@ TEST(Moments, OfLessThanTwoValues) {
   EXPECT_TRUE(std::isinf(moments.variance()));
   moments.add(4);
   EXPECT_EQ(moments.standard_error(), 0);
+}
+
+double uniform(std::uint32_t seed, std::uint32_t k, std::uint32_t which = 0) {
+  return to_unit(philox({k, which, 0, 0}, seed)[0]);
+}
+
+TEST(PowerSums, AgreeWithMomentsThatAreUpdatedOneByOne) {
+  PowerSums sums;
+  SkewedMoments moments;
+  for (std::uint32_t k = 0; k < 100; ++k) {
+    const double value = -std::log(1 - uniform(1, k)) + 3;
+    sums.add(value);
+    moments.add(value);
+  }
+  EXPECT_NEAR(sums.mean(), moments.mean(), 1e-12);
+  EXPECT_NEAR(sums.standard_error(), moments.standard_error(), 1e-12);
+  EXPECT_NEAR(sums.skewness(), moments.skewness(), 1e-9);
+}
+
+TEST(PowerSums, TakeRoundingForNoSpreadAndNoSkewness) {
+  PowerSums equal, close;
+  for (std::uint32_t k = 0; k < 64; ++k) {
+    equal.add(0.1);
+    close.add(1 + 1e-6 * (k == 0 ? 1 : 0));
+  }
+  EXPECT_EQ(equal.standard_error(), 0);
+  EXPECT_FALSE(equal.is_skewed());
+  EXPECT_GT(close.standard_error(), 0);
+  EXPECT_FALSE(close.is_skewed());
+}
+
+// How often Student's 95 % intervals hold the truth, and how many are flagged.
+struct Coverage {
+  double all = 0, unflagged = 0, flagged = 0;
+};
+
+template <class Draw>
+Coverage coverage(std::uint32_t n, double truth, const Draw& draw) {
+  constexpr std::uint32_t runs = 20000;
+  Coverage found;
+  double kept = 0;
+  for (std::uint32_t run = 0; run < runs; ++run) {
+    PowerSums sums;
+    for (std::uint32_t k = 0; k < n; ++k) sums.add(draw(run, k));
+    const bool holds =
+        std::abs(sums.mean() - truth) <= student_quantile(0.975, n - 1.0) * sums.standard_error();
+    found.all += holds ? 1.0 / runs : 0;
+    if (sums.is_skewed()) {
+      found.flagged += 1.0 / runs;
+    } else {
+      kept += 1;
+      found.unflagged += holds ? 1 : 0;
+    }
+  }
+  found.unflagged /= kept;
+  return found;
+}
+
+// The normal distribution is left alone, and so is the exponential one with 77 values, whose intervals are
+// right; of values that are 1 at a chance of 1/77, whose intervals hold the truth in 63 % of the cases, all
+// runs that have met one or two are flagged (those that have met none have no error at all). 20,000 runs:
+// shares are known to 0.4 %.
+TEST(PowerSums, FlagErrorsThatRestOnFewValues) {
+  const auto normal = [](std::uint32_t run, std::uint32_t k) {
+    return std::sqrt(-2 * std::log(1 - uniform(run, k))) * std::cos(2 * pi * uniform(run, k, 1));
+  };
+  const auto exponential = [](std::uint32_t run, std::uint32_t k) { return -std::log(1 - uniform(run, k)); };
+  const auto rare = [](std::uint32_t run, std::uint32_t k) { return uniform(run, k) < 1.0 / 77 ? 1.0 : 0; };
+  EXPECT_LT(coverage(16, 0, normal).flagged, 0.01);
+  EXPECT_LT(coverage(77, 0, normal).flagged, 0.001);
+  const Coverage skewed = coverage(77, 1, exponential);
+  EXPECT_GT(skewed.unflagged, 0.935);
+  EXPECT_LT(skewed.flagged, 0.15);
+  const Coverage seldom = coverage(77, 1.0 / 77, rare);
+  EXPECT_LT(seldom.all, 0.7);
+  EXPECT_GT(seldom.flagged, 0.5);
 }
 
 }  // namespace
