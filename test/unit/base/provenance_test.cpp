@@ -1,6 +1,5 @@
 #include "shelfbeam/base/provenance.hpp"
 
-#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -41,12 +40,6 @@ TEST(Provenance, HashesSeeEveryByte) {
   }
   EXPECT_EQ(content_hash(text), before);
   EXPECT_NE(content_hash(std::string("a\0", 2)), content_hash("a"));
-}
-
-TEST(Provenance, VersionHasThreeNumbers) {
-  const std::string version(program_version());
-  EXPECT_EQ(version.find_first_not_of("0123456789."), std::string::npos);
-  EXPECT_EQ(std::count(version.begin(), version.end(), '.'), 2);
 }
 
 TEST(Error, MessageHoldsPlaceProblemAndSuggestion) {

@@ -266,12 +266,5 @@ TEST(StoreReader, LimitsWhatAFixtureHolds) {
   expect_input_error([&] { scene_of(json); }, "fixtures[0].shelves: has 51 boards");
 }
 
-TEST(StoreReader, NamesTheFileThatIsMissing) {
-  const TempFolder folder;
-  expect_input_error([&] { read_store(folder / "none.json"); }, (folder / "none.json").string(),
-                     "cannot be read");
-  expect_input_error([&] { read_store(folder.path()); }, "is a folder");
-}
-
 }  // namespace
 }  // namespace shelfbeam
