@@ -157,16 +157,6 @@ TEST(Placement, TellsWhenLinksCountedOne) {
   EXPECT_FALSE(place(table, {alone, Objective::links}, {}).unit_costs);
 }
 
-/// Big enough that no solver proves it at once.
-SignalTable hard_table(std::size_t labels = 200, std::size_t units = 100) {
-  std::mt19937_64 random(2);
-  std::uniform_real_distribution<double> uniform(0, 0.25);
-  std::vector<std::vector<double>> matrix(labels, std::vector<double>(units));
-  for (auto& row : matrix)
-    for (double& entry : row) entry = uniform(random);
-  return test::make_table(matrix, units);
-}
-
 void expect_stopped(const SignalTable& table, const Placement& found, double least_count) {
   EXPECT_EQ(found.status, Status::stopped);
   EXPECT_TRUE(check_selection(table, {coop}, found.selected).met());
@@ -177,7 +167,7 @@ void expect_stopped(const SignalTable& table, const Placement& found, double lea
 }
 
 TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
-  const SignalTable table = hard_table();
+  const SignalTable table = test::dense_table(200, 100);
   for (const milp::Backend& backend : milp::backends())
     for (const double limit : {0.0, 1.0}) {
       const test::ProcessorTime spent;
@@ -191,7 +181,7 @@ TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
 
 // Each label needs 4 units at 0.25; the linear program says 8.
 TEST(Placement, StopsAtTheStepLimitWithWhatItHas) {
-  const SignalTable table = hard_table(40, 30);
+  const SignalTable table = test::dense_table(40, 30);
   for (const milp::Backend& backend : milp::backends()) {
     const PlaceOptions options{.backend = std::string(backend.name), .time_limit_s = 0, .step_limit = 100};
     const Placement once = place(table, {coop, Objective::signal}, options, {.threads = 1});
@@ -245,7 +235,7 @@ TEST(Placement, SeedsLeadOtherWaysToTheSameValue) {
 TEST(Placement, ReturnsTheGreedyAnswerWhenCancelled) {
   CancelToken token;
   token.request();
-  const SignalTable table = hard_table();
+  const SignalTable table = test::dense_table(200, 100);
   const Placement found = place(table, {coop}, {}, {.cancel = &token});
   EXPECT_EQ(found.status, Status::stopped);
   EXPECT_EQ(found.selected, place(table, {coop}, {.solver = SolverChoice::greedy}).selected);

@@ -150,6 +150,15 @@ class RandomTables {
   RandomTableLimits limits_;
 };
 
+/// Signals that are worth an eighth of the requirement on average: big ones are not proven at once.
+inline SignalTable dense_table(std::size_t labels, std::size_t units) {
+  RandomTables random(5);
+  std::vector<std::vector<double>> matrix(labels, std::vector<double>(units));
+  for (auto& row : matrix)
+    for (double& entry : row) entry = random.real(0, 0.25);
+  return make_table(matrix, units);
+}
+
 /// Labels and units scattered over a square: signals fall with the distance, with some noise on them. Few
 /// units do, and very many selections of as many nearly do.
 inline SignalTable scattered_table(RandomTables& random, std::size_t labels, std::size_t units,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <random>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +18,7 @@ namespace shelfbeam {
 namespace {
 
 using test::BruteForce;
+using test::dense_table;
 constexpr auto coop = CommunicationModel::cooperative;
 constexpr auto alone = CommunicationModel::non_cooperative;
 
@@ -144,16 +144,6 @@ TEST(Budget, ByHand) {
     EXPECT_EQ(reach_most(table, {.model = model, .redundant = true}, 1, {}).upper_bound, 0U);
     EXPECT_EQ(reach_most(table, {.model = model, .redundant = true}, 3, {}).reached, 4U);
   }
-}
-
-// Signals that are worth an eighth of the requirement on average.
-SignalTable dense_table(std::size_t labels, std::size_t units) {
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> uniform(0, 0.25);
-  std::vector<std::vector<double>> matrix(labels, std::vector<double>(units));
-  for (auto& row : matrix)
-    for (double& entry : row) entry = uniform(random);
-  return test::make_table(matrix, units);
 }
 
 // Nothing was cut short, so nothing was stopped.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <random>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -231,12 +230,7 @@ TEST(PlacementCurve, ContradictsNoPlacement) {
 
 // Without the limit this takes some ten seconds.
 TEST(PlacementCurve, SaysThatItWasCutShort) {
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> uniform(0, 0.25);
-  std::vector<std::vector<double>> matrix(3000, std::vector<double>(800));
-  for (auto& row : matrix)
-    for (double& entry : row) entry = uniform(random);
-  const SignalTable table = test::make_table(matrix, 800);
+  const SignalTable table = test::dense_table(3000, 800);
   const Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
   const test::ProcessorTime spent;
   const ReachCurve curve = reach_curve(table, {}, greedy.selected, {.threads = 1},
