@@ -63,11 +63,8 @@ TEST(MeshReaders, ObjFacesNameVerticesThatAreThere) {
 TEST(MeshReaders, ObjMaterialsNeedNoLibrary) {
   const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red  brick\nf 1 2 3\n";
   EXPECT_NO_THROW(read_mesh("a.obj", text, {{"red  brick", "white"}}));
-  expect_input_error(
-      [&] {
-        read_mesh("a.obj", text, {{"blue", "white"}});
-      },
-      "a.obj': red  brick; add an entry");
+  const Json blue = {{"blue", "white"}};
+  expect_input_error([&] { read_mesh("a.obj", text, blue); }, "a.obj': red  brick; add an entry");
 }
 
 // Found by fuzzing: the library that read these files before ended the program.

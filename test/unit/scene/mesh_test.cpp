@@ -210,11 +210,9 @@ TEST(Mesh, SurfacesWithoutAMaterialTakeTheStar) {
   auto area = areas(read({{"Sheet", "tile"}, {"*", "steel"}}));
   EXPECT_NEAR(area["tile"], 1, 1e-6);
   EXPECT_NEAR(area["steel"], 1, 1e-6);
-  expect_input_error(
-      [&] {
-        read({{"D*", "tile"}});
-      },
-      "mixed.gltf': Sheet, nor the surfaces that name none; add an entry for each");
+  const Json neither = {{"D*", "tile"}};
+  expect_input_error([&] { read(neither); },
+                     "mixed.gltf': Sheet, nor the surfaces that name none; add an entry for each");
   expect_input_error([&] { read({{"Sheet", "tile"}}); }, "mixed.gltf' name no material");
 }
 

@@ -70,12 +70,10 @@ TEST(PlacementInstance, RejectsLabelsWithoutRequirement) {
 }
 
 TEST(PlacementInstance, RejectsSharesThatAreNone) {
-  for (const double wrong : {0.0, -0.5, std::numeric_limits<double>::quiet_NaN()})
-    test::expect_input_error(
-        [&] {
-          check_question(example(), {coop, Objective::effective_links, Combination::lexicographic, wrong});
-        },
-        "share of effective links");
+  for (const double wrong : {0.0, -0.5, std::numeric_limits<double>::quiet_NaN()}) {
+    const Question question{coop, Objective::effective_links, Combination::lexicographic, wrong};
+    test::expect_input_error([&] { check_question(example(), question); }, "share of effective links");
+  }
 }
 
 }  // namespace

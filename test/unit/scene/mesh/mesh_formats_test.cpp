@@ -58,13 +58,9 @@ TEST(MeshFormats, WithoutMaterialsTakeTheStar) {
   for (const auto& [name, content] : files(tetrahedron())) {
     EXPECT_EQ(read_mesh(name, content, {{"paint", "tile"}, {"*", "steel"}}).parts.at(0).material.value, 2u)
         << name;
-    const std::string& file = name;
-    const std::string& text = content;
-    expect_input_error(
-        [&] {
-          read_mesh(file, text, {{"Default*", "steel"}, {"?", "tile"}});
-        },
-        "fixtures[0].file: ", file + "' name no material; give 'materials' an entry \"*\"");
+    const Json starless = {{"Default*", "steel"}, {"?", "tile"}};
+    expect_input_error([&, &file = name, &text = content] { read_mesh(file, text, starless); },
+                       "fixtures[0].file: ", name + "' name no material; give 'materials' an entry \"*\"");
   }
 }
 
@@ -154,11 +150,8 @@ TEST(MeshFormats, PlyHeadersAreNotTrusted) {
 TEST(MeshFormats, FoldersAndOtherFormatsAreRefused) {
   const TempFolder folder;
   folder.write("inner.obj/file", "");
-  expect_input_error(
-      [&] {
-        test::scene_of(mesh_store("inner.obj", {{"*", "white"}}), folder.path());
-      },
-      "store.json: fixtures[0].file: '", "inner.obj' is a folder; name a file in it");
+  expect_input_error([&] { test::scene_of(mesh_store("inner.obj"), folder.path()); },
+                     "store.json: fixtures[0].file: '", "inner.obj' is a folder; name a file in it");
   for (const char* name : {"a.fbx", "a.dae", "a"})
     expect_input_error([&] { read_mesh(name, test::obj(tetrahedron())); },
                        "store.json: fixtures[0].file: the name of the mesh", "use glTF (.gltf, .glb), OBJ");
@@ -200,11 +193,9 @@ TEST(MeshFormats, TrianglesWithoutAreaAreDropped) {
     EXPECT_TRUE(read_mesh(name, content).warnings.empty()) << name;
     EXPECT_EQ(read_mesh(name, content).mesh.triangles.size(), 5u) << name;
   }
-  expect_input_error(
-      [&] {
-        read_mesh("flat.obj", test::obj({{a, b, between}}));
-      },
-      "store.json: fixtures[0]: no triangle of mesh 'M' has an area");
+  const std::string flat = test::obj({{a, b, between}});
+  expect_input_error([&] { read_mesh("flat.obj", flat); },
+                     "store.json: fixtures[0]: no triangle of mesh 'M' has an area");
 }
 
 TEST(MeshFormats, PartsAreCheckedLikeFiles) {

@@ -89,11 +89,8 @@ TEST(StackTables, RefusesWhatDoesNotAgree) {
   other = matrix;
   other.transceivers[4].position.z -= 0.001;
   refused(other, "'G1-4-0' is at another place");
-  expect_input_error(
-      [&] {
-        stack_tables({scenario("open", matrix), {"open", "other/open.h5", make_signal_table(matrix)}});
-      },
-      "other/open.h5", "'open'");
+  const NamedTable again{"open", "other/open.h5", make_signal_table(matrix)};
+  expect_input_error([&] { stack_tables({scenario("open", matrix), again}); }, "other/open.h5", "'open'");
 }
 
 }  // namespace
