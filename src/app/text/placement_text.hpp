@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/answer/reach_curve.hpp"
 #include "shelfbeam/placement/coverage/budget.hpp"
-#include "shelfbeam/placement/coverage/curve.hpp"
 
 namespace shelfbeam::app {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 
 namespace shelfbeam {
@@ -36,6 +37,19 @@ double Conductor::albedo(const Vec3& known) const {
 
 double Conductor::specular_reflectance(const Vec3& known) const {
   return facets ? 0 : fresnel_conductor(known.z, eta, k);
+}
+
+Conductor Conductor::read(const JsonCursor& json, double) {
+  json.expect_keys({"type", "eta", "k", "roughness", "distribution", "masking", "sampling"});
+  const double eta = json["eta"].number(0, 100), k = json["k"].number(0, 100);
+  if (eta == 0 && k == 0) json.fail("has eta and k of 0", "an ideal mirror is eta 0 and k 1");
+  return make_conductor(eta, k, read_facets(json, {}));
+}
+
+void Conductor::write(MaterialWriter& writer) const {
+  writer.json["eta"] = eta;
+  writer.json["k"] = k;
+  writer.add(facets);
 }
 
 Conductor make_conductor(double eta, double k, const std::optional<Microfacets>& facets) {

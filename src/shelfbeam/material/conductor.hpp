@@ -8,6 +8,9 @@
 
 namespace shelfbeam {
 
+class JsonCursor;
+struct MaterialWriter;
+
 /// Metal: a mirror, or microfacets (2.23), with the Fresnel reflectance of the complex index eta + i k
 /// (2.32).
 struct Conductor {
@@ -23,6 +26,9 @@ struct Conductor {
   double specular_reflectance(const Vec3& known) const;
   bool has_only_specular() const { return !facets; }
   bool is_opaque() const { return true; }
+
+  static Conductor read(const JsonCursor& json, double wavelength_nm);
+  void write(MaterialWriter& writer) const;
 };
 
 /// Throws std::invalid_argument unless eta and k are from 0 to 100 and not both 0. An ideal mirror is eta =

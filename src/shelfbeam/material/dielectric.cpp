@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 
 namespace shelfbeam {
@@ -74,6 +75,17 @@ double Dielectric::albedo(const Vec3& known) const {
 
 double Dielectric::specular_reflectance(const Vec3& known) const {
   return facets ? 0 : fresnel_dielectric(known.z, ior);
+}
+
+Dielectric Dielectric::read(const JsonCursor& json, double) {
+  json.expect_keys({"type", "ior", "roughness", "distribution", "masking", "sampling"});
+  const auto facets = read_facets(json, {.refracts = true});
+  return make_dielectric(read_ior(json, facets ? 1.01 : 1), facets);
+}
+
+void Dielectric::write(MaterialWriter& writer) const {
+  writer.json["ior"] = ior;
+  writer.add(facets);
 }
 
 Dielectric make_dielectric(double ior, const std::optional<Microfacets>& facets) {

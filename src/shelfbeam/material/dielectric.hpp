@@ -8,6 +8,9 @@
 
 namespace shelfbeam {
 
+class JsonCursor;
+struct MaterialWriter;
+
 /// The surface of a transparent solid in air: reflects and refracts, smooth (2.32) or rough (2.23 and Walter,
 /// Marschner, Li, Torrance, EGSR 2007). Radiance is divided by the square of the index where it travels; see
 /// docs/methods/materials.md.
@@ -25,6 +28,9 @@ struct Dielectric {
   bool has_only_specular() const { return !facets; }
   bool is_opaque() const { return false; }
   Dielectric from_below() const { return {1 / ior, facets}; }
+
+  static Dielectric read(const JsonCursor& json, double wavelength_nm);
+  void write(MaterialWriter& writer) const;
 };
 
 /// Throws std::invalid_argument unless the index is from 1 to 4, from 1.01 for a rough surface (without a

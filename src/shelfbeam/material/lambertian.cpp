@@ -1,5 +1,6 @@
 #include "shelfbeam/material/lambertian.hpp"
 
+#include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/math/warp.hpp"
 
@@ -21,6 +22,15 @@ std::optional<ScatterSample> Lambertian::sample(const Vec3&, double, double u1, 
 
 Lambertian Lambertian::with_reflectance(double other) const {
   return make_lambertian(other);
+}
+
+Lambertian Lambertian::read(const JsonCursor& json, double wavelength_nm) {
+  json.expect_keys({"type", "reflectance", "reflectance_range"});
+  return make_lambertian(read_reflectance(json["reflectance"], wavelength_nm));
+}
+
+void Lambertian::write(MaterialWriter& writer) const {
+  writer.json["reflectance"] = reflectance;
 }
 
 Lambertian make_lambertian(double reflectance) {

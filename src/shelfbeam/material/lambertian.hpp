@@ -7,6 +7,9 @@
 
 namespace shelfbeam {
 
+class JsonCursor;
+struct MaterialWriter;
+
 /// Ideal diffuse reflection, f_r = rho / pi (2.21).
 struct Lambertian {
   static constexpr std::string_view type_name = "lambertian";
@@ -21,6 +24,10 @@ struct Lambertian {
   bool has_only_specular() const { return false; }
   bool is_opaque() const { return true; }
   Lambertian with_reflectance(double other) const;
+
+  /// The keys of a store file but for "type" (material_json.hpp). Throws InputError with the JSON path.
+  static Lambertian read(const JsonCursor& json, double wavelength_nm);
+  void write(MaterialWriter& writer) const;
 };
 
 /// Throws std::invalid_argument unless the reflectance is in [0, 1].

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/material/optics/microfacets.hpp"
 #include "shelfbeam/math/warp.hpp"
@@ -141,6 +142,20 @@ double Plastic::coat_probability(const Vec3& known) const {
 
 Plastic Plastic::with_reflectance(double other) const {
   return make_plastic(ior, other, facets);
+}
+
+Plastic Plastic::read(const JsonCursor& json, double wavelength_nm) {
+  json.expect_keys({"type", "ior", "reflectance", "reflectance_range", "roughness", "distribution", "masking",
+                    "sampling"});
+  const double ior = read_ior(json);
+  const double reflectance = read_reflectance(json["reflectance"], wavelength_nm);
+  return make_plastic(ior, reflectance, read_facets(json, {.has_directions = false}));
+}
+
+void Plastic::write(MaterialWriter& writer) const {
+  writer.json["ior"] = ior;
+  writer.json["reflectance"] = reflectance;
+  writer.add(facets);
 }
 
 Plastic make_plastic(double ior, double reflectance, const std::optional<Microfacets>& facets) {

@@ -9,6 +9,9 @@
 
 namespace shelfbeam {
 
+class JsonCursor;
+struct MaterialWriter;
+
 namespace detail {
 class CoatAlbedo;
 }
@@ -38,6 +41,9 @@ struct Plastic {
   bool has_only_specular() const { return false; }
   bool is_opaque() const { return true; }
   Plastic with_reflectance(double other) const;
+
+  static Plastic read(const JsonCursor& json, double wavelength_nm);
+  void write(MaterialWriter& writer) const;
 
   /// The base by itself is transmission(known.z) base_scale / pi transmission(sampled.z): the share 1 - E of
   /// light that passes the coat.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 
 namespace shelfbeam {
@@ -37,6 +38,21 @@ double ThinDielectric::albedo(const Vec3& known) const {
 
 double ThinDielectric::specular_reflectance(const Vec3& known) const {
   return pane_shares(*this, known.z).reflected;
+}
+
+ThinDielectric ThinDielectric::read(const JsonCursor& json, double) {
+  json.expect_keys({"type", "ior", "thickness", "absorption_per_m"});
+  const double ior = read_ior(json);
+  const auto absorption = json.find("absorption_per_m"), thickness = json.find("thickness");
+  if (absorption && !thickness) json.fail("has 'absorption_per_m', but no 'thickness'", "add it, in m");
+  return make_thin_dielectric(ior, thickness ? thickness->number(0, 1) : 0,
+                              absorption ? absorption->number(0, 1e6) : 0);
+}
+
+void ThinDielectric::write(MaterialWriter& writer) const {
+  writer.json["ior"] = ior;
+  writer.json["thickness"] = thickness;
+  writer.json["absorption_per_m"] = absorption_per_m;
 }
 
 ThinDielectric make_thin_dielectric(double ior, double thickness, double absorption_per_m) {

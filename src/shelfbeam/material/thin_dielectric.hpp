@@ -7,6 +7,9 @@
 
 namespace shelfbeam {
 
+class JsonCursor;
+struct MaterialWriter;
+
 /// A pane of glass as one surface: mirrors, lets through without displacement, absorbs; all reflections
 /// between its two faces are summed.
 struct ThinDielectric {
@@ -23,6 +26,9 @@ struct ThinDielectric {
   double specular_reflectance(const Vec3& known) const;
   bool has_only_specular() const { return true; }
   bool is_opaque() const { return false; }
+
+  static ThinDielectric read(const JsonCursor& json, double wavelength_nm);
+  void write(MaterialWriter& writer) const;
 };
 
 /// Throws std::invalid_argument unless the index is from 1 to 4, the thickness from 0 to 1 m and the

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/material/reflectances_940nm.hpp"
-#include "shelfbeam/scene/store/store_parts.hpp"
 
 #include "support/expect_input_error.hpp"
 #include "unit/scene/sample_store.hpp"

@@ -11,18 +11,22 @@
 
 namespace shelfbeam::detail {
 
-/// An inequality that answers meet, made of one label's row sum_j a_ij T_j >= b (cover_rows.hpp):
-/// - the row;
-/// - with A, a knapsack cover inequality (Carr, Fleischer, Leung and Phillips, SODA 2000): with all of A
-/// chosen
-///   the label still lacks d = b - sum_{j in A} a_ij, without A no less, so
-///   sum_{j not in A} min(1, a_ij / d) T_j >= 1;
-/// - with a share s > 0, for answers of at most K units (AnswerSet::most): these give s K at most beyond what
-/// each gives above s,
-///   so the label needs d = b - s K from that, and sum_j min(1, max(0, a_ij - s) / d) T_j >= 1. Near s = 1 /
-///   K this is the pigeonhole principle: one unit gives at least that.
-/// - with t > 0, for answers in which some unit gives the label t at least: sum_{a_ij >= t} T_j >= 1.
-/// The second and third say nothing where d is not positive. A, a share and t exclude one another.
+/// An inequality that answers meet, made of one label's row sum_j a_ij T_j >= b (cover_rows.hpp): the row, or
+/// one of three others, which exclude one another. The first two say nothing where d is not positive.
+///
+/// With A, a knapsack cover inequality (Carr, Fleischer, Leung and Phillips, SODA 2000). With all of A chosen
+/// the label still lacks d = b - sum_{j in A} a_ij, without A no less, so
+///
+///   sum_{j not in A} min(1, a_ij / d) T_j >= 1.
+///
+/// With a share s > 0, for answers of at most K units (AnswerSet::most). These give s K at most beyond the
+/// parts of each above s, so the label needs d = b - s K of those, and
+///
+///   sum_j min(1, max(0, a_ij - s) / d) T_j >= 1.
+///
+/// Near s = 1 / K this is the pigeonhole principle: one unit gives at least that.
+///
+/// With t > 0, for answers in which some unit gives the label t at least: sum_{a_ij >= t} T_j >= 1.
 struct BoundRow {
   std::uint32_t label = 0;
   std::vector<std::uint32_t> taken = {};  ///< A, ascending

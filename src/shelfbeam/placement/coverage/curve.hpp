@@ -1,28 +1,14 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/answer/reach_curve.hpp"
 
 namespace shelfbeam {
-
-/// What a number of units can do: some selection of at most so many meets at least so many labels, and none
-/// meets more than at most so many.
-struct CurvePoint {
-  std::size_t units = 0;
-  std::size_t at_least = 0;  ///< labels
-  std::size_t at_most = 0;   ///< labels, proven
-};
-
-struct ReachCurve {
-  std::vector<CurvePoint> points;       ///< one for every number of units; neither column falls
-  std::vector<std::uint32_t> selected;  ///< the fewest units seen that meet every label; ascending
-  bool is_complete = true;              ///< no interruption and no limit cut it short
-};
 
 /// A point for every number of units from the installed ones (at least 1) to those of `selected`, which meets
 /// every label. The first column comes from the greedy method forwards and from the selection backwards, the

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/answer/reach_curve.hpp"
 #include "shelfbeam/placement/coverage/budget.hpp"
-#include "shelfbeam/placement/coverage/curve.hpp"
 
 namespace shelfbeam {
 

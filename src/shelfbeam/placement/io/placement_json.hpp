@@ -12,7 +12,7 @@
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/coverage/curve.hpp"
+#include "shelfbeam/placement/answer/reach_curve.hpp"
 
 // What the parts of placement.json have in common.
 namespace shelfbeam::detail {

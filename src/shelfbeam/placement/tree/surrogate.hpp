@@ -64,8 +64,7 @@ struct TreeNode {
 ///   d_i = r_i - b s_i                                   what is lacking then
 ///   W   = sum_i w_i d_i                                 for any weights w_i >= 0
 ///   v_j = sum_i w_i min(d_i, max(0, g_ij - s_i))
-///   B_k = p C + the sum of the k largest positive v_j - p c_j of A, for any price p >= 0 of a unit of cost
-///   c_j
+///   B_k = p C + the sum of the k largest positive v_j - p c_j of A, for any price p >= 0 of a cost c_j
 ///
 /// Columns U of A that complete the node to an answer give every row d_i beyond s_i each, so with |U| <= b
 /// and cost(U) <= C

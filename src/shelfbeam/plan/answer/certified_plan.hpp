@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/coverage/curve.hpp"
+#include "shelfbeam/placement/answer/reach_curve.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/plan/answer/sensitivity.hpp"
 

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store.hpp"
-#include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
 

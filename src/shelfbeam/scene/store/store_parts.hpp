@@ -2,11 +2,8 @@
 
 #include <filesystem>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/device/emission.hpp"
-#include "shelfbeam/material/material.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 #include "shelfbeam/scene/store_names.hpp"
@@ -15,7 +12,6 @@ namespace shelfbeam {
 
 // The sections of a store file; each reads one and throws InputError with its JSON path.
 
-void read_materials(const JsonCursor& section, Store& store);
 void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store);
 /// After the transceiver types, which a threshold may name.
 void read_label_types(const JsonCursor& section, Store& store);
@@ -29,8 +25,5 @@ void read_labels_csv(const std::filesystem::path& path, const StoreNames& names,
 /// Transceivers from a CSV with the header `id,x,y,z,ax,ay,az,roll_deg,type`; further columns are ignored, so
 /// that placement.csv can be read back.
 void read_transceivers_csv(const std::filesystem::path& path, const StoreNames& names, Store& store);
-
-/// A material as the resolved store writes it; read back it is the same to the bit.
-nlohmann::ordered_json resolved(const Material& material);
 
 }  // namespace shelfbeam

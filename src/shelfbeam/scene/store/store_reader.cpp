@@ -1,6 +1,7 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/format_version.hpp"
+#include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
@@ -8,6 +9,15 @@
 namespace shelfbeam {
 
 namespace {
+
+void read_materials(const JsonCursor& section, Store& store) {
+  for (const auto& [name, json] : section.members()) {
+    const Material material =
+        made_at(json, [&, &object = json] { return read_material(object, store.wavelength_nm); });
+    store.materials.push_back({check_name(name, json.where()), material,
+                               read_reflectance_range(json, material, store.wavelength_nm)});
+  }
+}
 
 Room read_room(const JsonCursor& cursor, const StoreNames& names) {
   cursor.expect_keys({"size", "floor", "ceiling", "walls"});
