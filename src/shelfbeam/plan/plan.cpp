@@ -6,6 +6,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/random.hpp"
+#include "shelfbeam/placement/coverage/curve.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/sensitivity.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
