@@ -22,11 +22,11 @@ constexpr std::size_t packet_count = 1000;
 BareRays::BareRays(const World& world) : world_(world) {
   const auto n = static_cast<std::uint32_t>(world.emitters.size());
   for (std::uint32_t walk = 0; rays_.size() < ray_count; ++walk) {
-    // 7919 is prime: labels of the whole store, whatever their number.
+    // 7919 is prime, so that the labels come from the whole store.
     SurfacePoint from = world.receivers.point(walk * 7919ULL % world.receivers.size(), 0.5, 0.5);
     for (std::uint32_t vertex = 0; vertex < 3; ++vertex) {  // about the mean length of a walk at albedo 0.7
       const auto u = philox({vertex, walk, 0, 0}, 1);
-      const Vec3 local = sample_cosine_hemisphere(to_unit(u[1]), to_unit(u[2]));
+      const Vec3 local = sample_cosine_hemisphere(to_uniform(u[1]), to_uniform(u[2]));
       const Vec3 direction = Frame::about(from.normal).to_world(local);
       const Vec3 target = world.emitters.point(to_index(u[0], n), 0.5, 0.5).position;
       rays_.push_back({from, direction, target});
@@ -41,7 +41,7 @@ BareRays::BareRays(const World& world) : world_(world) {
 BareRays::BareRays(const World& world, std::size_t shadow_rays,
                    std::span<const std::vector<std::uint32_t>> clusters)
     : BareRays(world) {
-  // To those units that give most.
+  // Packets of shadow rays to the units that contribute most.
   for (const Ray& ray : rays_) {
     if (shadow_packets_.size() == packet_count) break;
     std::vector<std::pair<double, Vec3>> units;
@@ -62,14 +62,14 @@ BareRays::BareRays(const World& world, std::size_t shadow_rays,
     for (std::size_t k = 0; k < count; ++k) packet.targets.push_back(units[k].second);
     shadow_packets_.push_back(std::move(packet));
   }
-  // From what a label sees to the others of its cluster.
+  // Packets from a point that a label sees to the other labels of its cluster.
   for (std::uint32_t k = 0; k < packet_count && !clusters.empty(); ++k) {
     const auto& cluster = clusters[k % clusters.size()];
     const auto u = philox({k, 0, 0, 0}, 2);
     const std::uint32_t own = cluster[to_index(u[0], static_cast<std::uint32_t>(cluster.size()))];
     const SurfacePoint at = world.receivers.point(own, 0.5, 0.5);
     const Vec3 direction =
-        world.receivers.frame(own).to_world(sample_cosine_hemisphere(to_unit(u[1]), to_unit(u[2])));
+        world.receivers.frame(own).to_world(sample_cosine_hemisphere(to_uniform(u[1]), to_uniform(u[2])));
     const auto hit = world.rays.intersect(at, direction);
     if (!hit) continue;
     Packet packet{hit->point, {}};
@@ -88,7 +88,7 @@ void BareRays::measure() {
   walks.seconds += cpu_seconds([&] {
     for (const Ray& ray : rays_) {
       hits += world_.rays.intersect(ray.from, ray.direction) ? 1 : 0;
-      hits += world_.rays.passage(ray.from, ray.target).share > 0 ? 1 : 0;
+      hits += world_.rays.transmittance(ray.from, ray.target).share > 0 ? 1 : 0;
     }
   });
   walks.rays += 2 * static_cast<double>(rays_.size());
@@ -111,11 +111,11 @@ void BareRays::measure() {
   };
   trace(shadow_packets_, shadow,
         [&](const Packet& packet) { world_.rays.shares(packet.from, packet.targets, result); });
-  std::vector<Passage> passages;
+  std::vector<Transmittance> transmittances;
   trace(visibility_packets_, visibility, [&](const Packet& packet) {
-    passages.resize(packet.targets.size());
-    world_.rays.passages(packet.from, packet.targets, passages);
-    result.front() = static_cast<float>(passages.front().share);
+    transmittances.resize(packet.targets.size());
+    world_.rays.transmittances(packet.from, packet.targets, transmittances);
+    result.front() = static_cast<float>(transmittances.front().share);
   });
 }
 

@@ -15,28 +15,29 @@ struct Rate {
   double rays = 0, seconds = 0;  ///< of CPU time
 };
 
-/// What the ray library does with rays like those of the estimators and nothing else to do: rays from surface
-/// points of walks, on one thread.
+/// The speed of the ray library alone, with rays like those of the estimators: from surface points of walks,
+/// on one thread.
 class BareRays {
  public:
-  /// For walks alone.
+  /// Only walks.
   explicit BareRays(const World& world);
 
-  /// For path reuse, too: packets of so many shadow rays, and of visibility rays to the labels of clusters.
+  /// Also the rays of path reuse: packets of `shadow_rays` shadow rays, and of visibility rays to the labels
+  /// of clusters.
   BareRays(const World& world, std::size_t shadow_rays, std::span<const std::vector<std::uint32_t>> clusters);
 
-  /// Traces all of them once more.
+  /// Traces all rays once more.
   void measure();
 
-  Rate walks;       ///< a ray to the next surface, a connection, and so on
-  Rate single;      ///< to the next surface
+  Rate walks;       ///< alternately a ray to the next surface and a connection
+  Rate single;      ///< rays to the next surface
   Rate shadow;      ///< RayScene::shares
   Rate visibility;  ///< RayScene::passages
-  double hits = 0;  ///< of `walks`: which reach a surface or see the unit
+  double hits = 0;  ///< rays of `walks` that reach a surface or see the unit
 
  private:
   struct Ray {
-    SurfacePoint from;  ///< its normal on the side that the ray came from
+    SurfacePoint from;  ///< its normal is on the side from which the walk came
     Vec3 direction, target;
   };
   struct Packet {
@@ -47,7 +48,7 @@ class BareRays {
   const World& world_;
   std::vector<Ray> rays_;
   std::vector<Packet> shadow_packets_, visibility_packets_;
-  double sink_ = 0;  ///< so that nothing is left out
+  double sink_ = 0;  ///< keeps the compiler from removing the work
 };
 
 }  // namespace shelfbeam::bench

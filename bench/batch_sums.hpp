@@ -9,7 +9,7 @@
 
 namespace shelfbeam::bench {
 
-/// Mean of independent batches, and the variance of this mean from their spread.
+/// The mean of independent batches, and the variance of this mean from the spread of the batches.
 struct BatchMean {
   void add(double value) {
     ++batches;
@@ -22,7 +22,7 @@ struct BatchMean {
   double batches = 0, mean = 0, squares = 0;
 };
 
-/// Batches of a matrix: of its entries, its rows, its columns, and of all.
+/// Sums over batches of a matrix: of its entries, its rows, its columns, and of the whole matrix.
 class BatchSums {
  public:
   BatchSums(std::size_t rows, std::size_t columns)
@@ -49,7 +49,7 @@ class BatchSums {
 
   std::vector<BatchMean> entries, by_row, by_column;
   BatchMean all;
-  std::vector<std::uint32_t> contributions;  ///< to each entry that were not zero
+  std::vector<std::uint32_t> contributions;  ///< number of nonzero contributions to each entry
 };
 
 }  // namespace shelfbeam::bench

@@ -6,7 +6,7 @@
 namespace shelfbeam::bench {
 
 EfficiencyRatio efficiency_ratio(const Scene& scene, const Selection& selection, const Entrant& one,
-                                 const Entrant& other, double above, std::uint32_t least_contributions) {
+                                 const Entrant& other, double above, std::uint32_t min_contributions) {
   const std::size_t width = one.sums.by_column.size();
   EfficiencyRatio found;
   double sum = 0;
@@ -14,9 +14,9 @@ EfficiencyRatio efficiency_ratio(const Scene& scene, const Selection& selection,
     const BatchMean &a = one.sums.entries[e], &b = other.sums.entries[e];
     const double requirement = scene.type_of(scene.labels[selection.labels[e / width]]).requirement();
     if (a.mean <= above * requirement) continue;
-    if (std::min(one.sums.contributions[e], other.sums.contributions[e]) < least_contributions ||
+    if (std::min(one.sums.contributions[e], other.sums.contributions[e]) < min_contributions ||
         !(a.variance() > 0)) {
-      ++found.left_out;
+      ++found.omitted;
       continue;
     }
     ++found.entries;
@@ -70,10 +70,10 @@ Agreement agreement(const std::vector<BatchMean>& one, const std::vector<BatchMe
   return differences.result();
 }
 
-Agreement agreement(const BatchSums& one, const BatchSums& other, std::uint32_t least_contributions) {
+Agreement agreement(const BatchSums& one, const BatchSums& other, std::uint32_t min_contributions) {
   Differences differences;
   for (std::size_t e = 0; e < one.entries.size(); ++e)
-    if (std::min(one.contributions[e], other.contributions[e]) >= least_contributions)
+    if (std::min(one.contributions[e], other.contributions[e]) >= min_contributions)
       differences.add(one.entries[e], other.entries[e]);
   return differences.result();
 }

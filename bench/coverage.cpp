@@ -1,20 +1,21 @@
-// Whether the standard errors of path reuse can be trusted: how often 95 % intervals hold the truth in a zoo
-// of small rooms, against long runs of the paper's estimator (walks or particles, whichever converges there).
+// Examines whether the standard errors of path reuse are reliable: the share of 95 % intervals that contain
+// the truth in a zoo of small rooms. The truth is a long run of the paper's estimator (walks or particles,
+// whichever converges in the room).
 //
 //   build/release/bench_coverage [ROOM...] [OPTION...]
 //
-// ROOM: names, or parts of names, of rooms of the zoo, or store files; all rooms of the zoo unless given.
+// ROOM: the name, or part of the name, of a room of the zoo, or a store file (default: all rooms of the zoo).
 //
-//   --folder FOLDER  where store files, references and the counts of every seed are kept (coverage); the same
-//                    command continues there; to be deleted when the program has changed (references may
-//                    stay)
-//   --seeds N        caches and random numbers (30)
-//   --batches N      per seed (764: 100,084 first rays per label), taken as runs of 16 batches (2,096 first
-//                    rays), of 77 (10,087) and of all
-//   --walks N        of the reference, per label (1,000,000), times the effort of the room: 4 to 32
-//   --old-spots      the control: caps at 4 m from the unit, the same for all receivers, none for vertices
+//   --folder FOLDER  folder of store files, references and the counts of every seed (default: coverage). The
+//                    same command continues there. Delete it when the program has changed; references may
+//                    stay.
+//   --seeds N        number of seeds, each with its own cache and random numbers (default: 30)
+//   --batches N      batches per seed (default: 764, with 100,084 first rays per label). They are evaluated
+//                    as runs of 16 batches (2,096 first rays), of 77 batches (10,087), and of all
+//   --walks N        walks of the reference per label (default: 1,000,000), times the room's effort (4 to 32)
+//   --old-spots      control: caps at 4 m from the unit, equal for all receivers, and none for vertices
 //
-// The last column is the share of the squared errors that is the reference's, %.
+// The last column is the reference's share of the squared errors in percent.
 
 #include <algorithm>
 #include <cctype>
@@ -67,7 +68,7 @@ std::string file_name(std::string room) {
   return room;
 }
 
-// What is kept in the folder is known by the room's name: it must be of this store.
+// Files in the folder are named by the room, so they must belong to this store.
 void keep_store(const Settings& settings, const ZooRoom& room) {
   const fs::path file = settings.folder / (file_name(room.name) + ".json");
   if (!fs::exists(file))
@@ -102,7 +103,7 @@ CoverageCount from_json(const Json& json) {
   return {json[0], json[1], json[2], json[3], json[4]};
 }
 
-// What one seed gives; kept in a file.
+// The counts of one seed, which are kept in a file.
 CoverageTable run(const Settings& settings, const ZooRoom& room, const Scene& scene, const World& world,
                   const test::Reference& known, std::uint32_t seed) {
   const fs::path file =
@@ -118,7 +119,7 @@ CoverageTable run(const Settings& settings, const ZooRoom& room, const Scene& sc
     return table;
   }
   ReuseEffort effort;
-  if (settings.old_spots) effort.spots = {.cap_at = 4, .near = 0, .for_vertices = false};
+  if (settings.old_spots) effort.spots = {.min_cap_distance = 4, .near = 0, .for_vertices = false};
   const ReuseEstimator estimator(world, seed, effort);
   std::vector<std::uint32_t> lengths;
   for (const std::uint32_t length : {16U, 77U, settings.batches})
@@ -208,7 +209,7 @@ void examine(const Settings& settings) {
         }
     });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fmt::print(stderr, "{}: {} labels, {} units, {} entries without a reference to be trusted, {:.0f} s\n",
+    fmt::print(stderr, "{}: {} labels, {} units, {} entries without a reliable reference, {:.0f} s\n",
                room.name, scene.labels.size(), scene.transceivers.size(),
                std::count(known.flags.begin(), known.flags.end(), 1), seconds);
     for (const auto& [length, classes] : of_room) by_room[length].emplace_back(room.name, sum(classes));

@@ -14,18 +14,18 @@ namespace shelfbeam::bench {
 
 namespace {
 
-constexpr std::uint64_t seed = 1;  // of the selection and the uniform estimator that samples direct light
+constexpr std::uint64_t seed = 1;  // for the selection and the uniform estimator that samples direct light
 
 }  // namespace
 
-Selection::Selection(const ReuseEstimator& reuse, std::size_t most_labels) : items(reuse.items()) {
+Selection::Selection(const ReuseEstimator& reuse, std::size_t max_labels) : items(reuse.items()) {
   std::iota(items.begin(), items.end(), std::size_t{0});
   for (std::uint32_t k = 0; k + 1 < items.size(); ++k) {
     const std::uint32_t rest = static_cast<std::uint32_t>(items.size()) - k;
     std::swap(items[k], items[k + to_index(philox({k, 0, 0, 0}, seed)[0], rest)]);
   }
   std::size_t kept = 0;
-  for (; kept < items.size() && labels.size() < most_labels; ++kept) {
+  for (; kept < items.size() && labels.size() < max_labels; ++kept) {
     const auto& rows = reuse.block(items[kept]).rows;
     labels.insert(labels.end(), rows.begin(), rows.end());
   }
@@ -84,8 +84,8 @@ void UniformEntrant::sample(std::uint32_t batch) {
   rays += tally_.rays;
 }
 
-// Moves what a walk has found from the tally to the matrix. Few entries of many have something: several are
-// looked at in one step.
+// Moves the contributions of a walk from the tally to the matrix. Most entries are zero, so several are
+// tested in one step.
 void UniformEntrant::collect(std::size_t position) {
   constexpr std::size_t step = 16;
   const std::size_t first = position * width_;
@@ -106,7 +106,7 @@ void UniformEntrant::collect(std::size_t position) {
   for (; j < width_; ++j) move(j);
 }
 
-// UniformEstimator does not look at the tally after every walk.
+// UniformEstimator does not read the tally after every walk, so that time is overhead of the benchmark.
 double UniformEntrant::overhead() {
   constexpr std::uint32_t part = 8;
   return part * cpu_seconds([&] {
@@ -115,7 +115,7 @@ double UniformEntrant::overhead() {
          });
 }
 
-// As UniformEstimator does where label or source has an area.
+// Does the same as UniformEstimator for labels or sources with an area.
 void UniformEntrant::sample_direct_light(std::size_t position, std::uint32_t batch) {
   const std::uint32_t i = selection_.labels[position];
   const std::uint32_t side = direct_strata(walks_, width_);

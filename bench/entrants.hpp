@@ -14,36 +14,36 @@
 
 namespace shelfbeam::bench {
 
-/// Labels that are compared: clusters of the reuse estimator, all or some of them, one after the other.
+/// The labels that are compared: all or some clusters of the reuse estimator, one after the other.
 struct Selection {
-  /// Clusters in random order until they have so many labels.
-  Selection(const ReuseEstimator& reuse, std::size_t most_labels);
+  /// Takes clusters in random order until they contain `max_labels` labels.
+  Selection(const ReuseEstimator& reuse, std::size_t max_labels);
 
   std::vector<std::size_t> items;
   std::vector<std::uint32_t> labels;
 };
 
-/// An estimator under comparison: its batches, and what they took of the processor.
+/// An estimator under comparison: its batches, and their CPU time.
 class Entrant {
  public:
   Entrant(std::string title, const World& world, const Selection& selection);
   virtual ~Entrant() = default;
 
-  /// Does the next batch.
+  /// Runs the next batch.
   void run();
 
   std::string title;
   BatchSums sums;
-  double seconds = 0;        ///< in batches
-  double known_seconds = 0;  ///< before, for direct light in closed form
-  double cache_seconds = 0;  ///< before, for tables: the selected labels' share
-  std::uint64_t rays = 0;    ///< in batches
+  double seconds = 0;        ///< CPU time of the batches
+  double known_seconds = 0;  ///< CPU time before the batches, for analytic direct light
+  double cache_seconds = 0;  ///< CPU time before the batches, for the cache: the selected labels' share
+  std::uint64_t rays = 0;    ///< of the batches
 
  protected:
   void prepare_known_light(const PathRules& rules);
-  /// Adds a batch to matrix_, which has the known light.
+  /// Adds a batch to matrix_, which already contains the analytic direct light.
   virtual void sample(std::uint32_t batch) = 0;
-  /// What of a batch's time goes into what the benchmark alone wants to know, in s.
+  /// The time of a batch that only the benchmark needs, in s.
   virtual double overhead() { return 0; }
 
   const World& world_;
@@ -56,8 +56,8 @@ class Entrant {
   std::uint32_t batches_ = 0;
 };
 
-/// The paper's estimator with connections to points chosen uniformly: UniformEstimator, except that it counts
-/// the walks that give something to an entry.
+/// The paper's estimator with connections to uniformly chosen points: UniformEstimator, except that it counts
+/// the walks that contribute to an entry.
 class UniformEntrant : public Entrant {
  public:
   UniformEntrant(const World& world, const Selection& selection, bool samples_direct, std::uint32_t walks);
@@ -69,14 +69,14 @@ class UniformEntrant : public Entrant {
   void sample_direct_light(std::size_t position, std::uint32_t batch);
 
   PathRules rules_;
-  std::uint64_t seed_;  ///< different ones, so that errors are independent
+  std::uint64_t seed_;  ///< different for every entrant, so that errors are independent
   std::uint32_t walks_;
   Tally tally_;
 };
 
 class ReuseEntrant : public Entrant {
  public:
-  /// `whole_cache_seconds`: what `reuse` took to build, for all labels.
+  /// `whole_cache_seconds`: the time to build `reuse` for all labels.
   ReuseEntrant(const World& world, const Selection& selection, const ReuseEstimator& reuse,
                double whole_cache_seconds);
 

@@ -1,5 +1,6 @@
-// The reuse estimator against the paper's: efficiency, agreement, speed of their rays, threads, growth. All
-// in one process, a batch of each in turn, on one thread unless said otherwise.
+// Compares the reuse estimator with the paper's: efficiency, agreement, ray speed, threads, and growth with
+// the store. All estimators run in one process, a batch of each in turn, on one thread unless stated
+// otherwise.
 //
 //   build/release/bench_estimators [STORE...] [--quick] [--walks N] [--batches N] [--labels N]
 //   build/release/bench_estimators --growth [STORE...]
@@ -7,17 +8,18 @@
 //   build/release/bench_estimators --before PROGRAM [STORE...] [--seeds S] [--samples N]
 //   build/release/bench_estimators --against-paper [STORE...] [--seeds S] [--samples N] [--reference N]
 //
-// --quick takes a minute or less; uniform variances are then rough. Entries need 30 contributions in both
-// estimators to count; of reuse these are batches.
+// --quick takes at most a minute; the variances of the uniform estimator are then rough. Only entries with 30
+// contributions in both estimators count; a contribution of the reuse estimator is a batch.
 //
-// --before and --against-paper run programs, one thread each, on S seeds in turn (8), N samples per label
-// (4192), and count the CPU time of the whole process. --before compares the default estimator of this build
-// with that of an earlier program: variances that the files claim, and those of the means over the seeds.
-// --against-paper compares it with the paper's estimator of this build, by mean square errors against a long
-// run of that with exact direct light (--reference: its samples per label, 4,000,000).
+// --before and --against-paper run programs on one thread with S seeds in turn (8) and N samples per label
+// (4192), and measure the CPU time of the whole process. --before compares the default estimator of this
+// build with the one of an earlier program: by the variances that the files state, and by the variances of
+// the means over the seeds. --against-paper compares it with the paper's estimator of this build, by mean
+// square errors against a long run of the latter with exact direct light (--reference: its samples per label,
+// 4,000,000).
 //
-// --caps compares distances from a unit at which its bright spots are capped (SpotRule): efficiency relative
-// to the default's, which chooses them by the number of units around.
+// --caps compares distances from a unit at which its bright spots are capped (SpotRule), by the efficiency
+// relative to the default, which chooses the distances by the number of units nearby.
 //
 // STORE: a folder of examples/ or a store file (default: thesis grocery; for --growth the large ones, too).
 
@@ -45,13 +47,13 @@ namespace {
 using namespace shelfbeam;
 using namespace shelfbeam::bench;
 
-constexpr std::uint32_t least_contributions = 30;
+constexpr std::uint32_t min_contributions = 30;
 
 struct Settings {
   std::vector<std::string> stores;
-  std::uint64_t walks = 64000;  ///< a label, of the uniform estimator
+  std::uint64_t walks = 64000;  ///< per label, of the uniform estimator
   std::uint64_t batches = 64;   ///< of every estimator
-  std::uint64_t labels = 1000;  ///< of larger stores clusters with about so many
+  std::uint64_t labels = 1000;  ///< about the number of labels in the clusters chosen from larger stores
   bool threads = true;
   bool growth = false;
   bool caps = false;
@@ -63,10 +65,9 @@ struct Settings {
 void print_efficiency(const Scene& scene, const Selection& selection, const Entrant& reuse,
                       const Entrant& other) {
   for (const double above : {0.3, 0.02}) {
-    const EfficiencyRatio found =
-        efficiency_ratio(scene, selection, reuse, other, above, least_contributions);
+    const EfficiencyRatio found = efficiency_ratio(scene, selection, reuse, other, above, min_contributions);
     fmt::print("  {:<24} above {:<5g} {:>8.0f} {:>14.0f} {:>9} {:>9}\n", other.title, above, found.ratio,
-               found.without_cache, found.entries, found.left_out);
+               found.without_cache, found.entries, found.omitted);
   }
 }
 
@@ -76,7 +77,7 @@ void print_agreement(const Entrant& reuse, const Entrant& other) {
     fmt::print("  {:<24} {:<10} {:>8.3f} {:>8.3f} {:>8.2f} {:>8.2f} {:>9}\n", other.title, what, found.pooled,
                found.rms, found.largest, 100 * found.beyond_3, found.values);
   };
-  print("entries", agreement(a, b, least_contributions));
+  print("entries", agreement(a, b, min_contributions));
   print("labels", agreement(a.by_row, b.by_row));
   print("candidates", agreement(a.by_column, b.by_column));
   const double ratio = a.all.mean / b.all.mean;
@@ -112,7 +113,7 @@ void compare(const Settings& settings, const Scene& scene, const World& world) {
     bare.measure();
   }
 
-  fmt::print("{}: {} triangles, {} of {} labels, {} candidates; {} batches, of {} walks a label or of {}\n",
+  fmt::print("{}: {} triangles, {} of {} labels, {} candidates; {} batches of {} walks per label or of {}\n",
              scene.name, scene.mesh.triangles.size(), selection.labels.size(), scene.labels.size(),
              scene.transceivers.size(), settings.batches, walks, estimator->name());
   fmt::print("\n  CPU time, s; 10^6 rays/s     batches   direct    cache      rays      bare  share\n");
@@ -130,7 +131,7 @@ void compare(const Settings& settings, const Scene& scene, const World& world) {
   const double share = static_cast<double>(sampled.rays) / sampled.seconds / walk_rate;
   fmt::print("  The baseline runs at {} half of its bare rate.\n", share >= 0.5 ? "more than" : "LESS THAN");
   fmt::print("\n  efficiency of reuse over             {:>8} {:>14} {:>9} {:>9}\n", "ratio", "without cache",
-             "entries", "left out");
+             "entries", "omitted");
   print_efficiency(scene, selection, reuse, sampled);
   print_efficiency(scene, selection, reuse, exact);
   fmt::print("\n  agreement of reuse with               {:>8} {:>8} {:>8} {:>8} {:>9}\n", "pooled z", "rms z",
@@ -143,7 +144,7 @@ void compare_caps(const Settings& settings, const Scene& scene, const World& wor
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   std::vector<SpotRule> rules{{}};
   for (const double cap : {0.25, 0.35, 0.5, 0.7, 1.0, 2.0, 4.0})
-    rules.push_back({.cap_at = cap, .cap_at_most = cap});
+    rules.push_back({.min_cap_distance = cap, .max_cap_distance = cap});
   std::vector<std::unique_ptr<const ReuseEstimator>> estimators;
   std::vector<std::unique_ptr<ReuseEntrant>> entrants;
   std::unique_ptr<const Selection> selection;
@@ -162,11 +163,10 @@ void compare_caps(const Settings& settings, const Scene& scene, const World& wor
   fmt::print("  {:>8} {:>12} {:>18} {:>18}\n", "cap, m", "CPU time", "efficiency > 0.3", "> 0.02");
   for (std::size_t k = 0; k < entrants.size(); ++k) {
     const auto efficiency = [&](double above) {
-      return efficiency_ratio(scene, *selection, *entrants[k], *entrants[0], above, least_contributions)
-          .ratio;
+      return efficiency_ratio(scene, *selection, *entrants[k], *entrants[0], above, min_contributions).ratio;
     };
     fmt::print("  {:>8} {:>12.3f} {:>18.3f} {:>18.3f}\n",
-               k == 0 ? "default" : fmt::format("{:g}", rules[k].cap_at),
+               k == 0 ? "default" : fmt::format("{:g}", rules[k].min_cap_distance),
                entrants[k]->seconds / entrants[0]->seconds, efficiency(0.3), efficiency(0.02));
   }
   fmt::print("\n");
@@ -180,7 +180,7 @@ void print_threads(const Scene& scene, std::uint64_t batches) {
 
 void print_growth(const std::vector<std::string>& stores) {
   fmt::print("{:<12} {:>7} {:>10} {:>9} {:>26} {:>9} {:>22}\n", "reuse in", "labels", "candidates",
-             "clusters", "cache: CPU s, s, MB", "measured", "a label and batch: ms, rays");
+             "clusters", "cache: CPU s, s, MB", "measured", "label x batch: ms, rays");
   for (const std::string& store : stores) {
     const Scene scene = open_scene(store);
     const Cost cost = cost_of_reuse(scene, 400, 4);
@@ -228,9 +228,9 @@ Settings parse(int argc, char** argv) {
       settings.stores.push_back(word);
     }
   }
-  if (settings.batches < least_contributions)
-    throw std::invalid_argument(fmt::format("--batches must be at least {}", least_contributions));
-  // A seed less must leave a variance.
+  if (settings.batches < min_contributions)
+    throw std::invalid_argument(fmt::format("--batches must be at least {}", min_contributions));
+  // Without one seed there must still be a variance.
   if (settings.over_seeds.seeds < 3) throw std::invalid_argument("--seeds must be at least 3");
   if (settings.stores.empty()) {
     settings.stores = {"thesis", "grocery"};

@@ -1,19 +1,19 @@
-// Whether certificates hold in a shop with labels just above the floor under a low ceiling, where standard
-// errors were once too small: many plans of a store whose answer is known, by this build and by an earlier
-// one.
+// Examines whether certificates hold in a shop with labels just above the floor under a low ceiling, where
+// standard errors were once too small. This build and an earlier one make many plans of a store whose
+// solution is known.
 //
 //   build/release/bench_low_plans [--before PROGRAM] [--plans N] [--jobs J] [--budget S] [--folder FOLDER]
 //   [--reference N]
 //
-// --before     an earlier program to compare with
-// --plans      of each program (200), with seeds 1, 2, ...
-// --jobs       plans at a time (2), one thread each
-// --budget     seconds for what certifies a plan (30)
-// --folder     where the store, its reference and the plans are kept (default: low_plans); the same command
-//              continues there. To be deleted when a program has changed.
-// --reference  samples per label of the long run that says what is true (20,000,000: some minutes)
+// --before     an earlier program for comparison
+// --plans      plans per program, with seeds 1, 2, ... (default: 200)
+// --jobs       plans that run at the same time, on one thread each (default: 2)
+// --budget     seconds for the certificate of a plan (default: 30)
+// --folder     folder of the store, its reference and the plans (default: low_plans). The same command
+//              continues there. Delete it when a program has changed.
+// --reference  samples per label of the reference (default: 20,000,000, which takes some minutes)
 //
-// At 99 % two wrong plans of 200 are expected at most; more than 6 have a chance below 0.5 %.
+// At 99 %, at most two wrong plans of 200 are expected; more than 6 have a probability below 0.5 %.
 
 #include <algorithm>
 #include <atomic>
@@ -58,25 +58,25 @@ struct Settings {
   std::uint64_t reference_samples = 20000000;
 };
 
-/// What is counted of plans.
+/// Counts of plans.
 struct Tally {
   std::size_t plans = 0;
-  std::size_t wrong = 0;  ///< with a statement that is not true; by its kind, a plan may have several:
+  std::size_t wrong = 0;  ///< plans with a false statement; the four kinds below may occur in one plan
   std::size_t wrongly_reached = 0, wrongly_missed = 0, bound_too_high = 0, no_selection = 0;
   std::size_t more_units = 0, undecided = 0;
-  std::size_t verdicts = 0, bounds = 0;  ///< examined: labels reached or missed; numbers of units
-  std::size_t too_near = 0;              ///< verdicts on labels of which the reference cannot tell
+  std::size_t verdicts = 0, bounds = 0;  ///< examined verdicts on labels; examined bounds on the count
+  std::size_t too_near = 0;              ///< verdicts on labels too near the requirement for the reference
   double cpu_seconds = 0;
 };
 
-/// Who plans.
+/// A program, and whether its plans are certified.
 struct Planner {
   std::string name;
   std::string program;
   bool certifies = true;
 };
 
-/// A plan that was made: placement.json, and what it took.
+/// A finished plan: placement.json, and its CPU time.
 struct Plan {
   Json placement;
   double cpu_seconds = 0;
@@ -97,12 +97,12 @@ Plan planned(const Settings& settings, const LowShop& shop, const Planner& plann
     else
       command.emplace_back("--no-certificate");
     const Ended ended = run_program(command);
-    // No selection, or something left open, are answers, too.
+    // Plans without a selection or with open statements count, too.
     if (ended.exit_code != 0 && ended.exit_code != 1 && ended.exit_code != 3)
       throw std::runtime_error(
           fmt::format("'{} plan' ended with exit code {}", planner.program, ended.exit_code));
     const Json plan{{"placement", Json::parse(read_file(answer))}, {"cpu_seconds", ended.cpu_seconds}};
-    // Of many plans the matrices and reports would fill a disk.
+    // The matrices and reports of many plans would fill the disk.
     for (const auto& file : fs::directory_iterator(folder)) fs::remove(file);
     write_file(kept, plan.dump());
   }
@@ -110,7 +110,7 @@ Plan planned(const Settings& settings, const LowShop& shop, const Planner& plann
   return {plan["placement"], plan["cpu_seconds"]};
 }
 
-// How labels stand to their verdicts: all that are neither missed nor undecided are reached.
+// Compares verdicts with the truth. Labels that are neither missed nor undecided are certified as reached.
 void examine_labels(const LowShop& shop, const Json& certificate, const std::vector<std::size_t>& selected,
                     Tally& found) {
   const std::set<std::string> missed = certificate["missed"], undecided = certificate["undecided"];
@@ -129,7 +129,7 @@ void examine_labels(const LowShop& shop, const Json& certificate, const std::vec
   }
 }
 
-// What a plan says, in the words of a certificate; a plan that was to have none has no doubts.
+// The statements of a plan in the form of a certificate. An uncertified plan has no undecided labels.
 Json statement(const Planner& planner, const Json& placement) {
   if (planner.certifies) return placement["certificate"];
   Json missed = Json::array();
@@ -145,7 +145,7 @@ Tally examine(const LowShop& shop, const Planner& planner, const Plan& plan) {
   Tally found;
   found.plans = 1;
   found.cpu_seconds = plan.cpu_seconds;
-  // It was stopped before there was anything to certify.
+  // The plan was stopped before it had anything to certify.
   if (planner.certifies && !plan.placement.contains("certificate")) {
     found.undecided = 1;
     return found;
@@ -159,7 +159,7 @@ Tally examine(const LowShop& shop, const Planner& planner, const Plan& plan) {
   if (!selected.empty()) {
     examine_labels(shop, said, selected, found);
   } else if (!said["missed"].empty()) {
-    // No selection reaches these labels, it says; some do.
+    // The plan states that no selection reaches these labels, but some do.
     found.verdicts = said["missed"].size();
     found.no_selection = 1;
   }
@@ -182,7 +182,7 @@ void add(Tally& sum, const Tally& more) {
   sum.cpu_seconds += more.cpu_seconds;
 }
 
-// The chance that of so many plans at least `wrong` are, when each is with the chance that it admits.
+// The probability of at least `wrong` wrong plans if each is wrong with probability 1 - confidence.
 double chance_of(std::size_t wrong, std::size_t plans) {
   const double p = 1 - confidence;
   const auto n = static_cast<double>(plans);
@@ -203,7 +203,7 @@ struct Column {
 void print(const LowShop& shop, const std::vector<Column>& columns) {
   const SignalMatrix& reference = shop.reference();
   fmt::print(
-      "{} labels, {} candidates, requirement {:.5f}: {} units suffice by {:.2f} %, {} miss by {:.2f} %\n",
+      "{} labels, {} candidates, requirement {:.5f}: {} units exceed it by {:.2f} %, {} miss by {:.2f} %\n",
       reference.rows(), reference.columns(), shop.requirement(), LowShop::units, 100 * shop.margin(),
       LowShop::units - 1, -100 * shop.margin_of_fewer());
   double largest = 0;
@@ -227,16 +227,16 @@ void print(const LowShop& shop, const std::vector<Column>& columns) {
   count("with a wrong statement", &Tally::wrong);
   count("  a label reached that is not", &Tally::wrongly_reached);
   count("  a label missed that is not", &Tally::wrongly_missed);
-  count("  more units needed than are", &Tally::bound_too_high);
+  count("  a lower bound that is too high", &Tally::bound_too_high);
   count("  no selection", &Tally::no_selection);
-  line(fmt::format("chance of so many at {:g} %", 100 * confidence),
+  line(fmt::format("probability of this number at {:g} %", 100 * confidence),
        [](const Tally& tally) { return fmt::format("{:.2g}", chance_of(tally.wrong, tally.plans)); });
-  count(fmt::format("of more than {} units", LowShop::units), &Tally::more_units);
+  count(fmt::format("with more than {} units", LowShop::units), &Tally::more_units);
   count("undecided", &Tally::undecided);
   count("verdicts examined", &Tally::verdicts);
   count("  too near the requirement for the reference", &Tally::too_near);
   count("bounds examined", &Tally::bounds);
-  line("CPU time of a plan, s", [](const Tally& tally) {
+  line("CPU time per plan, s", [](const Tally& tally) {
     return fmt::format("{:.2f}", tally.cpu_seconds / static_cast<double>(tally.plans));
   });
 }
@@ -247,7 +247,7 @@ void run(const Settings& settings) {
   if (!settings.earlier_program.empty()) planners.push_back({"before", settings.earlier_program});
   std::vector<Tally> found(settings.plans * planners.size());
   std::atomic<std::size_t> done{0};
-  const ThreadsAllowed allowed(static_cast<unsigned>(settings.jobs));
+  const ThreadLimit allowed(static_cast<unsigned>(settings.jobs));
   tbb::task_arena(settings.jobs).execute([&] {
     for_each_task(found.size(), [&](std::size_t k) {
       const Planner& planner = planners[k % planners.size()];
@@ -282,7 +282,7 @@ Settings parse(int argc, char** argv) {
       throw std::invalid_argument("unknown option " + word);
   }
   if (settings.plans < 1 || settings.jobs < 1)
-    throw std::invalid_argument("--plans and --jobs are 1 or more");
+    throw std::invalid_argument("--plans and --jobs must be at least 1");
   return settings;
 }
 

@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Nothing mirrors the one half on the other: equally good selections would make every plan undecided between
-// them. Two labels a board.
+// The shop has no symmetry, because equally good selections would make every plan undecided between them.
+// There are two labels per board.
 std::string store_text(double requirement) {
   const nlohmann::json goods{{"goods", "goods"}};
   return test::ZooStore(5, 4, 2.3, 0.7)
@@ -45,13 +45,13 @@ SignalMatrix simulated(const fs::path& file, std::uint64_t samples) {
     options.strategy = Strategy::nee;
     options.direct = DirectLight::exact;
     options.samples = samples;
-    options.seed = 0;  // that of no plan
+    options.seed = 0;  // no plan uses it
     simulate_to_file(make_scene(parse_store(store_text(1), "low shop", ".")), options, file);
   }
   return read_signal_file(file);
 }
 
-// Calls body(selection) for every selection of so many of n columns.
+// Calls body(selection) for every selection of `count` of n columns.
 template <class Body>
 void for_each_selection(std::size_t n, std::size_t count, const Body& body) {
   std::vector<std::size_t> selected;
@@ -88,31 +88,31 @@ LowShop::Sum LowShop::sum(std::size_t label, std::span<const std::size_t> select
   return found;
 }
 
-// All selections are looked at: what the program's search finds is put to the test by it, too.
+// Enumerates all selections, because this also tests the program's search.
 void LowShop::choose_requirement() {
   const auto least = [&](const std::vector<std::size_t>& selected) {
     double worst = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < reference_.rows(); ++i) worst = std::min(worst, sum(i, selected).signal);
     return worst;
   };
-  double most = 0, most_of_fewer = 0;
+  double most = 0, max_of_fewer = 0;
   for_each_selection(reference_.columns(), units, [&](const std::vector<std::size_t>& selected) {
     if (least(selected) <= most) return;
     most = least(selected);
     best_ = selected;
   });
   for_each_selection(reference_.columns(), units - 1, [&](const std::vector<std::size_t>& selected) {
-    most_of_fewer = std::max(most_of_fewer, least(selected));
+    max_of_fewer = std::max(max_of_fewer, least(selected));
   });
   requirement_ = 0.99 * most;
   margin_ = most / requirement_ - 1;
-  margin_of_fewer_ = most_of_fewer / requirement_ - 1;
+  margin_of_fewer_ = max_of_fewer / requirement_ - 1;
   for (LabelRow& label : reference_.labels) label.requirement = requirement_;
 }
 
 void LowShop::check() const {
   const auto refuse = [](const char* what) {
-    throw std::runtime_error(fmt::format("the reference is too short to tell that {}", what));
+    throw std::runtime_error(fmt::format("the reference is too short to show that {}", what));
   };
   for (std::size_t i = 0; i < reference_.rows(); ++i)
     if (const Sum found = sum(i, best_); !found.is_clear || !found.is_reached)
@@ -124,7 +124,7 @@ void LowShop::check() const {
   });
   const Placement placed = place(make_signal_table(reference_), {}, {});
   if (placed.status != Status::optimal || placed.count() != units)
-    throw std::runtime_error("the search does not find what a look at all selections does");
+    throw std::runtime_error("the search does not find the optimum of the enumeration");
 }
 
 }  // namespace shelfbeam::bench

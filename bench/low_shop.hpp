@@ -10,32 +10,33 @@
 
 namespace shelfbeam::bench {
 
-/// A small shop under a low ceiling, with labels a hand's breadth above the floor, and what is known of it: a
-/// long run of the paper's estimator with exact direct light. Its requirement is such that `units` of its
-/// candidates reach all labels by 1 % and fewer do not.
+/// A small shop under a low ceiling, with labels a hand's breadth above the floor, and its reference: a long
+/// run of the paper's estimator with exact direct light. The requirement is chosen so that `units` candidates
+/// reach all labels by 1 %, and fewer do not.
 class LowShop {
  public:
   static constexpr std::size_t units = 3;
 
-  /// Takes the reference from `folder`, or simulates it with so many samples per label and leaves it there,
-  /// and writes the store file beside it. Throws std::runtime_error where the reference is too short to tell
-  /// that so many units suffice and fewer do not.
+  /// Reads the reference from `folder`, or simulates it with `samples` per label and writes it there. Writes
+  /// the store file beside it. Throws std::runtime_error if the reference is too short to show that `units`
+  /// suffice and fewer do not.
   LowShop(const std::filesystem::path& folder, std::uint64_t samples);
 
   const std::filesystem::path& file() const { return file_; }
   const SignalMatrix& reference() const { return reference_; }
   double requirement() const { return requirement_; }
-  /// By how much the best selection of `units` surpasses the requirement at its worst label; and of one less.
+  /// The smallest signal of the best selection of `units`, and of one fewer, relative to the requirement,
+  /// minus 1.
   double margin() const { return margin_; }
   double margin_of_fewer() const { return margin_of_fewer_; }
 
   const std::vector<std::size_t>& best() const { return best_; }
 
-  /// A label at a selection.
+  /// The signal of a selection at a label.
   struct Sum {
     double signal = 0;
-    double error = 0;  ///< standard error, were all entries wrong by theirs to the same side
-    /// Three such errors from the requirement.
+    double error = 0;  ///< sum of the entries' standard errors
+    /// The signal is at least three such errors from the requirement.
     bool is_clear = false;
     bool is_reached = false;
   };

@@ -25,24 +25,24 @@ Simulated simulated(const std::string& program, const std::string& store, Option
   return simulate_with(program, store_file(store), options, seed);
 }
 
-double log_times(const SeedRuns& a, const SeedRuns& b, std::size_t left_out) {
-  return std::log(b.cpu_seconds(left_out) / a.cpu_seconds(left_out));
+double log_times(const SeedRuns& a, const SeedRuns& b, std::size_t omitted) {
+  return std::log(b.cpu_seconds(omitted) / a.cpu_seconds(omitted));
 }
 
-/// 1 / (variance x CPU time) of `a` over that of `b`: geometric mean over entries, by
+/// 1 / (variance x CPU time) of `a` over that of `b`: geometric mean over entries of
 /// variance(runs, entry, left_out).
 template <class Variance>
 Estimate efficiency(const SeedRuns& a, const SeedRuns& b, const std::vector<std::size_t>& entries,
                     const Variance& variance) {
-  return ratio_over_seeds(a.seeds(), [&](std::size_t left_out) {
+  return ratio_over_seeds(a.seeds(), [&](std::size_t omitted) {
     double sum = 0;
     for (const std::size_t e : entries)
-      sum += std::log(std::invoke(variance, b, e, left_out) / std::invoke(variance, a, e, left_out));
-    return log_times(a, b, left_out) + sum / static_cast<double>(entries.size());
+      sum += std::log(std::invoke(variance, b, e, omitted) / std::invoke(variance, a, e, omitted));
+    return log_times(a, b, omitted) + sum / static_cast<double>(entries.size());
   });
 }
 
-// Entries that no seed gave any spread have no variance to compare: light that is known in closed form.
+// Entries without spread in any seed have no variance to compare: their light is known in closed form.
 std::size_t leave_out_certain(std::vector<std::size_t>& entries, const SeedRuns& a, const SeedRuns& b) {
   const auto is_certain = [](const SeedRuns& runs, std::size_t e) {
     return !(runs.claimed_variance(e, none) > 0) || !(runs.variance_of_means(e, none) > 0);
@@ -62,30 +62,30 @@ void print_head(const std::string& store, const OverSeeds& settings, const Signa
 
 void print_before(const std::vector<LabelRow>& labels, const SeedRuns& now, const SeedRuns& before) {
   const Estimate times =
-      ratio_over_seeds(now.seeds(), [&](std::size_t left_out) { return log_times(before, now, left_out); });
+      ratio_over_seeds(now.seeds(), [&](std::size_t omitted) { return log_times(before, now, omitted); });
   fmt::print("  CPU time of a run: {:.2f} s, before {:.2f} s: {} times\n", now.cpu_seconds(none),
              before.cpu_seconds(none), text(times));
-  fmt::print("  {:<26} {:>20} {:>20} {:>9} {:>9}\n", "efficiency over before", "as errors claim",
-             "as means show", "entries", "left out");
+  fmt::print("  {:<26} {:>20} {:>20} {:>9} {:>9}\n", "efficiency over before", "by stated errors",
+             "by the means", "entries", "omitted");
   std::vector<double> means(now.entries());
   for (std::size_t e = 0; e < means.size(); ++e) means[e] = (now.mean(e) + before.mean(e)) / 2;
   for (const double share : shares) {
     std::vector<std::size_t> entries = entries_above(labels, means, share);
-    const std::size_t left_out = leave_out_certain(entries, now, before);
+    const std::size_t omitted = leave_out_certain(entries, now, before);
     const Estimate claimed = efficiency(now, before, entries, &SeedRuns::claimed_variance);
     // The sample variance of S seeds is the variance times chi-square over its S - 1 degrees of freedom, a
-    // wide distribution whose logarithm has a mean below 0. Both programs have the same S, so that this mean
-    // cancels in the logarithm of the ratio, and only spread is left, which the jackknife sees. Where one has
-    // rare large errors this favours it: most sets of so few seeds have none of them.
+    // wide distribution whose logarithm has a mean below 0. Both programs have the same S, so this mean
+    // cancels in the logarithm of the ratio. Only the spread remains, which the jackknife measures. The
+    // comparison favours a program with rare large errors, because few seeds mostly contain none of them.
     const Estimate shown = efficiency(now, before, entries, &SeedRuns::variance_of_means);
     fmt::print("    above {:<18g} {:>20} {:>20} {:>9} {:>9}\n", share, text(claimed), text(shown),
-               entries.size(), left_out);
+               entries.size(), omitted);
   }
   fmt::print("\n");
 }
 
-/// Two independent long runs: a product of differences from both has the mean square error as its
-/// expectation, whatever their own errors are.
+/// Two independent long runs. The product of the differences from both has the mean square error as its
+/// expectation, because the errors of the references are independent.
 struct References {
   SignalMatrix one, other;
 
@@ -96,16 +96,16 @@ struct References {
 
 /// The sum over entries of mean square error / mean^2.
 double sum_of_squares(const SeedRuns& runs, const References& references,
-                      const std::vector<std::size_t>& entries, std::size_t left_out) {
+                      const std::vector<std::size_t>& entries, std::size_t omitted) {
   double sum = 0;
   for (const std::size_t e : entries)
     sum += runs.product_of_errors(e, static_cast<double>(references.one.mean[e]),
-                                  static_cast<double>(references.other.mean[e]), left_out) /
+                                  static_cast<double>(references.other.mean[e]), omitted) /
            std::pow(references.mean(e), 2);
   return sum;
 }
 
-/// The same of the mean of both references, as their difference shows.
+/// The same for the mean of both references, estimated from their difference.
 double reference_squares(const References& references, const std::vector<std::size_t>& entries) {
   double sum = 0;
   for (const std::size_t e : entries)
@@ -123,17 +123,17 @@ void print_paper(const std::string& title, const References& references, const S
   for (const double share : shares) {
     std::vector<std::size_t> entries = entries_above(references.one.labels, means, share);
     const std::size_t left_out_entries = leave_out_certain(entries, ours, paper);
-    const auto squares = [&](const SeedRuns& runs, std::size_t left_out) {
-      return sum_of_squares(runs, references, entries, left_out);
+    const auto squares = [&](const SeedRuns& runs, std::size_t omitted) {
+      return sum_of_squares(runs, references, entries, omitted);
     };
-    const Estimate sums = ratio_over_seeds(ours.seeds(), [&](std::size_t left_out) {
-      return log_times(ours, paper, left_out) + std::log(squares(paper, left_out) / squares(ours, left_out));
+    const Estimate sums = ratio_over_seeds(ours.seeds(), [&](std::size_t omitted) {
+      return log_times(ours, paper, omitted) + std::log(squares(paper, omitted) / squares(ours, omitted));
     });
-    // Entry by entry the reference's squares stay in, since what is left of some would be negative: the
-    // better estimator looks a little worse than it is.
+    // The squared errors of single entries include the reference's, because subtracting these would make some
+    // negative. The better estimator therefore appears a little worse than it is.
     const Estimate geometric =
-        efficiency(ours, paper, entries, [&](const SeedRuns& runs, std::size_t e, std::size_t left_out) {
-          return runs.square_error(e, means[e], left_out);
+        efficiency(ours, paper, entries, [&](const SeedRuns& runs, std::size_t e, std::size_t omitted) {
+          return runs.square_error(e, means[e], omitted);
         });
     const auto percent = [&](double of_squares) {
       return 100 * std::sqrt(of_squares / static_cast<double>(entries.size()));
@@ -155,7 +155,7 @@ void compare_with_program(const OverSeeds& settings, const std::string& program)
         last = simulated(by, store, {}, settings.samples, seed);
         runs.add(last);
       };
-      // In turn each is the first: whatever else the machine does meanwhile strikes both alike.
+      // The programs take turns to be first, so that other load on the machine affects both alike.
       if (seed % 2 == 0) run(this_program(), now);
       run(program, before);
       if (seed % 2 == 1) run(this_program(), now);
@@ -174,8 +174,8 @@ void compare_with_paper(const OverSeeds& settings) {
     const auto run = [&](const Options& options, std::uint64_t samples, std::uint64_t seed) {
       return simulated(this_program(), store, options, samples, seed);
     };
-    // Seeds that are no other run's: with one of theirs a reference would begin with the walks that it
-    // judges.
+    // The references use their own seeds: with the seed of another run, a reference would begin with the
+    // walks that it judges.
     const Simulated one = run(exact, settings.reference_samples / 2, 0);
     const Simulated other = run(exact, settings.reference_samples / 2, settings.seeds + 1);
     const References references{one.matrix, other.matrix};
@@ -188,11 +188,11 @@ void compare_with_paper(const OverSeeds& settings) {
     print_head(store, settings, one.matrix);
     fmt::print("  CPU time of a run: {:.3f} s, uniform with exact direct light {:.3f} s, sampled {:.3f} s; ",
                ours.cpu_seconds(none), paper_exact.cpu_seconds(none), paper_sampled.cpu_seconds(none));
-    fmt::print("the references, {} samples in all: {:.0f} s\n", settings.reference_samples,
+    fmt::print("the references, {} samples in total: {:.0f} s\n", settings.reference_samples,
                one.cpu_seconds + other.cpu_seconds);
     fmt::print("  {:<65} {:>31}\n", "", "root mean square errors, %");
     fmt::print("  {:<37} {:>15} {:>15} {:>7} {:>7} {:>9} {:>8} {:>8}\n", "efficiency of the default over",
-               "sum of squares", "geometric mean", "default", "paper's", "reference", "entries", "left out");
+               "sum of squares", "geometric mean", "default", "paper's", "reference", "entries", "omitted");
     print_paper("uniform, direct exact", references, ours, paper_exact);
     print_paper("uniform, direct sampled", references, ours, paper_sampled);
     fmt::print("\n");

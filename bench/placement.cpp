@@ -1,4 +1,4 @@
-// Our search against MIP solvers on the same questions: one process, one after the other, side by side.
+// Compares our search with MIP solvers on the same placement problems, one after the other in one process.
 
 #include "shelfbeam/placement/answer/placement.hpp"
 
@@ -29,16 +29,16 @@ constexpr const char* usage =
     R"(bench_placement [SIGNAL...] [--limit S] [--scale X,Y...] [--only-count] [--json]
 bench_placement --bounds [SIGNAL...] [--limit S] [--scale X,Y...]
 
-Asks our search and every MIP solver the same placement questions, and prints times and their ratios.
+Solves the same placement problems with our search and every MIP solver, and prints times and their ratios.
 
-SIGNAL        any matrix that 'shelfbeam place' reads; without one the thesis environment is simulated: the
-              uniform estimator with 5,000 to 100,000 samples and the reuse estimator with 10,000
---limit S     seconds for each answer (60). Where one was stopped by it the ratio is a bound: > or <, and - where
-              both were
---scale X,Y   all of it again with the requirements times X, Y, ..., for answers of more units
---only-count  without second objectives
---json        rows as JSON
---bounds      instead: what reductions leave, and the bounds of linear programs with and without shares
+SIGNAL        any matrix that 'shelfbeam place' reads; by default the thesis environment is simulated with the
+              uniform estimator (5,000 to 100,000 samples) and the reuse estimator (10,000)
+--limit S     time limit per run in seconds (60). If it ends one run, the ratio is a bound, marked > or <;
+              if it ends both, the mark is -
+--scale X,Y   repeat with all requirements multiplied by X, Y, ..., which gives placements of more units
+--only-count  omit second objectives
+--json        print rows as JSON
+--bounds      print instead the sizes after reductions, and linear programming bounds with and without shares
 )";
 
 struct Settings {
@@ -65,12 +65,13 @@ std::vector<Entrant> entrants(double limit) {
   return all;
 }
 
-std::vector<Question> questions(bool only_count) {
-  std::vector<Question> all;
+std::vector<PlacementProblem> problems(bool only_count) {
+  std::vector<PlacementProblem> all;
   for (const auto model : {CommunicationModel::non_cooperative, CommunicationModel::cooperative}) {
     all.push_back({.model = model, .objective = Objective::count});
     if (only_count) continue;
-    // With cooperation links are the units times a constant: effective links tell selections apart.
+    // In the cooperative model links are a constant times the count, so effective links are minimised
+    // instead.
     all.push_back({.model = model,
                    .objective = model == CommunicationModel::cooperative ? Objective::effective_links
                                                                          : Objective::links});
@@ -87,8 +88,8 @@ class Table {
                  "objective", "by", "count", "value", "bound", "status", "s", "ratio");
   }
 
-  /// The first of a question is ours, with which the others are compared.
-  void add(const std::string& instance, const Question& question, const std::string& by,
+  /// The first result for a problem is ours, with which the others are compared.
+  void add(const std::string& instance, const PlacementProblem& problem, const std::string& by,
            const Placement& found, double seconds, bool is_ours) {
     const bool was_stopped = found.status == Status::stopped;
     if (is_ours) ours_ = {seconds, was_stopped};
@@ -99,8 +100,8 @@ class Table {
                                                                 : "-";
     if (json_) {
       rows_.push_back({{"instance", instance},
-                       {"model", to_text(question.model)},
-                       {"objective", to_text(question.objective)},
+                       {"model", to_text(problem.model)},
+                       {"objective", to_text(problem.objective)},
                        {"by", by},
                        {"count", found.count()},
                        {"value", found.objective_value},
@@ -112,7 +113,7 @@ class Table {
       return;
     }
     fmt::print("{:<18} {:<16} {:<16} {:<10} {:>5} {:>11.6g} {:>11.6g} {:<10} {:>9.3f} {:>8}\n", instance,
-               to_text(question.model), to_text(question.objective), by, found.count(), found.objective_value,
+               to_text(problem.model), to_text(problem.objective), by, found.count(), found.objective_value,
                found.lower_bound, to_text(found.status), seconds,
                is_ours        ? ""
                : *sign == '-' ? "-"
@@ -138,12 +139,12 @@ class Table {
 void compare(const Settings& settings) {
   Table table(settings.json);
   for_instances(settings.files, settings.scales, [&](const std::string& name, const SignalTable& signals) {
-    for (const Question& question : questions(settings.only_count)) {
+    for (const PlacementProblem& problem : problems(settings.only_count)) {
       bool is_ours = true;
       for (const Entrant& entrant : entrants(settings.limit)) {
         Placement found;
-        const double seconds = wall_seconds([&] { found = place(signals, question, entrant.options); });
-        table.add(name, question, entrant.name, found, seconds, is_ours);
+        const double seconds = wall_seconds([&] { found = place(signals, problem, entrant.options); });
+        table.add(name, problem, entrant.name, found, seconds, is_ours);
         is_ours = false;
       }
     }
@@ -185,7 +186,7 @@ Settings parse(int argc, char** argv) {
     }
   }
   if (settings.bounds && (settings.json || settings.only_count))
-    throw std::invalid_argument("--bounds goes with --limit and --scale alone");
+    throw std::invalid_argument("--bounds can be combined only with --limit and --scale");
   return settings;
 }
 

@@ -5,8 +5,8 @@
 
 namespace shelfbeam::bench {
 
-/// What reductions leave of the non-cooperative count, and what linear programs prove about the cooperative
-/// one, with every back end.
+/// Prints the size of the non-cooperative problem after reductions, and the lower bounds on the cooperative
+/// count that linear programs prove with every back end.
 void print_bounds(const std::vector<std::string>& files, const std::vector<double>& scales, double limit);
 
 }  // namespace shelfbeam::bench

@@ -8,8 +8,8 @@
 
 namespace shelfbeam::bench {
 
-/// The matrices of these files, or without any those of the thesis environment, simulated here; each with its
-/// requirements times every scale. One is in memory at a time.
+/// Visits the matrices of these files, or by default simulated matrices of the thesis environment, each with
+/// its requirements multiplied by every scale. Only one matrix is in memory at a time.
 void for_instances(const std::vector<std::string>& files, const std::vector<double>& scales,
                    const std::function<void(const std::string& name, const SignalTable&)>& visit);
 

@@ -44,9 +44,9 @@ std::string this_program() {
 Ended run_program(std::vector<std::string> command) {
   const pid_t id = start(command);
   int status = 0;
-  rusage used{};  // of this child alone, whatever else runs
+  rusage used{};  // of this child process only
   if (::wait4(id, &status, 0, &used) != id || !WIFEXITED(status))
-    throw std::runtime_error(fmt::format("'{}' did not end by itself", fmt::join(command, " ")));
+    throw std::runtime_error(fmt::format("'{}' was ended by a signal", fmt::join(command, " ")));
   return {WEXITSTATUS(status), seconds(used.ru_utime) + seconds(used.ru_stime)};
 }
 

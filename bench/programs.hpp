@@ -12,24 +12,23 @@ namespace shelfbeam::bench {
 /// The program of this build.
 std::string this_program();
 
-/// How a program ended.
+/// The end of a program.
 struct Ended {
   int exit_code = 0;
-  double cpu_seconds = 0;  ///< user and system, all its threads
+  double cpu_seconds = 0;  ///< user and system time of all threads
 };
 
-/// Runs a program, by its path or by a name on the PATH, to its end. What it prints is thrown away, but for
-/// errors. Safe to call from several threads. Throws std::runtime_error where it does not start, or a signal
-/// ended it.
+/// Runs a program, given by its path or by a name on the PATH, to its end. Discards its standard output. Safe
+/// to call from several threads. Throws std::runtime_error if it does not start, or a signal ended it.
 Ended run_program(std::vector<std::string> command);
 
-/// What a program's `simulate` made of a store.
+/// The result of a program's `simulate`.
 struct Simulated {
   SignalMatrix matrix;
-  double cpu_seconds = 0;  ///< of the whole process: reading the store and writing the file as well
+  double cpu_seconds = 0;  ///< of the whole process, including reading the store and writing the file
 };
 
-/// Runs `PROGRAM simulate STORE --seed SEED OPTIONS` on one thread. Throws std::runtime_error where it fails.
+/// Runs `PROGRAM simulate STORE --seed SEED OPTIONS` on one thread. Throws std::runtime_error if it fails.
 Simulated simulate_with(const std::string& program, const std::filesystem::path& store,
                         const std::vector<std::string>& options, std::uint64_t seed);
 

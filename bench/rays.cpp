@@ -1,6 +1,6 @@
-// How much of the ray library's speed the uniform estimator keeps: rays a second of the estimator against the
-// bare rate of the same kinds of rays (from surface points of its walks, in its directions, to its units),
-// alternating in one process on one thread.
+// Measures the share of the ray library's speed that the uniform estimator retains: rays per second of the
+// estimator against the bare rate of the same kinds of rays (from surface points of its walks, in its
+// directions, to its units). Both alternate in one process on one thread.
 //
 //   build/release/bench_rays [STORE]      (default: the thesis environment)
 
@@ -38,9 +38,9 @@ void compare(const Scene& scene) {
   const double estimator_rate = static_cast<double>(tally.rays) / estimator;
   fmt::print("{}: {} triangles, {} labels, {} candidates; one thread\n", scene.name,
              scene.mesh.triangles.size(), scene.labels.size(), scene.transceivers.size());
-  fmt::print("bare rays          {:8.3f} million a second ({:.0f} % reach something or see the unit)\n",
+  fmt::print("bare rays          {:8.3f} million per second ({:.0f} % hit a surface or see the unit)\n",
              bare.walks.per_second() / 1e6, 100 * bare.hits / bare.walks.rays);
-  fmt::print("uniform estimator  {:8.3f} million a second\nshare              {:8.2f}\n",
+  fmt::print("uniform estimator  {:8.3f} million per second\nshare              {:8.2f}\n",
              estimator_rate / 1e6, estimator_rate / bare.walks.per_second());
 }
 

@@ -31,7 +31,7 @@ ThreadScaling thread_scaling(const Scene& scene, std::uint64_t batches) {
   return found;
 }
 
-Cost cost_of_reuse(const Scene& scene, std::size_t most_labels, std::uint64_t batches) {
+Cost cost_of_reuse(const Scene& scene, std::size_t max_labels, std::uint64_t batches) {
   const World world(scene);
   std::unique_ptr<const ReuseEstimator> reuse;
   Cost cost;
@@ -40,7 +40,7 @@ Cost cost_of_reuse(const Scene& scene, std::size_t most_labels, std::uint64_t ba
   });
   cost.clusters = reuse->items();
   cost.cache_bytes = static_cast<double>(reuse->bytes());
-  const Selection selection(*reuse, most_labels);
+  const Selection selection(*reuse, max_labels);
   cost.measured_labels = selection.labels.size();
   BatchValues values;
   const double seconds = cpu_seconds([&] {

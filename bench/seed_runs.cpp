@@ -7,12 +7,12 @@ namespace shelfbeam::bench {
 
 namespace {
 
-// The mean of value(seed) over the seeds that count.
+// The mean of value(seed) over all seeds but `omitted`.
 template <class Value>
-double mean_over(std::size_t seeds, std::size_t left_out, const Value& value) {
+double mean_over(std::size_t seeds, std::size_t omitted, const Value& value) {
   double sum = 0, count = 0;
   for (std::size_t s = 0; s < seeds; ++s) {
-    if (s == left_out) continue;
+    if (s == omitted) continue;
     sum += value(s);
     ++count;
   }
@@ -35,27 +35,27 @@ void SeedRuns::add(const Simulated& run) {
   errors_.push_back(matrix.standard_error);
 }
 
-double SeedRuns::cpu_seconds(std::size_t left_out) const {
-  return mean_over(seeds(), left_out, [&](std::size_t s) { return cpu_seconds_[s]; });
+double SeedRuns::cpu_seconds(std::size_t omitted) const {
+  return mean_over(seeds(), omitted, [&](std::size_t s) { return cpu_seconds_[s]; });
 }
 
-double SeedRuns::claimed_variance(std::size_t entry, std::size_t left_out) const {
-  return mean_over(seeds(), left_out,
+double SeedRuns::claimed_variance(std::size_t entry, std::size_t omitted) const {
+  return mean_over(seeds(), omitted,
                    [&](std::size_t s) { return square(static_cast<double>(errors_[s][entry])); });
 }
 
-double SeedRuns::variance_of_means(std::size_t entry, std::size_t left_out) const {
+double SeedRuns::variance_of_means(std::size_t entry, std::size_t omitted) const {
   const auto value = [&](std::size_t s) { return static_cast<double>(means_[s][entry]); };
-  const double count = static_cast<double>(seeds() - (left_out == none ? 0 : 1));
-  return square_error(entry, mean_over(seeds(), left_out, value), left_out) * count / (count - 1);
+  const double count = static_cast<double>(seeds() - (omitted == none ? 0 : 1));
+  return square_error(entry, mean_over(seeds(), omitted, value), omitted) * count / (count - 1);
 }
 
-double SeedRuns::square_error(std::size_t entry, double truth, std::size_t left_out) const {
-  return product_of_errors(entry, truth, truth, left_out);
+double SeedRuns::square_error(std::size_t entry, double truth, std::size_t omitted) const {
+  return product_of_errors(entry, truth, truth, omitted);
 }
 
-double SeedRuns::product_of_errors(std::size_t entry, double a, double b, std::size_t left_out) const {
-  return mean_over(seeds(), left_out, [&](std::size_t s) {
+double SeedRuns::product_of_errors(std::size_t entry, double a, double b, std::size_t omitted) const {
+  return mean_over(seeds(), omitted, [&](std::size_t s) {
     const auto mean = static_cast<double>(means_[s][entry]);
     return (mean - a) * (mean - b);
   });

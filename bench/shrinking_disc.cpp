@@ -1,5 +1,5 @@
-// What the light that no strategy finds for point transceivers amounts to: a room with a mirror, a cabinet of
-// panes and a block of glass, lit by discs of shrinking radius, which have all of it, and by points.
+// Measures the light that no strategy finds for point transceivers. A room with a mirror, a cabinet of panes
+// and a block of glass is lit by points, and by discs of shrinking radius, whose light is complete.
 //
 //   build/release/bench_shrinking_disc [SAMPLES]      (default: 400000)
 
@@ -67,7 +67,7 @@ void compare(const Scene& scene, std::initializer_list<double> radii, std::uint6
     double disc_sum = 0, point_sum = 0, variance = 0;
     int changed = 0;
     for (std::size_t i = 0; i < discs.rows(); ++i) {
-      double row_error = 0;  // entries of a row share walks: their errors add up at worst
+      double row_error = 0;  // entries of a row share walks, so their errors may add up
       for (std::size_t j = 0; j < discs.columns(); ++j) {
         const std::size_t e = discs.at(i, j);
         disc_sum += discs.mean[e];

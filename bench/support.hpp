@@ -13,7 +13,7 @@
 
 namespace shelfbeam::bench {
 
-/// A store file, or one of examples/ by its name.
+/// The path of a store file, or of a store of examples/ given by its name.
 inline std::filesystem::path store_file(const std::string& name) {
   const std::filesystem::path example =
       std::filesystem::path(SHELFBEAM_SOURCE_DIR) / "examples" / name / "store.json";
@@ -31,7 +31,7 @@ class Words {
 
   bool any_left() const { return at_ < words_.size(); }
   const std::string& next() { return words_[at_++]; }
-  /// The one after an option. Throws std::invalid_argument where there is none.
+  /// The word after an option. Throws std::invalid_argument if there is none.
   const std::string& value() {
     if (!any_left()) throw std::invalid_argument(words_[at_ - 1] + " needs a value");
     return next();
@@ -42,7 +42,7 @@ class Words {
   std::size_t at_ = 0;
 };
 
-/// What some work takes of the processor, all threads together, in s.
+/// The CPU time of some work, all threads together, in s.
 template <class Work>
 double cpu_seconds(const Work& work) {
   const auto now = [] {
@@ -55,7 +55,7 @@ double cpu_seconds(const Work& work) {
   return now() - start;
 }
 
-/// What some work takes, in s.
+/// The wall time of some work, in s.
 template <class Work>
 double wall_seconds(const Work& work) {
   const auto start = std::chrono::steady_clock::now();

@@ -1,9 +1,9 @@
 # Finds the HiGHS solver: target Highs::Highs, variables Highs_FOUND and Highs_VERSION.
 #
-# The package configuration of Debian 13's libhighs-dev 1.10 names files of its build machine and stops every
-# find_package(highs CONFIG); looking for the header and the library works everywhere.
+# The package configuration of Debian 13's libhighs-dev 1.10 names files of its build machine, so every
+# find_package(highs CONFIG) fails. Searching for the header and the library works everywhere.
 
-# Searched last: the build of scripts/build-highs.
+# The build of scripts/build-highs is searched last.
 execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/../scripts/build-highs --prefix
                 OUTPUT_VARIABLE highs_prefix OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 find_path(HIGHS_INCLUDE_DIR Highs.h PATHS ${highs_prefix}/include PATH_SUFFIXES highs)

@@ -15,7 +15,7 @@ if(NOT embree_FOUND)
 endif()
 string(REGEX MATCH "^[0-9]+" SHELFBEAM_EMBREE_MAJOR "${embree_VERSION}")
 
-# FindHighs.cmake looks where scripts/build-highs puts it; Debian's own CMake package of HiGHS is broken.
+# FindHighs.cmake also finds the build of scripts/build-highs; Debian's own CMake package of HiGHS is broken.
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 if(SHELFBEAM_HIGHS)
   find_package(Highs MODULE)

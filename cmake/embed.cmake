@@ -1,4 +1,4 @@
-# Run by itself it has no project to take its policies from.
+# In script mode there is no project that sets the policies.
 if(CMAKE_SCRIPT_MODE_FILE)
   cmake_minimum_required(VERSION 3.25)
 endif()
@@ -6,7 +6,7 @@ endif()
 # Turns files into a C++ source with one std::string_view each.
 #
 #   shelfbeam_embed(<out.cpp> <symbol> <file> [<symbol> <file> ...])
-#   cmake -DOUT=<out.cpp> -DSYMBOL=<symbol> -DFILE=<file> -P embed.cmake     for a file that the build makes
+#   cmake -DOUT=<out.cpp> -DSYMBOL=<symbol> -DFILE=<file> -P embed.cmake     for a generated file
 function(shelfbeam_embed out)
   set(text "#include <string_view>\nnamespace shelfbeam::embedded {\n")
   set(pairs ${ARGN})

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Usage: manual_pages.sh HELP2MAN PROGRAM FOLDER
 #
-# Writes the manual pages of shelfbeam and of each verb to FOLDER/man1, from what their --help says.
+# Writes the manual pages of shelfbeam and of each verb to FOLDER/man1, from their --help.
 set -eu
 
 help2man=$1 program=$2 folder=$3
@@ -13,12 +13,12 @@ mkdir -p "$folder/man1"
 cat >"$folder/see_also" <<END
 [see also]
 .BR shelfbeam (1)
-lists the verbs; each has a page of its own, such as
+lists the verbs. Each verb has its own page, such as
 .BR shelfbeam-plan (1).
 END
 
-# help2man wants a prompt before commands, and two spaces before the description of an option (in column 30).
-as_wanted='s/^  shelfbeam /  $ shelfbeam /; s/^(  -.{26} )([A-Z])/\1 \2/'
+# help2man requires a prompt before commands, and two spaces before the description of an option (in column 30).
+as_wanted='s/^  shelfbeam /  $ shelfbeam /; s/^(  -.{26} )([^ ])/\1 \2/'
 
 # page TITLE SUMMARY COMMAND
 page() {

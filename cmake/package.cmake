@@ -18,7 +18,7 @@ install(TARGETS shelfbeam_library EXPORT shelfbeam
         ARCHIVE COMPONENT library FILE_SET HEADERS COMPONENT library)
 install(EXPORT shelfbeam NAMESPACE shelfbeam:: FILE shelfbeamTargets.cmake DESTINATION ${config_dir} COMPONENT library)
 
-# HiGHS comes from the system where that has it; else the one that we built goes along.
+# Links HiGHS from the system if it has one. Otherwise our own build of HiGHS is installed with the library.
 set(SHELFBEAM_OWN_HIGHS "")
 if(Highs_FOUND AND NOT HIGHS_LIBRARY MATCHES "^/usr/")
   get_filename_component(SHELFBEAM_OWN_HIGHS ${HIGHS_LIBRARY} NAME)
@@ -30,7 +30,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/shelfbeamConfigVersion.cm
 install(FILES ${PROJECT_BINARY_DIR}/shelfbeamConfig.cmake ${PROJECT_BINARY_DIR}/shelfbeamConfigVersion.cmake
         DESTINATION ${config_dir} COMPONENT library)
 
-# Manual pages, of the program and of each verb, from what --help says.
+# Manual pages of the program and of each verb, from --help.
 find_program(SHELFBEAM_HELP2MAN help2man)
 if(SHELFBEAM_HELP2MAN)
   set(manual ${PROJECT_BINARY_DIR}/manual)

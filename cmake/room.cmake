@@ -1,7 +1,7 @@
 # shelfbeam_room([ROOMS <folder>...] [PUBLIC <header>...] [EXCEPT <source>...])
 #
-# Adds the sources beside the calling CMakeLists.txt to the library, but for those of EXCEPT, then the rooms below it.
-# PUBLIC headers are installed; they include only public headers.
+# Adds the sources beside the calling CMakeLists.txt to the library, except those of EXCEPT, and then the subfolders
+# ROOMS. PUBLIC headers are installed; they include only public headers.
 function(shelfbeam_room)
   cmake_parse_arguments(PARSE_ARGV 0 room "" "" "ROOMS;PUBLIC;EXCEPT")
   file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)

@@ -1,9 +1,9 @@
-# The 3-D view of reports: src/viewer and three.js in one script, embedded in the library.
+# The 3-D view of reports: bundles src/viewer and three.js in one script, which is embedded in the library.
 #
-#   shelfbeam_viewer(<out.cpp>)   the source to compile; its script is empty where Node.js or its packages are missing
+#   shelfbeam_viewer(<out.cpp>)   writes the source to compile; its script is empty without Node.js or its packages
 #
-# Packages come from npm as src/viewer/package-lock.json names them, into the build folder. Where they cannot be had,
-# the next configuration tries again. SHELFBEAM_VIEWER_PACKAGES is the folder where they are, or empty.
+# npm installs the packages of src/viewer/package-lock.json in the build folder. If this fails, the next configuration
+# tries again. SHELFBEAM_VIEWER_PACKAGES is the folder of the packages, or empty.
 
 function(shelfbeam_viewer_packages viewer)
   set(SHELFBEAM_VIEWER_PACKAGES "" CACHE INTERNAL "node_modules of the 3-D view")

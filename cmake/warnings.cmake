@@ -1,11 +1,11 @@
-# Compile options for our own code; what we link against is included as system headers.
+# Compile options for our own code; the headers of libraries are system headers.
 add_library(shelfbeam_options INTERFACE)
 target_compile_options(shelfbeam_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-  # Results must not depend on how the compiler contracts a*b+c on one machine or another.
+  # Results must not depend on whether the compiler contracts a*b+c.
   -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  # GCC 12 sees overlapping copies in std::string's operator+ that are not there (GCC bug 105651).
+  # GCC 12 falsely reports overlapping copies in std::string's operator+ (GCC bug 105651).
   target_compile_options(shelfbeam_options INTERFACE -Wno-restrict)
 endif()
 if(SHELFBEAM_WERROR)
@@ -16,6 +16,6 @@ if(SHELFBEAM_SANITIZE)
   target_link_options(shelfbeam_options INTERFACE -fsanitize=${SHELFBEAM_SANITIZE})
 endif()
 if(SHELFBEAM_FUZZ)
-  # Counts coverage for libFuzzer; each fuzzer links its main function by itself.
+  # Instruments the code for libFuzzer's coverage; each fuzzer links the main function itself.
   target_compile_options(shelfbeam_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()

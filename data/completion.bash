@@ -1,5 +1,5 @@
 #compdef shelfbeam
-# Completion for bash and, by way of bashcompinit, for zsh: verbs, options and choices as --help has them.
+# Completes verbs, options and choices from --help, in bash and, through bashcompinit, in zsh.
 
 _shelfbeam() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} verb='' wanted
@@ -9,7 +9,7 @@ _shelfbeam() {
   elif [[ ! $verb ]]; then
     wanted='/^Subcommands:/,/^$/s/^  ([a-z]+) .*/\1/p'
   elif [[ $before == -* ]]; then
-    wanted="s/^  (-.,)?${before//[^a-z-]/} [A-Z]+:\{([^}]*)\}.*/\2/p"
+    wanted="s/^  (-.,)?${before//[^a-z-]/} \{([^}]*)\}.*/\2/p"
   elif ((COMP_CWORD == 2)); then
     wanted='/^Positionals:/,/^$/s/^  [A-Z]+ \{([^}]*)\}.*/\1/p'
   else
@@ -24,5 +24,5 @@ if [[ ${ZSH_VERSION-} ]]; then
   autoload -Uz bashcompinit && bashcompinit
 fi
 complete -o default -F _shelfbeam shelfbeam
-# zsh loads this file when it is first asked to complete.
+# zsh loads this file at the first completion.
 [[ ${funcstack[1]-} != _shelfbeam ]] || _bash_complete -o default -F _shelfbeam

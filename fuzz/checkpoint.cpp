@@ -44,7 +44,7 @@ std::vector<std::string> seeds() {
   return files;
 }
 
-// Behind the first line records: a length, a hash of the content, a hash of both and the place, the content.
+// Records follow the first line: length, hash of the content, hash of both and the position, content.
 void repair(std::string& bytes) {
   std::size_t at = bytes.find('\n');
   if (at == std::string::npos) return;
@@ -54,7 +54,7 @@ void repair(std::string& bytes) {
     const std::size_t left = bytes.size() - at - sizeof head;
     const std::uint64_t length = std::min<std::uint64_t>(head[0], left);
     head[1] = hash64(std::string_view(bytes).substr(at + sizeof head, length));
-    // A length beyond the end stays: it is what a record cut off at the end looks like.
+    // A length beyond the end stays, because a truncated record at the end has one.
     const std::array<std::uint64_t, 3> hashed{head[0], head[1], at};
     head[2] = hash64({reinterpret_cast<const char*>(hashed.data()), sizeof hashed});
     std::memcpy(bytes.data() + at, head.data(), sizeof head);

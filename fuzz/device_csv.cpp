@@ -14,7 +14,7 @@ Store with_types() {
   return store;
 }
 
-// Labels and units, told apart by their header.
+// Reads labels or units, which differ in their headers.
 void read(std::string_view bytes) {
   static const Store types = with_types();
   Store store = types;

@@ -9,7 +9,7 @@
 
 #include "reader.hpp"
 
-// What libFuzzer calls; SHELFBEAM_READER is the name of the reader of this program.
+// The functions that libFuzzer calls. SHELFBEAM_READER is the name of this program's reader.
 
 namespace {
 
@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
   size = LLVMFuzzerMutate(data, size, max_size);
-  // Now and then the checksums stay wrong.
+  // One input in eight keeps wrong checksums.
   if (reader().repair == nullptr || seed % 8 == 0) return size;
   std::string bytes(reinterpret_cast<const char*>(data), size);
   reader().repair(bytes);

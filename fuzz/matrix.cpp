@@ -11,8 +11,8 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
-// Finds the kind of the file by itself, and unpacks what is compressed. The HDF5 library is not safe against
-// its files.
+// The reader detects the file type and decompresses. HDF5 files are excluded, because the HDF5 library is not
+// safe against malformed files.
 void read(std::string_view bytes) {
   const std::filesystem::path file = scratch().write("matrix", bytes);
   if (!is_hdf5(file)) read_signal_table(file);

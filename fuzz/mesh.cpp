@@ -10,7 +10,7 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
-// The name that a mesh of such bytes would have.
+// A file name with the extension of the mesh format that the bytes belong to.
 const char* name_of(std::string_view bytes) {
   if (bytes.starts_with("glTF")) return "mesh.glb";
   if (bytes.starts_with("{")) return "mesh.gltf";
@@ -71,7 +71,7 @@ std::vector<std::string> seeds() {
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1],"scale":[1,2,1]},{"mesh":0,"translation":[1,0,0]}],"meshes":[{"name":"m","primitives":[{"attributes":{"POSITION":1},"indices":0,"material":0}]}],"materials":[{"name":"x"}],"buffers":[{"uri":"data:application/octet-stream;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=","byteLength":44}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":6,"target":34963},{"buffer":0,"byteOffset":8,"byteLength":36,"target":34962}],"accessors":[{"bufferView":0,"byteOffset":0,"componentType":5123,"count":3,"type":"SCALAR","max":[2],"min":[0]},{"bufferView":1,"byteOffset":0,"componentType":5126,"count":3,"type":"VEC3","max":[1,1,0],"min":[0,0,0]}]})"};
 }
 
-// The lengths of a GLB file: all, and the first chunk where it claims more than there is.
+// Corrects the lengths of a GLB file: of the file, and of the first chunk if it exceeds the file.
 void repair(std::string& bytes) {
   if (!bytes.starts_with("glTF") || bytes.size() < 20) return;
   const auto set = [&](std::size_t at, std::size_t length) {

@@ -7,21 +7,21 @@
 
 namespace shelfbeam::fuzz {
 
-/// A reader of files that may come from anyone. To add one: a file beside this one that defines it, a line in
-/// reader.cpp and its name in CMakeLists.txt.
+/// A reader of untrusted files. To add a reader, define it in a file beside this one, and add a line to
+/// reader.cpp and its name to CMakeLists.txt.
 struct Reader {
   std::string_view name;
-  /// Reads the bytes as a file. Returns, or throws InputError; anything else is a finding.
+  /// Reads the bytes as a file. Returns or throws InputError; any other outcome is a finding.
   void (*read)(std::string_view bytes);
-  /// Files that it reads, small.
+  /// Small valid files.
   std::vector<std::string> (*seeds)();
-  /// Makes checksums and lengths right again, so that changed bytes get past them; the length stays.
+  /// Corrects checksums and lengths, so that the reader accepts mutated bytes; keeps the size.
   void (*repair)(std::string& bytes) = nullptr;
 };
 
 std::span<const Reader> readers();
 
-/// The reader of that name; nothing when there is none.
+/// The reader of that name, or nullptr.
 const Reader* find_reader(std::string_view name);
 
 /// A file of the source tree.

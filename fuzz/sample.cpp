@@ -54,7 +54,7 @@ class Mutator {
     }
   }
 
-  // The next digits become a number that readers do not expect.
+  // Replaces the next digits by a number that readers do not expect.
   void replace_number(std::string& bytes, std::size_t at) {
     static constexpr std::array numbers{"0",      "-1",         "1e308",      "1e999",
                                         "nan",    "4294967295", "4294967296", "18446744073709551615",
@@ -69,7 +69,7 @@ class Mutator {
   std::mt19937_64 random_;
 };
 
-// Whether the input is read, or refused as it should be; else the finding.
+// Whether the input is read (not refused). Other outcomes are written to `finding`.
 bool is_read(const Reader& reader, const std::string& bytes, std::string& finding) {
   try {
     reader.read(bytes);
@@ -78,7 +78,7 @@ bool is_read(const Reader& reader, const std::string& bytes, std::string& findin
   } catch (const std::exception& error) {
     finding = error.what();
   } catch (...) {
-    finding = "an exception that is no std::exception";
+    finding = "an exception other than std::exception";
   }
   return false;
 }

@@ -8,16 +8,17 @@
 
 namespace shelfbeam::fuzz {
 
-/// What a sample came to.
+/// The result of a sample.
 struct Sample {
   std::size_t inputs = 0;
-  std::size_t read = 0;  ///< of these, not refused
-  std::string finding;   ///< empty, or the exception that is no InputError, or that the time was up
-  std::string input;     ///< that led to it
+  std::size_t read = 0;  ///< inputs that were not refused
+  std::string finding;   ///< an exception other than InputError, or a timeout; empty without a finding
+  std::string input;     ///< the input of the finding
 };
 
-/// Reads every seed and then so many changed ones, the same for the same `seed`, without a coverage-guided
-/// fuzzer; ends at the first finding. A single input that takes longer than `longest_s` is one.
+/// Reads every seed file and then `changed` mutated ones, without a coverage-guided fuzzer; equal `seed`s
+/// give equal inputs. Ends at the first finding. An input that takes longer than `longest_s` is a finding,
+/// too.
 Sample sample(const Reader& reader, std::size_t changed, std::uint64_t seed, double longest_s = 20);
 
 }  // namespace shelfbeam::fuzz

@@ -4,7 +4,7 @@
 
 namespace shelfbeam::fuzz {
 
-/// A folder of the process's own, for readers that take a path; removed when the process ends.
+/// A temporary folder of this process for readers that take a path; removed when the process ends.
 inline const test::TempFolder& scratch() {
   static const test::TempFolder folder;
   return folder;

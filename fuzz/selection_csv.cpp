@@ -1,4 +1,4 @@
-#include "shelfbeam/signal/constraints/apart.hpp"
+#include "shelfbeam/signal/constraints/conflicts.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "reader.hpp"
@@ -9,7 +9,7 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
-// The tables of costs and of forbidden pairs, told apart by their header.
+// Reads tables of costs or of conflicts, which differ in their headers.
 void read(std::string_view bytes) {
   static const SignalTable unchanged = small_table();
   SignalTable table = unchanged;

@@ -7,7 +7,8 @@
 
 #include "reader.hpp"
 
-// Usage: write_seeds FOLDER READER: writes the reader's seeds to FOLDER, which is made.
+// Usage: write_seeds FOLDER READER
+// Creates FOLDER and writes the reader's seeds to it.
 
 int main(int count, char** arguments) {
   try {

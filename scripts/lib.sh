@@ -1,5 +1,6 @@
 # shellcheck shell=bash
-# Sourced first by the scripts beside it and below it: strict mode, the top of the checkout as the working directory, messages.
+# The scripts in this folder and below it source this file first. It sets strict mode, makes the top of the checkout the
+# working directory, and defines messages.
 
 set -euo pipefail
 invoked=$(realpath "$0")
@@ -12,7 +13,7 @@ die() {
   exit 1
 }
 
-# The comment at the head of a script is its help.
+# Prints the comment at the head of a script as its help.
 usage() { sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$invoked"; }
 
 bad_usage() {

@@ -1,25 +1,25 @@
 # shellcheck shell=bash
-# Sourced by the scripts that work in a Debian of their own: a folder made by mmdebstrap and entered with chroot.
+# Sourced by scripts that work in a separate Debian: a folder set up by mmdebstrap and entered with chroot.
 
-# make_root RELEASE: makes the folder $root, or takes it as it is; without a name it is a temporary one, which goes
-# when the script ends unless $keep says otherwise. Needs root.
+# make_root RELEASE: sets up Debian in the folder $root, or reuses it. If $root is empty, creates a temporary folder,
+# which is removed when the script ends unless $keep is set. Requires root.
 make_root() {
   ((EUID == 0)) || die "this needs root"
   need mmdebstrap
   if [[ ! $root ]]; then
     root=$(mktemp -d --tmpdir "shelfbeam-$1.XXXXXX")
-    chmod 755 "$root" # as / has to be for apt's own user
+    chmod 755 "$root" # apt's own user must be able to enter it
     [[ $keep ]] || trap 'rm -rf --one-file-system "$root"' EXIT
   fi
   say "Debian $1 in $root"
   [[ -x $root/usr/bin/apt-get ]] || mmdebstrap --variant=apt "$1" "$root"
-  # Where this machine's network has certificates of its own, npm needs them inside, too.
+  # npm needs the extra certificates of this machine's network inside, too.
   : >"$root/etc/extra-certificates.pem"
   [[ ! -r ${NODE_EXTRA_CA_CERTS-} ]] || cp "$NODE_EXTRA_CA_CERTS" "$root/etc/extra-certificates.pem"
 }
 
-# inside COMMAND...: runs it in the root, in /shop/shelfbeam.
-# The mounts and the processes live in namespaces of their own: both are gone when the command ends, however it ends.
+# inside COMMAND...: runs the command in the root, in /shop/shelfbeam.
+# Separate namespaces ensure that no mount or process remains when the command ends.
 inside() {
   # shellcheck disable=SC2016
   unshare --mount --pid --fork --kill-child bash -euc '

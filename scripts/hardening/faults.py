@@ -1,4 +1,4 @@
-"""The faults: what a program meets that is killed, has no room, may not write, or is not alone."""
+"""Injects faults: kills, failing file operations, full disks, read-only folders, two writers and a jumping clock."""
 
 import json
 import os
@@ -24,7 +24,7 @@ def signalled(verb, dice, number):
 
 
 def at_operation(verb, shim, number, error, lasts):
-    """The fault at one operation on files; nothing where there are fewer."""
+    """Makes one file operation fail. The result is None if the run has fewer operations."""
     def inject(folder):
         count = folder.parent / "count"
         count.unlink(missing_ok=True)
@@ -44,7 +44,7 @@ def operations_of(verb, shim):
 
 
 def each(last, count, dice):
-    """All of 1 ... last where there are no more than count, else so many of them."""
+    """The numbers 1 to last, or a random sample of `count` of them if there are more."""
     return iter(sorted(dice.sample(range(1, last + 1), min(count, last))))
 
 
@@ -69,7 +69,7 @@ def mount(*arguments):
 def on_full_disk(verb, dice):
     def inject(folder):
         content = contents(folder)
-        # The pages of the old output and some more, seldom enough for the new.
+        # Pages for the old output and a few more, rarely enough for the new output.
         pages = sum(len(data) // 4096 + 1 for data in content.values())
         pages += dice.randint(1, 10 if verb.name == "simulate" else 170)
         mount("-t", "tmpfs", "-o", f"size={pages * 4}k", "tmpfs", folder)
@@ -107,7 +107,7 @@ def read_only(verb, has_mounts):
 
 
 def two_writers(trials, verb, count, dice):
-    """Two at once into one output: of one seed, of two, and one of them killed."""
+    """Two processes write to one output: with the same seed, with two seeds, and with one process killed."""
     kind, lost = "two processes, one output", 0
     for trial in range(count):
         seeds = (1, 1) if trial % 3 == 0 else (1, 2)
@@ -122,13 +122,13 @@ def two_writers(trials, verb, count, dice):
             found = contents(folder)
             worst = min(ends, key=lambda end: end.code)
             seed = 2 if 2 in seeds and found.get(verb.signal) == verb.old[verb.signal] else 1
-            # With all ended of themselves the folder holds one whole result; a killed one may leave its checkpoint.
+            # Without a kill, the folder contains one complete result. A killed process may leave a checkpoint.
             new = verb.old if seed == 2 else verb.whole
             problems += look_at_files(verb, found, {}, worst, new)
             if worst.code == 0 and found != new:
-                problems.append("is no whole result: " + " ".join(sorted(found)))
+                problems.append("not one complete result: " + " ".join(sorted(found)))
             resumed = look_at_resumption(verb, folder, seed, new)
-            if worst.code != 0 and resumed and "is of another simulation" in resumed[0]:
+            if worst.code != 0 and resumed and "another simulation" in resumed[0]:
                 resumed = look_at_resumption(verb, folder, 3 - seed, verb.whole if seed == 2 else verb.old)
             problems += resumed
         lost += trials.judge(kind, verb.name, problems)
@@ -136,7 +136,7 @@ def two_writers(trials, verb, count, dice):
 
 
 def jumping_clock(trials, verb, count, shim, dice, jumps=1, quiet=False):
-    """The clock of the day jumps at every look: same bytes, and a time that was asked for is kept."""
+    """The wall clock jumps at every reading: the output stays the same, and time limits hold."""
     kind, lost = "clock jumps", 0
     environment = {"LD_PRELOAD": shim, "CLOCK_JUMPS": str(jumps)}
     for trial in range(count):
@@ -153,6 +153,6 @@ def jumping_clock(trials, verb, count, shim, dice, jumps=1, quiet=False):
                                       timeout=PATIENCE).stdout
                 passed = time.monotonic() - begun
                 if not 0.2 < json.loads(told)["seconds"] <= passed:
-                    problems.append(f"0.3 s were asked for: {json.loads(told)['seconds']} s, by our clock {passed:.2f} s")
+                    problems.append(f"--time 0.3 took {json.loads(told)['seconds']} s, by our clock {passed:.2f} s")
         lost += trials.judge(kind, verb.name, problems, quiet)
     trials.row(kind, verb.name, count, lost)

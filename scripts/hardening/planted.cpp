@@ -1,4 +1,4 @@
-// One mistake of each kind that the sanitizers are there for, so that scripts/hardening/sanitize can tell that they are on.
+// One error for each sanitizer, with which scripts/hardening/sanitize checks that the sanitizers work.
 #include <climits>
 #include <cstring>
 #include <thread>

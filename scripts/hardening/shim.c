@@ -1,12 +1,12 @@
-// Preloaded into a program: counts what it does to files and, at one of these operations, kills it or lets the
-// operation fail; or lets the clock jump. For scripts/hardening/inject-faults.
+// A preloaded library for scripts/hardening/inject-faults. It counts the program's file operations, and makes
+// one of them fail or kills the program before it. It can also make the clock jump.
 //
-//   FAULT_COUNT=FILE  the number of operations goes there when the program ends
-//   FAULT_AT=N        the fault is at the N-th operation
-//   FAULT_ERRNO=E     the operation fails with this error; 0: the program is killed before it
-//   FAULT_LASTS=1     and so does every operation from then on
-//   FAULT_OF=NAME     only operations of this name count and fail, such as rename
-//   CLOCK_JUMPS=C     the clock of the day jumps by up to ten years at each look (C = 1), the steady one too (2)
+//   FAULT_COUNT=FILE  write the number of operations to FILE when the program ends
+//   FAULT_AT=N        inject the fault at the N-th operation
+//   FAULT_ERRNO=E     the operation fails with error E; with 0 the program is killed before the operation
+//   FAULT_LASTS=1     every later operation fails, too
+//   FAULT_OF=NAME     count and fail only operations of this name, such as rename
+//   CLOCK_JUMPS=C     the wall clock (C = 1), or both clocks (C = 2), jump by up to ten years at each reading
 
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -32,7 +32,7 @@ static long setting(const char* name) {
   return text == NULL ? -1 : atol(text);
 }
 
-// Whether the operation that begins now fails. Removals do not: nothing needs room for them.
+// Whether the present operation fails. Removals never fail, because they need no disk space.
 static int fails(const char* name, int is_removal) {
   const char* only = getenv("FAULT_OF");
   if (only != NULL && strcmp(only, name) != 0) return 0;

@@ -1,4 +1,4 @@
-"""Runs of the program that a fault has struck, and what must be right of what it left and said."""
+"""Runs the program with a fault, and checks the files and the message that it leaves."""
 
 import os
 import re
@@ -11,7 +11,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 PROGRAM = os.environ.get("SHELFBEAM", str(ROOT / "build/release/shelfbeam"))
 TEMPORARY = re.compile(r"^\.(.+)\.shelfbeam-\w{6}$")
-PATIENCE = 300  # seconds until a program is said to hang
+PATIENCE = 300  # seconds after which a program counts as hung
 
 STORE = {
     "room": {"size": [8, 6, 3], "floor": "m", "ceiling": "m", "walls": "m"},
@@ -25,7 +25,7 @@ STORE = {
 
 
 class Verb:
-    """A command, what it writes undisturbed, and what an earlier command with another seed has left."""
+    """A command, its undisturbed output, and the older output of the same command with another seed."""
 
     def __init__(self, name, base, samples):
         self.name, self.base, self.samples = name, base, samples
@@ -58,7 +58,7 @@ class Outcome:
 
 
 def contents(folder):
-    """Names and bytes of all files below a folder, but for the times that answers tell."""
+    """Names and bytes of all files below a folder, without running times."""
     return {str(path.relative_to(folder)): untimed(path.read_bytes())
             for path in sorted(folder.rglob("*")) if path.is_file()}
 
@@ -80,7 +80,7 @@ def start(command, folder, environment=None, before=None):
 
 
 def look_at_files(verb, found, old, outcome, new=None):
-    """What is wrong with the files that a fault has left."""
+    """The problems of the files that a fault has left."""
     new = new or verb.whole
     problems = []
     checkpoint = verb.signal + ".checkpoint"
@@ -91,7 +91,7 @@ def look_at_files(verb, found, old, outcome, new=None):
             problems.append(f"{name} is left")
         elif outcome.code >= 0:
             problems.append(f"{name} is left by a program that was not killed")
-    if outcome.code == 3 and results != new:  # a part of the samples, whole files
+    if outcome.code == 3 and results != new:  # complete files with fewer samples
         if verb.signal in found and found[verb.signal] != old.get(verb.signal):
             problems += readable(verb, found)
         return problems
@@ -101,7 +101,7 @@ def look_at_files(verb, found, old, outcome, new=None):
     if results == new or results == old:
         return problems
     if verb.name == "simulate" or "plan/placement.json" in results:
-        problems.append("of old and new files: " + " ".join(sorted(results)))
+        problems.append("a mixture of old and new files: " + " ".join(sorted(results)))
     if "plan/report.html" in old and "plan/report.html" not in results:
         problems.append("the report is lost")
     return problems
@@ -116,7 +116,7 @@ def readable(verb, found):
 
 
 def look_at_message(verb, found, old, outcome):
-    """What is wrong with what the program said."""
+    """The problems of the program's message."""
     if outcome.code < 0 or outcome.code == 0:
         return []
     lines = outcome.err.splitlines()
@@ -126,19 +126,19 @@ def look_at_message(verb, found, old, outcome):
     kept = verb.signal + ".checkpoint" in found
     if outcome.code == 3:
         if not lines[0].startswith(("stopped: ", "stopped early: ")):
-            problems.append("does not say that it stopped")
+            problems.append("does not report that it stopped")
     elif outcome.code == 2:
         if not lines[0].startswith("error: ") or "cannot be written (" not in lines[0]:
-            problems.append("does not say what cannot be written")
+            problems.append("does not name the file that cannot be written")
         name = lines[0].removeprefix("error: ").split(": ")[0]
-        if name in old and found.get(name) == old[name] and "stays as it was" not in lines[0]:
-            problems.append("does not say that the old file stays")
+        if name in old and found.get(name) == old[name] and "is unchanged" not in lines[0]:
+            problems.append("does not report that the old file stays")
     else:
         problems.append(f"exit code {outcome.code}")
     if kept and "--resume" not in lines[0]:
-        problems.append("does not say that there is a checkpoint to go on from")
-    if "the same command with '--resume' goes on" in lines[0] and not kept and "rests on" not in lines[0]:
-        problems.append("speaks of a checkpoint that is not there")
+        problems.append("does not name the checkpoint from which --resume continues")
+    if "repeat the command with '--resume'" in lines[0] and not kept and "uses the samples" not in lines[0]:
+        problems.append("mentions a checkpoint that does not exist")
     return [f"{problem}: {lines[0]}" for problem in problems]
 
 
@@ -150,12 +150,12 @@ def look_at_resumption(verb, folder, seed=1, whole=None):
     found, whole = contents(folder), whole or verb.whole
     if found == whole:
         return []
-    return ["after --resume differs: " + " ".join(sorted(
+    return ["files differ after --resume: " + " ".join(sorted(
         name for name in found.keys() | whole.keys() if found.get(name) != whole.get(name)))]
 
 
 class Trials:
-    """The faults of one kind and verb. Each is a function (folder, old) -> Outcome, or None where it did not strike."""
+    """Injects faults and counts losses. `inject` maps a folder to an Outcome, or to None if the fault had no effect."""
 
     def __init__(self, base, dice):
         self.base, self.dice = base, dice

@@ -9,7 +9,7 @@
 namespace shelfbeam::app {
 
 Store load_store(const std::filesystem::path& path, bool allow_outside, std::size_t memory) {
-  return read_store(path, {allow_outside, memory == 0 ? most_of_the_memory() : memory});
+  return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory});
 }
 
 SignalTable table_without_signals(const Scene& scene) {
@@ -26,7 +26,8 @@ SignalTable table_without_signals(const Scene& scene) {
 
 void add_store_options(CLI::App& verb, bool& allow_outside) {
   verb.add_flag("--allow-outside", allow_outside,
-                "Let the store file name files (meshes, tables, profiles) outside its folder");
+                "Allow the store file to name files (meshes, tables, profiles) outside its folder")
+      ->group(group::runs);
 }
 
 void prepare_plan_folder(const std::filesystem::path& folder) {

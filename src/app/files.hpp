@@ -12,17 +12,17 @@
 
 namespace shelfbeam::app {
 
-/// Reads a store file; the files that it names lie in its folder unless `allow_outside`. `memory`: bytes, 0
-/// for most of what the machine has.
+/// Reads a store file and the files that it names; these must be in its folder unless `allow_outside`.
+/// `memory`: limit in bytes, 0 for memory_limit().
 Store load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0);
 
-/// What placements are asked about, before there is any signal: labels and candidates of a scene.
+/// The labels and candidates of a scene as a table without entries.
 SignalTable table_without_signals(const Scene& scene);
 
 /// --allow-outside.
 void add_store_options(CLI::App& verb, bool& allow_outside);
 
-/// Names of what a plan leaves in its folder. A folder without placement.json is no whole plan.
+/// Names of the files in the folder of a plan. Without placement.json a plan is incomplete.
 inline constexpr auto signal_name = "signal.h5";
 inline constexpr auto placement_name = "placement.json";
 inline constexpr auto store_name = "store.json";
@@ -31,7 +31,7 @@ inline constexpr auto placement_table_name = "placement.csv";
 inline constexpr auto verification_name = "verification.csv";
 inline constexpr auto report_name = "report.html";
 
-/// Makes the folder; throws InputError where one of the files above could not be written.
+/// Makes the folder; throws InputError if one of these files cannot be written.
 void prepare_plan_folder(const std::filesystem::path& folder);
 
 /// Adds labels.csv, placement.csv and report.html.

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
 
+#include "app/options/arguments.hpp"
 #include "app/verbs.hpp"
 
 namespace {
@@ -20,7 +22,7 @@ namespace {
 using namespace shelfbeam;
 using namespace shelfbeam::app;
 
-// One line, whatever names and paths hold.
+// Prints one line; control characters from names and paths are escaped.
 void print_line(std::string_view kind, std::string_view text) {
   std::string line;
   for (const char c : text) {
@@ -32,7 +34,7 @@ void print_line(std::string_view kind, std::string_view text) {
   fmt::print(stderr, "{}: {}\n", kind, line);
 }
 
-// The library does not know what its settings are called here.
+// The library does not know the names of the flags.
 std::string with_flag(std::string_view text, Setting setting) {
   static const std::map<Setting, std::string_view> flags{
       {Setting::memory, "--memory"},          {Setting::files_outside, "--allow-outside"},
@@ -50,12 +52,13 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   app.description(
       "Plans where to mount infrared transceivers so that every electronic shelf label hears them.");
   app.name("shelfbeam");
+  app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", std::string(program_version()));
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 the answer is no (infeasible); 2 wrong input; 3 stopped by a limit or by you, "
-      "the result\n"
-      "so far is saved; 4 internal error. 'shelfbeam VERB --help' shows examples.");
+      "Exit codes: 0 success; 1 no feasible placement, or labels missed; 2 invalid input; 3 stopped by a "
+      "limit\n"
+      "or by the user, results so far are saved; 4 internal error. 'shelfbeam VERB --help' shows examples.");
   add_new(app, chosen);
   add_inspect(app, chosen);
   add_simulate(app, chosen);
@@ -106,7 +109,7 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Beyond a limit of file sizes writing fails, which is told like a full disk.
+  // Writing beyond a file size limit then fails, which is reported like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app;
   ChosenVerb chosen;

@@ -9,12 +9,12 @@
 
 namespace shelfbeam::app {
 
-/// What the program ends with; the contract of every verb.
+/// The exit codes of the program.
 enum ExitCode : int {
   done = 0,
   answer_is_no = 1,  ///< infeasible, labels missed
   wrong_input = 2,
-  stopped_early = 3,  ///< by a limit or the user; what there is has been saved
+  stopped_early = 3,  ///< by a limit or the user; the results so far are saved
   internal_error = 4
 };
 
@@ -29,8 +29,8 @@ struct CommonOptions {
 /// The verb that the command line chose, ready to run; returns the exit code.
 using ChosenVerb = std::function<int()>;
 
-// Each adds one verb with its options and examples to the command line. To add one: write `add_x` in a file
-// of its own and call it in main.cpp.
+// Each function adds one verb with its options and examples to the command line. To add a verb, write `add_x`
+// in its own file and call it in main.cpp.
 void add_new(CLI::App& app, ChosenVerb& chosen);
 void add_inspect(CLI::App& app, ChosenVerb& chosen);
 void add_simulate(CLI::App& app, ChosenVerb& chosen);

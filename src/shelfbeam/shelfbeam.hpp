@@ -1,6 +1,6 @@
 #pragma once
 
-// The whole public interface; docs/api.md says how it is used.
+// The whole public interface; docs/api.md documents its use.
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/error.hpp"

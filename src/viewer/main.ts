@@ -1,4 +1,4 @@
-// The 3-D view of a report: reads the page's data, then shows and recomputes.
+// The entry point of the 3-D view of a report: reads the data of the page and creates the view.
 
 import { readSignals, readStore } from "./data/store";
 import { View } from "./view";
@@ -6,7 +6,7 @@ import style from "./viewer.css";
 
 declare global {
   interface Window {
-    /** For tests: the view, or why there is none. */
+    /** For tests: the view, or the error that prevented it. */
     shelfbeamViewer?: Promise<View>;
   }
 }
@@ -24,13 +24,13 @@ async function start(root: HTMLElement): Promise<View> {
 const root = document.getElementById("viewer-root");
 if (root) {
   const note = root.firstElementChild;
-  if (note) note.textContent = "The 3-D view is being prepared …";
+  if (note) note.textContent = "Loading the 3-D view …";
   window.shelfbeamViewer = start(root);
   window.shelfbeamViewer.catch((error: unknown) => {
     root.dataset.failed = String(error);
     const text = document.createElement("p");
     text.className = "note";
-    text.textContent = `The 3-D view cannot be shown in this browser (${String(error)}). The plans and tables below hold the same answer.`;
+    text.textContent = `The 3-D view cannot be shown in this browser (${String(error)}). The plans and tables below contain the same results.`;
     root.replaceChildren(text);
   });
 }

@@ -1,4 +1,4 @@
-// The 3-D view as a whole: picture, controls and what links them.
+// The 3-D view: picture, controls and their connections.
 
 import { Card } from "./panel/card";
 import { modeNames, modesOf, type Mode } from "./scene/classes";
@@ -14,7 +14,7 @@ import { Stage } from "./scene/stage";
 import { changedUnits, fromHash, initialState, toHash, type Selection } from "./data/state";
 import { verdicts, type Signals, type Store } from "./data/store";
 
-const slowestHover = 60; // ms a frame
+const slowestHover = 60; // ms per frame
 
 export class View {
   readonly model: Model;
@@ -42,8 +42,8 @@ export class View {
     this.model = new Model(store, signals);
     this.canvas.setAttribute(
       "aria-label",
-      "The store in 3-D. Arrow keys turn it, with shift they move it, plus and minus zoom, 0 shows the whole store. " +
-        "Labels and units can be chosen in the lists, too.",
+      "The store in 3-D. Arrow keys turn the view, Shift and arrow keys move it, plus and minus zoom, 0 shows the " +
+        "whole store. Labels and units can also be chosen in the lists.",
     );
     this.names = new Names(store);
     this.frame.append(this.canvas, this.names.root, this.tip);
@@ -60,7 +60,7 @@ export class View {
         this.model.changed();
       },
     );
-    this.reset = button("Reset", () => this.restore(null), { title: "Plan, thresholds, levels and view as at first" });
+    this.reset = button("Reset", () => this.restore(null), { title: "Restore the plan, the requirements, the levels and the view" });
     const card = new Card(this.model, (selection) => this.lookAt(selection));
     const [levels, thresholds] = [new Levels(this.model), new Thresholds(this.model)];
     const units = new UnitList(this.model);
@@ -92,7 +92,7 @@ export class View {
             { class: "v3-row" },
             button("Whole store", () => this.stage.showAll()),
             this.reset,
-            button("Copy link", () => void this.copyLink(), { title: "A link to just this view" }),
+            button("Copy link", () => void this.copyLink(), { title: "Copy a link to this view" }),
             document.fullscreenEnabled ? button("Full screen", () => void this.toggleFullScreen()) : null,
             this.copied,
           ),
@@ -132,7 +132,7 @@ export class View {
     requestAnimationFrame(() => this.stage.measure(5, 300));
   }
 
-  /** Shows what a link tells; the plan as it was made where it tells nothing. */
+  /** Shows the view of a link; without a valid link, the original plan. */
   restore(hash: string | null): void {
     const { store } = this.model;
     const linked = hash === null ? initialState(store) : fromHash(store, hash);
@@ -188,7 +188,7 @@ export class View {
     for (const part of this.parts) part.update();
     const touch = matchMedia("(pointer: coarse)").matches;
     this.hint.textContent = state.plan
-      ? `${touch ? "Two fingers move and zoom." : "Drag to move, scroll to zoom after a click."} Labels of one shelf stand side by side, the lowest level next to it.`
+      ? `${touch ? "Two fingers move and zoom." : "Drag to move, scroll to zoom after a click."} Labels of one shelf are drawn side by side, the lowest level nearest to the shelf.`
       : touch
         ? "Swipe sideways to turn, two fingers move and zoom. Tap a label or a unit."
         : "Drag to turn, right button to move, scroll to zoom after a click. Click a label or a unit.";
@@ -212,21 +212,21 @@ export class View {
     const parts: string[] = [];
     if (added.length) parts.push(`switched on: ${some(added)}`);
     if (removed.length) parts.push(`switched off: ${some(removed)}`);
-    if (!this.model.hasPlannedThresholds()) parts.push("other thresholds");
+    if (!this.model.hasPlannedThresholds()) parts.push("other requirements");
     this.changes.textContent = parts.length
-      ? `Changed against the plan (${planned}): ${parts.join("; ")}.${store.certificate ? " The certificate does not cover that." : ""}`
+      ? `Changed from the plan (${planned}): ${parts.join("; ")}.${store.certificate ? " The certificate does not cover these changes." : ""}`
       : store.units.selected.length
-        ? `This is the plan as it was made.${this.certified()}`
-        : "There is no plan: switch on candidates to see what they do.";
+        ? `This is the original plan.${this.certified()}`
+        : "There is no plan. Switch on candidates to see their effect.";
   }
 
-  /** What the certificate says of the plan, for the line above the picture. */
+  /** The verdicts of the certificate, for the line above the picture. */
   private certified(): string {
     const { certificate, label } = this.model.store;
     if (!certificate) return "";
     const counts = verdicts.map((_, verdict) => label.verdict.reduce((sum, of) => sum + (of === verdict ? 1 : 0), 0));
     const words = verdicts.flatMap((name, k) => (k === 0 || counts[k] > 0 ? [`${grouped(counts[k])} ${name}`] : []));
-    return ` On fresh samples, with joint confidence ${percentage(certificate.confidence)}: ${words.join(", ")}.`;
+    return ` With independent samples and ${percentage(certificate.confidence)} confidence: ${words.join(", ")}.`;
   }
 
   private showLegend({ classes, counts }: ClassCounts): void {
@@ -240,7 +240,7 @@ export class View {
       triangle: (colour: string) => outlined("M0-8 8 6H-8Z", colour),
       square: (colour: string) => outlined("M-6-6H6V6H-6Z", colour),
     };
-    // Of what is drawn otherwise than as a disc only what there is.
+    // Classes with other shapes than discs are listed only if they occur.
     const items = classes.flatMap(({ name, colour, shape = "disc" }, k) =>
       shape !== "disc" && counts[k] === 0 ? [] : [key(marks[shape](colour), `${name}: ${grouped(counts[k])}`)],
     );
@@ -252,7 +252,7 @@ export class View {
       const shares = this.model.contributions(state.selection.index).map(({ directShare }) => directShare);
       if (shares.some((share) => share !== null))
         items.push(key(line("--direct", "none"), "direct share"), key(line("--reflected", "5 3"), "reflected share"));
-      if (shares.includes(null)) items.push(key(line("--edge", "none"), "share not known here"));
+      if (shares.includes(null)) items.push(key(line("--edge", "none"), "share not in this page"));
     }
     items.push(
       key(`<svg viewBox="-10 -10 20 20"><circle r="8" style="fill:var(--unit)"/></svg>`, "unit that is on"),
@@ -260,7 +260,7 @@ export class View {
     );
     const title =
       state.selection?.kind === "unit"
-        ? `What ${store.units.ids[state.selection.index]} gives of a label's need:`
+        ? `Signal from ${store.units.ids[state.selection.index]} as a share of the requirement:`
         : this.model.classes.title;
     this.legend.replaceChildren(element("li", {}, element("strong", { text: title })), ...items);
   }
@@ -272,7 +272,7 @@ export class View {
     this.canvas.dataset.drawCalls = String(drawCalls);
     if (frameTime === null) return;
     this.canvas.dataset.frameTime = frameTime.toFixed(1);
-    this.figures.textContent = `${counted(labels, "label")} drawn in ${counted(this.model.state.levels.filter(Boolean).length, "layer")}, ${significant(frameTime, 2)}\u00a0ms a frame.`;
+    this.figures.textContent = `${counted(labels, "label")} drawn in ${counted(this.model.state.levels.filter(Boolean).length, "layer")}, ${significant(frameTime, 2)}\u00a0ms per frame.`;
   }
 
   // --- pointer and keys ---
@@ -299,7 +299,7 @@ export class View {
       });
     });
     this.canvas.addEventListener("pointerleave", () => (this.tip.hidden = true));
-    // The page scrolls over the picture until a click says that the picture is meant.
+    // Scrolling moves the page until a click gives the picture the focus.
     this.frame.addEventListener(
       "wheel",
       (event) => {

@@ -1,4 +1,4 @@
-"""Answers of `shelfbeam place` (docs/formats/placement.md)."""
+"""Placements of `shelfbeam place` (docs/formats/placement.md)."""
 
 import json
 from dataclasses import dataclass
@@ -22,9 +22,9 @@ class Answer:
 
     @property
     def units(self):
-        """The number of transceivers; [at least, found] without proof, with ~ where a second objective is open.
+        """The count; [lower bound, count found] without proof; with ~ if the second objective is not proven.
 
-        An answer of the greedy algorithm claims nothing, so its number stands alone.
+        The greedy algorithm claims no optimality, so its count is given alone.
         """
         if self.status != "feasible" and self.count != self.count_lower_bound:
             return f"[{self.count_lower_bound:g}, {self.count}]"
@@ -39,7 +39,7 @@ def read_answer(path):
     with open(path, encoding="utf-8") as file:
         read = json.load(file)
     if read.get("format") != 1:
-        raise ValueError(f"{path}: not an answer of format 1")
+        raise ValueError(f"{path}: not a placement of format 1")
     return Answer(
         tuple(read["selected"]),
         read["count"],
@@ -52,5 +52,5 @@ def read_answer(path):
 
 
 def table_answer(folder, samples, model, objective, solver):
-    """An answer that scripts/thesis-tables left in its folder."""
+    """A placement in the folder of scripts/thesis-tables."""
     return read_answer(f"{folder}/{samples}-{model}-{objective}-{solver}.json")

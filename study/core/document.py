@@ -1,4 +1,4 @@
-"""The whole document: sections in the paper's order, and the files."""
+"""Writes the document, with its sections in the paper's order, and the CSV files."""
 
 import time
 
@@ -59,7 +59,7 @@ def _cards(study):
             f"{len(reference.labels)} × {len(reference.units)}",
             "ours; the paper says a few hundred",
         ),
-        ("samples a label", f"{grouped(study.effort.samples[0])} – {grouped(last)}", "the paper's estimator"),
+        ("samples per label", f"{grouped(study.effort.samples[0])} – {grouped(last)}", "the paper's estimator"),
         (
             "cooperative",
             coop.units,
@@ -71,7 +71,7 @@ def _cards(study):
 
 
 def write(study, is_quick):
-    """Computes what is missing and writes all files; gives the path of the document."""
+    """Computes all missing results and writes all files; returns the path of the document."""
     begun = time.monotonic()
     study.make_tables()
     sections = []
@@ -95,15 +95,15 @@ def write(study, is_quick):
         ),
     )
     introduction = page.paragraph(
-        "The study of ‘Optimal Transceiver Placement in Retail Environments: A Path Tracing Approach’, done"
-        " again on our version of its test environment with its"
+        "This page repeats the study of ‘Optimal Transceiver Placement in Retail Environments: A Path Tracing"
+        " Approach’ on our version of its test environment with its"
         f" estimator{' (quick: fewer samples and solver runs than the full study)' if is_quick else ''}."
-        " Every number is computed from the files beside this one, and so is every judgement."
+        " Every number and every judgement is computed from the files beside this page."
     )
     introduction += page.paragraph(
         (
-            "The paper gives no dimensions of its environment and no strength of its devices, so its numbers"
-            " of transceivers need not be ours. What can be compared are trends, shares and statements."
+            "The paper gives no dimensions of its environment and no strength of its devices, so its counts of"
+            " transceivers may differ from ours. Trends, shares and statements can be compared."
         ),
         "note",
     )
@@ -111,11 +111,11 @@ def write(study, is_quick):
     footer = (
         f"shelfbeam {escape(study.program.version())} · estimators"
         f" ‘{escape(study.uniform(study.most_samples).estimator)}’ and ‘{escape(study.reference.estimator)}’"
-        f" · {grouped(round(summary['rays_per_second']))} rays a second · answers have"
-        f" {study.effort.time_limit:g} s each"
+        f" · {grouped(round(summary['rays_per_second']))} rays per second · time limit"
+        f" {study.effort.time_limit:g} s per solver run"
     )
     html = page.document(
-        "The paper’s study, done again",
+        "Reproduction of the paper’s study",
         introduction,
         _cards(study),
         sections,

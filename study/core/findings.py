@@ -1,4 +1,4 @@
-"""What a section says in the end: a statement of the paper, our figures for it, and whether they agree."""
+"""The findings of a section: a statement of the paper, our figures for it, and whether they agree."""
 
 from dataclasses import dataclass, field
 
@@ -7,7 +7,7 @@ AGREES, PARTLY, DIFFERS, OURS = "agrees", "in part", "differs", "ours"
 
 @dataclass(frozen=True)
 class Finding:
-    """`paper` and `ours` are short enough for a column of a table; `sentence` says it in words."""
+    """`paper` and `ours` are short enough for a table column; `sentence` states the finding in words."""
 
     reference: str  # section, table or figure of the paper
     claim: str  # in our words
@@ -34,7 +34,7 @@ class Section:
         self.findings.append(Finding(reference or self.reference, claim, paper, ours, verdict, sentence, why))
 
     def tell(self, sentence, why=""):
-        """Something that the paper does not speak of."""
+        """Adds a finding on which the paper makes no statement."""
         self.findings.append(Finding(self.reference, "", "", "", OURS, sentence, why))
 
 

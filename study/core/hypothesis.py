@@ -1,4 +1,4 @@
-"""The test that the figures of a finding on pairs of estimates rest on."""
+"""A statistical test on pairs of estimates."""
 
 import math
 from dataclasses import dataclass
@@ -9,14 +9,14 @@ from scipy.stats import norm, t as student
 
 @dataclass(frozen=True)
 class PairTest:
-    """What pairs of estimates say to the claim that both of each pair estimate the same number."""
+    """The result of testing whether both estimates of each pair have the same mean."""
 
     z: np.ndarray
     largest: float
-    limit: float  # what `largest` may be
+    limit: float  # the largest accepted value of `largest`
     mean_square: float
     expected_square: float
-    spread_z: float  # how far the mean square lies above what is expected, in its standard deviations
+    spread_z: float  # the mean square minus its expectation, in standard deviations
     spread_limit: float
     beyond: float  # share of |z| above 1.96
     passes: bool
@@ -25,9 +25,8 @@ class PairTest:
 def pair_test(a, b, error_a, error_b, freedom, level=0.01):
     """Two z-tests at `level` / 2 each: of the largest |z| (Sidak), and of the mean square.
 
-    The pairs must be independent of each other and of one another's halves; `freedom` is that of one standard
-    error, so both tests rather pass too often (that of a difference has more). Pairs that were never hit on
-    either side say nothing and are left out.
+    All estimates must be independent. `freedom` are the degrees of freedom of one standard error. The difference has
+    more, so both tests are conservative. Pairs without a hit on either side are omitted.
     """
     a, b, error = np.ravel(a), np.ravel(b), np.hypot(np.ravel(error_a), np.ravel(error_b))
     known = error > 0

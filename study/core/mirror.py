@@ -1,11 +1,11 @@
-"""The mirror symmetry of the environment: x to 20 - x. (From front to back it has none: the freezer is low.)"""
+"""The mirror symmetry of the environment: x to 20 - x. (The low freezer breaks the symmetry from front to back.)"""
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 
 def partners(points, normals, axis):
-    """For every point the index of its mirror image about x = axis; ValueError where one has none."""
+    """The index of every point's mirror image about x = axis; ValueError if a point has none."""
 
     def key(point, normal):
         return tuple(np.round([*point, *normal], 6) + 0.0)
@@ -20,11 +20,11 @@ def partners(points, normals, axis):
             ]
         )
     except KeyError as error:
-        raise ValueError(f"nothing is opposite of {error}") from error
+        raise ValueError(f"{error} has no mirror image") from error
 
 
 class Mirror:
-    """Which label and which candidate lie opposite which."""
+    """Pairs of opposite labels and of opposite candidates."""
 
     def __init__(self, signals, width):
         self.labels = partners(signals.labels, signals.normals, width / 2)
@@ -32,12 +32,12 @@ class Mirror:
 
     @property
     def left_labels(self):
-        """One label of every pair; those on the axis are their own partners and left out."""
+        """One label of every pair, without labels on the axis, which are their own partners."""
         return np.flatnonzero(np.arange(len(self.labels)) < self.labels)
 
 
 def distance_to_mirror_image(units, width):
-    """How far a placement (k x 3) is from its own mirror image: mean distance, m, of the best pairing in plan."""
+    """The mean horizontal distance, m, of a placement (k x 3) from its mirror image in the best pairing."""
     own = units[:, :2]
     images = own * [-1.0, 1.0] + [width, 0]
     apart = np.hypot(*(own[:, None, :] - images[None, :, :]).transpose(2, 0, 1))

@@ -1,4 +1,4 @@
-"""The HTML document: one file with its style inside, nothing fetched, well-formed as XML, too."""
+"""The HTML document: one self-contained file that is also well-formed XML."""
 
 import csv
 import io
@@ -12,7 +12,7 @@ STYLE = Path(__file__).with_name("page.css")
 
 
 def table(header, rows, numeric=(), paper=(), wide=(), caption=""):
-    """`numeric`, `paper` (muted) and `wide` (with line breaks) name columns by their place."""
+    """`numeric`, `paper` (muted) and `wide` (with line breaks) are column indices."""
 
     def classes(k):
         names = [name for name, places in (("n", numeric), ("paper", paper), ("w", wide)) if k in places]
@@ -41,7 +41,7 @@ def row_of(figures, css_class="pair"):
 
 
 def small_maps(columns, css_class=""):
-    """Maps in columns of two, each (heading, small words, picture): side by side where the page is narrow."""
+    """Maps in columns of two, each (heading, small words, picture); on narrow pages side by side."""
     cells = "".join(
         f"<div><h4>{escape(heading)} <small>{escape(words)}</small></h4>{picture}</div>\n"
         for column in columns
@@ -80,7 +80,7 @@ def _section(number, section):
 
 
 def _overview(rows):
-    """The table of all statements; on narrow pages a row becomes a block."""
+    """The table of all statements; on narrow pages each row becomes a block."""
     body = "".join(
         f'<tr><td>{where}</td><td class="w">{escape(claim)}</td><td class="w paper"'
         f' data-is="paper">{escape(theirs)}</td><td class="w"'
@@ -88,7 +88,7 @@ def _overview(rows):
         for where, claim, theirs, ours, pill in rows
     )
     head = "".join(
-        f'<th scope="col">{words}</th>' for words in ("where", "the paper says", "paper", "here", "")
+        f'<th scope="col">{words}</th>' for words in ("section", "statement of the paper", "paper", "here", "")
     )
     return (
         '<div class="scroll"><table'
@@ -97,7 +97,7 @@ def _overview(rows):
 
 
 def summary_sentence(findings):
-    """How many of the paper's statements hold here."""
+    """A sentence with the number of the paper's statements that hold here."""
     count = {
         verdict: sum(one.verdict == verdict for one in findings) for verdict in (AGREES, PARTLY, DIFFERS)
     }
@@ -142,7 +142,7 @@ def document(title, introduction, cards, sections, footer):
         f" scripts/reproduce</p>\n<h1>{escape(title)}</h1>\n"
         f'<p class="answer">{escape(summary_sentence([one for _, one in findings]))}</p>\n'
         f'{introduction}<dl class="cards">\n{shown}</dl>\n'
-        f"<section>\n<h2>What agrees and what does not</h2>\n{overview}</section>\n"
+        f"<section>\n<h2>Statements of the paper and our results</h2>\n{overview}</section>\n"
         '<nav aria-label="Sections"><h3>Sections, in the paper\'s'
         f" order</h3>\n<ol>\n{contents}</ol></nav>\n{body}"
         f"<footer>{footer}</footer>\n</main>\n</body>\n</html>\n"

@@ -1,4 +1,4 @@
-"""Tables 3.1 to 3.3 as text, from the folder of scripts/thesis-tables: its last step."""
+"""Prints tables 3.1 to 3.3 as text from the folder of scripts/thesis-tables, as the last step of that script."""
 
 import sys
 
@@ -33,11 +33,11 @@ def print_tables(folder, samples):
         ("count", "and links"),
         non_cooperative("greedy", paper.GREEDY),
     )
-    # With cooperation links are the number of units times a constant, which tells no two selections apart.
+    # In the cooperative model all links are a constant times the count, so they cannot rank selections.
     print_table(
         (
-            "Table 3.3: cooperative, optimal; transceivers. Ours are effective links (a signal of the whole"
-            " requirement),\nsince all links together are a multiple of the number of transceivers"
+            "Table 3.3: cooperative, optimal; transceivers. Our links are effective links (signals that meet the"
+            " requirement),\nbecause the paper's links are a multiple of the number of transceivers"
         ),
         samples,
         ("count", "and signal", "and eff. links"),

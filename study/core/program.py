@@ -1,4 +1,4 @@
-"""Runs the program, and keeps what it wrote: a second run goes on where the first was."""
+"""Runs the program and keeps its files, from which a second run continues."""
 
 import json
 import re
@@ -9,7 +9,7 @@ from pathlib import Path
 
 
 class Failure(Exception):
-    """Something that the reader of the message can change."""
+    """An error that the user can correct."""
 
 
 def say(text):
@@ -17,10 +17,10 @@ def say(text):
 
 
 class Program:
-    """The shelfbeam binary with a folder for what it writes.
+    """The shelfbeam binary with a folder for its output files.
 
-    A file is written again only where it is missing, older than what it was made from (for answers that is the
-    program, too, as solvers change), or was asked for with other arguments. The arguments are kept beside it.
+    A file is written again only if it is missing, older than its inputs, or was written with other arguments, which
+    are kept beside it. The program is an input of all files but simulations, because solvers change.
     """
 
     def __init__(self, binary, folder):
@@ -41,10 +41,10 @@ class Program:
         ).stdout.strip()
 
     def run(self, name, arguments, inputs=(), accepted=(0,)):
-        """Writes the file `name` of the folder (with `-o`); gives its path.
+        """Writes the file `name` of the folder (with `-o`) and returns its path.
 
-        With `--json` among the arguments what the program prints is kept in NAME.json. `accepted` are the exit
-        codes that count as done: 1 is an answer of no, 3 one that a time limit cut short.
+        With `--json` among the arguments, the printed output is kept in NAME.json. `accepted` are the exit codes that
+        count as success: 1 is infeasible, 3 is a run that a time limit ended.
         """
         output = self.folder / name
         command = [self.binary, *map(str, arguments), "-o", str(output), "--quiet"]
@@ -57,7 +57,7 @@ class Program:
         begun = time.monotonic()
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode not in accepted:
-            raise Failure(f"{' '.join(command)}\nended with {done.returncode}: {done.stderr.strip()}")
+            raise Failure(f"{' '.join(command)}\nexited with {done.returncode}: {done.stderr.strip()}")
         self.runs += 1
         if "--json" in arguments:
             write_text(self.folder / f"{name}.json", done.stdout)
@@ -85,7 +85,7 @@ class Program:
 
 
 def write_text(path, text):
-    """Writes a file so that it appears whole or not at all."""
+    """Writes a file atomically."""
     path = Path(path)
     new = path.with_name(path.name + ".new")
     new.write_text(text, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Several runs with the fewest samples: what one run of each can say about numbers of transceivers."""
+"""Several runs with the fewest samples, to show how the counts vary between seeds."""
 
 from collections import Counter
 
@@ -33,19 +33,19 @@ def count_words(found):
 
 
 def judge_trend(study, result, model, ours, printed, reference):
-    """Whether fewer samples cost transceivers: in the rows of the table, and in runs with other seeds."""
+    """Judges whether fewer samples need more transceivers: in the rows of the table, and with other seeds."""
     truth = study.fewest_in_truth(model)
     seeds = counts(study, model)
     samples = [grouped(n) for n in study.effort.samples]
     more = sum(times for count, times in seeds.items() if count > truth.count)
     result.find(
-        "More samples, fewer transceivers",
+        "More samples need fewer transceivers",
         spread(printed, "{}".format),
         f"{spread(ours, '{}'.format)}; with {samples[0]} samples {count_words(seeds)}",
         verdict(ours[-1] < ours[0] and more > seeds.total() / 2, ours[-1] < ours[0] or more > 0),
         (
             f"The count is {listed(ours)} for {listed(samples)} samples and {truth.units} on the reference"
-            f" matrix; the paper has {listed(printed)}. With {samples[0]} samples and other seeds it is"
+            f" matrix; the paper has {listed(printed)}. With {samples[0]} samples and several seeds it is"
             f" {count_words(seeds)}."
         ),
         noise(study),

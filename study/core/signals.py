@@ -1,4 +1,4 @@
-"""Signal files (docs/formats/signal.md): reading them, and writing ones with fewer or other entries."""
+"""Reads signal files (docs/formats/signal.md), and writes variants with fewer or other entries."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,15 +32,15 @@ class Signals:
     requirement: np.ndarray  # m
     unit_ids: list
     units: np.ndarray  # n x 3, m
-    batches: int  # the fewest behind a row
-    samples: int  # the fewest of a row
+    batches: int  # minimum over the rows
+    samples: int  # minimum over the rows
     estimator: str
 
     def columns(self, ids):
         return [self.unit_ids.index(one) for one in ids]
 
     def unit_at(self, x, y):
-        """The column of the candidate nearest to a point of the floor, the first of several."""
+        """The column of the candidate nearest to a point of the floor; the first if several are equally near."""
         return int(np.argmin(np.hypot(self.units[:, 0] - x, self.units[:, 1] - y).round(9)))
 
 
@@ -64,9 +64,9 @@ def read_signals(path):
 
 
 def write_variant(source, path, mean=None, columns=None, costs=None):
-    """Writes the signal file `source` again with other entries (m x n), some of the columns, or other costs.
+    """Writes a copy of the signal file `source` with other entries (m x n), fewer columns, or other costs.
 
-    A file that is newer than its source stays: the caller's name for it must say what was changed.
+    An existing file that is newer than its source is kept, so every variant needs its own name.
     """
     path = Path(path)
     if path.exists() and path.stat().st_mtime > Path(source).stat().st_mtime:

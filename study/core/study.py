@@ -1,4 +1,4 @@
-"""What all sections share: the store, the signal files, the answers, and how much effort is spent."""
+"""Shared by all sections: the store, the signal files, the placements, and the computing effort."""
 
 import json
 import os
@@ -21,13 +21,13 @@ STORE = TOP / "examples/thesis/store.json"
 
 @dataclass(frozen=True)
 class Effort:
-    """How much is computed."""
+    """The amount of computation."""
 
     samples: tuple  # of the uniform estimator
     reuse_samples: tuple  # of path reuse
-    reference_samples: int  # of path reuse with another seed: what the others are compared with
-    time_limit: float  # s, of an answer
-    cut_offs: tuple  # shares of the requirement below which signals are taken for 0
+    reference_samples: int  # of path reuse with another seed, for comparison
+    time_limit: float  # s per solver run
+    cut_offs: tuple  # shares of the requirement below which signals are set to 0
     solver_samples: tuple  # for which the solvers are timed
     backends: tuple
     seeds: int  # runs with the fewest samples
@@ -47,7 +47,7 @@ QUICK = Effort((5000, 25000), (2500,), 5000, 20, (0, 0.05), (5000,), ("highs",),
 
 
 def read_store(path):
-    """A store file of ours: JSON with comments on lines of their own."""
+    """Reads one of our store files: JSON with comments on separate lines."""
     text = Path(path).read_text(encoding="utf-8")
     return json.loads(re.sub(r"^\s*//.*$", "", text, flags=re.MULTILINE))
 
@@ -67,7 +67,7 @@ class Study:
         return self.effort.samples[-1]
 
     def make_tables(self):
-        """Tables 3.1 to 3.3, by the script that is there for them; its signal files serve the other sections."""
+        """Runs scripts/thesis-tables for tables 3.1 to 3.3; the other sections use its signal files, too."""
         say("the paper's tables")
         environment = dict(
             os.environ,
@@ -82,7 +82,7 @@ class Study:
             check=False,
         )
         if done.returncode != 0:
-            raise Failure(f"scripts/thesis-tables ended with {done.returncode}")
+            raise Failure(f"scripts/thesis-tables exited with {done.returncode}")
 
     def uniform_file(self, samples):
         return self.tables_folder / f"{samples}.h5"
@@ -108,7 +108,7 @@ class Study:
 
     @property
     def reference(self):
-        """The best matrix that there is, and independent of all others."""
+        """The most precise matrix, independent of all others."""
         return self.reuse(self.effort.reference_samples, 2)
 
     @lru_cache(maxsize=None)
@@ -124,7 +124,7 @@ class Study:
         return table_answer(self.tables_folder, samples, model, objective, solver)
 
     def place(self, name, signal_file, *arguments, limit=None):
-        """An answer of `place`; exit codes 1 and 3 are answers, too."""
+        """A placement by `place`; exit codes 1 and 3 are accepted."""
         limit = limit or self.effort.time_limit
         path = self.program.run(
             f"{name}.json",
@@ -139,7 +139,7 @@ class Study:
         return self.place(f"reference-{model}-count", self.reference_file, "--model", model)
 
     def levels(self, signals):
-        """Rows of the paper's three levels: lowest shelf, middle shelf and freezer, top shelf."""
+        """The rows of the paper's three levels: lowest shelf; middle shelf and freezer; top shelf."""
         height = signals.labels[:, 2].round(6)
         shelves = sorted({z for z, one in zip(height, signals.label_ids) if not one.startswith("F")})
         return [

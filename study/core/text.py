@@ -26,7 +26,7 @@ def listed(items):
 
 
 def spread(values, form):
-    """The smallest and the largest, or the one that all are."""
+    """The smallest and the largest value, or one value if both are equal."""
     low, high = form(min(values)), form(max(values))
     return low if low == high else f"{low} to {high}"
 

@@ -10,9 +10,9 @@ SIZE = (7.8, 4.7)  # inches of 72 units
 
 
 def axes(x_title, y_title, log="", percent="", x_ticks=None):
-    """Axes in a frame of their own; `log` and `percent` name those that are: "", "x", "y" or "xy".
+    """Axes in a separate figure; `log` and `percent` name the logarithmic and the percent axes: "", "x", "y" or "xy".
 
-    Where there are `x_ticks`, the axis ends just beyond them.
+    With `x_ticks`, the axis ends just beyond them.
     """
     result = Figure(figsize=SIZE).add_subplot()
     result.set_xlabel(x_title)
@@ -34,7 +34,7 @@ def axes(x_title, y_title, log="", percent="", x_ticks=None):
 
 
 def chart(drawn, description):
-    """The axes as a picture; lines that have a label are named below it."""
+    """The axes as a picture, with a legend of the labelled lines below it."""
     if drawn.get_legend_handles_labels()[0]:
         below = offset_copy(drawn.transAxes, drawn.figure, y=-60, units="points")
         drawn.legend(loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=below)
@@ -42,11 +42,11 @@ def chart(drawn, description):
 
 
 def histogram(edges, counts, x_title, y_title, description, mark=None, log="", ticks=None, most=None):
-    """`mark` is a value of x with a word for it; `most` the count that the axis reaches where charts are compared."""
+    """`mark` is a value of x and its name; `most` is the top of the count axis, to compare charts."""
     drawn = axes(x_title, y_title, log)
     bars = [(low, high - low, count) for low, high, count in zip(edges, edges[1:], counts) if count]
     starts, widths, heights = zip(*bars)
-    # The outline keeps a single count among many visible.
+    # The outline keeps a bar of one count visible beside large ones.
     drawn.bar(starts, heights, [0.92 * width for width in widths], align="edge", ec=colour("s0"), lw=0.8)
     drawn.set_xlim(edges[0], edges[-1])
     drawn.set_ylim(0, 1.05 * (most or max(counts)))

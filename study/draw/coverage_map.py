@@ -5,12 +5,12 @@ import numpy as np
 from study.core import page
 from study.draw.store_map import legend
 
-ALONE = [("often", "reached by two or more"), ("once", "by one"), ("missed", "by none")]
-TOGETHER = [("often", "one alone suffices"), ("once", "only together"), ("missed", "not reached")]
+ALONE = [("often", "reached by two or more"), ("once", "reached by one"), ("missed", "not reached")]
+TOGETHER = [("often", "reached by one alone"), ("once", "reached only together"), ("missed", "not reached")]
 
 
 def coverage_map(study, signals, selected, title, note="", reference="", cooperative=False):
-    """All labels; of those above each other the one that fewest reach is drawn on top."""
+    """Draws all labels. Among labels above each other, the one that the fewest transceivers reach is on top."""
     columns = signals.columns(selected)
     serving = (signals.mean[:, columns] >= signals.requirement[:, None]).sum(axis=1)
     if cooperative:

@@ -1,4 +1,4 @@
-"""Which entries of a matrix are set, as a picture of one pixel an entry."""
+"""A picture of the set entries of a matrix, one pixel per entry."""
 
 import base64
 import io
@@ -6,7 +6,7 @@ import io
 from matplotlib.colors import ListedColormap
 from matplotlib.image import imsave
 
-SHADES = ListedColormap(["#00000000", "#3c82c8"])  # transparent where not set: for light and dark pages
+SHADES = ListedColormap(["#00000000", "#3c82c8"])  # other entries are transparent, for light and dark pages
 
 
 def picture(is_set, description):

@@ -1,4 +1,4 @@
-"""Matplotlib's pictures as parts of the page: its colours and type, nothing that another run would write otherwise."""
+"""Matplotlib's pictures as parts of the page: in its colours and type, and identical in every run."""
 
 import io
 import itertools
@@ -15,7 +15,7 @@ _NUMBERS = itertools.count()
 
 
 def colour(name):
-    """Stands for a colour of page.css, which has it for light and for dark pages; `svg` names it there."""
+    """A placeholder for a colour of page.css, which `svg` replaces by its name there (for light and dark pages)."""
     return f"#5b{_NAMES.index(name):04x}"
 
 
@@ -65,13 +65,13 @@ matplotlib.rcParams.update(
 
 
 def svg(figure, description, css_class):
-    """The picture as SVG; no other one has its identifiers. Without a description it only decorates."""
+    """The picture as SVG with unique identifiers. A picture without a description is decorative."""
     text = io.StringIO()
     with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": str(next(_NUMBERS))}):
         figure.savefig(text, format="svg", metadata=dict.fromkeys(("Creator", "Date", "Format", "Type")))
     body = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->", "", text.getvalue(), flags=re.DOTALL)
     body = re.sub(r'<g id="[^"]*"', "<g", body).replace("xlink:href", "href")
-    body = re.sub("<[^>]*>", lambda tag: re.sub(r"(?<=\.\d\d)\d+", "", tag[0]), body)  # enough for a place
+    body = re.sub("<[^>]*>", lambda tag: re.sub(r"(?<=\.\d\d)\d+", "", tag[0]), body)  # precise enough for positions
     body = re.sub("#5b([0-9a-f]{4})", lambda found: f"var(--{_NAMES[int(found[1], 16)]})", body)
     view, content = re.search(r'<svg [^>]*(viewBox="[^"]*")[^>]*>(.*)', body, flags=re.DOTALL).groups()
     label = f'role="img" aria-label="{escape(description)}"' if description else 'aria-hidden="true"'

@@ -1,4 +1,4 @@
-"""Floor plans: the store, and marks for labels and transceivers on it."""
+"""Floor plans of the store, with marks for labels and transceivers."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -7,10 +7,10 @@ from matplotlib.patches import Rectangle
 from study.core.text import escape
 from study.draw.picture import colour, svg
 
-SCALE = 40 / 72  # inches a metre
+SCALE = 40 / 72  # inches per metre
 MARGIN = 0.2  # m
 CLASSES = 8
-DECADES = 2  # that the classes of signal span
+DECADES = 2  # span of the signal classes
 
 
 def _mark(shape, size, fill, edge, width):
@@ -19,7 +19,7 @@ def _mark(shape, size, fill, edge, width):
 
 
 STAR = [(0, 15), (4, 4), (15, 0), (4, -4), (0, -15), (-4, -4), (-15, 0), (-4, 4), (0, 15)]
-# Sizes in units of the picture, 40 a metre.
+# Sizes in picture units, 40 per metre.
 MARKS = {f"g{k}": _mark("o", 10 + 2.2 * k, f"g{k}", "edge", 0.6) for k in range(CLASSES)} | {
     "gz": _mark("o", 7, "none", "edge", 1),
     "faint": _mark("o", 6, "cand", "cand", 0),
@@ -33,7 +33,7 @@ MARKS = {f"g{k}": _mark("o", 10 + 2.2 * k, f"g{k}", "edge", 0.6) for k in range(
 
 
 def signal_class(share):
-    """The class of a signal, given as a share of the strongest: 7 is the highest, below 0 is less than all."""
+    """The class of a signal, given as a share of the strongest: 7 is the highest; -1 is below all classes."""
     if share <= 0:
         return -1
     return min(CLASSES - 1, int(np.floor(CLASSES * (1 + np.log10(share) / DECADES) + 1e-9)))
@@ -61,7 +61,7 @@ class StoreMap:
         self.width, self.depth = store["room"]["size"][:2]
 
     def picture(self, layers, description):
-        """Draws layers of a symbol and its points (k x 2) one on the other; transceivers with their numbers."""
+        """Draws layers of (symbol, points k x 2) on top of each other, and numbers the transceivers."""
         axes = _plan(-MARGIN, self.width + MARGIN, -MARGIN, self.depth + MARGIN)
         axes.add_patch(Rectangle((0, 0), self.width, self.depth, fc=colour("floor"), ec=colour("edge"), lw=1.6))
         for fixture in self.store["fixtures"]:
@@ -76,11 +76,11 @@ class StoreMap:
         return svg(axes.figure, description, "m")
 
     def places(self, signals):
-        """Where the marks of labels stand (m x 2): each on its own side of the shelf."""
+        """Positions of the label marks (m x 2), each on its own side of the shelf."""
         return signals.labels[:, :2] + 0.12 * signals.normals[:, :2]
 
     def signals(self, signals, rows, column, strongest, threshold, description):
-        """One transceiver's signal at some labels; with a threshold only where it is reached."""
+        """Draws one transceiver's signal at some labels; with a threshold, only at the labels that it reaches."""
         places = self.places(signals)[rows]
         values = signals.mean[rows, column]
         classes = [signal_class(value / strongest) for value in values]
@@ -98,7 +98,7 @@ def _key(symbol):
 
 
 def legend(items):
-    """Symbols and what they mean."""
+    """A legend of symbols and their meanings."""
     keys = "".join(f"<li>{_key(symbol)}{escape(words)}</li>" for symbol, words in items)
     return f'<ul class="legend">{keys}</ul>\n'
 

@@ -1,4 +1,4 @@
-"""The certified plan, where the program has it: an answer to the paper's open question of convergence."""
+"""The certified plan, which answers the paper's open question of convergence (if the program certifies plans)."""
 
 import json
 
@@ -15,7 +15,7 @@ def is_there(study):
 
 
 def _facts(value, name=""):
-    """Numbers and texts of a JSON object, with the way to each; of long lists only how many there are."""
+    """Numbers and texts of a JSON object with their paths; long lists are reduced to their lengths."""
     if isinstance(value, dict):
         return [fact for key, one in value.items() for fact in _facts(one, f"{name}.{key}" if name else key)]
     if isinstance(value, list):
@@ -32,8 +32,8 @@ def section(study):
         "The certified plan",
         "beyond 2.11.2 and 3.5.4",
         (
-            "The paper leaves open when a simulation has converged. A plan with a confidence goes on until"
-            " the placement is verified on fresh samples, and fewer transceivers are excluded, too. Does it"
+            "The paper leaves open when a simulation has converged. A certified plan continues until"
+            " independent samples verify the placement and fewer transceivers are ruled out. Does it"
             " end here?"
         ),
     )
@@ -57,26 +57,26 @@ def section(study):
             )
         )
         facts = [fact for fact in _facts(answer.get("certificate") or {})]
-        result.tables[f"certificate_{model}"] = (("what", "value"), facts)
+        result.tables[f"certificate_{model}"] = (("key", "value"), facts)
         if facts:
             result.add(
-                page.details(f"The certificate, {model}", page.table(("what", "value"), facts, wide=(1,)))
+                page.details(f"The certificate, {model}", page.table(("key", "value"), facts, wide=(1,)))
             )
         equal = answer["count"] is not None and answer["count"] == answer["count_lower_bound"]
         result.tell(
             (
-                f"{model.capitalize()}: {answer['count']} transceivers, at least"
-                f" {answer['count_lower_bound']} are needed, after {seconds(record['seconds'])} (exit code"
+                f"{model.capitalize()}: {answer['count']} transceivers, with a lower bound of"
+                f" {answer['count_lower_bound']}, after {seconds(record['seconds'])} (exit code"
                 f" {record['exit_code']})."
             ),
             ("Count and bound are equal" if equal else "Count and bound differ")
             + (
                 ", and the run is certified."
                 if record["exit_code"] == 0
-                else ", and the run says that it did not certify everything."
+                else ", and the run did not certify everything."
             ),
         )
-    header = ("model", "transceivers", "at least", "status", "exit code", "time")
+    header = ("model", "transceivers", "lower bound", "status", "exit code", "time")
     result.tables["certified_plan"] = (header, rows)
     result.body.insert(0, page.table(header, rows, numeric=(1, 2, 4, 5)))
     return result

@@ -1,4 +1,4 @@
-"""A coarser grid of candidates, and what symmetry costs: 3.5.5."""
+"""A coarser grid of candidates, and the solver time that symmetry costs: 3.5.5."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from study.draw.coverage_map import coverage_map
 
 
 def grids(units):
-    """Columns of the grids of 2 m, by where they begin, and of 3 m."""
+    """The grids of 2 m and 3 m: (spacing, first column and row, columns of M)."""
     index = [np.unique(units[:, k].round(6), return_inverse=True)[1] for k in (0, 1)]
     for spacing in (2, 3):
         for dx in range(spacing):
@@ -24,7 +24,7 @@ def grids(units):
 
 
 def interchangeable(reach):
-    """Candidates that reach exactly what another one reaches, and those that reach no more than another one."""
+    """Numbers of candidates that reach exactly the same labels as another one, and only a part of them."""
     columns = {}
     for j in range(reach.shape[1]):
         columns.setdefault(reach[:, j].tobytes(), []).append(j)
@@ -36,7 +36,7 @@ def interchangeable(reach):
 
 
 def neighbours_in_common(reach, units):
-    """The median share of labels that both of two neighbouring candidates reach, of those that either does."""
+    """For neighbouring candidates, the labels that both reach over the labels that either reaches (median)."""
     apart = np.linalg.norm(units[:, None] - units[None], axis=2)
     pairs = [(a, b) for a, b in np.argwhere(apart < 1.01) if a < b]
     shares = [
@@ -48,7 +48,7 @@ def neighbours_in_common(reach, units):
 
 
 def pair_files(study, signals):
-    """Matrices whose columns are pairs of mirror images: sums of both, and the larger, each at the price of two."""
+    """Matrices whose columns are pairs of mirror images: the sum (cooperative) or maximum of both signals."""
     mirror = study.mirror()
     left = np.flatnonzero(np.arange(len(mirror.units)) < mirror.units)
     folder = study.program.folder
@@ -65,8 +65,8 @@ def section(study):
         "Coarser grid and symmetry",
         "3.5.5",
         (
-            "What does a coarser grid of candidates lose and save? Are the best placements symmetric, and"
-            " does the symmetry cost time?"
+            "How many transceivers does a coarser grid of candidates cost, and how much time does it save? Are"
+            " optimal placements symmetric, and does symmetry cost time?"
         ),
     )
     signals, path = study.reference, study.reference_file
@@ -138,9 +138,9 @@ def section(study):
     symmetry_header = (
         "model",
         "fewest",
-        "fewest of mirrored pairs",
-        "placement to its mirror image",
-        "MIP, as simulated",
+        "fewest in mirrored pairs",
+        "distance to the mirror image",
+        "MIP, simulated matrix",
         "MIP, exactly symmetric matrix",
     )
     result.tables["symmetry_of_placements"] = (symmetry_header, symmetry_rows)
@@ -157,14 +157,14 @@ def section(study):
                 for model in MODELS
             ]
         ),
-        page.table(("grid", "model", "grids that need no more", "at most"), summary, numeric=(2, 3)),
+        page.table(("grid", "model", "grids that need no more", "max extra"), summary, numeric=(2, 3)),
         page.table(symmetry_header, symmetry_rows, numeric=range(1, 6)),
         page.details("All grids", page.table(header, rows, numeric=range(2, 7))),
         page.paragraph(
             (
-                "On the reference matrix. A placement's distance to its mirror image is the mean over its"
-                " transceivers of the best pairing: 0 would be perfect symmetry. Placements of mirrored pairs"
-                " have even numbers, as no candidate stands on the axis."
+                "On the reference matrix. The distance of a placement to its mirror image is the mean distance"
+                " in the best pairing of their transceivers; it is 0 for a symmetric placement. Placements of"
+                " mirrored pairs have even counts, because no candidate is on the axis."
             ),
             "note",
         ),
@@ -178,9 +178,8 @@ def section(study):
         f"{len(fits)} of {len(two)} 2 m grids need no more",
         verdict(len(fits) == len(two), bool(fits)),
         (
-            f"Of {len(two)} questions on grids of 2 m with a quarter of the candidates {len(fits)} need no"
-            " more transceivers; the others "
-            f"{f'need up to {more_at_most} more' if len(fits) < len(two) else 'do not exist'}."
+            f"Of {len(two)} placements on 2 m grids with a quarter of the candidates, {len(fits)} need no more"
+            f" transceivers{f'; the others need up to {more_at_most} more' if len(fits) < len(two) else ''}."
         ),
     )
     result.find(
@@ -188,20 +187,20 @@ def section(study):
         "observable in Fig. 3.2",
         f"{spread(list(apart.values()), '{:.1f}'.format)} m from the mirror image",
         verdict(max(apart.values()) < 1.0, min(apart.values()) < 1.5),
-        f"The placements lie {spread(list(apart.values()), '{:.1f}'.format)} m from their mirror images.",
-        "Symmetric ones of the same number "
+        f"The placements are {spread(list(apart.values()), '{:.1f}'.format)} m from their mirror images.",
+        "Symmetric placements with the same count "
         + (
             "exist"
             if all(s.count and 2 * s.count == full[m].count for m, s in symmetric.items())
-            else "need not exist: mirrored pairs take "
+            else "need not exist: mirrored pairs require "
             + " and ".join(
-                f"{'no number' if symmetric[m].count is None else 2 * symmetric[m].count} ({m})"
+                f"{'no finite number' if symmetric[m].count is None else 2 * symmetric[m].count} ({m})"
                 for m in MODELS
             )
         )
-        + ", but of equal placements the program takes the one with the widest margin, wherever it is.",
+        + ", but among equally good placements the program chooses the one with the largest minimum margin.",
     )
-    # Runs of a few hundredths of a second say nothing.
+    # Times of a few hundredths of a second are not comparable.
     slower = [
         times[model, "symmetric"].seconds / times[model, "simulated"].seconds
         for model in MODELS
@@ -214,7 +213,7 @@ def section(study):
         verdict(min(slower) > 1.5, max(slower) > 1.5),
         (
             f"On an exactly symmetric matrix the MIP solver takes {spread(slower, '{:.1f}'.format)} times as"
-            " long as on the simulated one."
+            " long as on the simulated matrix."
         ),
     )
     result.find(
@@ -223,9 +222,10 @@ def section(study):
         f"{same} of {len(signals.units)}; neighbours share {percent(alike)}",
         verdict(same > 0, within > 0),
         (
-            f"{same} of {len(signals.units)} candidates reach exactly what another one reaches, and"
-            f" {within} reach only a part of what another one does ({percent(within / len(signals.units))});"
-            f" candidates 1 m apart have {percent(alike)} of what either reaches in common (median)."
+            f"{same} of {len(signals.units)} candidates reach exactly the same labels as another candidate,"
+            f" and {within} ({percent(within / len(signals.units))}) reach only a part of another candidate's"
+            f" labels. Of the labels that either of two candidates 1 m apart reaches, both reach"
+            f" {percent(alike)} (median)."
         ),
     )
     return result

@@ -12,7 +12,7 @@ def section(study):
     result = Section(
         "Cooperative placement",
         "3.5.2, Table 3.3, Fig. 3.4",
-        "How many transceivers are needed where their signals add up, and do the objectives differ?",
+        "How many transceivers are needed if their signals add up, and do the objectives differ?",
     )
     rows, counts, same = [], [], []
     for samples in study.effort.samples:
@@ -58,8 +58,8 @@ def section(study):
         page.table(header, rows, numeric=range(1, 10), paper=(2, 5, 8), caption="Table 3.3"),
         page.paragraph(
             (
-                "Links are counted where one transceiver brings the whole requirement (the paper's sum over"
-                " all pairs is the same for every selection of so many transceivers)."
+                "A link counts only if one transceiver alone meets the requirement. (The paper's sum over all"
+                " pairs is equal for all selections with the same count.)"
             ),
             "note",
         ),
@@ -69,31 +69,31 @@ def section(study):
     printed = [paper.COOPERATIVE[n][0] for n in study.effort.samples]
     judge_trend(study, result, "cooperative", single, printed, "Table 3.3")
     result.find(
-        "All objectives need the same number of transceivers",
+        "All objectives lead to the same number of transceivers",
         "equal in every row",
         f"equal in {sum(len(set(c)) == 1 for c in counts)} of {len(counts)} rows",
         verdict(all(len(set(c)) == 1 for c in counts)),
         (
             f"The three objectives agree on the count in {sum(len(set(c)) == 1 for c in counts)} of"
-            f" {len(counts)} rows, as they must: fewest transceivers come first."
+            f" {len(counts)} rows. They must agree, because the count is minimised first."
         ),
         reference="Table 3.3",
     )
     result.find(
-        "Fewest with signal and fewest with links give the same placement",
-        "at 100 000",
+        "Minimising signal and minimising links give the same placement",
+        "at 100,000",
         f"the same in {sum(same)} of {len(same)} rows",
         verdict(same[-1], any(same)),
         (
-            f"The placements of least signal and of fewest links are the same in {sum(same)} of"
+            f"The placements with the least signal and with the fewest links are equal in {sum(same)} of"
             f" {len(same)} rows."
         ),
         (
             ""
             if same[-1]
             else (
-                "Among placements with so few transceivers the least signal and the fewest links are not the "
-                "same wish: links count only where one transceiver suffices alone."
+                "Among placements of minimum count the two objectives differ: a link counts only if one"
+                " transceiver alone meets the requirement."
             )
         ),
         reference="Fig. 3.4",
@@ -108,7 +108,7 @@ def section(study):
         f"{paper.COOPERATIVE[study.most_samples][0]} against {paper.OPTIMAL[study.most_samples][0][0]}",
         ours_pair,
         verdict(all(d < 0 for d in fewer), any(d < 0 for d in fewer)),
-        f"Where signals add up {ours_pair} transceivers are needed at {grouped(study.most_samples)} samples.",
+        f"If signals add up, {ours_pair} transceivers are needed with {grouped(study.most_samples)} samples.",
         reference="3.5.3",
     )
     return result

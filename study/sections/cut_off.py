@@ -33,8 +33,7 @@ def section(study):
         "A cut-off of small signals",
         "3.5.4",
         (
-            "How much faster is the solver when small signals are taken for nothing, and is its "
-            "answer still the best?"
+            "How much faster is the solver if small signals are set to zero, and is its placement still optimal?"
         ),
     )
     mip = effort.backends[0]
@@ -80,35 +79,34 @@ def section(study):
         page.table(header, rows, numeric=range(1, 8)),
         page.paragraph(
             (
-                f"Cooperative, fewest transceivers, {effort.time_limit:g} s an answer; what takes longer ends"
-                " at the limit."
+                f"Cooperative, fewest transceivers; a run ends at the time limit of {effort.time_limit:g} s."
             ),
             "note",
         ),
     )
 
     open_runs = len(kept) - len(gains)
-    found = f"{spread(gains, '{:.1f}'.format)}-fold" if gains else "no proof in time"
+    found = f"{spread(gains, '{:.1f}'.format)}-fold" if gains else "no proof within the time limit"
     sentence = (
         f"With a cut-off the MIP solver is {spread(gains, '{:.1f}'.format)} times as fast"
         if gains
-        else ("With a cut-off the MIP solver finds no proof in time")
+        else ("With a cut-off the MIP solver finds no proof within the time limit")
     )
     if gains and open_runs:
-        sentence += f" where it ends in time (in {open_runs} of {len(kept)} cases it does not)"
+        sentence += f" if it ends within the time limit (in {open_runs} of {len(kept)} cases it does not)"
     changed = kept.count(False)
     sentence += ", and the number of transceivers " + (
         f"rises in {changed} of {len(kept)} cases." if changed else "stays the same."
     )
     result.find(
-        "A cut-off speeds the solver up, up to 15-fold, and stays optimal",
+        "A cut-off makes the solver up to 15 times as fast, and its placement stays optimal",
         f"up to {paper.CUT_OFF_SPEED}-fold, still optimal",
         f"{found}, count {'rises' if changed else 'unchanged'}",
         verdict(bool(gains) and max(gains) > 2 and not changed, bool(gains) and max(gains) > 1.2),
         sentence,
         (
-            "A cut-off only takes signal away: every placement it allows is valid, but the fewest may become"
-            " more, and a question with more transceivers can be the harder one."
+            "A cut-off only removes signal. Every placement that it allows is feasible, but the smallest count"
+            " may rise, and the problem may then become harder."
             if changed
             else ""
         ),

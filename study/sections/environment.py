@@ -14,7 +14,7 @@ def section(study):
         page.figure(
             "Top-down view",
             study.map.picture(marks, "Floor plan with labels and candidates")
-            + legend([("once", "label (several above each other)"), ("cross", "candidate transceiver")]),
+            + legend([("once", "labels (several above each other)"), ("cross", "candidate transceiver")]),
             reference="as Fig. 2.8",
         )
     )
@@ -31,7 +31,7 @@ def section(study):
                 f"{', '.join(f'{z:g}' for z in shelves[0]['shelves'])} m on both faces"
             ),
         ),
-        ("freezer", "a section like one", "one, 0.9 m high; its labels belong to level two"),
+        ("freezer", "a freezer-like section", "one, 0.9 m high; its labels belong to level two"),
         ("labels", "a few hundred", f"{len(signals.labels)}"),
         ("candidates", "a grid at the ceiling, about 1 m apart", f"{len(signals.units)}, 1 m apart"),
         (
@@ -39,19 +39,18 @@ def section(study):
             "Lambertian, albedo 0.7",
             f"Lambertian, albedo {store['materials']['paper']['reflectance']:g}",
         ),
-        ("emission", "most at an angle; arbitrary strength", "I sin 2θ, 1 W/sr at 45°"),
+        ("emission", "maximum at an angle; arbitrary strength", "I sin 2θ, 1 W/sr at 45°"),
         ("threshold", "arbitrary", f"{signals.requirement[0]:g} W/m²"),
     ]
-    result.tables["environment"] = (("what", "paper", "here"), rows)
+    result.tables["environment"] = (("property", "paper", "here"), rows)
     result.add(page.table(("", "paper", "here"), rows, paper=(1,), wide=(1, 2)))
     result.tell(
         (
-            "The paper describes its environment in words; the dimensions here are ours, so numbers "
-            "of transceivers need not be the same, while trends should be."
+            "The paper describes its environment in words. The dimensions here are ours, so the counts of"
+            " transceivers may differ from the paper's, but the trends should agree."
         ),
         (
-            "It is the store that `shelfbeam new thesis` writes. The threshold was fixed before any of these"
-            " results."
+            "`shelfbeam new thesis` writes this store. The threshold was fixed before any of these results."
         ),
     )
     return result

@@ -9,15 +9,16 @@ from study.draw.charts import histogram
 
 
 def excess(signals, selected):
-    """Percent by which each label's whole signal exceeds its requirement."""
+    """The percentage by which the sum of signals at each label exceeds the requirement."""
     total = signals.mean[:, signals.columns(selected)].sum(axis=1)
     return 100 * (total - signals.requirement) / signals.requirement
 
 
 def same_count(study, signal_file, threshold, count):
-    """A cooperative placement of so many transceivers: the least higher threshold, in steps of 5 %, that needs them.
+    """A cooperative placement of `count` transceivers, for the smallest raised threshold that requires them.
 
-    None where no threshold needs just so many. As the count grows with the threshold, the steps are bisected.
+    The threshold rises in steps of 5 % of the original one. The count grows with it, so the steps are bisected. None
+    if no threshold requires exactly `count`.
     """
 
     def factor(step):
@@ -33,7 +34,7 @@ def same_count(study, signal_file, threshold, count):
             objective,
         )
 
-    low, high = 0, 64  # needs fewer; may need as many
+    low, high = 0, 64  # the last step known to need fewer; a step that may need `count`
     while high - low > 1:
         middle = (low + high) // 2
         found = answer(middle, "count").count
@@ -47,7 +48,7 @@ def same_count(study, signal_file, threshold, count):
 
 def section(study):
     result = Section(
-        "Excess signal", "3.5.3, Fig. 3.5", "How far above the threshold are the labels, in either model?"
+        "Excess signal", "3.5.3, Fig. 3.5", "By how much do the signals exceed the threshold in either model?"
     )
     samples = study.most_samples
     signals = study.uniform(samples)
@@ -65,8 +66,8 @@ def section(study):
                 raised[1],
                 "as Fig. 3.5c",
                 (
-                    f"Chosen for a threshold {raised[0]:.2f} times as high, which needs so many; excess over"
-                    " the true one."
+                    f"Chosen for a threshold {raised[0]:.2f} times as high, which requires this count; the"
+                    " excess is over the true threshold."
                 ),
             )
         )
@@ -109,7 +110,7 @@ def section(study):
         "middle half, %",
         "largest, %",
         "labels below 200 %",
-        "labels at 400 to 500 %",
+        "labels from 400 to 500 %",
     )
     result.tables["excess"] = (header, rows)
     result.tables["excess_histograms"] = (
@@ -126,39 +127,38 @@ def section(study):
         page.paragraph(
             (
                 f"{grouped(samples)} samples; non-cooperative with the fewest links, cooperative with the"
-                " least signal. The signal is the sum over the chosen transceivers in both models; labels"
-                " beyond 1000 % are counted in the last bar."
+                " least signal. In both models the signal is the sum over the chosen transceivers. The last"
+                " bar includes the labels beyond 1000 %."
             ),
             "note",
         ),
     )
     share = float(np.mean(values[1] < paper.COOPERATIVE_EXCESS))
     result.find(
-        "Cooperative: most labels get less than 200 % excess",
+        "Cooperative: most labels have less than 200 % excess",
         "most",
         percent(share),
         verdict(share > 0.5),
         (
-            f"{percent(share)} of the labels get less than 200 % excess from the cooperative placement, with"
-            f" a median of {np.median(values[1]):.0f} %."
+            f"{percent(share)} of the labels have less than 200 % excess with the cooperative placement; the"
+            f" median is {np.median(values[1]):.0f} %."
         ),
     )
     share = float(np.mean((values[0] >= low) & (values[0] < high)))
     result.find(
-        "Non-cooperative: a significant portion gets 400 to 500 %",
+        "Non-cooperative: a significant portion has 400 to 500 %",
         "a significant portion",
         percent(share),
         verdict(share > 0.1, share > 0.05),
         (
-            f"{percent(share)} of the labels get 400 to 500 % from the non-cooperative placement, with a"
-            f" median of {np.median(values[0]):.0f} %."
+            f"{percent(share)} of the labels have 400 to 500 % excess with the non-cooperative placement; the"
+            f" median is {np.median(values[0]):.0f} %."
         ),
         (
             ""
             if share > 0.1
             else (
-                "How high the surplus is depends on the strength of the transceivers, which the paper chose"
-                " freely."
+                "The excess depends on the strength of the transceivers, which the paper chose freely."
             )
         ),
     )
@@ -168,7 +168,7 @@ def section(study):
     narrower = [width < widths[0] for width in widths[1:]]
     counts_of = [answer.count for _, answer, _, _ in shown]
     result.find(
-        "Cooperative placements have the better distribution, also at the same count",
+        "Cooperative placements have the better distribution, even with the same count",
         "in all scenarios",
         (
             f"medians {' / '.join(f'{median:.0f}' for median in medians)} %; middle halves"
@@ -184,7 +184,7 @@ def section(study):
             ""
             if all(narrower)
             else (
-                "The surplus is smaller, but not more even: the middle half of the labels spans"
+                "The excess is smaller, but not more even: the middle half of the labels spans"
                 f" {widths[0]:.0f} points without cooperation and"
                 f" {' and '.join(f'{width:.0f}' for width in widths[1:])} with it."
             )

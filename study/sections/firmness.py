@@ -1,4 +1,4 @@
-"""How firm the counts are: a threshold 2 % lower and higher, and other seeds."""
+"""Robustness of the counts: thresholds 2 % lower and higher, and other seeds."""
 
 from collections import Counter
 
@@ -34,24 +34,24 @@ def _thresholds(study, result):
             row += [answer.units for answer in answers]
             moved += len({answer.count for answer in answers}) > 1
         rows.append(tuple(row))
-    header = ("samples", *(f"{model}, {words}" for model in MODELS for words in ("−2 %", "as it is", "+2 %")))
+    header = ("samples", *(f"{model}, {words}" for model in MODELS for words in ("−2 %", "unchanged", "+2 %")))
     result.tables["thresholds"] = (header, rows)
     result.add(
         page.table(
-            header, rows, numeric=range(1, 7), caption="Transceivers with the threshold 2 % lower and higher"
+            header, rows, numeric=range(1, 7), caption="Transceivers for thresholds 2 % lower and higher"
         )
     )
     result.tell(
         (
-            f"Of {2 * len(files)} counts {moved} {'changes' if moved == 1 else 'change'} within ±2 % of the"
+            f"Of {2 * len(files)} counts, {moved} {'changes' if moved == 1 else 'change'} within ±2 % of the"
             f" threshold ({threshold:g} W/m²)."
         ),
         (
             ""
             if moved == 0
             else (
-                "Where a count changes, a label is borderline, and a plan at this threshold "
-                "rests on less than the materials are known."
+                "A count that changes has a borderline label. A plan at this threshold then depends on"
+                " materials more precisely than they are known."
             )
         ),
     )
@@ -75,12 +75,9 @@ def _seeds(study, result):
 
 def section(study):
     result = Section(
-        "How firm the counts are",
+        "Robustness of the counts",
         "3.5",
-        (
-            "Do the numbers of transceivers hang on the threshold, or on the random numbers, that "
-            "happened to be chosen?"
-        ),
+        "Do the numbers of transceivers depend on the choice of the threshold or of the random numbers?",
     )
     _thresholds(study, result)
     _seeds(study, result)

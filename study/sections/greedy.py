@@ -10,14 +10,14 @@ from study.draw.coverage_map import coverage_map
 
 
 def picks(reach, with_links):
-    """Algorithm 1 on a reach matrix (m x n): the chosen columns in their order and the labels that each adds."""
+    """Algorithm 1 on a reach matrix (m x n): (column, number of newly reached labels) in the order of choice."""
     open_labels = np.ones(len(reach), dtype=bool)
     cost = 1.0 + (reach.sum(axis=0) if with_links else 0)
     order = []
     while open_labels.any():
         gains = reach[open_labels].sum(axis=0)
         if gains.max() == 0:
-            raise ValueError("some labels are reached by nothing")
+            raise ValueError("no candidate reaches some of the labels")
         with np.errstate(divide="ignore"):
             best = int(np.argmin(np.where(gains > 0, cost / gains, np.inf)))
         order.append((best, int(gains[best])))
@@ -26,7 +26,7 @@ def picks(reach, with_links):
 
 
 def nearest_distances(positions):
-    """For every transceiver the distance to the nearest other, m."""
+    """The distance of every transceiver to its nearest neighbour, m."""
     apart = np.linalg.norm(positions[:, None] - positions[None], axis=2)
     np.fill_diagonal(apart, np.inf)
     return apart.min(axis=1)
@@ -36,7 +36,7 @@ def section(study):
     result = Section(
         "The greedy algorithm",
         "3.5.1, Table 3.2, Fig. 3.3",
-        "How much worse is the greedy algorithm, and do its transceivers stand in clusters?",
+        "How much worse is the greedy algorithm, and do its transceivers form clusters?",
     )
     rows, extra, more_links = [], [], []
     for samples in study.effort.samples:
@@ -79,9 +79,9 @@ def section(study):
         own = {signals.unit_ids[j] for j, _ in order}
         series.append([gain for _, gain in order])
         near[name] = nearest_distances(signals.units[[j for j, _ in order]])
-        note = f"Numbers are in the order of the choice. Closest pair: {near[name].min():.1f} m."
+        note = f"The numbers give the order of choice. Closest pair: {near[name].min():.1f} m."
         if own != set(answer.selected):
-            note += " (By its own rules for ties the program chooses others.)"
+            note += " (The program breaks ties by other rules and chooses other transceivers.)"
         figures.append(
             coverage_map(
                 study,
@@ -104,7 +104,7 @@ def section(study):
         for name, values in near.items()
     ]
     result.tables["clustering"] = (
-        ("placement", "transceivers", "closest pair, m", "median distance to the nearest, m"),
+        ("placement", "transceivers", "closest pair, m", "median distance to the nearest neighbour, m"),
         table_rows,
     )
     result.tables["greedy_choices"] = (
@@ -130,8 +130,8 @@ def section(study):
         f"{spread(extra, '{}'.format)} more",
         verdict(min(extra) > 0, max(extra) > 0),
         (
-            f"The greedy algorithm takes {spread(extra, '{}'.format)} transceivers more than needed (paper:"
-            f" {spread(printed, '{}'.format)})."
+            f"The greedy algorithm chooses {spread(extra, '{}'.format)} transceivers more than necessary"
+            f" (paper: {spread(printed, '{}'.format)})."
         ),
         reference="Table 3.2",
     )
@@ -147,13 +147,13 @@ def section(study):
     )
     closest, with_links, optimal = (near[name].min() for name in (*names, "optimal"))
     result.find(
-        "Its transceivers stand in clusters",
+        "Its transceivers form clusters",
         "seen in Fig. 3.3",
         f"closest pair {closest:.1f} m, with links {with_links:.1f} m, optimal {optimal:.1f} m",
         verdict(max(closest, with_links) < 0.6 * optimal, min(closest, with_links) < optimal),
         (
-            f"Its closest pair stands {closest:.1f} m apart, with the link term {with_links:.1f} m, that of"
-            f" the optimal placement {optimal:.1f} m."
+            f"The closest pair of the greedy placement is {closest:.1f} m apart, with the link term"
+            f" {with_links:.1f} m; the closest pair of the optimal placement is {optimal:.1f} m apart."
         ),
         reference="Fig. 3.3",
     )
@@ -169,8 +169,8 @@ def section(study):
             f" {listed([row[1] for row in rows])}."
         ),
         (
-            "The link term charges a transceiver for labels that are reached already, so small ones look"
-            " cheap and many are taken."
+            "The link term also charges a transceiver for labels that are already reached. Transceivers that"
+            " reach few labels therefore look cheap, and the algorithm chooses many of them."
         ),
         reference="Table 3.2",
     )

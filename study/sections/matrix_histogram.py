@@ -68,7 +68,7 @@ def section(study):
         f"{percent(below)} below a quarter of the threshold",
         verdict(below > 0.5),
         (
-            f"{percent(below)} of all pairs have less than a quarter of the threshold, and "
+            f"{percent(below)} of all signals are below a quarter of the threshold, and "
             f"{percent(np.mean(values >= threshold))} reach it."
         ),
     )

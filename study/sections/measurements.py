@@ -10,7 +10,7 @@ from study.draw.store_map import signal_legend
 
 
 def maps(study, signals, column, strongest):
-    """Two maps a level: all labels, and those that the transceiver reaches alone."""
+    """Two maps per level: all labels, and the labels that the transceiver alone reaches."""
     columns = []
     for level, rows in enumerate(study.levels(signals), 1):
         pair = []
@@ -52,8 +52,8 @@ def section(study):
                 f"{figure}: transceiver {words} ({signals.unit_ids[column]})",
                 page.small_maps(maps(study, signals, column, strongest)) + signal_legend(),
                 (
-                    f"{signals.samples:,} samples a label; shares of the strongest signal of the four "
-                    "transceivers, on a logarithmic scale. The lower maps show the labels with at least "
+                    f"{signals.samples:,} samples per label. Colours show shares of the strongest signal of "
+                    "the four transceivers, on a logarithmic scale. The lower maps show the labels with at least "
                     f"{signals.requirement[0]:g} W/m²."
                 ),
             )
@@ -121,7 +121,7 @@ def section(study):
         )
     )
     result.find(
-        "Labels near the transceiver get much more",
+        "Labels near the transceiver receive much more signal",
         "seen in all four figures",
         f"rank correlation {spread(correlations, '{:.2f}'.format)}",
         verdict(min(correlations) > 0.5, max(correlations) > 0.5),
@@ -132,7 +132,7 @@ def section(study):
     )
     small = [ratio < 1.5 for ratio in ratios]
     result.find(
-        "In general no considerable difference between levels, in certain cases some",
+        "In general there is no considerable difference between levels, in certain cases there is",
         "seen in the figures",
         f"highest over lowest level mean {spread(ratios, '{:.2f}'.format)}",
         verdict(sum(small) >= 2, any(ratio < 2 for ratio in ratios)),
@@ -152,7 +152,7 @@ def section(study):
 
 
 def _outliers(study, signals, source, result):
-    """Strong signals far away, of the transceiver of Fig. 2.12: the paper takes them for direct light."""
+    """Strong signals far from the transceiver of Fig. 2.12, which the paper explains by direct light."""
     _, words, column = source
     exact = study.reference
     apart = np.linalg.norm(signals.labels - signals.units[column], axis=1)
@@ -162,13 +162,13 @@ def _outliers(study, signals, source, result):
     base = float((exact.direct[far, column] > 0).mean())
     share = float(seen.mean())
     result.find(
-        "Far labels with much signal are within line of sight",
+        "Distant labels with strong signals are within line of sight",
         "seen in the figure",
         f"{percent(share)} of the 20 strongest",
         verdict(share > 0.75 and share > base, share > base),
         (
-            f"Of the 20 strongest labels in the farther half of transceiver {words}, {percent(share)} see it "
-            f"({percent(base)} of that whole half do)."
+            f"Among the labels farther than the median from the transceiver {words}, {percent(share)} of the 20"
+            f" with the strongest signal see it ({percent(base)} of all)."
         ),
         reference="Fig. 2.12",
     )

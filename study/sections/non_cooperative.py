@@ -13,8 +13,8 @@ def section(study):
         "Non-cooperative placement",
         "3.5.1, Table 3.1, Fig. 3.2",
         (
-            "How many transceivers are needed where each label must be reached by one alone, and how many"
-            " labels are reached more than once?"
+            "How many transceivers are needed if one transceiver alone must reach each label, and how many"
+            " labels are reached by several?"
         ),
     )
     rows, counts, shares = [], [], []
@@ -58,8 +58,8 @@ def section(study):
         page.paragraph(
             (
                 "‘Missed in truth’ counts the labels that the placement does not reach on the reference"
-                " matrix, which was simulated apart and much more precisely. [a, b] means at least a, at most"
-                " b, where time ran out."
+                " matrix, an independent and much more precise simulation. [a, b] is the interval between the"
+                " lower bound and the count found if the time limit ended the run."
             ),
             "note",
         ),
@@ -83,7 +83,7 @@ def section(study):
     with_links = shares[1::2]
     drops = [a - b for a, b in zip(shares[0::2], with_links)]
     result.find(
-        "Minimising links, too, makes redundancy smaller at the same count",
+        "Minimising links, too, reduces redundancy at the same count",
         ", ".join(f"{paper.OPTIMAL[n][0][1]} → {paper.OPTIMAL[n][1][1]} %" for n in study.effort.samples),
         ", ".join(f"{percent(a)[:-2]} → {percent(b)}" for a, b in zip(shares[0::2], with_links)),
         verdict(all(d >= 0 for d in drops) and any(d > 0.005 for d in drops), all(d >= 0 for d in drops)),
@@ -100,15 +100,15 @@ def section(study):
         f"{percent(with_links[-1])}",
         verdict(with_links[-1] <= 0.05, with_links[-1] < with_links[0]),
         (
-            f"At {grouped(study.most_samples)} samples {percent(with_links[-1])} of the labels are reached"
-            " twice or more even with the fewest links."
+            f"With {grouped(study.most_samples)} samples, two or more transceivers reach"
+            f" {percent(with_links[-1])} of the labels even with the fewest links."
         ),
         (
             ""
             if with_links[-1] <= 0.05
             else (
-                "Both models need whole transceivers; how much is left over depends on how the "
-                "shelves divide among them, so on dimensions that the paper does not print."
+                "The remaining redundancy depends on how the shelves divide among whole transceivers, and so on"
+                " dimensions that the paper does not print."
             )
         ),
         reference="Table 3.1",
@@ -119,14 +119,14 @@ def section(study):
     ]
     extra = [b - a for a, b in zip(*times)]
     result.find(
-        "The link term costs little extra time, with many samples above all",
+        "The link term costs little extra time, above all with many samples",
         "minimal",
         f"{spread(extra, seconds)} more",
         verdict(max(extra) < max(times[0]), max(extra) < 60 and extra[-1] <= extra[0]),
         (
             f"The link term takes {spread(extra, seconds)} more than the {spread(times[0], seconds)} for the"
-            f" count, {seconds(extra[0])} with {grouped(study.effort.samples[0])} and"
-            f" {seconds(extra[-1])} with {grouped(study.most_samples)} samples."
+            f" count: {seconds(extra[0])} more with {grouped(study.effort.samples[0])} samples and"
+            f" {seconds(extra[-1])} more with {grouped(study.most_samples)}."
         ),
         reference="3.5.1",
     )

@@ -1,4 +1,4 @@
-"""Shadow rays in vain: the explanation of 2.11.2 for the variance."""
+"""Occluded shadow rays, by which 2.11.2 explains the variance."""
 
 from study.core import page
 from study.core.findings import Section, verdict
@@ -9,7 +9,7 @@ def section(study):
     result = Section(
         "Occluded shadow rays",
         "2.11.2",
-        "How many of the uniformly chosen transceivers does a vertex not see?",
+        "How many of the uniformly chosen transceivers are invisible from their vertex?",
     )
     rows = []
     for samples in study.effort.samples:
@@ -27,37 +27,37 @@ def section(study):
         )
     share, used = occluded / traced, (traced - occluded) / tried
     header = (
-        "samples a label",
+        "samples per label",
         "connections tried",
         "shadow rays traced",
         "occluded",
         "share occluded",
-        "connections that bring light",
+        "connections with light",
     )
     result.tables["shadow_rays"] = (header, rows)
     result.add(
         page.table(header, rows, numeric=range(1, 6)),
         page.paragraph(
             (
-                "A connection whose unshadowed contribution is zero (the transceiver lies behind the surface,"
-                " or sends nothing that way) needs no ray and is not among the traced ones."
+                "A connection whose unshadowed contribution is zero is not traced: the transceiver is behind"
+                " the surface, or emits nothing in this direction."
             ),
             "note",
         ),
     )
     result.find(
-        "A randomly chosen transceiver often fails the visibility test, so many samples are in vain",
+        "A randomly chosen transceiver often fails the visibility test, so many samples are wasted",
         "no number",
-        f"{percent(share)} of the shadow rays occluded, {percent(used)} of the connections bring light",
+        f"{percent(share)} of the shadow rays occluded, {percent(used)} of the connections with light",
         verdict(used < 0.5, used < 0.75),
         (
-            f"{percent(share)} of the shadow rays are occluded; only {percent(used)} of all connections bring"
-            " any light."
+            f"{percent(share)} of the shadow rays are occluded; only {percent(used)} of all connections"
+            " contribute light."
         ),
         (
-            f"That explains a part: if no connection were in vain, {percent(used)} of the samples would do, a"
-            f" factor of {1 / used:.1f}. The larger part is that each connection serves one transceiver of"
-            f" {len(study.reference.unit_ids)} (compare the section on path reuse)."
+            f"This explains a part of the variance: if every connection contributed, {percent(used)} of the"
+            f" samples would suffice, a factor of {1 / used:.1f}. The larger part is due to connections to only"
+            f" one of {len(study.reference.unit_ids)} transceivers (compare the section on path reuse)."
         ),
     )
     return result

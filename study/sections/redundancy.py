@@ -1,4 +1,4 @@
-"""Redundancy of cooperative placements, and one in each corner with one in the centre (3.5.2)."""
+"""Redundancy of cooperative placements, and layouts with transceivers in the corners and the centre (3.5.2)."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from study.draw.coverage_map import coverage_map
 
 
 def redundancy(signals, columns):
-    """Shares of labels that stay met when the transceiver that matters least to them fails, and when any one does."""
+    """Shares of labels that are still reached without their weakest transceiver, and without any one of them."""
     chosen = signals.mean[:, columns]
     total = chosen.sum(axis=1)
     return (
@@ -19,7 +19,7 @@ def redundancy(signals, columns):
 
 
 def corners_and_centre(signals, width, depth):
-    """All layouts of four transceivers on the corners of a rectangle about the middle, and one in the middle."""
+    """All layouts of four transceivers at the corners of a rectangle about the centre, and one in the centre."""
     centre = signals.unit_at(width / 2, depth / 2)
     xs, ys = (sorted({round(v, 6) for v in signals.units[:, k]}) for k in (0, 1))
     for x in xs[: len(xs) // 2]:
@@ -32,8 +32,8 @@ def section(study):
         "Redundancy, and corners with a centre",
         "3.5.2",
         (
-            "How many labels could do without one transceiver of a cooperative placement? And is one"
-            " transceiver in each corner with one in the centre a way to have less redundancy?"
+            "How many labels are still reached without one transceiver of a cooperative placement? And does a"
+            " layout of one transceiver in each corner and one in the centre reduce redundancy?"
         ),
     )
     signals = study.reference
@@ -73,15 +73,15 @@ def section(study):
         )
     header = (
         "placement",
-        "labels met",
-        "smallest signal / requirement",
-        "met without the least of its transceivers",
-        "met whichever one fails",
-        "two reach it alone",
+        "labels reached",
+        "smallest margin",
+        "reached without their weakest transceiver",
+        "reached whichever one fails",
+        "two reach them alone",
     )
     result.tables["redundancy"] = (header, rows)
     result.tables["corners_and_centre"] = (
-        ("from the left wall, m", "from the front wall, m", "labels met", "smallest margin"),
+        ("from the left wall, m", "from the front wall, m", "labels reached", "smallest margin"),
         [
             (
                 x,
@@ -115,13 +115,13 @@ def section(study):
     result.find(
         "Almost all labels would allow the removal of a transceiver",
         "almost 100 %",
-        f"{percent(least)}; of any: {percent(any_one)}",
+        f"{percent(least)}; any transceiver: {percent(any_one)}",
         verdict(least > 0.95, least > 0.8),
         (
-            f"{percent(least)} of the labels stay met without the one transceiver that matters least to them,"
-            f" but only {percent(any_one)} whichever one fails."
+            f"{percent(least)} of the labels are still reached without the transceiver that contributes least"
+            f" to them, but only {percent(any_one)} are still reached whichever transceiver fails."
         ),
-        "The paper's definition can be read both ways; for a planner the second is the one that counts.",
+        "The paper's definition can be read both ways; a planner needs the second reading.",
     )
     corner_met, widest_met = int(met(corner[1]).sum()), int(met(widest[1]).sum())
     corner_any = redundancy(signals, corner[1])[1]
@@ -133,14 +133,14 @@ def section(study):
     result.find(
         "Corners and centre reduce redundancy, at the price of a transceiver",
         "5 instead of 4",
-        f"corners: {corner_met} of {len(signals.labels)} met, best rectangle: {widest_met}",
+        f"corners: {corner_met} of {len(signals.labels)} reached, best rectangle: {widest_met}",
         verdict(
             corner_met == len(signals.labels) and corner_any <= any_one, widest_met == len(signals.labels)
         ),
         (
-            f"Five transceivers at the corners of the grid and in the centre meet {corner_met} of"
-            f" {len(signals.labels)} labels, the best rectangle with a centre {widest_met};"
-            f" {best.units} suffice elsewhere."
+            f"Five transceivers at the corners of the grid and in the centre reach {corner_met} of"
+            f" {len(signals.labels)} labels; the best rectangle with a centre reaches {widest_met}."
+            f" The optimal placement has {best.units} transceivers."
         ),
         (
             ""

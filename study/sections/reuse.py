@@ -12,7 +12,7 @@ from study.sections.sparsity import zeros
 
 
 def _tables(study):
-    """Tables 3.1 to 3.3 on the matrices of path reuse: header and rows, the paper's for its most samples first."""
+    """Tables 3.1 to 3.3 on the matrices of path reuse: header and rows. The first row is the paper's last."""
     header = (
         "samples",
         "3.1: fewest",
@@ -69,8 +69,8 @@ def section(study):
         "The same study with path reuse",
         "beyond the paper",
         (
-            "What becomes of these results with the estimator that shares paths between neighbouring labels"
-            " and meets all transceivers at once?"
+            "How do these results change with the estimator that shares paths between neighbouring labels and"
+            " connects to all transceivers at once?"
         ),
     )
     truth = links(reference)
@@ -118,7 +118,7 @@ def section(study):
                     "Error against time",
                     charts.chart(axes, "Relative error against time"),
                     (
-                        f"Entries from {percent(ABOVE)} of the requirement on, against the reference: path"
+                        f"Entries of at least {percent(ABOVE)} of the requirement, against the reference: path"
                         f" reuse with {grouped(reference.samples)} samples and another seed."
                     ),
                 )
@@ -136,17 +136,17 @@ def section(study):
     ratio = np.exp(np.mean(np.log(a.error[matter] ** 2 / b.error[matter] ** 2))) * work[0] / work[1]
     kinds = [row for row in rows if row[0] == "reuse"]
     result.tell(
-        f"For the same error path reuse needs 1/{ratio:.0f} of the time of the paper's estimator (from"
-        f" the standard errors, geometric mean over {grouped(int(matter.sum()))} entries)."
+        f"For the same error, path reuse needs 1/{ratio:.0f} of the time of the paper's estimator (from the"
+        f" standard errors; geometric mean over {grouped(int(matter.sum()))} entries)."
     )
     result.tell(
         (
             f"Its placements need {', '.join(row[6] for row in kinds)} (non-cooperative) and"
             f" {', '.join(row[8] for row in kinds)} (cooperative) transceivers at"
-            f" {', '.join(row[1] for row in kinds)} samples, and miss"
+            f" {', '.join(row[1] for row in kinds)} samples. They miss"
             f" {', '.join(str(row[7]) for row in kinds)} and {', '.join(str(row[9]) for row in kinds)} labels"
-            " in truth."
+            " on the reference matrix."
         ),
-        "A count that stays while the error falls is the matrix's own, not the noise's.",
+        "A count that stays constant while the error falls is not an effect of noise.",
     )
     return result

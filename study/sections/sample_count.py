@@ -15,17 +15,17 @@ from study.draw.picture import colour
 from study.draw.store_map import signal_legend
 
 TICKS = [5000, 25000, 100000]
-ABOVE = 0.3  # entries from this share of the requirement on count for errors
+ABOVE = 0.3  # errors are measured on entries of at least this share of the requirement
 
 
 def relative_error(signals, reference):
-    """Root mean square of the relative difference from the reference, of the entries that matter."""
+    """Root mean square of the relative difference from the reference, over the entries of at least ABOVE."""
     matter = reference.mean >= ABOVE * reference.requirement[:, None]
     return float(np.sqrt(np.mean((signals.mean[matter] / reference.mean[matter] - 1) ** 2)))
 
 
 def coverage(signals, reference):
-    """How often the 95 % intervals of the entries that matter hold the reference."""
+    """The share of entries of at least ABOVE whose 95 % intervals contain the reference."""
     matter = reference.mean >= ABOVE * reference.requirement[:, None]
     limit = student.isf(0.025, signals.batches - 1)
     apart = np.abs(signals.mean - reference.mean) <= limit * np.hypot(signals.error, reference.error)
@@ -37,26 +37,26 @@ def links(signals):
 
 
 def _wrong_side(study, truth):
-    """A chart of the pairs that noise takes across the threshold."""
+    """A chart of the pairs that noise moves across the threshold."""
     counts = [
         (int((links(study.uniform(n)) & ~truth).sum()), int((~links(study.uniform(n)) & truth).sum()))
         for n in study.effort.samples
     ]
-    axes = charts.axes("samples a label", "pairs", "x", x_ticks=TICKS)
+    axes = charts.axes("samples per label", "pairs", "x", x_ticks=TICKS)
     for words, of_kind in zip(("wrongly above", "wrongly below"), zip(*counts)):
         axes.plot(study.effort.samples, of_kind, label=words)
     axes.set_ylim(bottom=0)
     return page.figure(
         "Pairs on the wrong side of the threshold",
         charts.chart(axes, "Pairs on the wrong side against samples"),
-        f"Of {grouped(truth.size)}.",
+        f"Of {grouped(truth.size)} pairs.",
     )
 
 
 def section(study):
     reference = study.reference
     result = Section(
-        "Number of samples", "2.11.2, Fig. 2.13", "What do more samples change, and when are there enough?"
+        "Number of samples", "2.11.2, Fig. 2.13", "What do more samples change, and how many suffice?"
     )
     _, _, column = study.sources(reference)[2]
     level_two = study.levels(reference)[1]
@@ -93,7 +93,7 @@ def section(study):
         page.figure(
             f"Level two, transceiver at the centre ({reference.unit_ids[column]})",
             page.small_maps(columns, {4: "four", 2: "two"}.get(len(columns), "")) + signal_legend(),
-            f"The reference is path reuse with {reference.samples:,} samples a label and a seed of its own.",
+            f"The reference is path reuse with {reference.samples:,} samples per label and another seed.",
             "as Fig. 2.13",
         )
     )
@@ -119,18 +119,18 @@ def section(study):
         ("reference", int(truth[level_two, column].sum()), 0, 0, grouped(int(truth.sum())), 0, 0, "", "")
     )
     header = (
-        "samples a label",
+        "samples per label",
         "centre, level two: above",
-        "of these wrongly",
+        "wrongly above",
         "wrongly below",
         "all pairs: above",
-        "of these wrongly",
+        "wrongly above",
         "wrongly below",
         "rms relative error",
-        "95 % intervals hold",
+        "coverage of 95 % intervals",
     )
     result.tables["samples"] = (header, rows)
-    axes = charts.axes("samples a label", "rms relative error", "xy", "y", TICKS)
+    axes = charts.axes("samples per label", "rms relative error", "xy", "y", TICKS)
     guide = [(x, errors[0] * math.sqrt(study.effort.samples[0] / x)) for x in axes.set_xlim(3000, 200000)]
     axes.plot(study.effort.samples, errors, label="uniform estimator")
     axes.plot(*zip(*guide), ":", color=colour("muted"), marker="", lw=1.4, label="1/√samples")
@@ -140,7 +140,7 @@ def section(study):
                 page.figure(
                     "Error against samples",
                     charts.chart(axes, "Relative error against samples"),
-                    f"Entries from {percent(ABOVE)} of the requirement on, against the reference.",
+                    f"Entries of at least {percent(ABOVE)} of the requirement, against the reference.",
                 ),
                 _wrong_side(study, truth),
             ]
@@ -160,7 +160,7 @@ def _judge_outliers(study, result, rows, column, truth):
     everywhere = [int(above[n].sum()) for n in (first, last)]
     shown = [int(above[n][rows, column].sum()) for n in (first, last)]
     result.find(
-        "Statistical outliers above the threshold become much fewer with samples",
+        "More samples greatly reduce the statistical outliers above the threshold",
         "seen in Fig. 2.13",
         (
             f"{grouped(everywhere[0])} pairs wrongly above at {grouped(first)}, {grouped(everywhere[1])} at"
@@ -168,8 +168,8 @@ def _judge_outliers(study, result, rows, column, truth):
         ),
         verdict(everywhere[1] < everywhere[0] / 2, everywhere[1] < everywhere[0]),
         (
-            f"With {grouped(first)} samples {grouped(everywhere[0])} of {grouped(truth.size)} pairs lie above"
-            f" the threshold only by chance, with {grouped(last)} {grouped(everywhere[1])}."
+            f"With {grouped(first)} samples, {grouped(everywhere[0])} of {grouped(truth.size)} pairs are above"
+            f" the threshold only by chance; with {grouped(last)} samples, {grouped(everywhere[1])}."
         ),
     )
     if last == 100000:
@@ -179,16 +179,16 @@ def _judge_outliers(study, result, rows, column, truth):
             f"{shown[1]} of {len(rows)} labels",
             verdict(shown[1] == 0, shown[1] < shown[0]),
             (
-                f"Of the centre transceiver's {len(rows)} labels on level two {shown[1] or 'none'} lie"
-                f" wrongly above the threshold at 100,000 samples ({shown[0]} at {grouped(first)}); of all"
-                f" pairs {grouped(everywhere[1])} still do."
+                f"With 100,000 samples, {shown[1] or 'none'} of the {len(rows)} labels on level two"
+                f" {'is' if shown[1] == 1 else 'are'} wrongly above the threshold of the centre transceiver"
+                f" ({shown[0]} with {grouped(first)}). Of all pairs, {grouped(everywhere[1])} still are."
             ),
             reference="Fig. 2.13f",
         )
 
 
 def _judge_end(study, result, errors, truth):
-    """What is left to gain beyond the most samples of the paper."""
+    """The possible improvement beyond the paper's maximum number of samples."""
     last = study.most_samples
     wrong = [int((links(study.uniform(n)) != truth).sum()) for n in study.effort.samples[-2:]]
     same, lost = True, 0
@@ -203,9 +203,9 @@ def _judge_end(study, result, errors, truth):
         f"rms error still {percent(errors[-1], 1)}; counts {'final' if same else 'not final'}",
         verdict(is_enough and errors[-1] < 0.03, is_enough or errors[-1] < 0.03),
         (
-            f"The counts at 100,000 samples are {'' if same else 'not '}those of the reference matrix, and"
-            f" their placements miss {plural(lost, 'label')} in truth; but the rms relative error of the"
-            f" entries that matter is {percent(errors[-1], 1)} and goes on falling."
+            f"The counts with 100,000 samples are {'' if same else 'not '}equal to those of the reference"
+            f" matrix, on which their placements miss {plural(lost, 'label')}. The rms relative error of the"
+            f" entries of at least {percent(ABOVE)} of the requirement is {percent(errors[-1], 1)} and still falls."
         ),
         (
             f"Pairs on the wrong side of the threshold: {grouped(wrong[0])} at"
@@ -224,20 +224,20 @@ def _judge_convergence(study, result, errors):
         "Convergence is hard to determine",
         "no criterion given",
         (
-            f"95 % intervals hold the truth in {percent(held[0])} of the entries at {grouped(samples[0])},"
+            f"coverage of 95 % intervals: {percent(held[0])} at {grouped(samples[0])},"
             f" {percent(held[-1])} at {grouped(samples[-1])}"
         ),
         verdict(held[-1] < 0.85, held[-1] < 0.93),
         (
-            f"Intervals of 95 % from the batches hold the reference in {percent(held[0])} of the entries that"
-            f" matter with {grouped(samples[0])} samples, in {percent(held[-1])} with {grouped(samples[-1])},"
-            f" and in {percent(reuse)} with path reuse."
+            f"The 95 % intervals from the batches contain the reference for {percent(held[0])} of the entries"
+            f" with {grouped(samples[0])} samples, for {percent(held[-1])} with {grouped(samples[-1])}, and for"
+            f" {percent(reuse)} with path reuse (entries of at least {percent(ABOVE)} of the requirement)."
         ),
-        "So a run does tell how far it has converged"
+        "So the standard errors of a run show how far it has converged"
         + (
             ""
             if held[0] > 0.93
-            else ", if too hopefully with few samples: estimates that come out low have low errors, too"
+            else ", but are too small with few samples: low estimates have low standard errors, too"
         )
-        + f". The error falls as the power {minus(slope)} of the samples (Monte Carlo: −0.5).",
+        + f". The error is proportional to the number of samples to the power {minus(slope)} (Monte Carlo: −0.5).",
     )

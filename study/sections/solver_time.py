@@ -11,18 +11,18 @@ DAY = 86400
 
 
 def timed(study, name, signal_file, model, solver):
-    """An answer with the fewest transceivers; `solver` is search (ours) or a MIP back end."""
+    """A placement with the fewest transceivers; `solver` is "search" (ours) or a MIP back end."""
     choice = ["--solver", "auto"] if solver == "search" else ["--solver", "mip", "--backend", solver]
     return study.place(f"time-{name}-{model}-{solver}", signal_file, "--model", model, *choice)
 
 
 def time_words(answer):
-    """Seconds, with what is open where the time ran out."""
+    """Seconds, and the open interval of the count if the time limit ended the run."""
     return seconds(answer.seconds) + ("" if answer.is_count_proven else f", {answer.units} open")
 
 
 def time_chart(x_values, series, x_title, log):
-    """Lines of seconds by name on a logarithmic axis, at least a hundredth."""
+    """Lines of seconds by name on a logarithmic axis; times below 0.01 s are drawn there."""
     axes = charts.axes(x_title, "seconds", log, x_ticks=x_values)
     for name, times in series.items():
         axes.plot(x_values, [max(time, 0.01) for time in times], label=name)
@@ -30,7 +30,7 @@ def time_chart(x_values, series, x_title, log):
 
 
 class Runs:
-    """All timed answers: by samples, model and solver, and by model and solver on the reference matrix."""
+    """All timed placements: by samples, model and solver, and on the reference matrix by model and solver."""
 
     def __init__(self, study):
         self.samples = study.effort.solver_samples
@@ -90,7 +90,7 @@ def _chart(runs):
             for model in MODELS
             for solver, name in list(zip(runs.solvers, runs.names))[:2]
         },
-        "samples a label",
+        "samples per label",
         "xy",
     )
     return page.row_of([page.figure("Time for the proof against samples", chart)])
@@ -101,8 +101,8 @@ def section(study):
         "Solver time",
         "3.5.4",
         (
-            "How long does the proof of the fewest transceivers take, depending on the quality of the "
-            "simulation, and what are placements from poor simulations worth?"
+            "How does the time to prove the smallest count depend on the quality of the simulation, and how"
+            " good are placements from poor simulations?"
         ),
     )
     runs = Runs(study)
@@ -111,9 +111,9 @@ def section(study):
         _table(runs, result),
         page.paragraph(
             (
-                f"Time limit {study.effort.time_limit:g} s an answer, as many threads as cores; times are of"
-                " one run on one machine. ‘Our search’ is what `place` does by itself; MIP hands the whole"
-                " model to an ILP solver, as the paper did. ‘Missed in truth’ as in the section on"
+                f"The time limit is {study.effort.time_limit:g} s per run, with one thread per core. Times are"
+                " of one run on one machine. ‘Our search’ is the default of `place`; MIP passes the whole model"
+                " to an ILP solver, as the paper did. ‘Missed in truth’ is defined in the section on"
                 " non-cooperative placement."
             ),
             "note",
@@ -135,10 +135,10 @@ def _judge_times(study, runs, result):
         verdict(worst.seconds > DAY, not ended),
         f"With {grouped(runs.samples[0])} samples the slowest of {len(noisy)} proofs takes"
         f" {seconds(worst.seconds)}"
-        + ("." if ended else ", and not all end in the time given."),
+        + ("." if ended else ", and some do not end within the time limit."),
         (
-            "The paper names neither its solver nor how the two parts of its objective were weighed; here the"
-            " proof is of the count alone."
+            "The paper names neither its solver nor the weights of the two parts of its objective; here only"
+            " the count is proven."
         ),
     )
     searches = [runs.precise[model, "search"] for model in MODELS]
@@ -159,11 +159,11 @@ def _judge_times(study, runs, result):
     result.find(
         "Noise makes the problem much harder",
         "seconds to days",
-        f"{ratio:.1f} times the time",
+        f"{ratio:.1f} times as long",
         verdict(ratio > 10, ratio > 3),
         (
-            f"All proofs on {grouped(runs.samples[0])} samples together take {seconds(spent[0])}, those on"
-            f" the reference matrix {seconds(spent[1])}: {ratio:.1f} times as long."
+            f"All proofs on {grouped(runs.samples[0])} samples together take {seconds(spent[0])}, and all"
+            f" proofs on the reference matrix {seconds(spent[1])}: a factor of {ratio:.1f}."
         ),
     )
     pairs = [
@@ -180,8 +180,8 @@ def _judge_times(study, runs, result):
         f"ILP slower in {sum(ilp)} of {len(ilp)} pairs, our search in {sum(search)} of {len(search)}",
         verdict(all(ilp), sum(ilp) > len(ilp) / 2),
         (
-            f"The cooperative question takes longer in {sum(ilp)} of {len(ilp)} pairs of runs of an ILP"
-            f" solver, and in {sum(search)} of {len(search)} of our search."
+            f"The cooperative problem takes longer in {sum(ilp)} of {len(ilp)} pairs of runs of an ILP"
+            f" solver, and in {sum(search)} of {len(search)} pairs of runs of our search."
         ),
     )
 
@@ -203,16 +203,16 @@ def _judge_placements(study, runs, result):
     result.find(
         "Poor simulations lead to poor placements",
         "more transceivers, skewed outcomes",
-        f"labels missed in truth: up to {fewest}, with a second objective {listed(second)}",
+        f"labels missed in truth: up to {fewest}; with a second objective up to {listed(second)}",
         verdict(max(fewest, *second) > 0 and second[-1] < second[0], max(fewest, *second) > 0),
         (
-            f"The placements of this table miss up to {fewest} of {labels} labels"
-            f" ({percent(fewest / labels, 1)}) in truth; with links or signal as the second objective it is"
-            f" up to {listed(second)} for {listed([grouped(n) for n in study.effort.samples])} samples."
+            f"On the reference matrix the placements of this table miss up to {fewest} of {labels} labels"
+            f" ({percent(fewest / labels, 1)}). With links or signal as the second objective they miss up to"
+            f" {listed(second)} for {listed([grouped(n) for n in study.effort.samples])} samples."
         ),
         (
-            "A second objective trims what looks like surplus, and noise looks like surplus. So a plan needs"
-            " a check on fresh samples."
+            "A second objective removes apparent surplus, and some of that surplus is noise. A plan therefore"
+            " needs verification with independent samples."
             if max(second) > fewest
             else ""
         ),

@@ -20,7 +20,7 @@ def section(study):
     result = Section(
         "Sparsity of the matrix",
         "3.5.4, Fig. 3.6",
-        "How many entries of M are zero, before and after small ones are taken for nothing?",
+        "How many entries of M are zero, before and after small entries are set to zero?",
     )
     samples = study.effort.samples
     all_signals = [study.uniform(n) for n in samples] + [study.reference]
@@ -60,15 +60,15 @@ def section(study):
                     "Zeros against the cut-off", charts.chart(axes, "Share of zeros against the cut-off")
                 ),
                 page.figure(
-                    "Zeros, by samples a label", page.table(header, rows, numeric=range(1, len(header)))
+                    "Zeros by samples per label", page.table(header, rows, numeric=range(1, len(header)))
                 ),
             ]
         ),
         page.paragraph(
             (
-                "Rows of the pictures are labels, columns transceivers; coloured where the signal is at least"
-                " the cut-off, a share of the requirement. At 100 % this is the reach matrix of the"
-                " non-cooperative model."
+                "Rows of the pictures are labels, columns are transceivers. An entry is coloured if its signal"
+                " is at least the cut-off, a share of the requirement. At 100 % the picture is the reach matrix"
+                " of the non-cooperative model."
             ),
             "note",
         ),
@@ -80,11 +80,11 @@ def section(study):
         spread(before, lambda v: percent(v, 1)),
         verdict(all(v <= 0.07 for v in before), any(v <= 0.07 for v in before)),
         f"Before the cut-off {spread(before, lambda v: percent(v, 2))} of the entries are zero"
-        + (", most with the fewest samples." if before[0] == max(before) > min(before) else "."),
+        + ("; the fewest samples have the most zeros." if before[0] == max(before) > min(before) else "."),
         (
             ""
             if max(before) > 0
-            else "Here every label gets a little light from every candidate even with the fewest samples."
+            else "Here every label receives some light from every candidate even with the fewest samples."
         ),
     )
     after = [zeros(one, shown_cut) for one in all_signals[:-1]]
@@ -95,8 +95,8 @@ def section(study):
         verdict(bool(inside), any(0.4 <= v <= 0.5 for v in after)),
         (
             f"A cut-off at {100 * shown_cut:g} % of the requirement makes"
-            f" {spread(after, lambda v: percent(v, 1))} of the entries zero; the paper does not print where"
-            " it cuts."
+            f" {spread(after, lambda v: percent(v, 1))} of the entries zero. The paper does not give its"
+            " cut-off."
         ),
     )
     best = all_signals[len(samples) - 1]
@@ -105,14 +105,14 @@ def section(study):
     carried = float(np.where(small, chosen, 0).sum() / chosen.sum())
     most = float((np.where(small, chosen, 0).sum(axis=1) / best.requirement).max())
     result.find(
-        "What a cut-off takes away hardly matters to a placement",
+        "The signal below a cut-off hardly matters to a placement",
         "negligible",
         f"{percent(carried, 1)} of the signal, at most {percent(most)} of a requirement",
         verdict(carried < 0.05 and most < 0.1, carried < 0.05),
         (
-            f"Of the signal that the chosen transceivers bring, {percent(carried, 1)} comes in entries below"
-            f" {100 * shown_cut:g} % of the requirement, but for single labels they add up to"
-            f" {percent(most)} of what they need."
+            f"Entries below {100 * shown_cut:g} % of the requirement carry {percent(carried, 1)} of the signal"
+            f" of the chosen transceivers, but at single labels they add up to {percent(most)} of the"
+            " requirement."
         ),
         reference="3.5.4",
     )
@@ -122,7 +122,7 @@ def section(study):
         "typically quite sparse",
         f"{spread(reach_zeros, percent)} zeros",
         verdict(min(reach_zeros) > 0.75, min(reach_zeros) > 0.5),
-        f"Of the reach matrix {spread(reach_zeros, percent)} are zeros.",
+        f"{spread(reach_zeros, percent)} of the entries of the reach matrix are zero.",
         reference="3.5.4",
     )
     edges = [zeros(one, 0.05) for one in (all_signals[0], all_signals[len(samples) - 1])]
@@ -132,8 +132,8 @@ def section(study):
         f"zeros at a cut of 5 %: {percent(edges[0], 1)} against {percent(edges[1], 1)}",
         verdict(edges[0] > 1.2 * edges[1], edges[0] > edges[1]),
         (
-            f"At a cut-off of 5 % the noisiest matrix has {percent(edges[0], 1)} zeros and the best of the"
-            f" series {percent(edges[1], 1)}: noise moves small entries to both sides of any cut."
+            f"At a cut-off of 5 % the noisiest matrix has {percent(edges[0], 1)} zeros and the most precise of"
+            f" the series {percent(edges[1], 1)}: noise moves small entries across any cut-off."
         ),
         reference="Fig. 3.6",
     )

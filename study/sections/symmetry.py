@@ -1,4 +1,4 @@
-"""The mirror symmetry of the environment as a test (2.11.1)."""
+"""Tests the mirror symmetry of the environment (2.11.1)."""
 
 import numpy as np
 
@@ -12,10 +12,10 @@ LEVEL = 0.01
 
 
 def partner_test(study, left, right, shift=0):
-    """The four transceivers of the figures against their mirror images, label by label.
+    """Compares the four transceivers of the figures with their mirror images, label by label.
 
-    Signals of the left labels come from one matrix, those of the right from the other (both may be the same one
-    where its rows are independent). With `shift` the partner is that many columns of the grid beside the image.
+    The signals of the left labels come from the matrix `left`, the others from `right`; both may be the same matrix
+    if its rows are independent. With `shift`, the partner is that many grid columns beside the mirror image.
     """
     mirror = study.mirror()
     pairs = mirror.left_labels
@@ -71,7 +71,7 @@ def section(study):
         "Mirror symmetry",
         "2.11.1",
         (
-            "The environment is its own mirror image from left to right. Are the signals, up to their "
+            "The environment is mirror-symmetric from left to right. Are the signals symmetric within their "
             "statistical error?"
         ),
     )
@@ -81,20 +81,20 @@ def section(study):
         test = partner_test(study, signals, signals)
         rows.append(_row(f"{samples:,} samples", test))
     control = partner_test(study, signals, signals, shift=1)
-    rows.append(_row(f"{samples:,}, partner 1 m aside", control))
+    rows.append(_row(f"{samples:,}, partner displaced by 1 m", control))
     reuse = study.reuse(study.effort.reuse_samples[-1])
     reuse_test, reuse_control = (partner_test(study, reuse, study.reference, shift) for shift in (0, 1))
     rows.append(_row(f"path reuse, {reuse.samples:,}", reuse_test, False))
-    rows.append(_row(f"path reuse, {reuse.samples:,}, partner 1 m aside", reuse_control, False))
+    rows.append(_row(f"path reuse, {reuse.samples:,}, partner displaced by 1 m", reuse_control, False))
     header = (
         "pairing",
         "pairs",
         "largest |z|",
-        "may be",
+        "limit",
         "mean z²",
         "expected",
-        "is off by (σ)",
-        "may be",
+        "deviation (σ)",
+        "limit",
         "|z| > 1.96",
         "test at 1 %",
     )
@@ -103,18 +103,18 @@ def section(study):
         page.row_of(
             [
                 _histogram(test, f"Labels and transceivers opposite each other, {samples:,} samples"),
-                _histogram(control, "Control: the partner stands 1 m beside the mirror image"),
+                _histogram(control, "Control: the partner is 1 m beside the mirror image"),
             ]
         ),
         page.table(header, rows, numeric=range(1, 9)),
         page.paragraph(
             (
-                "Every label of the left half is compared with the one opposite, for the four transceivers "
-                "above and their mirror images; z is the difference over its standard error. Two tests at "
-                "half a percent each: of the largest |z| among all pairs, and of the mean of z². Walks of "
-                "different labels are independent; path reuse shares paths between opposite labels, so "
-                "there the two sides come from runs with different seeds, and as neighbouring labels share "
-                "paths as well, only its largest |z| is a test. Pairs beyond ±8 are counted at the ends."
+                "Every label of the left half is compared with the opposite label, for the four transceivers "
+                "above and their mirror images; z is the difference divided by its standard error. There are "
+                "two tests at 0.5 % each: of the largest |z| among all pairs, and of the mean of z². The "
+                "uniform estimator samples every label independently. Path reuse shares paths between opposite "
+                "labels, so its two sides come from runs with different seeds. Because neighbouring labels "
+                "share paths, too, only its largest |z| is tested. Pairs beyond ±8 are counted at the ends."
             ),
             "note",
         ),
@@ -131,14 +131,14 @@ def section(study):
         verdict(all(uniform_passes) and rejected, any(uniform_passes) and rejected),
         (
             f"With {samples:,} samples the largest of {len(test.z)} differences is"
-            f" {test.largest:.1f} standard errors (chance allows {test.limit:.1f}), and the mean of z² is"
-            f" {test.mean_square:.2f} (chance: {test.expected_square:.2f})."
+            f" {test.largest:.1f} standard errors (limit: {test.limit:.1f}), and the mean of z² is"
+            f" {test.mean_square:.2f} (expected: {test.expected_square:.2f})."
         ),
         (
-            "The test can tell: with a partner 1 m beside the mirror image the largest is"
-            f" {control.largest:.1f} and the mean {control.mean_square:.2f}, with path reuse"
+            "The test detects asymmetry: with a partner 1 m beside the mirror image the largest |z| is"
+            f" {control.largest:.1f} and the mean of z² is {control.mean_square:.2f}, with path reuse"
             f" {reuse_control.largest:.0f} and {reuse_control.mean_square:.0f};"
-            f" {'both are rejected' if rejected else 'not both are rejected, so the test says little here'}."
+            f" {'both are rejected' if rejected else 'at least one passes, so the test is weak here'}."
         ),
     )
     return result

@@ -20,7 +20,7 @@ inline Vec3 highest(const Vec3& a, const Vec3& b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
-/// A scene put together by hand: no room, no store file, every label and unit of a type of its own.
+/// A hand-made scene without room or store file. Every label and unit has its own type.
 struct BareScene {
   Scene scene;
 
@@ -42,13 +42,13 @@ struct BareScene {
     scene.mesh.materials.push_back(surface);
   }
 
-  /// A parallelogram; its normal is that of `right` x `up`.
+  /// A parallelogram with the normal `right` x `up`.
   void quad(MaterialId surface, const Vec3& corner, const Vec3& right, const Vec3& up) {
     triangle(surface, {corner, corner + right, corner + right + up});
     triangle(surface, {corner, corner + right + up, corner + up});
   }
 
-  /// The six sides of an axis-aligned box, with normals to the outside: floor, ceiling and walls.
+  /// The six sides of an axis-aligned box with outward normals: floor, ceiling and walls.
   void box(const std::array<MaterialId, 3>& surfaces, const Vec3& low, const Vec3& high) {
     const Vec3 x{high.x - low.x, 0, 0}, y{0, high.y - low.y, 0}, z{0, 0, high.z - low.z};
     quad(surfaces[0], low, y, x);
@@ -62,7 +62,8 @@ struct BareScene {
     box({surface, surface, surface}, low, high);
   }
 
-  /// An icosahedron about the origin, each triangle cut into four `level` times, corners on the sphere.
+  /// An icosahedron about the origin, each triangle divided into four `level` times, with corners on the
+  /// sphere.
   void sphere(MaterialId surface, double radius, int level) {
     const double g = (1 + std::sqrt(5.0)) / 2;
     const std::vector<Vec3> corners{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},

@@ -16,7 +16,7 @@
 
 namespace shelfbeam::test {
 
-/// Values beside what they should be, judged all at once.
+/// Values and their references, compared by one test.
 struct Comparison {
   std::vector<double> values, references, standard_errors;
 
@@ -26,13 +26,13 @@ struct Comparison {
     standard_errors.push_back(standard_error);
   }
 
-  /// Every entry of a column of a matrix against one reference.
+  /// Compares every entry of a matrix column with one reference.
   void add_column(const SignalMatrix& matrix, std::size_t j, double reference) {
     for (std::size_t i = 0; i < matrix.rows(); ++i)
       add(matrix.mean[matrix.at(i, j)], reference, matrix.standard_error[matrix.at(i, j)]);
   }
 
-  /// The same with all references wrong by a factor, as a control.
+  /// The same with all references multiplied by a wrong factor, as a control.
   Comparison with_references_times(double factor) const {
     Comparison wrong = *this;
     for (double& reference : wrong.references) reference *= factor;
@@ -51,7 +51,7 @@ struct Comparison {
     return z_test(values, references, standard_errors, level, batch_count - 1);
   }
 
-  /// z-test with the Sidak limit at `level` for all values together.
+  /// z-test of all values together at `level`, with the Sidak limit.
   testing::AssertionResult agrees(double level) const {
     const ZTest z = test(level);
     if (z.pass) return testing::AssertionSuccess();
@@ -61,8 +61,8 @@ struct Comparison {
   }
 };
 
-/// z-test of all values at once, whose relative standard errors are below `precision`. The control are
-/// references `wrong` times as large, which the test must reject.
+/// z-test of all values together; their relative standard errors must be below `precision`. The control
+/// multiplies the references by `wrong`, which the test must reject.
 inline void expect_agreement(const Comparison& found, double precision, double wrong, const std::string& what,
                              double level = 0.001) {
   EXPECT_TRUE(found.agrees(level)) << what;
@@ -70,7 +70,8 @@ inline void expect_agreement(const Comparison& found, double precision, double w
   EXPECT_FALSE(found.with_references_times(wrong).agrees(level)) << what;
 }
 
-/// The entries of two independent runs, the second times a factor. Equal ones without errors say nothing.
+/// The entries of two independent runs, the second multiplied by a factor. Equal entries without errors are
+/// omitted.
 inline Comparison compare(const SignalMatrix& found, const SignalMatrix& reference, double factor = 1) {
   Comparison entries;
   for (std::size_t e = 0; e < found.mean.size(); ++e) {
@@ -81,7 +82,7 @@ inline Comparison compare(const SignalMatrix& found, const SignalMatrix& referen
   return entries;
 }
 
-/// The strategies under test, each with its name for messages.
+/// A strategy under test and its name for messages.
 struct Way {
   const char* name;
   Strategy strategy;
@@ -102,7 +103,7 @@ inline constexpr Way walk{"walk", Strategy::walk}, nee{"nee", Strategy::nee}, mi
     mis_power{"mis, power heuristic", Strategy::mis, Heuristic::power},
     particle{"particle", Strategy::particle},
     path_reuse{"path reuse", Strategy::mis, Heuristic::balance, EstimatorKind::reuse};
-/// First rays a label in 32 batches of path reuse.
+/// First rays per label in 32 batches of path reuse.
 inline constexpr std::uint64_t reuse_samples = 32 * 131;
 
 }  // namespace shelfbeam::test

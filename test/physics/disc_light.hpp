@@ -7,9 +7,10 @@
 
 namespace shelfbeam::test {
 
-/// Irradiance in W/m^2, below a Lambertian disc that looks straight down, of an element whose plane leaves
-/// all of the disc on its front: the vector sum of an element parallel to the disc and one perpendicular to
-/// it (configuration factors B-13 and B-14 of Howell's catalogue), times the exitance Phi / A.
+/// Irradiance in W/m^2 of an element below a horizontal Lambertian disc that emits downwards; the disc lies
+/// on the front side of the element's plane. It is the vector sum for an element parallel to the disc and one
+/// perpendicular to it (configuration factors B-13 and B-14 of Howell's catalogue), times the exitance Phi /
+/// A.
 inline double irradiance_of_disc(double flux, double radius, const Vec3& centre, const Vec3& at,
                                  const Vec3& normal) {
   const double h = centre.z - at.z, dx = centre.x - at.x, dy = centre.y - at.y, a = std::hypot(dx, dy);
@@ -20,9 +21,9 @@ inline double irradiance_of_disc(double flux, double radius, const Vec3& centre,
   return flux / (pi * r2) * (normal.z * parallel + towards * across);
 }
 
-/// Irradiance of an element that looks straight at the middle of such a disc at a distance, where
-/// share(cosine) of the light gets through at each angle: 2 pi L times the integral of share cos sin over the
-/// angle, by Simpson's rule.
+/// Irradiance of an element that faces the centre of such a disc at a distance, where share(cosine) of the
+/// light is transmitted at each angle: 2 pi L times the integral of share cos sin over the angle, by
+/// Simpson's rule.
 template <class Share>
 double irradiance_of_coaxial_disc(double flux, double radius, double distance, const Share& share) {
   constexpr int intervals = 200;

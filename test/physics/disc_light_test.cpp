@@ -1,6 +1,6 @@
-// Direct light in free space against configuration factors (Howell, A Catalog of Radiation Heat Transfer
-// Configuration Factors): a Lambertian disc of flux Phi and area A has the radiance Phi / (pi A), so a cosine
-// label reads Phi / A times its factor towards the disc.
+// Tests direct light in free space against configuration factors (Howell, A Catalog of Radiation Heat
+// Transfer Configuration Factors). A Lambertian disc of flux Phi and area A has the radiance Phi / (pi A), so
+// a cosine label reads Phi / A times its factor towards the disc.
 
 #include "physics/disc_light.hpp"
 
@@ -56,7 +56,7 @@ std::vector<Case> disc_cases() {
       {"perpendicular rectangle", {0.3, 1.2, 1.3}, {0, -1, 0}, {0.9, 0, 0}, {0, 0, 0.6}},
       {"tilted rectangle", {-0.5, -0.8, 0.7}, tilted, right * 0.6, cross(tilted, right) * 0.4},
   };
-  // The coaxial element, written out.
+  // The closed form for the coaxial element.
   cases[0].expected = flux / (pi * (radius * radius + 1.4 * 1.4));
   for (std::size_t k = 1; k < cases.size(); ++k)
     cases[k].expected = average(cases[k].position, cases[k].right, cases[k].up,
@@ -88,7 +88,7 @@ TEST(DirectLight, OfADiscIsThatOfTheCatalogue) {
   for (const Way& way : {test::nee, test::mis, test::mis_power, test::particle})
     expect(way.simulate(space.scene, 40000), 3e-3, 0.02, way.name);
   expect(test::walk.simulate(space.scene, 400000), 0.03, 0.05, "walk");
-  // Strata of source and label do better than independent points.
+  // Stratified sampling of source and label is more precise than independent points.
   const auto exact = [&](const Way& way) {
     return way.simulate(space.scene, 40000, 1, {.direct = DirectLight::exact});
   };
@@ -96,8 +96,8 @@ TEST(DirectLight, OfADiscIsThatOfTheCatalogue) {
   expect(exact(test::particle), 8e-4, 4e-3, "exact, for particles");
 }
 
-// The control of geometry and quadrature: a smaller disc of the same flux. At 0.1 %, with relative standard
-// errors below 0.3 %.
+// Control of geometry and quadrature: a smaller disc of the same flux must differ. z-test at 0.1 %, with
+// relative standard errors below 0.3 %.
 TEST(DirectLight, TellsADiscFromASmallerOneOfTheSameFlux) {
   const auto cases = disc_cases();
   test::BareScene space = free_space(cases);
@@ -105,10 +105,10 @@ TEST(DirectLight, TellsADiscFromASmallerOneOfTheSameFlux) {
   EXPECT_FALSE(compare(test::mis.simulate(space.scene, 40000), cases).agrees(0.001));
 }
 
-// Discs that lie in the planes of ceiling and wall: what a walk meets there is the disc, though the surface
-// is as near, however far from the origin all this stands. The labels are close, where a ray that is moved
-// off its surface meets the plane elsewhere. z-test at 0.1 %, relative standard errors below 2 %; the control
-// is off by 8 %.
+// Discs in the planes of ceiling and wall: a walk must hit the disc, although the surface is equally near, at
+// any distance from the origin. The labels are close, so that a ray whose start is moved off the surface
+// meets the plane at another point. z-test at 0.1 %, relative standard errors below 2 %; the control is off
+// by 8 %.
 TEST(DirectLight, OfADiscInTheCeilingIsThatOfADisc) {
   for (const double length : {4.0, 300.0}) {
     const Vec3 ceiling{length / 2, 2, 3}, wall{length, 2, 1.5};
@@ -142,11 +142,11 @@ double corner_factor(double a, double b, double h) {
   return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2 * pi);
 }
 
-// A point above a rectangular label sends it I times its solid angle, or Phi times its factor; the label
+// A point unit above a rectangular label sends it I times its solid angle, or Phi times its factor; the label
 // reads the mean. z-test of both at 0.1 %, relative standard errors below 0.2 % (exact: 0.005 %); the control
-// is off by 1 % (0.1 %). The rectangle is not square and wider than high, so that its sides matter.
+// is off by 1 % (0.1 %). The rectangle is not square and is wider than high, so that exchanged sides show.
 TEST(DirectLight, OfAPointOnARectangleIsItsSolidAngleOrFactor) {
-  const double width = 1.3, height = 0.7, h = 1.2, left = 0.5, front = 0.2;  // of the point's foot
+  const double width = 1.3, height = 0.7, h = 1.2, left = 0.5, front = 0.2;  // position of the unit's foot
   test::BareScene space;
   space.label({width / 2 - left, height / 2 - front, 0}, {0, 0, 1}, CosineResponse{}, {width, height});
   space.unit({0, 0, h}, {0, 0, -1}, IsotropicHemisphere{flux});

@@ -1,5 +1,5 @@
-// Very small and very large scenes, very weak and very strong units: signals scale with the inverse square of
-// the size and in proportion to the power, and nothing else changes.
+// Tests very small and very large scenes, and very weak and very strong units. Signals scale with the inverse
+// square of the size and in proportion to the power, and nothing else changes.
 
 #include <cmath>
 
@@ -14,10 +14,10 @@ namespace {
 
 struct Room {
   double size = 1, power = 1;
-  bool has_mirror = false;  ///< whose light reaches a few entries by rare paths: no matter for z-tests
+  bool has_mirror = false;  ///< its light reaches a few entries by rare paths, which do not affect z-tests
 
-  // A room of 6 x 5 x 3 with a box, a disc and labels with and without a size, `size` times as large and with
-  // `power` times the intensities.
+  // A room of 6 x 5 x 3 with a box, a disc, and labels with and without a size. Lengths are multiplied by
+  // `size`, intensities by `power`.
   Scene scene() const {
     test::BareScene bare;
     const MaterialId paper = bare.material(Lambertian{0.6}), steel = bare.material(Conductor{2.5, 8, {}});
@@ -51,8 +51,8 @@ bool is_times(const SignalMatrix& matrix, double factor, const SignalMatrix& ord
   return true;
 }
 
-// Nothing is rounded by a power of two. Path reuse has lengths that fit stores, so it is held to that where
-// the scene is so small that it is enlarged.
+// A power of two causes no rounding. Path reuse uses lengths that fit stores, so it is tested where the scene
+// is so small that it is enlarged.
 TEST(Extremes, PowersOfTwoInSizeChangeNothingButTheUnit) {
   for (const EstimatorKind estimator : {EstimatorKind::uniform, EstimatorKind::reuse}) {
     const SignalMatrix ordinary = simulated(Room{.has_mirror = true}.scene(), estimator);
@@ -66,7 +66,8 @@ TEST(Extremes, PowersOfTwoInSizeChangeNothingButTheUnit) {
   }
 }
 
-// A room of 2 x 1.7 x 1 mm, and one of 500 x 417 x 250 m: z-tests at 0.1 %. The control is a factor of 1.3.
+// Tests a room of 2 x 1.7 x 1 mm and one of 500 x 417 x 250 m: z-tests at 0.1 %. The control is a factor of
+// 1.3.
 TEST(Extremes, AMillimetreAndHalfAKilometre) {
   for (const EstimatorKind estimator : {EstimatorKind::uniform, EstimatorKind::reuse}) {
     const SignalMatrix ordinary = simulated(Room{}.scene(), estimator, 2);
@@ -79,8 +80,9 @@ TEST(Extremes, AMillimetreAndHalfAKilometre) {
   }
 }
 
-// Powers of two again, and others to the rounding of single precision (uniform) or by a z-test at 0.1 % (path
-// reuse, which decides on rounded numbers where it traces shadow rays). The control is a factor of 1.3.
+// Powers of two are exact; other factors agree within the rounding of single precision (uniform) or in a
+// z-test at 0.1 % (path reuse, which uses rounded numbers to choose shadow rays). The control is a factor of
+// 1.3.
 TEST(Extremes, SignalsAreInProportionToThePower) {
   for (const EstimatorKind estimator : {EstimatorKind::uniform, EstimatorKind::reuse}) {
     const SignalMatrix ordinary = simulated(Room{}.scene(), estimator);
@@ -99,7 +101,7 @@ TEST(Extremes, SignalsAreInProportionToThePower) {
   }
 }
 
-// One label, one unit, black walls: sin 2 theta cos / d^2, to the rounding of single precision.
+// One label, one unit and black walls: sin 2 theta cos / d^2, within the rounding of single precision.
 TEST(Extremes, OneLabelAndOneUnitHaveTheClosedForm) {
   for (const EstimatorKind estimator : {EstimatorKind::uniform, EstimatorKind::reuse})
     for (const double size : {0.001, 0.1, 1.0, 500.0}) {

@@ -1,5 +1,6 @@
-// A closed room whose every surface has albedo a and shines with L has the radiance L / (1 - a) everywhere
-// and in all directions, whatever stands in it. Glass, panes and mirrors that lose nothing leave it so.
+// If every surface of a closed room has albedo a and emits the radiance L, the radiance is L / (1 - a)
+// everywhere and in all directions, with any objects in the room. Lossless glass, panes and mirrors do not
+// change it.
 
 #include <gtest/gtest.h>
 
@@ -14,12 +15,12 @@ namespace {
 using test::Way;
 
 constexpr double albedo = 0.6, radiance = 1.5;
-// What a cosine label reads anywhere.
+// The reading of a cosine label at any position.
 constexpr double reading(double a = albedo) {
   return pi * radiance / (1 - a);
 }
 
-// Points, or a blind under the ceiling and a poster on a wall.
+// Either points, or a blind under the ceiling and a poster on a wall.
 enum class Labels { points, large };
 void add_labels(test::BareScene& room, Labels labels) {
   if (labels == Labels::large) {
@@ -33,7 +34,7 @@ void add_labels(test::BareScene& room, Labels labels) {
   room.label({-0.3, -0.75, 0.4}, normalized({-1, 0.3, -3}));
 }
 
-// A shining room with a shining box in it.
+// An emitting room with an emitting box in it.
 test::BareScene furnace(Labels labels) {
   test::BareScene room;
   const MaterialId wall = room.material(Lambertian{albedo});
@@ -44,15 +45,15 @@ test::BareScene furnace(Labels labels) {
   return room;
 }
 
-// Glass, a pane and a mirror, none of which shines or absorbs, fill much of what the labels see.
+// Adds glass, a pane and a mirror, which neither emit nor absorb and fill much of the labels' field of view.
 void add_clear_things(test::BareScene& room) {
   room.box(room.material(Dielectric{1.5, {}}), {-0.2, 0.35, -0.3}, {0.5, 0.7, 0.5});
   room.quad(room.material(ThinDielectric{1.5, 0.006, 0}), {-0.1, -0.7, -0.6}, {0.5, 0.3, 0}, {0, 0.2, 1});
   room.quad(room.material(Conductor{0, 1, {}}), {0.5, -0.3, -0.6}, {0.1, 0.6, 0}, {0, 0, 0.9});
 }
 
-// All labels, with a relative standard error below 0.5 % (particles 0.8 %). The control is an albedo 2 % off,
-// which is 3 % of the reading.
+// Tests all labels, with a relative standard error below 0.5 % (particles 0.8 %). The control is an albedo 2
+// % off, which is 3 % of the reading.
 void expect_uniform(const Way& way, const test::BareScene& room, std::uint64_t samples,
                     double precision = 5e-3) {
   test::Comparison readings;
@@ -69,7 +70,7 @@ TEST(Furnace, IsUniformInABoxWithABoxInIt) {
   }
 }
 
-// A particle reaches labels through glass only where they have a size.
+// Behind glass a particle reaches only labels with a size.
 TEST(Furnace, StaysUniformWithGlassPanesAndMirrors) {
   for (const Labels labels : {Labels::points, Labels::large}) {
     test::BareScene room = furnace(labels);
@@ -79,8 +80,8 @@ TEST(Furnace, StaysUniformWithGlassPanesAndMirrors) {
   }
 }
 
-// Connections between surfaces that meet in a shining corner have no finite variance, and so no standard
-// error to test with; plain next event estimation and path reuse are tested in a room without corners.
+// Connections between surfaces that meet in an emitting corner have no finite variance, and so no usable
+// standard error. Plain next event estimation and path reuse are therefore tested in a room without corners.
 test::BareScene sphere(bool clear_things) {
   test::BareScene room;
   const MaterialId wall = room.material(Lambertian{albedo});

@@ -1,7 +1,7 @@
-// A classic indoor infrared channel bounce by bounce: the empty room of configuration A of Barry, Kahn,
-// Krause, Lee, Messerschmitt (IEEE JSAC 11, 1993), geometry recalled and not checked against the printed
-// table. The figures are those of two independent programs, which agree, with 2e7 rays and the standard
-// errors given.
+// Tests a classic indoor infrared channel by bounces: the empty room of configuration A of Barry, Kahn,
+// Krause, Lee, Messerschmitt (IEEE JSAC 11, 1993). Its geometry is recalled and not checked against the
+// printed table. The figures come from two independent programs, which agree, with 2e7 rays and the given
+// standard errors.
 
 #include <gtest/gtest.h>
 
@@ -18,11 +18,12 @@ using test::Way;
 struct Power {
   double microwatt, standard_error;
 };
-// By number of bounces. No error was printed for 4 and 5: that of 3, and half a unit of the last digit.
+// Power by number of bounces. No error was printed for 4 and 5; they have the error of 3, and half a unit of
+// the last digit.
 constexpr Power received[] = {{1.2318, 5e-5}, {0.5044, 4e-4}, {0.4301, 3e-4},
                               {0.2580, 2e-4}, {0.1789, 2e-4}, {0.1180, 2e-4}};
 constexpr Power up_to_12_bounces{2.949, 1e-3};
-constexpr double microwatt = 1e6 * 1e-4;  // on 1 cm^2, per W/m^2
+constexpr double microwatt = 1e6 * 1e-4;  // on 1 cm^2 per W/m^2
 
 test::BareScene room(double albedo_factor, double cutoff_deg, std::size_t receivers) {
   test::BareScene room;
@@ -35,8 +36,8 @@ test::BareScene room(double albedo_factor, double cutoff_deg, std::size_t receiv
   return room;
 }
 
-// Bounces 0 to 5, and 0 to 12 together. Walks have several copies of the receiver, which are independent and
-// run side by side; their mean is taken.
+// Powers of bounces 0 to 5, and of 0 to 12 together. Walks have several copies of the receiver, which are
+// independent and run in parallel; the mean over the copies is used.
 test::Comparison powers(const Way& way, std::uint64_t samples, double albedo_factor = 1,
                         double cutoff_deg = 85) {
   const std::size_t copies = way.strategy == Strategy::particle ? 1 : 4;
@@ -60,9 +61,9 @@ test::Comparison powers(const Way& way, std::uint64_t samples, double albedo_fac
   return result;
 }
 
-// All figures at once at 1 %. Combined relative standard errors up to 0.6 % (fifth bounce) and 0.1 % in
-// total, for particles 1.3 % and 0.3 %. The control is an albedo 2 % off, 2 % a bounce. For points mis is
-// nee.
+// Tests all figures together at 1 %. The combined relative standard errors are up to 0.6 % (fifth bounce) and
+// 0.1 % in total, for particles 1.3 % and 0.3 %. The control is an albedo 2 % off, which is 2 % per bounce.
+// For points, mis is equal to nee.
 TEST(InfraredRoom, EveryBounceAgrees) {
   const auto test = [](const Way& way, std::uint64_t samples, double precision) {
     const auto found = powers(way, samples);
@@ -74,8 +75,8 @@ TEST(InfraredRoom, EveryBounceAgrees) {
   test(test::particle, 300000, 13e-3);
 }
 
-// The same with combined errors of 0.1 to 0.3 % a bounce, near those of the figures; so precise, it also
-// rejects a receiver without the cut-off.
+// The same with combined errors of 0.1 to 0.3 % per bounce, close to those of the figures. At this precision
+// the test also rejects a receiver without cut-off.
 TEST(InfraredRoomSlow, EveryBounceAgreesToTheErrorOfTheFigures) {
   const auto test = [](const Way& way, std::uint64_t samples) {
     const auto found = powers(way, samples);
@@ -88,8 +89,8 @@ TEST(InfraredRoomSlow, EveryBounceAgreesToTheErrorOfTheFigures) {
   test(test::particle, 5000000);
 }
 
-// Path reuse has all bounces in one: the figure for up to 12, and what walks find from there on (0.5 %,
-// itself known to a few per cent of that). The control is an albedo 2 % off.
+// Path reuse gives the sum of all bounces: it is compared with the figure for up to 12 bounces plus the
+// further light that walks find (0.5 %, known to a few percent). The control is an albedo 2 % off.
 void check_path_reuse(std::uint64_t samples, double precision) {
   const SignalMatrix layers =
       test::nee.simulate(room(1, 85, 1).scene, 100000, 1, {.max_bounces = 40, .by_bounce = true});

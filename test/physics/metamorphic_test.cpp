@@ -1,4 +1,4 @@
-// What must hold between runs, whatever the right values are.
+// Tests relations between runs that hold for any values.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using test::Way;
 
 const Vec3 down{0, 0, -1};
 
-// Two discs, and labels with and without a size.
+// A room with two discs, and labels with and without a size.
 test::BareScene room_with_discs() {
   test::BareScene room = test::mixed_room();
   room.unit({1.5, 1.9, 2.8}, down, GeneralizedLambertian{1, 2}, 0.3);
@@ -24,8 +24,8 @@ test::BareScene room_with_discs() {
   return room;
 }
 
-// Sums of the layers up to `last` against the means of another run on the same random numbers, which takes
-// the same paths: equal to the rounding of single precision, 1e-6 of the largest sum.
+// Compares the sums of the layers up to `last` with the means of another run on the same random numbers, and
+// so on the same paths. They agree within the rounding of single precision, 1e-6 of the largest sum.
 bool layers_sum_to(const SignalMatrix& layered, std::size_t last, const SignalMatrix& whole) {
   for (std::size_t e = 0; e < whole.mean.size(); ++e) {
     double sum = 0;
@@ -51,8 +51,8 @@ TEST(ByBounce, LayersSumToTheMeanAndToShorterRuns) {
     }
 }
 
-// Discs and rectangles with their direct light sampled and stratified: z-test at 0.1 % at relative standard
-// errors of the difference up to 8 %, most of it from the disc's light over the mirror. The control is a
+// Discs and rectangles with sampled and stratified direct light: z-test at 0.1 %, with relative standard
+// errors of the difference up to 8 %, mostly due to the disc's light by way of the mirror. The control is a
 // matrix 15 % off.
 TEST(DirectLight, SampledAgreesWithExactForDiscsAndRectangles) {
   const Scene scene = room_with_discs().scene;
@@ -62,9 +62,8 @@ TEST(DirectLight, SampledAgreesWithExactForDiscsAndRectangles) {
                            0.08, 1.15, way.name);
 }
 
-// A disc of 1 cm and a point among diffuse surfaces: z-test at 0.1 %, relative standard errors of the
-// difference below 1.5 %; the disc's own difference is (r/d)^2, less than 1e-4. The control is a disc of 60
-// cm.
+// A disc of 1 cm against a point, among diffuse surfaces: z-test at 0.1 %, relative standard errors of the
+// difference below 1.5 %. The true difference is (r/d)^2, less than 1e-4. The control is a disc of 60 cm.
 TEST(Disc, ShrinksToAPoint) {
   const auto room = [](double radius) {
     test::BareScene result;

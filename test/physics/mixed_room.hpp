@@ -4,14 +4,14 @@
 
 namespace shelfbeam::test {
 
-/// A place where a label or a unit may sit.
+/// A position and direction of a label or unit.
 struct Mount {
   Vec3 position, direction;
 };
 
-/// A room with two shelves, one of brushed metal, one of coated plastic, and a partition of which one half is
-/// a mirror and the other a pane. As both lie in one plane, no path meets two mirrors in a row, and all paths
-/// between points are covered from either end.
+/// A room with two shelves, one of brushed metal and one of coated plastic, and a partition of which one half
+/// is a mirror and the other a pane. Both halves lie in one plane, so no path meets two mirrors in a row, and
+/// the paths between points are complete from either end.
 inline BareScene mixed_room() {
   BareScene room;
   const MaterialId paper = room.material(Lambertian{0.6}), floor = room.material(Lambertian{0.3}),

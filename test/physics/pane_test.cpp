@@ -1,4 +1,4 @@
-// Straight through panes: the free field times the transmittance of each at the angle of the ray.
+// Tests direct light through panes: the free field times the transmittance of each pane at the ray's angle.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ double free_field() {
   return dot(normalized(way), label_normal) * normalized(way).z / length_squared(way);
 }
 
-// A large pane about the middle of the way.
+// Adds a large pane across the connection.
 void add_pane(test::BareScene& space, const ThinDielectric& pane, const Vec3& normal, double share_of_way) {
   const Frame frame = Frame::about(normalized(normal));
   const Vec3 middle = label + (unit - label) * share_of_way;
@@ -32,7 +32,7 @@ double transmittance(const ThinDielectric& pane, const Vec3& normal) {
   return pane_transmittance(pane, dot(normalized(normal), normalized(unit - label)));
 }
 
-// The part without a bounce of every strategy that joins points, relative to the free field: exact to the
+// Compares the direct light of every strategy that connects points with the free field: exact within the
 // rounding of single precision, 1e-6.
 void expect_direct(const test::BareScene& space, double share) {
   for (const Way& way : {test::nee, test::mis, test::particle})
@@ -57,7 +57,7 @@ TEST(Pane, KeepsItsTransmittanceOfTheDirectSignal) {
       test::BareScene space = free_space();
       add_pane(space, pane, normal, 0.6);
       expect_direct(space, transmittance(pane, normal));
-      // The controls: other glass, or the pane as thick as it would be for a ray across it.
+      // Controls: other glass, or the transmittance of a perpendicular ray.
       EXPECT_GT(std::abs(transmittance(pane, normal) / transmittance({1.51, pane.thickness, 0}, normal) - 1),
                 1e-5);
       const double as_if_across = transmittance(pane, across);
@@ -73,14 +73,14 @@ TEST(Pane, MultipliesWithAnother) {
   const double both = transmittance(clear, first) * transmittance(tinted, second);
   expect_direct(space, both);
   EXPECT_LT(both, 0.99 * transmittance(clear, first));
-  // Opaque things between them still block.
+  // Opaque objects still block the light.
   space.quad(space.material(Lambertian{0}), {-1, -1, 1.5}, {3, 0, 0}, {0, 3, 0});
   expect_direct(space, 0);
 }
 
-// Two discs seen through a pane by every strategy, so large that connections and walks share their light: the
-// walk passes the pane by chance, and both must know that chance. The pane is of germanium, which reflects
-// much. z-test at 0.1 % at relative standard errors below 1 %; the control is off by 4 %.
+// Two discs seen through a pane by every strategy. They are so large that connections and walks share their
+// light: the walk passes the pane at random, and both must use that probability. The pane is of germanium,
+// which reflects much. z-test at 0.1 %, with relative standard errors below 1 %; the control is off by 4 %.
 TEST(Pane, DimsDiscsForEveryStrategy) {
   const ThinDielectric germanium{4, 0.004, 50};
   constexpr double radii[] = {1.5, 1}, distances[] = {1.8, 0.9};
@@ -102,8 +102,9 @@ TEST(Pane, DimsDiscsForEveryStrategy) {
     }
 }
 
-// A disc in the pane's own plane counts as before it, once, for every strategy. z-test at 0.1 % at relative
-// standard errors below 2 %; the controls are the disc behind the pane and, for what meets it, twice.
+// A disc in the plane of the pane counts as in front of it, and once, for every strategy. z-test at 0.1 %,
+// with relative standard errors below 2 %. The controls are the disc behind the pane, and the sum of the disc
+// in front and behind.
 TEST(Pane, ShowsADiscInItsPlaneOnce) {
   const Frame frame = Frame::about(normalized({0.37, -0.52, 0.8}));
   constexpr double radius = 0.5;

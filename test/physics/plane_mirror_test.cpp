@@ -1,6 +1,6 @@
-// Over a flat mirror a label sees the image of a unit: I R(label) F / d^2 with d the length of the bent way
-// and F the Fresnel reflectance. The label looks away from the unit itself. Everything stands in a tilted
-// frame, so that no axis of the world is special.
+// By way of a flat mirror a label sees the image of a unit: I R(label) F / d^2, where d is the length of the
+// mirror path and F is the Fresnel reflectance. The label faces away from the unit itself. The whole scene is
+// tilted, so that no axis of the world is special.
 
 #include <array>
 #include <cmath>
@@ -24,7 +24,7 @@ const Conductor ideal{0, 1, {}}, gold{0.2, 6.5, {}};
 const Frame tilted = Frame::about(normalized({0.3, -0.5, 0.8}));
 const Vec3 origin{1, 2, 3};
 
-// Points and directions are given with the mirror's plane at z = 0.
+// Points and directions are given in a frame in which the mirror is the plane z = 0.
 Vec3 place(const Vec3& p) {
   return origin + tilted.to_world(p);
 }
@@ -55,8 +55,8 @@ double image(const Vec3& label, const Vec3& unit, const Conductor& mirror, doubl
   return cosine / pi * cosine / length_squared(way) * fresnel_conductor(cosine, mirror.eta, mirror.k);
 }
 
-// The mean over a label of 0.3 x 0.2 m that looks down on the mirror, by 5 x 5 midpoints. Its sides lie along
-// the horizontal of the world.
+// The mean over a label of 0.3 x 0.2 m that faces down to the mirror, by 5 x 5 midpoints. Its sides are
+// parallel to the horizontal plane of the world.
 constexpr std::array<double, 2> label_size{0.3, 0.2};
 template <class Value>
 double over_label(const Vec3& middle, const Value& value) {
@@ -71,8 +71,8 @@ double over_label(const Vec3& middle, const Value& value) {
 
 const std::vector<Vec3> seeing{{0.4, 0.1, 0.6}, {1.8, -0.3, 0.9}, {-0.2, 0.4, 0.8}};
 
-// Exact to the rounding of single precision, 1e-6, in the layer of one bounce and without a standard error.
-// The control is the reflectance of the other metal.
+// Exact within the rounding of single precision, 1e-6, in the layer of one bounce and without a standard
+// error. The control is the reflectance of the other metal.
 TEST(PlaneMirror, ShowsTheImageOfAPointExactly) {
   for (const auto& [mirror, other] : {std::pair(ideal, gold), std::pair(gold, ideal)}) {
     Stage stage(mirror);
@@ -92,8 +92,8 @@ TEST(PlaneMirror, ShowsTheImageOfAPointExactly) {
   }
 }
 
-// The same by sampling: z-test at 0.1 %, relative standard error 1.5 %; three units, so that the walk has to
-// choose. The control is off by 5 %.
+// The same by sampling: z-test at 0.1 %, relative standard error 1.5 %, with three units, so that the walk
+// must choose one. The control is off by 5 %.
 TEST(PlaneMirror, ShowsTheImagesOfPointsToConnections) {
   const std::vector<Vec3> units{{0, 0, 1.2}, {0.8, 0.2, 1.6}, {0.5, -0.4, 1.1}};
   Stage stage(gold);
@@ -113,10 +113,10 @@ TEST(PlaneMirror, ShowsTheImagesOfPointsToConnections) {
   }
 }
 
-// Discs over an ideal mirror: the direct light of the disc's image (disc_light.hpp). z-test at 0.1 %. Where
-// connections find the image, relative standard errors are 0.2 % and the control is off by 1.5 %; where walks
-// meet the disc and particles the label by chance, 2.5 % and 10 %. For the reading of labels of some size the
-// 5 x 5 midpoints of the rectangle do (error below 0.1 %).
+// Discs over an ideal mirror: the result is the direct light of the disc's image (disc_light.hpp). z-test at
+// 0.1 %. If connections find the image, relative standard errors are 0.2 % and the control is off by 1.5 %.
+// If walks hit the disc and particles the label at random, these are 2.5 % and 10 %. The reading of a label
+// with a size is the mean over 5 x 5 midpoints of the rectangle (error below 0.1 %).
 TEST(PlaneMirror, ShowsTheImageOfADisc) {
   constexpr double radius = 0.1;
   const auto expect = [](const Way& way, bool by_chance, const SignalMatrix& matrix,
@@ -148,12 +148,12 @@ TEST(PlaneMirror, ShowsTheImageOfADisc) {
   expect(test::particle, true, test::particle.simulate(rectangles.bare.scene, 1000000), over_rectangles);
 }
 
-// Exact as above, or nothing at all where the way meets a box, the mirror's back, or its plane outside the
-// mirror.
+// Exact as above, or zero if a box, the back of the mirror, or a point of its plane outside the mirror blocks
+// the mirror path.
 TEST(PlaneMirror, ShowsNothingOutsideItsWindow) {
   Stage stage(ideal);
   const MaterialId black = stage.bare.material(Lambertian{0});
-  // A post beside the unit's foot, in the way to the second label only.
+  // A post beside the unit's foot, which blocks only the path to the second label.
   stage.quad(black, {0.4, -0.5, 0}, {0, 0.5, 0}, {0, 0, 0.7});
   const std::vector<Vec3> labels{{0.8, 0.6, 0.8},    // over (0.48, 0.36): passes beside the post
                                  {0.8, -0.4, 0.8},   // over (0.48, -0.24): behind the post
@@ -168,14 +168,14 @@ TEST(PlaneMirror, ShowsNothingOutsideItsWindow) {
     }
 }
 
-// A unit that is mounted on the mirror itself, to rounding, and looks away from it has no image. Turned many
-// ways, so that rounding puts it before the plane and behind it. The control stands a little off the plane
-// and shines to all sides of its own.
+// A unit that is mounted on the mirror itself, within rounding, and faces away from it has no image. Many
+// rotations put it in front of the plane or behind it by rounding. The control is a little off the plane and
+// emits to all sides.
 TEST(PlaneMirror, ShowsNothingOfAUnitOnIt) {
   for (std::uint32_t turn = 0; turn < 24; ++turn) {
     const auto u = philox({turn, 0, 0, 0}, 77);
     const Frame frame =
-        Frame::about(normalized({to_unit(u[0]) - 0.5, to_unit(u[1]) - 0.5, to_unit(u[2]) - 0.5}));
+        Frame::about(normalized({to_uniform(u[0]) - 0.5, to_uniform(u[1]) - 0.5, to_uniform(u[2]) - 0.5}));
     const auto with_unit = [&](double height, const Vec3& axis) {
       test::BareScene bare;
       bare.quad(bare.material(ideal), origin - frame.x - frame.y, frame.x * 2, frame.y * 2);
@@ -201,7 +201,7 @@ TEST(PlaneMirror, EndsAtItsTriangles) {
   EXPECT_EQ(matrix.mean[1], 0);
 }
 
-// A pane over the mirror: it dims the mirror's image twice and shows one of its own. Exact to 1e-6.
+// A pane over the mirror dims the mirror's image twice and shows an image of its own. Exact within 1e-6.
 TEST(PlaneMirror, LiesBehindAPane) {
   const ThinDielectric pane{1.5, 0.004, 20};
   constexpr double height = 0.3;
@@ -219,12 +219,12 @@ TEST(PlaneMirror, LiesBehindAPane) {
     const SignalMatrix matrix = way.simulate(stage.bare.scene, 64, 1, {.max_bounces = 1});
     EXPECT_NEAR(matrix.mean[0] / (through + own), 1, 1e-6) << way.name;
   }
-  // The controls: each part counts.
+  // Controls: each part counts.
   EXPECT_GT(own, 0.01 * through);
   EXPECT_LT(own, through);
 }
 
-// A large mirror and a large pane below a black ceiling. Between mirror and pane light goes back and forth.
+// A large mirror and a large pane below a black ceiling. Light is reflected back and forth between them.
 struct Stack {
   static constexpr double pane_height = 0.3;
   const ThinDielectric pane{2.5, 0.004, 10};
@@ -237,7 +237,7 @@ struct Stack {
     stage.quad(black, {-9, -9, ceiling}, {18, 0, 0}, {0, 18, 0});
   }
 
-  // What is left at this angle after `trips` more between mirror and pane.
+  // The share of light that remains at this angle after `trips` more round trips between mirror and pane.
   double share(double cosine, int trips) const {
     const auto [reflected, transmitted] = pane_shares(pane, cosine);
     return transmitted * transmitted * std::pow(reflected, trips) *
@@ -245,8 +245,8 @@ struct Stack {
   }
 };
 
-// The first bounce has the images in mirror and pane, the third that of the mirror after one trip more.
-// z-test at 0.1 % at relative standard errors below 4 %; the control is off by 10 %.
+// The first bounce contains the images in mirror and pane, the third the mirror's image after one more round
+// trip. z-test at 0.1 %, with relative standard errors below 4 %; the control is off by 10 %.
 void expect_images(const SignalMatrix& matrix, const std::vector<std::array<double, 2>>& expected,
                    const char* what) {
   test::Comparison found;
@@ -260,7 +260,7 @@ void expect_images(const SignalMatrix& matrix, const std::vector<std::array<doub
   test::expect_agreement(found, 0.04, 1.1, what);
 }
 
-// Two coaxial discs over the label's axis, one in front of it (its back does not shine) and one behind.
+// Two coaxial discs on the label's axis, one in front of it (facing away) and one behind it.
 TEST(PlaneMirror, ShowsDiscsManyTimesBehindAPane) {
   constexpr double label = 1, units[] = {0.8, 1.1}, radii[] = {0.7, 1};
   Stack stack(1.2);
@@ -281,7 +281,7 @@ TEST(PlaneMirror, ShowsDiscsManyTimesBehindAPane) {
                   expected, way.name);
 }
 
-// A point and a rectangle: its particles cover the same paths.
+// A point and a rectangle, whose particles cover the same paths.
 TEST(PlaneMirror, ShowsARectangleToParticlesManyTimesBehindAPane) {
   const Vec3 label{0.1, 0.05, 1}, unit{0, 0, 1.04};
   Stack stack(1.05);

@@ -1,4 +1,4 @@
-// Light goes both ways: a unit of I = cos theta (flux pi) and a cosine label may be exchanged.
+// Light paths are reversible: a unit with I = cos theta (flux pi) and a cosine label can be exchanged.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ SignalMatrix simulate(const std::vector<Mount>& labels, const std::vector<Mount>
 
 const GeneralizedLambertian cosine{1, pi}, squared_cosine{2, 2 * pi / 3};  // I = cos, cos^2
 
-// All entries against those of the exchanged scene, by the same strategy.
+// Compares all entries with those of the exchanged scene, by the same strategy.
 test::Comparison exchanged(const Way& way, std::uint64_t samples, const Emission& emission) {
   const SignalMatrix one = simulate(low, high, emission, way, samples),
                      other = simulate(high, low, emission, way, samples);
@@ -43,8 +43,8 @@ test::Comparison exchanged(const Way& way, std::uint64_t samples, const Emission
   return result;
 }
 
-// z-test of all twelve entries at 0.1 %; the relative standard errors of the differences are below
-// `precision`. The control is a unit of another profile than the label's.
+// z-test of all twelve entries at 0.1 %. The relative standard errors of the differences are below
+// `precision`. The control is a unit whose profile differs from the label's.
 void expect_reciprocity(const Way& way, std::uint64_t samples, double precision) {
   const auto found = exchanged(way, samples, cosine);
   EXPECT_TRUE(found.agrees(0.001)) << way.name;
@@ -52,13 +52,13 @@ void expect_reciprocity(const Way& way, std::uint64_t samples, double precision)
   EXPECT_FALSE(exchanged(way, samples, squared_cosine).agrees(0.001)) << way.name;
 }
 
-// 1.4 % an entry and less, most below 1 %.
+// Relative standard errors of at most 1.4 % per entry, mostly below 1 %.
 TEST(Reciprocity, UnitsAndLabelsMayBeExchanged) {
   expect_reciprocity(test::mis, 60000, 0.02);
   expect_reciprocity(test::particle, 40000, 0.02);
 }
 
-// 0.3 % an entry.
+// Relative standard errors of 0.3 % per entry.
 TEST(ReciprocitySlow, UnitsAndLabelsMayBeExchanged) {
   expect_reciprocity(test::mis, 1000000, 0.0045);
   expect_reciprocity(test::particle, 500000, 0.0045);

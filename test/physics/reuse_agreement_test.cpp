@@ -1,4 +1,4 @@
-// Path reuse against the strategies that share no sampling code with it, entry by entry.
+// Compares path reuse entry by entry with strategies that share no sampling code with it.
 
 #include <cmath>
 #include <cstdint>
@@ -24,7 +24,8 @@ Scene glossy() {
   return store.scene();
 }
 
-// Mirror, pane and glass block, discs of 0.4 m and labels of 0.6 x 0.4 m; or points.
+// A scene with a mirror, a pane and a glass block, and with discs of 0.4 m and labels of 0.6 x 0.4 m, or
+// points.
 Scene glass(bool areas) {
   test::StrategyStore store;
   store.add_glossy();
@@ -46,7 +47,8 @@ const std::vector<std::pair<Vec3, Vec3>> places{
     {{3.8, 3.599, 0.9}, {0, -1, 0}},  {{5, 1, 0.01}, {0, 0, 1}},       {{0.01, 2.8, 1.5}, {1, 0, 0}},
     {{4.2, 2, 1.4}, {-0.6, 0.2, 0.8}}};
 
-// A table that depends on phi, on tilted and rolled units; rough glass, coated plastic and brushed metal.
+// Tilted and rolled units with an emission table that depends on phi; rough glass, coated plastic and brushed
+// metal.
 Scene lopsided() {
   test::BareScene room;
   const MaterialId paper = room.material(Lambertian{0.6}), floor = room.material(Lambertian{0.3});
@@ -69,8 +71,8 @@ Scene lopsided() {
   return room.scene;
 }
 
-// Highlights that the control variate holds (GGX) and bases under coats of every kind, one of them black;
-// labels close to the floor see it at grazing angles.
+// Highlights that the control variate contains (GGX), and bases under coats of every kind, one of them black.
+// Labels close to the floor see it at grazing angles.
 Scene coats() {
   test::BareScene room;
   const auto facets = [](FacetDistribution kind, double roughness) {
@@ -111,7 +113,8 @@ Scene other_devices() {
   return room.scene;
 }
 
-// Labels and goods on either side of doors that keep more than half of the light, everything Lambertian.
+// Labels and goods on both sides of doors that absorb less than half of the light; everything else is
+// Lambertian.
 Scene dark_doors() {
   test::BareScene room;
   const MaterialId paper = room.material(Lambertian{0.7}), floor = room.material(Lambertian{0.4});
@@ -132,7 +135,7 @@ Scene dark_doors() {
   return room.scene;
 }
 
-// A shining board that hangs in the room, and perhaps units, points or discs, beside it.
+// An emitting board in the middle of the room, optionally with units (points or discs) beside it.
 Scene lamp(bool units, double radius) {
   test::BareScene room;
   const MaterialId paper = room.material(Lambertian{0.7}), floor = room.material(Lambertian{0.4});
@@ -153,10 +156,10 @@ Scene lamp(bool units, double radius) {
   return room.scene;
 }
 
-// How much either side samples, the error of the differences, root mean square of all entries, and the factor
+// The samples of both sides, the root mean square error of the differences over all entries, and the factor
 // of the control.
 struct Effort {
-  std::uint32_t reuse;  // times 32 batches
+  std::uint32_t reuse;  // multiplied by 32 batches
   std::uint64_t samples;
   double largest_error, wrong;
 };
@@ -168,8 +171,8 @@ struct Store {
   Effort fast, slow;
 };
 
-// Errors of 2 to 7 % for the typical entry, of 0.7 to 2 % in slow tests; the controls are far outside for the
-// best ones.
+// Errors are 2 to 7 % for typical entries, 0.7 to 2 % in slow tests. The most precise entries clearly reject
+// the controls.
 const Store stores[] = {
     {"DiffuseAndGlossy", glossy, test::nee, {8, 40000, 0.03, 1.03}, {80, 500000, 0.01, 1.01}},
     {"MirrorPaneAndGlassWithPoints",
@@ -210,7 +213,7 @@ const Store stores[] = {
      {16, 50000, 0.05, 1.08},
      {160, 600000, 0.02, 1.02}}};
 
-// All entries at once at 0.1 %.
+// Tests all entries together at 0.1 %.
 void expect_agreement(const Store& store, const Effort& effort) {
   const Scene scene = store.scene();
   const test::Comparison entries =

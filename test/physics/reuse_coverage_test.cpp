@@ -1,5 +1,5 @@
-// Whether the standard errors of path reuse can be trusted: how often 95 % intervals from 16 batches hold the
-// true value.
+// Tests the standard errors of path reuse: the share of 95 % intervals from 16 batches that contain the true
+// value.
 
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double requirement = 0.1;
 constexpr std::uint32_t batches = 16;
-constexpr std::array<double, 4> classes{0.02, 0.1, 0.3, 1e9};  // of the requirement
+constexpr std::array<double, 4> classes{0.02, 0.1, 0.3, 1e9};  // shares of the requirement
 
 // Three rows of shelves, their labels in several clusters, and a grid of 28 units.
 Scene store() {
@@ -32,7 +32,7 @@ Scene store() {
   return make_scene(parse_store(store.text(), "coverage", "."));
 }
 
-// Student's intervals, `factor` times as wide as they should be.
+// The coverage of Student's intervals whose width is multiplied by `factor`.
 struct Coverage {
   std::array<std::uint64_t, 3> held{}, pairs{};
   double factor = 1;
@@ -47,16 +47,17 @@ struct Coverage {
   }
 };
 
-// 16 batches at a time, with 16 caches; from each run one entry of every cluster and size class, so that no
-// two have points in common. The reference is the mean over all runs, with an error of 1/16 of theirs, which
-// widens their distribution by 0.2 %. With 2,000 and more pairs the shares are known to 0.5 %. The control
-// are standard errors times 0.8, which 95 % intervals become 89 % ones with.
+// Each run has 16 batches and 16 caches. From each run the test takes one entry of every cluster and size
+// class, so that no two entries have points in common. The reference is the mean over all runs, whose error
+// is 1/16 of that of a run and widens the distribution by 0.2 %. With at least 2,000 pairs the shares are
+// known to 0.5 %. The control multiplies standard errors by 0.8, which turns 95 % intervals into 89 %
+// intervals.
 TEST(ReuseCoverageSlow, IntervalsHoldTheTrueValueAsOftenAsTheySay) {
   constexpr std::uint32_t seeds = 16, runs = 32;
   const Scene scene = store();
   const World world(scene);
   const std::size_t m = world.receivers.size(), n = world.emitters.size();
-  const std::vector<double> known = test::known_light(world);
+  const std::vector<double> known = test::analytic_direct(world);
   std::vector<std::vector<Moments>> found;
   std::vector<double> reference = known;
   std::vector<Estimator::Block> blocks;

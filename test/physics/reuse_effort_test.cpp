@@ -1,5 +1,5 @@
-// Path reuse gives the same means however its work is dealt out, whatever its cache holds and whichever
-// labels share their points: all of this is a matter of variance alone.
+// The means of path reuse do not depend on the division of its work, on the content of its cache, or on the
+// labels that share points: these affect only the variance.
 
 #include <algorithm>
 #include <string>
@@ -15,8 +15,8 @@
 namespace shelfbeam {
 namespace {
 
-// Diffuse and glossy surfaces, mirror, pane and glass block. The cache leaves out what is less than 0.5 % of
-// the requirement, and units of either type apart.
+// A scene with diffuse and glossy surfaces, a mirror, a pane and a glass block. The cache omits signals below
+// 0.5 % of the requirement, and treats units of each type separately.
 Scene store(double requirement_factor = 1, bool with_glass = true) {
   test::StrategyStore store;
   store.add_glossy();
@@ -26,8 +26,8 @@ Scene store(double requirement_factor = 1, bool with_glass = true) {
   return scene;
 }
 
-// z-test of all entries at 0.1 %; the combined errors are 0.5 to 3 % of the best ones. The control is a
-// reference 10 % off.
+// z-test of all entries at 0.1 %. The combined errors of the most precise entries are 0.5 to 3 %. The control
+// is a reference 10 % off.
 void expect_same(const SignalMatrix& found, const SignalMatrix& reference, const std::string& name) {
   const test::Comparison entries = test::compare(found, reference);
   EXPECT_TRUE(entries.agrees(0.001)) << name;
@@ -35,11 +35,11 @@ void expect_same(const SignalMatrix& found, const SignalMatrix& reference, const
 }
 
 void check_efforts(std::uint32_t factor) {
-  // Few batches do not meet the rare light over mirrors.
+  // Few batches do not sample the rare light by way of mirrors.
   const Scene scene = store(1, factor > 1);
   const World world(scene);
   UnitGroups units(world);
-  ASSERT_GT(BrightSpots(world, units, 1, {.cap_at = 3}).size(), 0U);
+  ASSERT_GT(BrightSpots(world, units, 1, {.min_cap_distance = 3}).size(), 0U);
   const SignalMatrix reference = test::reuse(scene, 8 * factor, 1000);
   const ReuseEffort least{.lookups = 8,
                           .points = 1,
@@ -58,19 +58,19 @@ void check_efforts(std::uint32_t factor) {
       {"many points", {.points = 7}},
       {"few shadow rays", {.stake = 0.5}},
       {"few lookups", {.lookups = 2}},
-      {"large spots", {.spots = {.cap_at = 3}}},
-      {"spots of old", {.spots = {.cap_at = 4, .near = 0, .for_vertices = false}}},
-      {"spots close by", {.spots = {.cap_at = 3, .near = 3}}},
+      {"large spots", {.spots = {.min_cap_distance = 3}}},
+      {"spots of old", {.spots = {.min_cap_distance = 4, .near = 0, .for_vertices = false}}},
+      {"spots close by", {.spots = {.min_cap_distance = 3, .near = 3}}},
       {"little of all", least}};
-  // Many batches hold none of the long paths that such short ones stand for.
+  // Even many batches contain none of the long paths that so short walks represent.
   if (factor > 1) efforts.push_back({"shorter paths", {.survival = 0.3}});
   std::uint64_t seed = 1;
   for (const auto& [name, effort] : efforts)
     expect_same(test::reuse(scene, factor, ++seed, effort), reference, name);
 }
 
-// From little in the cache, or nothing, to everything. What is far below the requirement may be sampled so
-// rarely that it takes many batches to see it. Returns how large the caches are.
+// Varies the cache from empty to complete. Light far below the requirement may be sampled so rarely that only
+// many batches find it. Returns the sizes of the caches.
 std::vector<std::size_t> check_caches(std::uint32_t factor, const std::vector<double>& requirements) {
   const SignalMatrix reference = test::reuse(store(), 8 * factor, 1000);
   std::vector<std::size_t> kept;
@@ -86,7 +86,7 @@ std::vector<std::size_t> check_caches(std::uint32_t factor, const std::vector<do
   return kept;
 }
 
-// Labels by themselves, or without their neighbours.
+// Clusters of single labels, or without neighbours.
 void check_clusters(std::uint32_t factor) {
   const Scene scene = store();
   const SignalMatrix reference = test::reuse(scene, 8 * factor, 1000);
@@ -111,7 +111,7 @@ void check_clusters(std::uint32_t factor) {
 TEST(ReuseEffort, MeansDoNotDependOnHowTheWorkIsDealtOut) {
   check_efforts(1);
 }
-// Few batches do not hold the rare rays that stand for all light where the requirement is much higher.
+// With much higher requirements, few batches do not contain the rare rays that represent all light.
 TEST(ReuseEffort, MeansDoNotDependOnTheCache) {
   const auto kept = check_caches(1, {20, 1, 1e-4});
   EXPECT_LT(kept.front(), kept.back());
@@ -127,8 +127,8 @@ TEST(ReuseEffortSlow, MeansDoNotDependOnTheCache) {
   const auto kept = check_caches(10, {1e6, 100, 30, 10, 1, 1e-4});
   EXPECT_LT(kept.front(), kept.back() * 3 / 4);
 }
-// Far too weak for the requirement, all units are left to chance; some of what they give comes in one batch
-// of fifty and its errors are lopsided, so this takes 9,600.
+// All units are far too weak for the requirement, so all of them are sampled at random. Some of their light
+// comes in only one batch of fifty, with skewed errors, so this test takes 9,600 batches.
 TEST(ReuseEffortSlow, MeansDoNotDependOnTheRequirement) {
   expect_same(test::reuse(store(1e6), 300, 6), test::reuse(store(), 100, 1000), "nothing in reach");
 }

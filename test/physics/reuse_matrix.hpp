@@ -7,15 +7,15 @@
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/stats/moments.hpp"
 #include "shelfbeam/transport/reuse/reuse.hpp"
-#include "shelfbeam/transport/tally/known_light.hpp"
+#include "shelfbeam/transport/tally/analytic_direct.hpp"
 
 #include "physics/comparison.hpp"
 
 namespace shelfbeam::test {
 
-/// What estimators that leave it out add to every entry, row by row.
-inline std::vector<double> known_light(const World& world) {
-  const detail::KnownLight known(world, {.strategy = Strategy::nee, .samples_direct = false}, {});
+/// The analytic direct light, which is added to every entry of estimators that omit it, row by row.
+inline std::vector<double> analytic_direct(const World& world) {
+  const detail::AnalyticDirect known(world, {.strategy = Strategy::nee, .samples_direct = false}, {});
   std::vector<double> values;
   for (std::size_t i = 0; i < world.receivers.size(); ++i)
     for (std::size_t j = 0; j < world.emitters.size(); ++j)
@@ -23,7 +23,7 @@ inline std::vector<double> known_light(const World& world) {
   return values;
 }
 
-/// One batch of all items as a matrix, row by row, without what is known in closed form.
+/// One batch of all items as a matrix, row by row, without analytic direct light.
 inline std::vector<double> batch_of(const Estimator& estimator, std::size_t rows, std::size_t columns,
                                     std::uint32_t batch) {
   std::vector<double> matrix(rows * columns);
@@ -44,7 +44,7 @@ inline SignalMatrix reuse(const Scene& scene, std::uint32_t factor = 1, std::uin
                           const ReuseEffort& effort = {}) {
   const World world(scene);
   const ReuseEstimator estimator(world, seed, effort);
-  const std::vector<double> known = known_light(world);
+  const std::vector<double> known = analytic_direct(world);
   std::vector<Moments> moments(known.size());
   for (std::uint32_t b = 0; b < batch_count * factor; ++b) {
     const std::vector<double> batch = batch_of(estimator, world.receivers.size(), world.emitters.size(), b);

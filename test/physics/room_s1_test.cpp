@@ -1,4 +1,4 @@
-// An empty room of 10 x 8 x 4 m computed by two programs that are not this one (test/data/room_s1).
+// Compares an empty room of 10 x 8 x 4 m with the results of two other programs (test/data/room_s1).
 
 #include <cmath>
 #include <filesystem>
@@ -35,7 +35,8 @@ test::Comparison compare(const SignalMatrix& matrix, const JsonCursor& reference
   return result;
 }
 
-// All twelve totals at once at 1 %, at combined errors below `precision`. The control is an albedo 2 % off.
+// Tests all twelve totals together at 1 %, with combined errors below `precision`. The control is an albedo 2
+// % off.
 void expect_agreement(const Way& way, std::uint64_t samples, DirectLight direct, double precision) {
   const JsonCursor reference = JsonCursor::parse_file(folder / "reference.json");
   const SignalMatrix matrix = simulate_room(way, samples, direct);
@@ -59,7 +60,7 @@ TEST(RoomS1, TotalsAgreeWithBothSimulators) {
   expect_agreement(test::mis, 50000, DirectLight::exact, 0.005);
   expect_agreement(test::particle, 50000, DirectLight::sampled, 0.01);
   expect_agreement(test::path_reuse, 16 * test::reuse_samples, DirectLight::exact, 0.01);
-  // Points are never met by chance.
+  // Walks never hit points.
   EXPECT_EQ(simulate_room(test::nee, 640, DirectLight::sampled).mean,
             simulate_room(test::mis, 640, DirectLight::sampled).mean);
 }

@@ -10,7 +10,8 @@
 namespace shelfbeam {
 namespace {
 
-// A room of 4 x 4 x 3 m with a label on its floor and units 0.2 m below the ceiling, free or in a closed box.
+// A room of 4 x 4 x 3 m with a label on its floor, and units 0.2 m below the ceiling that are free or in a
+// closed box.
 struct Room {
   test::BareScene bare;
   MaterialId paper = bare.material(Lambertian{0.6});
@@ -44,8 +45,9 @@ TEST(ShadowRays, AreOccludedByAClosedBoxAndNotInAnEmptyRoom) {
   }
 }
 
-// Without bounces every walk makes one connection, to one of three units of which one is in a box: the count
-// is binomial, the interval that of a two-sided test at 1e-4. The controls are shares that it must refuse.
+// Without bounces every walk makes one connection to one of three units, of which one is in a box. The count
+// is binomial, and the interval is that of a two-sided test at 1e-4. The controls are shares that it must
+// reject.
 TEST(ShadowRays, AThirdIsOccludedWhereOneOfThreeUnitsIsInABox) {
   Room room;
   for (const double x : {1.0, 2.0, 3.0}) room.unit(x, x == 2.0);
@@ -63,7 +65,7 @@ TEST(ShadowRays, AThirdIsOccludedWhereOneOfThreeUnitsIsInABox) {
   EXPECT_GT(z(0.37), 3.89);
 }
 
-// Lit from behind, nothing needs to be traced.
+// Connections from behind need no shadow ray.
 TEST(ShadowRays, AreNotTracedWhereNoLightCouldCome) {
   Room room;
   room.bare.unit({2, 2, 2.8}, {0, 0, 1}, GeneralizedLambertian{});

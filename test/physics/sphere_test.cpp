@@ -1,4 +1,4 @@
-// On the wall of a diffuse sphere of area A every bounce is uniform, whatever stands inside: bounce k adds
+// On the wall of a diffuse sphere of area A every bounce is uniform for any source inside: bounce k adds
 // rho^k Phi / A.
 
 #include <cmath>
@@ -14,9 +14,9 @@ namespace {
 using test::Way;
 
 constexpr double rho = 0.7, radius = 2;
-constexpr std::uint32_t most_bounces = 4;
+constexpr std::uint32_t max_bounces = 4;
 
-// Off the centre: an isotropic half sphere and a Lambertian point, or two discs. Labels in the
+// Sources off the centre: an isotropic half sphere and a Lambertian point, or two discs. Labels are in the
 // middle of wall triangles.
 test::BareScene sphere(int level, double disc_radius) {
   test::BareScene room;
@@ -37,7 +37,7 @@ double flux_of(const test::BareScene& room, std::size_t j) {
   return power(room.scene.transceiver_types[j].emission);
 }
 
-// All labels, sources and bounces from 1 on, against a sphere of this albedo.
+// Compares all labels, sources and bounces from 1 on with a sphere of this albedo.
 test::Comparison bounces(const SignalMatrix& matrix, const test::BareScene& room, double albedo) {
   test::Comparison result;
   for (std::size_t k = 1; k < matrix.by_bounce.size(); ++k)
@@ -50,7 +50,7 @@ test::Comparison bounces(const SignalMatrix& matrix, const test::BareScene& room
   return result;
 }
 
-// How far the first bounce is off on a coarse sphere, as root mean square over labels and sources.
+// The error of the first bounce on a coarse sphere, as root mean square over labels and sources.
 double tessellation_error(int level) {
   const test::BareScene room = sphere(level, 0);
   const auto first = bounces(
@@ -61,13 +61,13 @@ double tessellation_error(int level) {
   return std::sqrt(squares / static_cast<double>(first.values.size()));
 }
 
-// Bounces 1 to 4 for all labels and sources, z-test at 0.1 %, with relative standard errors up to 1.8 %
-// (walks 4.5 %). The control is an albedo 2 % off, 8 % of the fourth bounce (for walks 5 %).
+// z-test at 0.1 % of bounces 1 to 4 for all labels and sources, with relative standard errors up to 1.8 %
+// (walks 4.5 %). The control is an albedo 2 % off, which is 8 % of the fourth bounce (for walks 5 %).
 void expect_uniform(const Way& way, double disc_radius, std::uint64_t samples) {
   const bool walks = way.strategy == Strategy::walk;
   const test::BareScene room = sphere(5, disc_radius);
   const SignalMatrix matrix =
-      way.simulate(room.scene, samples, 1, {.max_bounces = most_bounces, .by_bounce = true});
+      way.simulate(room.scene, samples, 1, {.max_bounces = max_bounces, .by_bounce = true});
   const auto found = bounces(matrix, room, rho);
   EXPECT_TRUE(found.agrees(0.001)) << way.name;
   EXPECT_LT(found.precision(), walks ? 0.045 : 0.018) << way.name;
@@ -84,7 +84,7 @@ TEST(DiffuseSphere, EveryBounceOfADiscIsUniform) {
   expect_uniform(test::particle, 0.8, 100000);
 }
 
-// All bounces together, without direct light. The control is an albedo 2 % off.
+// Tests the sum of all bounces without direct light. The control is an albedo 2 % off.
 void expect_uniform_sum(std::uint64_t samples, double precision) {
   const test::BareScene room = sphere(5, 0);
   const SignalMatrix matrix = test::path_reuse.simulate(room.scene, samples);
@@ -103,12 +103,12 @@ TEST(DiffuseSphereSlow, IsUniformForPathReuse) {
   expect_uniform_sum(200 * test::reuse_samples, 0.005);
 }
 
-// The error of a coarse sphere falls with the square of its edges, by four a level. 0.4 % on level 2
-// (measured to 0.05 %) are 0.006 % on level 5, far below the statistical error above.
+// The error of a coarse sphere falls with the square of its edges, by a factor of four per level. 0.4 % on
+// level 2 (measured to 0.05 %) is 0.006 % on level 5, far below the statistical error above.
 TEST(DiffuseSphere, TessellationErrorIsBounded) {
   const double one = tessellation_error(1), two = tessellation_error(2);
   EXPECT_LT(two, 4.5e-3);
-  EXPECT_GT(two, 1e-3);  // it can be seen
+  EXPECT_GT(two, 1e-3);  // large enough to measure
   EXPECT_NEAR(one / two, 4, 1);
 }
 

@@ -1,4 +1,4 @@
-// Estimators that share no sampling code agree entry by entry in a small store: 20 labels, 4 units, 2
+// Compares estimators that share no sampling code entry by entry in a small store of 20 labels, 4 units and 2
 // shelves.
 
 #include <cmath>
@@ -30,8 +30,8 @@ double relative_error(const SignalMatrix& matrix) {
   return std::sqrt(squares / static_cast<double>(matrix.mean.size()));
 }
 
-// All 80 entries at once at a level of 0.1 %.
-testing::AssertionResult agree(const SignalMatrix& a, const SignalMatrix& b) {
+// Tests all 80 entries together at a level of 0.1 %.
+testing::AssertionResult reconcile_bounds(const SignalMatrix& a, const SignalMatrix& b) {
   return test::compare(a, b).agrees(0.001);
 }
 
@@ -39,7 +39,7 @@ void expect_agreement(const std::vector<SignalMatrix>& all, double largest_error
   for (std::size_t a = 0; a < all.size(); ++a) {
     EXPECT_LT(relative_error(all[a]), largest_error) << all[a].provenance.estimator;
     for (std::size_t b = 0; b < a; ++b)
-      EXPECT_TRUE(agree(all[a], all[b]))
+      EXPECT_TRUE(reconcile_bounds(all[a], all[b]))
           << all[a].provenance.estimator << " against " << all[b].provenance.estimator;
   }
 }
@@ -59,9 +59,9 @@ test::StrategyStore glass() {
   return store;
 }
 
-// Diffuse and glossy surfaces, `effort` times the samples that make the root mean square of the entries'
-// relative standard errors about 1 %. The controls are what one strategy finds in a store with coats of
-// another index, or without the paths of more than four bounces.
+// Diffuse and glossy surfaces. With `effort` 1, the root mean square of the entries' relative standard errors
+// is about 1 %. The controls are results in a store with coats of another index, or without paths of more
+// than four bounces.
 void check_glossy(double effort, double largest_error) {
   const auto samples = [&](double n) { return static_cast<std::uint64_t>(n * effort); };
   const std::vector<SignalMatrix> all{run(glossy(), test::nee, samples(120000)),
@@ -71,14 +71,14 @@ void check_glossy(double effort, double largest_error) {
 
   test::StrategyStore other = glossy();
   other.set("paint", make_lambertian(0.72));
-  EXPECT_FALSE(agree(run(other, test::particle, samples(90000)), all[0]));
+  EXPECT_FALSE(reconcile_bounds(run(other, test::particle, samples(90000)), all[0]));
   other = glossy();
   other.set("floor", make_plastic(1.5, 0.6, make_microfacets(FacetDistribution::beckmann, 0.25, 0.25)));
-  EXPECT_FALSE(agree(run(other, test::particle, samples(90000)), all[0]));
+  EXPECT_FALSE(reconcile_bounds(run(other, test::particle, samples(90000)), all[0]));
 }
 
-// With a mirror, a pane and a glass block, `effort` times the samples of about 3 %. The controls are what is
-// found without one of these.
+// A mirror, a pane and a glass block. With `effort` 1 the errors are about 3 %. The controls are results
+// without one of these.
 void check_glass(double effort, double largest_error) {
   const auto samples = [&](double n) { return static_cast<std::uint64_t>(n * effort); };
   const std::vector<SignalMatrix> all{run(glass(), test::walk, samples(350000)),
@@ -94,11 +94,11 @@ void check_glass(double effort, double largest_error) {
                                                      {"glass", make_lambertian(0)}}) {
     test::StrategyStore other = glass();
     other.set(name, material);
-    EXPECT_FALSE(agree(run(other, test::mis, samples(75000)), all[2])) << name;
+    EXPECT_FALSE(reconcile_bounds(run(other, test::mis, samples(75000)), all[2])) << name;
   }
 }
 
-// The fast checks run at errors of 1.2 % and 4 %.
+// The fast checks have errors of 1.2 % and 4 %.
 TEST(StrategyAgreement, DiffuseAndGlossy) {
   check_glossy(1, 0.012);
 }

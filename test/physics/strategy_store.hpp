@@ -10,7 +10,8 @@
 
 namespace shelfbeam::test {
 
-/// A small store for comparing strategies: two gondolas with labels on all sides, four units of two kinds.
+/// A small store for comparing strategies: two gondolas with labels on all sides, and four units of two
+/// types.
 class StrategyStore {
  public:
   Scene scene() const {
@@ -23,7 +24,7 @@ class StrategyStore {
     return scene;
   }
 
-  /// Gives a material of the store another model.
+  /// Assigns another model to a material of the store.
   void set(const std::string& name, const Material& material) { materials_[name] = material; }
 
   /// Plastic packs, brushed steel, painted walls.
@@ -33,7 +34,7 @@ class StrategyStore {
     set("pack", make_plastic(1.5, 0.5, make_microfacets(FacetDistribution::ggx, 0.4, 0.4)));
   }
 
-  /// A mirror on the wall, a pane before a shelf, a block of glass.
+  /// A mirror on the wall, a pane in front of a shelf, a block of glass.
   void add_glass() {
     fixtures_ = R"(,
       {"type": "box", "id": "mirror", "min": [5.96, 1.2, 0.6], "max": [5.99, 3.8, 2.2], "material": "mirror"},

@@ -7,7 +7,7 @@
 
 namespace shelfbeam::test {
 
-/// The fenced blocks of a kind in a page of docs/formats, in its order.
+/// The fenced blocks of one kind in a page of docs/formats, in their order.
 inline std::vector<std::string> fenced_blocks(const std::string& page, const std::string& kind) {
   const std::string text = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/" + page);
   const std::string open = "```" + kind + "\n";

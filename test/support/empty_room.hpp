@@ -6,7 +6,7 @@
 
 namespace shelfbeam::test {
 
-/// A black room with one point unit of 1 W/sr at 45 degrees and one cosine label, to be put somewhere.
+/// A black room with one point unit of 1 W/sr at 45 degrees and one cosine label; tests set their positions.
 inline Scene empty_room(const Vec3& size) {
   Scene scene;
   scene.room = size;
@@ -32,7 +32,7 @@ inline Scene empty_room(const Vec3& size) {
   return scene;
 }
 
-/// Gives the side of the room that lies in this direction a material.
+/// Assigns a material to the side of the room in this direction.
 inline void give_side(Scene& scene, const Vec3& direction, MaterialId material) {
   for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
     double along = 0;

@@ -12,7 +12,8 @@
 
 namespace shelfbeam::test {
 
-/// The message of the InputError that `action` throws; a test failure and an empty text when it throws none.
+/// The message of the InputError that `action` throws. Without an InputError: a test failure and an empty
+/// text.
 template <class Action>
 std::string input_error(const Action& action) {
   try {
@@ -27,7 +28,7 @@ std::string input_error(const Action& action) {
   return {};
 }
 
-/// Expects an InputError whose message holds every one of `parts`.
+/// Expects an InputError whose message contains all `parts`.
 template <class Action, class... Parts>
 void expect_input_error(const Action& action, const Parts&... parts) {
   const std::string message = input_error(action);
@@ -35,7 +36,7 @@ void expect_input_error(const Action& action, const Parts&... parts) {
     EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
 }
 
-/// Expects that `read` refuses a file of this content, by its path and with every one of `parts`.
+/// Expects that `read` refuses a file of this content, with its path and all `parts` in the message.
 template <class Read, class... Parts>
 void expect_file_refused(const Read& read, std::string_view content, const Parts&... parts) {
   const TempFolder folder;

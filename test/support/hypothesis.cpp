@@ -68,7 +68,7 @@ ChiSquareTest chi_square_test(std::span<const double> counts, std::span<const do
     pooled_expected += expected[cell];
     if (pooled_expected >= pool_below) close_pool();
   }
-  if (pooled_expected > 0) close_pool();  // only where all cells together expect less than `pool_below`
+  if (pooled_expected > 0) close_pool();  // only if all cells together expect less than `pool_below`
   if (cells < 2) throw std::invalid_argument("chi_square_test: fewer than two cells");
 
   test.degrees_of_freedom = static_cast<double>(cells - 1);

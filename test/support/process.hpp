@@ -22,7 +22,8 @@ struct Outcome {
   std::string out, err;
 };
 
-/// A program that runs beside the test; its output goes to files, so it never waits for a reader.
+/// A program that runs in parallel to the test. Its output is written to files, so it never waits for a
+/// reader.
 class Process {
  public:
   explicit Process(std::vector<std::string> command) {
@@ -50,7 +51,7 @@ class Process {
     return ::waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
            info.si_pid != 0;
   }
-  /// Waits until a file has changed so many times, as far as is seen, or the program has ended.
+  /// Waits until a file has visibly changed `times` times, or the program has ended.
   void wait_for_changes(const std::filesystem::path& file, int times) const {
     for (std::filesystem::file_time_type known{}; times > 0 && !has_ended();) {
       std::error_code missing;

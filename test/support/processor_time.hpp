@@ -4,8 +4,8 @@
 
 namespace shelfbeam::test {
 
-/// Seconds of processor time of this program since it was made: what a limit of time is held to, however many
-/// other programs share the machine. For work on one thread.
+/// CPU time of this program since construction, in s. Unlike wall time, it does not depend on other programs
+/// on the machine. For work on one thread.
 class ProcessorTime {
  public:
   double seconds() const { return now() - begin_; }

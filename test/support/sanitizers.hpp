@@ -16,11 +16,11 @@ inline constexpr bool has_thread_sanitizer = true;
 inline constexpr bool has_thread_sanitizer = false;
 #endif
 
-/// Whether a limit of memory can be tested: these sanitizers take all addresses, and end where memory is
+/// Whether a memory limit can be tested. These sanitizers reserve all addresses, and exit if memory is
 /// refused.
 inline constexpr bool memory_can_be_limited = !has_address_sanitizer && !has_thread_sanitizer;
 
-/// What limits of time that are to suffice for something are to be multiplied by.
+/// Factor for time limits within which work must finish.
 inline constexpr double slowness = has_address_sanitizer || has_thread_sanitizer ? 10 : 1;
 
 }  // namespace shelfbeam::test

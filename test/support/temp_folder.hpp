@@ -10,7 +10,7 @@
 
 namespace shelfbeam::test {
 
-/// An empty folder of its own for one test, removed with everything in it.
+/// An empty temporary folder for one test, removed with its content.
 class TempFolder {
  public:
   TempFolder() {
@@ -28,7 +28,7 @@ class TempFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
 
-  /// Writes the bytes to a file in the folder (made with its parents) and returns its path.
+  /// Writes the bytes to a file in the folder, creating parent folders, and returns its path.
   std::filesystem::path write(std::string_view name, std::string_view content) const {
     auto file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
@@ -36,7 +36,7 @@ class TempFolder {
     return file;
   }
 
-  /// How many files the folder holds.
+  /// The number of files in the folder.
   std::ptrdiff_t count() const {
     return std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator());
   }

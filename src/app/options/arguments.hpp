@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -10,7 +11,20 @@
 
 namespace shelfbeam::app {
 
-// What arguments of the command line must be, for CLI::Option::check; the messages name the option.
+/// The groups of options in --help after the first group, which contains the options that most users need.
+namespace group {
+inline constexpr auto simulation = "Simulation", placement = "Placement", certificate = "Certificate",
+                      runs = "Files and runs";
+}
+
+/// Prints the option_text of an option instead of its type and limits, and wraps descriptions.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_option_desc(const CLI::Option* option) const override;
+};
+
+// Checks of arguments, for CLI::Option::check; the messages name the option.
 
 /// A finite number above 0.
 CLI::Validator positive_number();
@@ -19,31 +33,36 @@ CLI::Validator positive_count();
 /// A path that is not empty.
 CLI::Validator a_path();
 
-/// An option or argument that is one.
+/// An option or argument that is a path.
 CLI::Option* add_path(CLI::App& verb, const std::string& name, std::filesystem::path& path,
                       const std::string& help);
 
-/// An option whose words are the names of an enumeration (names_of).
+/// The values of an option as its option_text: "{a,b}".
+std::string choices(const std::vector<std::string>& names);
+
+/// An option whose values are the names of an enumeration (names_of).
 template <class Enum, class Value>
 CLI::Option* add_names(CLI::App& verb, const std::string& flag, Value& value, const std::string& help) {
   const auto set = [&value](const std::string& name) { value = from_text<Enum>(name).value(); };
-  return verb.add_option_function<std::string>(flag, set, help)->check(CLI::IsMember(all_names<Enum>()));
+  const std::vector<std::string> names = all_names<Enum>();
+  return verb.add_option_function<std::string>(flag, set, help)
+      ->check(CLI::IsMember(names))
+      ->option_text(choices(names));
 }
 template <class Enum>
 CLI::Option* add_choice(CLI::App& verb, const std::string& flag, std::optional<Enum>& value,
                         const std::string& help) {
   return add_names<Enum>(verb, flag, value, help);
 }
-/// As above, with what `value` is as the default.
 template <class Enum>
 CLI::Option* add_choice(CLI::App& verb, const std::string& flag, Enum& value, const std::string& help) {
-  return add_names<Enum>(verb, flag, value, help)->default_str(std::string(to_text(value)));
+  return add_names<Enum>(verb, flag, value, help);
 }
 
-/// Throws InputError when the output is the input, which it would overwrite.
-void keep_input(const std::filesystem::path& output, const std::filesystem::path& input);
+/// Throws InputError if the output would overwrite the input.
+void protect_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
-/// Throws InputError where the output cannot be written: now, not after an hour's work.
+/// Throws InputError if the output cannot be written, before any long work begins.
 void expect_writable(const std::filesystem::path& output);
 
 }  // namespace shelfbeam::app

@@ -12,7 +12,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/signal/constraints/apart.hpp"
+#include "shelfbeam/signal/constraints/conflicts.hpp"
 #include "shelfbeam/signal/constraints/stack_tables.hpp"
 #include "shelfbeam/signal/tables/formats.hpp"
 
@@ -25,7 +25,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-/// The last `parts` of a path, or all of it.
+/// The last `parts` components of a path, or the whole path.
 std::string tail(const Path& path, std::ptrdiff_t parts) {
   const std::ptrdiff_t all = std::distance(path.begin(), path.end());
   Path result;
@@ -34,7 +34,7 @@ std::string tail(const Path& path, std::ptrdiff_t parts) {
   return result.string();
 }
 
-/// The shortest tail of paths[k] that no other path has; empty where there is none.
+/// The shortest tail of paths[k] that no other path has; empty if every tail is shared.
 std::string distinct_tail(const std::vector<Path>& paths, std::size_t k) {
   std::ptrdiff_t most = 0;
   for (const Path& path : paths) most = std::max(most, std::distance(path.begin(), path.end()));
@@ -53,7 +53,7 @@ std::string names_of(const std::vector<std::filesystem::path>& files) {
 }
 
 std::string objective_help() {
-  std::string help = "What to minimise beside the number of transceivers.";
+  std::string help = "Objective besides the number of transceivers.";
   for (const ObjectiveWords& words : objective_words)
     help += fmt::format(" {}: {}{}", words.name, words.help, &words == &objective_words.back() ? "" : ";");
   return help;
@@ -62,28 +62,34 @@ std::string objective_help() {
 }  // namespace
 
 void Requirements::keep(const std::filesystem::path& output) const {
-  for (const auto& file : costs) keep_input(output, file);
-  for (const auto& file : forbidden) keep_input(output, file);
+  for (const auto& file : costs) protect_input(output, file);
+  for (const auto& file : forbidden) protect_input(output, file);
 }
 
 void Requirements::apply(SignalTable& table, const std::string& name) const {
   for (const auto& file : costs) apply_costs(table, file);
   for (const auto& file : forbidden) forbid_pairs(table, file);
-  if (min_spacing > 0) keep_apart(table, min_spacing, name);
+  if (min_spacing > 0) add_conflicts(table, min_spacing, name);
 }
 
 void add_requirement_options(CLI::App& verb, Requirements& requirements) {
   verb.add_option("--costs", requirements.costs,
-                  "CSV 'id,cost' of transceivers or 'id,link_cost,signal_cost' of labels; may be repeated")
+                  "CSV with columns id,cost (transceivers) or id,link_cost,signal_cost (labels); repeatable")
       ->allow_extra_args(false)
-      ->check(a_path());
+      ->check(a_path())
+      ->option_text("FILE")
+      ->group(group::placement);
   verb.add_option("--min-spacing", requirements.min_spacing,
-                  "Choose no two transceivers closer than this, m (installed ones stay where they are)")
-      ->check(positive_number());
+                  "Minimum distance between chosen transceivers in metres; installed ones stay")
+      ->check(positive_number())
+      ->option_text("METRES")
+      ->group(group::placement);
   verb.add_option("--forbid", requirements.forbidden,
-                  "CSV 'a,b' of transceivers that must not be chosen together; may be repeated")
+                  "CSV with columns a,b: pairs of transceivers that must not both be chosen; repeatable")
       ->allow_extra_args(false)
-      ->check(a_path());
+      ->check(a_path())
+      ->option_text("FILE")
+      ->group(group::placement);
 }
 
 std::vector<std::string> scenario_names(const std::vector<Path>& files) {
@@ -102,11 +108,11 @@ std::vector<std::string> scenario_names(const std::vector<Path>& files) {
 }
 
 void PlacementInput::keep(const std::filesystem::path& output) const {
-  for (const auto& file : signals) keep_input(output, file);
+  for (const auto& file : signals) protect_input(output, file);
   requirements.keep(output);
 }
 
-SignalTable PlacementInput::table(const Question& question) const {
+SignalTable PlacementInput::table(const PlacementProblem& problem) const {
   const std::vector<std::string> scenario = scenario_names(signals);
   std::vector<NamedTable> scenarios;
   for (std::size_t k = 0; k < signals.size(); ++k)
@@ -116,7 +122,7 @@ SignalTable PlacementInput::table(const Question& question) const {
   if (threshold > 0) set_requirement(table, threshold);
   requirements.apply(table, name);
   try {
-    check_question(table, question);
+    check_problem(table, problem);
   } catch (const InputError& error) {
     throw InputError(name, error.what(), {}, error.setting());
   }
@@ -125,54 +131,73 @@ SignalTable PlacementInput::table(const Question& question) const {
 
 void add_placement_input(CLI::App& verb, PlacementInput& input) {
   verb.add_option("SIGNAL", input.signals,
-                  fmt::format("Signal file (HDF5; not safe to open if a stranger made it), {}; several are "
-                              "scenarios for one placement",
+                  fmt::format("Signal file (HDF5, from trusted sources only), {}; several files are "
+                              "scenarios of one placement",
                               detail::matrix_formats))
       ->required()
+      ->option_text("FILE...")
       ->check(a_path());
   verb.add_option("--threshold", input.threshold,
-                  "Requirement of every label: for matrices without one, or instead of the file's")
-      ->check(positive_number());
+                  "Requirement of every label, replacing those of the file; needed for CSV and NPY")
+      ->check(positive_number())
+      ->option_text("SIGNAL");
   add_requirement_options(verb, input.requirements);
 }
 
-void add_question_options(CLI::App& verb, Question& question) {
-  add_choice(verb, "--model", question.model,
-             "cooperative: signals add up; non-cooperative: one unit must do");
-  add_choice(verb, "--objective", question.objective, objective_help());
+void add_problem_options(CLI::App& verb, PlacementProblem& problem) {
+  add_choice(verb, "--model", problem.model,
+             "cooperative (default): signals of several units add up; non-cooperative: one unit alone must "
+             "reach the label");
+  verb.add_flag("--survive-failure", problem.redundant,
+                "Every label must be reached even if any one unit fails, installed ones included");
+  add_choice(verb, "--objective", problem.objective, objective_help())->group(group::placement);
   auto* weighted = verb.add_flag_callback(
-      "--weighted", [&question] { question.combination = Combination::weighted; },
-      "Minimise the cost of units plus the objective");
+                           "--weighted", [&problem] { problem.combination = Combination::weighted; },
+                           "Minimise the sum of the units' costs and the objective")
+                       ->group(group::placement);
   verb.add_flag("--lexicographic")
-      ->description("Fewest transceivers first, then the objective (default)")
+      ->description("Minimise the number of transceivers first, then the objective (default)")
+      ->group(group::placement)
       ->excludes(weighted);
-  verb.add_option("--share", question.share, "Share of the requirement from which an effective link counts")
+  verb.add_option(
+          "--share", problem.share,
+          fmt::format("Minimum share of the requirement for an effective link; default {}", problem.share))
       ->check(positive_number())
-      ->capture_default_str();
-  verb.add_flag("--survive-failure", question.redundant,
-                "Every label stays reached when any one unit fails, installed ones included");
+      ->option_text("SHARE")
+      ->group(group::placement);
 }
 
 void add_solver_options(CLI::App& verb, PlaceOptions& options) {
   std::vector<std::string> names;
   for (const milp::Backend& backend : milp::backends()) names.emplace_back(backend.name);
   add_choice(verb, "--solver", options.solver,
-             "auto: search, and a MIP solver where that is better; search: without a MIP solver; mip: a MIP "
-             "solver alone; greedy: the paper's heuristic, not exact");
-  verb.add_option("--backend", options.backend, fmt::format("MIP solver: {}", fmt::join(names, " or ")))
-      ->check(CLI::IsMember(names));
-  verb.add_option("--time-limit", options.time_limit_s, "Seconds for the answer, curve included")
+             "auto (default): search, supported by a MIP solver; search: without a MIP solver; mip: a MIP "
+             "solver alone; greedy: the paper's heuristic, not exact")
+      ->group(group::placement);
+  verb.add_option("--backend", options.backend, "MIP solver; default: the first that is built in")
+      ->check(CLI::IsMember(names))
+      ->option_text(choices(names))
+      ->group(group::placement);
+  verb.add_option("--time-limit", options.time_limit_s,
+                  fmt::format("Time limit of the placement in seconds, curve included; default {}",
+                              options.time_limit_s))
       ->check(positive_number())
-      ->capture_default_str();
+      ->option_text("SECONDS")
+      ->group(group::placement);
 }
 
 void add_certificate_options(CLI::App& verb, CertificateFlags& flags) {
-  verb.add_option("--confidence", flags.confidence, "Joint confidence of all that is certified")
+  verb.add_option("--confidence", flags.confidence,
+                  fmt::format("Joint confidence of all certified statements; default {}", flags.confidence))
       ->check(CLI::Range(0.5, 0.999999))
-      ->capture_default_str();
-  verb.add_option("--budget", flags.budget_s, "Seconds for verification and refinement")
+      ->option_text("LEVEL")
+      ->group(group::certificate);
+  verb.add_option(
+          "--budget", flags.budget_s,
+          fmt::format("Time limit of verification and refinement in seconds; default {}", flags.budget_s))
       ->check(positive_number())
-      ->capture_default_str();
+      ->option_text("SECONDS")
+      ->group(group::certificate);
 }
 
 int exit_code(Status status) {

@@ -7,48 +7,48 @@
 #include <CLI/CLI.hpp>
 
 #include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "app/text/placement_text.hpp"
 
 namespace shelfbeam::app {
 
-/// What is asked of a placement beside its matrix: prices, and which candidates must not be chosen together.
+/// Requirements besides the matrix: costs, and pairs of candidates that must not both be chosen.
 struct Requirements {
   std::vector<std::filesystem::path> costs;
   double min_spacing = 0;  ///< m; 0: not given
   std::vector<std::filesystem::path> forbidden;
 
-  /// Throws InputError when the output is one of the files that are read.
+  /// Throws InputError if the output would overwrite an input file.
   void keep(const std::filesystem::path& output) const;
-  /// `name` stands for the matrix in errors.
+  /// `name` is the name of the matrix in errors.
   void apply(SignalTable& table, const std::string& name) const;
 };
 
 void add_requirement_options(CLI::App& verb, Requirements& requirements);
 
-/// Where `place` and `export` take their matrix from; several files are scenarios for one placement.
+/// The matrices of `place` and `export`; several files are scenarios of one placement.
 struct PlacementInput {
-  std::vector<std::filesystem::path> signals;  ///< one a scenario
+  std::vector<std::filesystem::path> signals;  ///< one per scenario
   double threshold = 0;                        ///< 0: not given
   Requirements requirements;
 
-  /// Throws InputError when the output is one of the files that are read.
+  /// Throws InputError if the output would overwrite an input file.
   void keep(const std::filesystem::path& output) const;
   /// Throws InputError that names the file, also where a label has no requirement.
-  SignalTable table(const Question& question) const;
+  SignalTable table(const PlacementProblem& problem) const;
 };
 
 void add_placement_input(CLI::App& verb, PlacementInput& input);
 
-/// The options that choose the placement question; `place`, `plan` and `export` take them.
-void add_question_options(CLI::App& verb, Question& question);
+/// Options of the placement problem, for `place`, `plan` and `export`.
+void add_problem_options(CLI::App& verb, PlacementProblem& problem);
 
-/// How the question is answered; `place` and `plan` take them.
+/// Solver options, for `place` and `plan`.
 void add_solver_options(CLI::App& verb, PlaceOptions& options);
 
-/// How sure a certificate must be, and what it may take; `plan` and `verify` take them.
+/// Confidence and time limit of a certificate, for `plan` and `verify`.
 struct CertificateFlags {
   double confidence = 0.99;
   double budget_s = 600;

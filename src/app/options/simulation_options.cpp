@@ -17,10 +17,10 @@ namespace {
 constexpr double default_above = 0.3;
 constexpr std::uint32_t default_lengths = 64;
 
-// More than the next whole batch after those asked for, as errors need some batches.
-bool exceeds_what_was_asked(const SimulationSummary& summary) {
-  return summary.asked_samples && summary.most_batches == least_batches &&
-         summary.most_samples >= *summary.asked_samples + summary.most_samples / summary.most_batches;
+// The minimum number of batches exceeds the requested samples by more than one batch.
+bool exceeds_requested_samples(const SimulationSummary& summary) {
+  return summary.requested_samples && summary.max_batches == min_batches &&
+         summary.max_samples >= *summary.requested_samples + summary.max_samples / summary.max_batches;
 }
 
 }  // namespace
@@ -32,12 +32,12 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
   options.time_s = time_s;
   if (relative_error)
     options.relative_error = RelativeError{*relative_error, above.value_or(default_above),
-                                           max_samples.value_or(RelativeError{}.most_samples)};
+                                           max_samples.value_or(RelativeError{}.max_samples)};
   if (samples) options.samples = *samples;
   if (above && !relative_error)
-    throw InputError("--above", "says nothing without '--relative-error'", "add that");
+    throw InputError("--above", "has no effect without '--relative-error'", "add it");
   if (max_samples && !relative_error)
-    throw InputError("--max-samples", "says nothing without '--relative-error'", "use '--samples'");
+    throw InputError("--max-samples", "has no effect without '--relative-error'", "use '--samples'");
   if (options.estimator == EstimatorKind::reuse) {
     options.direct = DirectLight::exact;
   } else {
@@ -48,12 +48,12 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
     options.by_bounce = by_bounce;
     if (by_length) options.by_length = {*by_length, lengths.value_or(default_lengths)};
   }
-  options.memory = memory == 0 ? most_of_the_memory() : memory;
+  options.memory = memory == 0 ? memory_limit() : memory;
   options.checkpoint = {checkpoint_path(output), resume, checkpoint_interval_s};
   return options;
 }
 
-// What only the uniform estimator knows asks for it.
+// Without --estimator, an option of the uniform estimator selects it.
 EstimatorKind SimulationFlags::kind() const {
   const char* of_uniform = strategy      ? "--strategy"
                            : heuristic   ? "--heuristic"
@@ -65,89 +65,120 @@ EstimatorKind SimulationFlags::kind() const {
   if (estimator == EstimatorKind::uniform) return EstimatorKind::uniform;
   if (of_uniform != nullptr &&
       (strategy || heuristic || max_bounces || by_length || direct == DirectLight::sampled))
-    throw InputError(of_uniform, "is not for the estimator reuse",
-                     "leave it out, or use '--estimator uniform'");
+    throw InputError(of_uniform, "does not apply to the estimator reuse",
+                     "remove it, or use '--estimator uniform'");
   return EstimatorKind::reuse;
 }
 
 void add_simulation_options(CLI::App& verb, SimulationFlags& flags, DirectLight default_direct) {
   flags.default_direct = default_direct;
-  add_choice(verb, "--estimator", flags.estimator,
-             "reuse (default): paths shared by neighbouring labels, all transceivers at once; uniform: the "
-             "paper's random walk with one uniformly chosen transceiver a vertex");
-  auto* error = verb.add_option("--relative-error", flags.relative_error,
-                                "Stop when 99 % of the entries that matter have this relative standard error")
-                    ->check(positive_number());
-  auto* share =
-      verb.add_option("--above", flags.above,
-                      fmt::format("Entries matter from this share of their label's requirement on ({}), for "
-                                  "--relative-error",
-                                  default_above))
-          ->check(positive_number());
-  auto* most = verb.add_option("--max-samples", flags.max_samples,
-                               fmt::format("Most first rays per label under --relative-error ({})",
-                                           RelativeError{}.most_samples))
-                   ->check(CLI::Range(std::uint64_t{2096}, std::uint64_t{1} << 36));
-  auto* samples =
-      verb.add_option("--samples", flags.samples,
-                      "First rays per label (particles per transceiver), rounded up to whole "
-                      "batches (at least 16 with reuse); 10000 unless an error or a time is given")
-          ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
-          ->excludes(error)
-          ->excludes(share)
-          ->excludes(most);
-  verb.add_option("--time", flags.time_s, "Instead of either: seconds to simulate")
+  auto* samples = verb.add_option("--samples", flags.samples,
+                                  "Samples per label, rounded up to whole batches; default 10000 without "
+                                  "--relative-error and --time")
+                      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
+                      ->option_text("N");
+  auto* error =
+      verb.add_option("--relative-error", flags.relative_error,
+                      "Stop when 99 % of the entries that matter have this relative standard error, e.g. "
+                      "0.05")
+          ->check(positive_number())
+          ->option_text("E")
+          ->group(group::simulation)
+          ->excludes(samples);
+  auto* share = verb.add_option("--above", flags.above,
+                                fmt::format("With --relative-error: entries above this share of the "
+                                            "requirement matter; default {}",
+                                            default_above))
+                    ->check(positive_number())
+                    ->option_text("SHARE")
+                    ->group(group::simulation)
+                    ->excludes(samples);
+  verb.add_option("--max-samples", flags.max_samples,
+                  fmt::format("With --relative-error: at most this many samples per label; default {}",
+                              RelativeError{}.max_samples))
+      ->check(CLI::Range(std::uint64_t{2096}, std::uint64_t{1} << 36))
+      ->option_text("N")
+      ->group(group::simulation)
+      ->excludes(samples);
+  verb.add_option("--time", flags.time_s, "Time limit of the simulation in seconds, instead of --samples")
       ->check(positive_number())
+      ->option_text("SECONDS")
+      ->group(group::simulation)
       ->excludes(samples)
       ->excludes(error)
       ->excludes(share);
+  add_choice(verb, "--estimator", flags.estimator,
+             "reuse (default): neighbouring labels share paths; uniform: the paper's random walk")
+      ->group(group::simulation);
   add_choice(verb, "--direct", flags.direct,
-             fmt::format("Direct light of uniform: sampled by the walk, as in the paper, or exact in closed "
-                         "form ({})",
-                         to_text(default_direct)));
+             fmt::format("Direct light of uniform: sampled by the walk, or exact in closed form; default {}",
+                         to_text(default_direct)))
+      ->group(group::simulation);
   add_choice(verb, "--strategy", flags.strategy,
-             "How uniform finds paths are found: walk (until a transceiver of some size is met), nee (next "
-             "event estimation), mis (both, weighted), particle (from the transceivers)");
-  add_choice(verb, "--heuristic", flags.heuristic, "Weights of mis");
-  verb.add_option("--max-bounces", flags.max_bounces, "Longest paths of uniform: reflections and refractions")
-      ->check(CLI::Range(0, 1000));
-  verb.add_option("--memory", flags.memory,
-                  "Memory that may be used, e.g. 4G or 500M (default: 80 % of what the machine has)")
-      ->transform(CLI::AsSizeValue(true))
-      ->check(positive_number());
-  verb.add_flag("--resume", flags.resume, "Go on from the checkpoint of an interrupted run, if there is one");
-  verb.add_option("--checkpoint-interval", flags.checkpoint_interval_s,
-                  "Seconds between checkpoints, at least; 0 is one whenever batches have been added")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+             "Path sampling strategy of uniform. walk: random hits only; nee: next event estimation; mis "
+             "(default): both, combined by multiple importance sampling; particle: from the transceivers")
+      ->group(group::simulation);
+  add_choice(verb, "--heuristic", flags.heuristic, "MIS weights of uniform; default balance")
+      ->group(group::simulation);
+  verb.add_option("--max-bounces", flags.max_bounces,
+                  "Maximum number of reflections and refractions per path, with uniform; default: no limit")
+      ->check(CLI::Range(0, 1000))
+      ->option_text("N")
+      ->group(group::simulation);
 }
 
 void add_layers(CLI::App& verb, SimulationFlags& flags) {
-  verb.add_flag("--by-bounce", flags.by_bounce, "Store a matrix for each number of bounces, too")
-      ->needs("--max-bounces");
+  verb.add_flag("--by-bounce", flags.by_bounce,
+                "Also store one matrix per number of bounces; requires --max-bounces")
+      ->needs("--max-bounces")
+      ->group(group::simulation);
   verb.add_option("--by-length", flags.by_length,
-                  "Store a matrix for each step of so many metres of path length, too (uniform)")
-      ->check(positive_number());
+                  "Also store one matrix per step of the path length, in metres, with uniform")
+      ->check(positive_number())
+      ->option_text("METRES")
+      ->group(group::simulation);
   verb.add_option("--lengths", flags.lengths,
-                  fmt::format("Number of these steps; the last takes all longer paths ({})", default_lengths))
+                  fmt::format("Number of these steps, default {}; the last step takes all longer paths",
+                              default_lengths))
       ->check(CLI::Range(1, 10000))
-      ->needs("--by-length");
+      ->option_text("N")
+      ->needs("--by-length")
+      ->group(group::simulation);
+}
+
+void add_run_options(CLI::App& verb, SimulationFlags& flags) {
+  verb.add_option("--memory", flags.memory,
+                  "Memory limit, e.g. 4G or 500M; default: 80 % of the memory of the machine")
+      ->transform(CLI::AsSizeValue(true))
+      ->check(positive_number())
+      ->option_text("SIZE")
+      ->group(group::runs);
+  verb.add_flag("--resume", flags.resume, "Continue an interrupted run from its checkpoint, if there is one")
+      ->group(group::runs);
+  verb.add_option("--checkpoint-interval", flags.checkpoint_interval_s,
+                  fmt::format("Minimum time between checkpoints in seconds; default {}; 0: after every round "
+                              "of batches",
+                              flags.checkpoint_interval_s))
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("SECONDS")
+      ->group(group::runs);
 }
 
 std::string describe(const SimulationSummary& summary) {
-  const std::string samples = summary.least_samples == summary.most_samples
-                                  ? fmt::format("{}", summary.least_samples)
-                                  : fmt::format("{} to {}", summary.least_samples, summary.most_samples);
-  std::string text =
-      fmt::format("{} labels x {} candidates, {} samples a label in {:.1f} s ({:.2f} million rays a second)",
-                  summary.labels, summary.candidates, samples, summary.seconds,
-                  static_cast<double>(summary.rays) / summary.seconds / 1e6);
-  if (exceeds_what_was_asked(summary))
+  const std::string samples = summary.min_samples == summary.max_samples
+                                  ? fmt::format("{}", summary.min_samples)
+                                  : fmt::format("{} to {}", summary.min_samples, summary.max_samples);
+  std::string text = fmt::format(
+      "{} labels x {} candidates, {} samples per label in {:.1f} s ({:.2f} million rays per "
+      "second)",
+      summary.labels, summary.candidates, samples, summary.seconds,
+      static_cast<double>(summary.rays) / summary.seconds / 1e6);
+  if (exceeds_requested_samples(summary))
     text +=
         fmt::format("\n{} samples per label instead of {}: at least {} batches are needed to estimate errors",
-                    samples, *summary.asked_samples, least_batches);
+                    samples, *summary.requested_samples, min_batches);
   if (summary.resumed_batches > 0)
-    text += fmt::format("\nwent on from the checkpoint, which had {} of the {} batches",
+    text += fmt::format("\ncontinued from the checkpoint, which contained {} of the {} batches",
                         summary.resumed_batches, summary.batches);
   for (const ErrorQuantiles& errors : summary.errors) {
     if (errors.entries == 0)
@@ -162,19 +193,19 @@ std::string describe(const SimulationSummary& summary) {
   if (std::any_of(summary.errors.begin(), summary.errors.end(),
                   [](const ErrorQuantiles& errors) { return errors.flagged > 0; }))
     text +=
-        "\nflagged: few batches found most of the light, so the error is not to be trusted; take more "
-        "samples, or see in '/flags' of the signal file which entries they are";
+        "\nflagged: few batches found most of the light, so the error is not reliable; take more samples. "
+        "'/flags' in the signal file marks these entries";
   if (summary.unmet_error) {
     text += fmt::format(
-        "\na relative error of {:g} % is out of reach of --max-samples for {} entries; "
-        "{} fall short of it so far, the worst:",
+        "\n{2} entries have not reached a relative error of {0:g} %, and {1} of these require more than "
+        "--max-samples; the largest errors:",
         100 * *summary.unmet_error, summary.out_of_reach, summary.unmet);
     for (const UnmetEntry& entry : summary.worst_unmet)
       text += fmt::format("\n  label '{}' from '{}': {:.1f} %{}{}", entry.label, entry.source,
                           100 * entry.relative_error, entry.is_flagged ? ", flagged" : "",
                           entry.is_out_of_reach ? ", out of reach" : "");
   }
-  return text + fmt::format("\nhalf these errors would take another {:.0f} s", summary.seconds_to_halve);
+  return text + fmt::format("\nhalving these errors would take another {:.0f} s", summary.seconds_to_halve);
 }
 
 nlohmann::ordered_json to_json(const SimulationSummary& summary) {
@@ -200,13 +231,13 @@ nlohmann::ordered_json to_json(const SimulationSummary& summary) {
                                 {"out_of_reach", entry.is_out_of_reach}});
   }
   nlohmann::ordered_json asked;
-  if (summary.asked_samples) asked = *summary.asked_samples;
+  if (summary.requested_samples) asked = *summary.requested_samples;
   return {{"labels", summary.labels},
           {"transceivers", summary.candidates},
           {"complete", summary.complete},
-          {"samples", {summary.least_samples, summary.most_samples}},
+          {"samples", {summary.min_samples, summary.max_samples}},
           {"asked", asked},
-          {"batches", {summary.least_batches, summary.most_batches}},
+          {"batches", {summary.min_batches, summary.max_batches}},
           {"resumed_batches", summary.resumed_batches},
           {"rays", summary.rays},
           {"shadow_rays",

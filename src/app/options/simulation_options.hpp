@@ -13,7 +13,7 @@
 
 namespace shelfbeam::app {
 
-/// The options of `simulate`, which `plan` takes too.
+/// The options of `simulate`, which `plan` and `verify` also have.
 struct SimulationFlags {
   std::optional<EstimatorKind> estimator;
   std::optional<DirectLight> direct;
@@ -28,21 +28,24 @@ struct SimulationFlags {
   bool by_bounce = false;
   std::optional<double> by_length;
   std::optional<std::uint32_t> lengths;
-  std::size_t memory = 0;  ///< bytes; 0: most of what the machine has
+  std::size_t memory = 0;  ///< bytes; 0: 80 % of the memory of the machine
   bool resume = false;
   double checkpoint_interval_s = 10;
 
   EstimatorKind kind() const;
-  /// `output` is what the checkpoint lies beside.
+  /// The checkpoint is written beside `output`.
   SimulationOptions options(std::uint64_t seed, const std::filesystem::path& output) const;
 };
 
 void add_simulation_options(CLI::App& verb, SimulationFlags& flags, DirectLight default_direct);
 
-/// --by-bounce and --by-length, which only a verb that leaves a signal file has.
+/// --memory, --resume and --checkpoint-interval.
+void add_run_options(CLI::App& verb, SimulationFlags& flags);
+
+/// --by-bounce and --by-length, for verbs that write a signal file.
 void add_layers(CLI::App& verb, SimulationFlags& flags);
 
-/// Some lines about what was simulated and how good it is.
+/// A few lines: size, effort and errors of the simulation.
 std::string describe(const SimulationSummary& summary);
 nlohmann::ordered_json to_json(const SimulationSummary& summary);
 

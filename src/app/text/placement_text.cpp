@@ -16,8 +16,8 @@ namespace shelfbeam::app {
 
 namespace {
 
-std::string model_of(const Question& question) {
-  return fmt::format("{}{}", to_text(question.model), whichever_fails(question));
+std::string model_of(const PlacementProblem& problem) {
+  return fmt::format("{}{}", to_text(problem.model), failure_clause(problem));
 }
 
 std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
@@ -38,18 +38,18 @@ std::string outcome(const Placement& placement) {
 std::string infeasible(const Placement& placement, const SignalTable& table) {
   const bool has_options = !table.mounts.empty();
   const std::string no_selection =
-      fmt::format("{}{}", no_selection_reaches(table.rows()), whichever_fails(placement.question));
+      no_selection_reaches(table.rows()) + (placement.problem.redundant ? " if any one unit fails" : "");
   if (placement.unreachable.empty())
     return fmt::format("{}: each {} (proven by {}).\n", no_selection,
-                       not_all_at_once(why_exclusive(placement, has_options)), placement.solver);
+                       not_all_together(conflict_reason(placement, has_options)), placement.solver);
   std::string text = fmt::format("{}: {}.\n", no_selection, terminal_out_of_reach(placement, has_options));
   const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
   for (std::size_t u = 0; u < shown; ++u) {
     const Unreachable& one = placement.unreachable[u];
-    text += fmt::format("  {}: at most {:.4g}, needs {:.4g}", table.labels[one.label].id, one.most,
+    text += fmt::format("  {}: at most {:.4g}, requirement {:.4g}", table.labels[one.label].id, one.most,
                         one.requirement);
     if (one.most == 0)
-      text += fmt::format(" ({})", why_nothing(placement.question, !table.row(one.label).empty()));
+      text += fmt::format(" ({})", no_signal_reason(placement.problem, !table.row(one.label).empty()));
     text += '\n';
   }
   if (shown < placement.unreachable.size())
@@ -58,29 +58,29 @@ std::string infeasible(const Placement& placement, const SignalTable& table) {
 }
 
 std::string nothing_found(const Placement& placement) {
-  const std::string needed = units_needed(least_count(placement));
-  const std::string_view who = who_gave_up(placement);
+  const std::string needed = units_needed(proven_count(placement));
+  const std::string_view who = method_without_result(placement);
   return who.empty()
              ? fmt::format("No placement was found in time; {}.\n", needed)
              : fmt::format("{} found no placement; {}. '--solver mip' searches for one.\n", who, needed);
 }
 
-/// How many labels hang on each unit, where any does.
-std::string hanging(const Placement& placement, const SignalTable& table) {
+/// The number of labels that depend on each unit.
+std::string single_unit_labels(const Placement& placement, const SignalTable& table) {
   std::vector<std::string> counts;
   std::size_t all = 0;
-  for (const Critical& one : critical_units(table, placement.question, placement.selected)) {
+  for (const Critical& one : critical_units(table, placement.problem, placement.selected)) {
     counts.push_back(fmt::format("{} {}", table.transceivers[one.unit].id, one.labels.size()));
     all += one.labels.size();
   }
-  return all == 0 ? "  no label hangs on a single unit\n"
-                  : fmt::format("  labels that hang on one unit: {}\n", fmt::join(counts, ", "));
+  return all == 0 ? "  no label depends on a single unit\n"
+                  : fmt::format("  labels that depend on a single unit: {}\n", fmt::join(counts, ", "));
 }
 
 std::string solved(const Placement& placement, const SignalTable& table) {
   std::string text =
       fmt::format("{} {} ({}); {}.\n", units_reach(placement.count()), all_labels(table.rows()),
-                  model_of(placement.question), terminal_bound(placement));
+                  model_of(placement.problem), terminal_bound(placement));
   text += chosen(placement.selected, table);
   if (!table.mounts.empty())
     text += fmt::format("  from {} at {}\n", counted(table.columns(), "candidate"),
@@ -88,11 +88,13 @@ std::string solved(const Placement& placement, const SignalTable& table) {
   for (const ScenarioMargin& margin : scenario_margins(table, placement)) {
     const SignalTable::Scenario& scenario = table.scenarios[margin.scenario];
     text += scenario.labels == 0 ? fmt::format("  {}: no labels\n", scenario.name)
-                                 : fmt::format("  {}: {}, the weakest ({}) gets {:.4g} of its requirement\n",
-                                               scenario.name, counted(scenario.labels, "label"),
-                                               table.labels[margin.label].id, margin.smallest_margin);
+                                 : fmt::format(
+                                       "  {}: {}, the weakest ({}) receives {:.4g} times its "
+                                       "requirement\n",
+                                       scenario.name, counted(scenario.labels, "label"),
+                                       table.labels[margin.label].id, margin.smallest_margin);
   }
-  return text + hanging(placement, table);
+  return text + single_unit_labels(placement, table);
 }
 
 /// In percent; 100 without labels.
@@ -107,44 +109,47 @@ std::string describe(const Placement& placement, const SignalTable& table) {
   std::string text = is_infeasible               ? infeasible(placement, table)
                      : placement.has_selection() ? solved(placement, table)
                                                  : nothing_found(placement);
-  if (const std::string apart = kept_apart(placement); !apart.empty()) text += fmt::format("  {}\n", apart);
+  if (const std::string conflicts = conflict_sentence(placement); !conflicts.empty())
+    text += fmt::format("  {}\n", conflicts);
   text += outcome(placement);
   if (is_infeasible) return text;
-  return text + fmt::format("  bound: {}{}\n", behind_bound(placement.bound_proof),
-                            placement.ties_settled ? "; of equal placements this has the widest margin" : "");
+  return text + fmt::format("  bound: {}{}\n", bound_proof_text(placement.bound_proof),
+                            placement.ties_settled
+                                ? "; among equally good placements, this one has the largest minimum margin"
+                                : "");
 }
 
-std::string describe(const Reach& reach, const SignalTable& table) {
+std::string describe(const MaxCoverage& reach, const SignalTable& table) {
   const bool reaches_all = reach.reached == table.rows();
   std::string text = units_reach(reach.selected.size()) + " ";
   text += labels_reached(reach.reached, table.rows());
   if (!reaches_all) text += fmt::format(", {:.1f} %", percentage(reach.reached, table));
-  text += fmt::format(" ({})", model_of(reach.question));
+  text += fmt::format(" ({})", model_of(reach.problem));
   if (!reaches_all) {
-    text += reach.at_most == 1 ? "; no single transceiver reaches more"
-                               : fmt::format("; no {} reach more", counted(reach.at_most, "transceiver"));
+    text += "; it is proven that no ";
+    text += reach.at_most == 1 ? "single transceiver reaches more"
+                               : fmt::format("{} reach more", counted(reach.at_most, "transceiver"));
     if (reach.status != Status::optimal)
       text +=
           fmt::format(" than {}, {:.1f} %", grouped(reach.upper_bound), percentage(reach.upper_bound, table));
-    text += ", proven";
   }
   text += ".\n" + chosen(reach.selected, table);
   text += fmt::format("  {}: reached {}, upper bound {}, gap {:.1f} %; {:.2f} s, solver {}\n",
                       to_text(reach.status), reach.reached, reach.upper_bound, 100 * reach.gap(),
                       reach.seconds, reach.solver);
-  text += fmt::format("  bound: {}\n", behind_bound(reach.bound_proof));
+  text += fmt::format("  bound: {}\n", bound_proof_text(reach.bound_proof));
   if (reach.too_large && reach.status != Status::optimal)
-    text += "  the table is too large for the exact method\n";
+    text += "  the matrix is too large for the exact method\n";
   return text;
 }
 
-std::string describe(const ReachCurve& curve, const SignalTable& table) {
+std::string describe(const CoverageCurve& curve, const SignalTable& table) {
   if (curve.points.empty() || table.rows() == 0) return {};
   std::string text = "  units   labels reached: at least   at most\n";
   for (const CurvePoint& point : curve.points)
     text += fmt::format("  {:5}                  {:7.1f} % {:7.1f} %\n", point.units,
                         percentage(point.at_least, table), percentage(point.at_most, table));
-  if (!curve.is_complete) text += fmt::format("  the curve {}\n", cut_short);
+  if (!curve.is_complete) text += fmt::format("  the curve {}\n", stopped_early_note);
   return text;
 }
 

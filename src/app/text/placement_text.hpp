@@ -3,20 +3,20 @@
 #include <string>
 #include <string_view>
 
+#include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/answer/reach_curve.hpp"
-#include "shelfbeam/placement/coverage/budget.hpp"
+#include "shelfbeam/placement/coverage/max_coverage.hpp"
 
 namespace shelfbeam::app {
 
-// Answers in a few lines for a terminal.
+// Results in a few lines for a terminal.
 
 std::string describe(const Placement& placement, const SignalTable& table);
-std::string describe(const Reach& reach, const SignalTable& table);
+std::string describe(const MaxCoverage& reach, const SignalTable& table);
 /// Empty without points.
-std::string describe(const ReachCurve& curve, const SignalTable& table);
+std::string describe(const CoverageCurve& curve, const SignalTable& table);
 
-/// What is said instead of one.
+/// Printed instead of a curve.
 inline constexpr std::string_view no_curve = "no curve without a placement";
 
 }  // namespace shelfbeam::app

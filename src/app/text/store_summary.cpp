@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/material/material_shares.hpp"
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
 
@@ -22,12 +22,12 @@ namespace shelfbeam::app {
 
 namespace {
 
-// Vectors that differ by less than a micrometre, or as directions by as little, count as one.
+// Vectors that differ by less than 1e-6 (positions: a micrometre) count as equal.
 std::tuple<long, long, long> rounded(const Vec3& v) {
   return {std::lround(v.x * 1e6), std::lround(v.y * 1e6), std::lround(v.z * 1e6)};
 }
 
-// The closed forms are largest on the axis or at 45 degrees, a table at one of its nodes.
+// Closed forms have their maximum on the axis or at 45 degrees, tables at a node.
 double peak_intensity(const Emission& emission) {
   if (const auto* table = std::get_if<EmissionTable>(&emission))
     return *std::max_element(table->intensity.values().begin(), table->intensity.values().end());
@@ -36,16 +36,16 @@ double peak_intensity(const Emission& emission) {
 }
 
 struct MaterialUse {
-  MaterialShares normal, mean;  // of light from straight on; from all directions
+  MaterialShares normal, mean;  // at normal incidence; averaged over all directions
   double area = 0;              // m^2
   std::size_t triangles = 0;
 };
 
-// What a scene has of each material, label type and transceiver type, and of mounting points.
+// Counts and areas per material, label type and transceiver type, and mounting points.
 struct Counts {
   std::vector<MaterialUse> materials;
   std::vector<std::size_t> labels, units;
-  std::vector<std::set<std::tuple<long, long, long>>> axes;  // that the units of a type have
+  std::vector<std::set<std::tuple<long, long, long>>> axes;  // distinct axes per type
   std::size_t mounting_points, with_several_options;
 
   explicit Counts(const Scene& scene)
@@ -66,7 +66,7 @@ struct Counts {
       ++units[unit.type.value];
       axes[unit.type.value].insert(rounded(unit.axis));
     }
-    const Places places = places_of(positions_of(scene.transceivers));
+    const DistinctPositions places = distinct_positions(positions_of(scene.transceivers));
     std::vector<std::size_t> options(places.count);
     for (const std::uint32_t place : places.of) ++options[place];
     mounting_points = places.count;
@@ -89,7 +89,7 @@ void print_head(const Scene& scene, const Counts& counts) {
   fmt::print("\n\n");
 }
 
-// Of light from straight on, and the mean of light from all directions where that is another.
+// Shares at normal incidence, and their mean over all directions if it differs.
 void print_materials(const Scene& scene, const Counts& counts) {
   const auto& all = scene.materials;
   const bool any_transparent =
@@ -151,7 +151,7 @@ void print_warnings(const CommonOptions& common, const Scene& scene, Strategy st
   if (common.json || common.quiet) return;
   print_warnings(scene);
   for (const std::string& light : chance_light(scene, strategy))
-    fmt::print("warning: {} is found by chance only: take more samples, and see which errors are flagged\n",
+    fmt::print("warning: {} is sampled only by chance: use more samples and check which errors are flagged\n",
                light);
 }
 
@@ -163,8 +163,8 @@ void print_summary(const Scene& scene) {
   print_label_types(scene, counts);
   fmt::print("\n");
   print_transceiver_types(scene, counts);
-  print_light("not simulated, unless the transceiver type gets a radius", uncovered_light(scene));
-  print_light("found by chance only, with large errors", chance_light(scene));
+  print_light("not simulated unless the transceiver type has a radius", uncovered_light(scene));
+  print_light("sampled only by chance, with large errors", chance_light(scene));
   if (!scene.warnings.empty()) fmt::print("\n");
   print_warnings(scene);
 }

@@ -9,13 +9,13 @@
 
 namespace shelfbeam::app {
 
-/// What `inspect` shows of a store: areas, counts, and the light that the default strategy leaves out or
-/// finds by chance only.
+/// The output of `inspect`: areas, counts, and the light that the default strategy omits or samples only by
+/// chance.
 nlohmann::ordered_json summary_json(const Scene& scene);
 void print_summary(const Scene& scene);
 
-/// A line each for the warnings of a scene and the light that its simulation finds by chance only, unless
-/// JSON or nothing is to be printed.
+/// Prints one line per warning of a scene and per kind of light that its simulation samples only by chance;
+/// nothing with --json or --quiet.
 void print_warnings(const CommonOptions& common, const Scene& scene, Strategy strategy);
 
 }  // namespace shelfbeam::app

@@ -18,7 +18,7 @@ void on_signal(int number) {
   std::signal(number, SIG_DFL);
 }
 
-// Characters, not bytes, of UTF-8.
+// The number of UTF-8 characters, not of bytes.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));

@@ -13,12 +13,12 @@
 
 namespace shelfbeam::app {
 
-/// A progress line with the time remaining on standard error; silent when that is no terminal.
+/// A progress line with the remaining time on standard error; silent if that is not a terminal.
 class TerminalProgress : public ProgressSink {
  public:
   explicit TerminalProgress(bool quiet);
   ~TerminalProgress() override;
-  /// Itself, or nothing where nobody watches.
+  /// This object, or null if standard error is not a terminal.
   ProgressSink* sink() { return active_ ? this : nullptr; }
   void report(std::string_view task, double fraction, std::string_view detail) override;
 
@@ -27,22 +27,22 @@ class TerminalProgress : public ProgressSink {
 
   bool active_;
   bool drawn_ = false;
-  double first_ = 0;  ///< the fraction that the task began with
+  double first_ = 0;  ///< the fraction at the start of the task
   std::string task_;
   Clock::time_point started_, last_;
 };
 
-/// The summary that `--json` asks for. Paths need not be UTF-8; JSON must.
+/// Prints the summary for `--json`. Bytes of paths that are not UTF-8 are replaced, as JSON requires.
 inline void print_json(const nlohmann::ordered_json& json) {
   fmt::print("{}\n", json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-/// Makes Ctrl-C, SIGTERM and a terminal that goes away ask the running work to end with what it has; a second
+/// After Ctrl-C, SIGTERM or the loss of the terminal, the running work ends with the results so far. A second
 /// Ctrl-C ends the program.
 const CancelToken& cancel_on_signal();
 
-/// Prints rows with columns as wide as they need, the first `left` of them left-aligned, the others right.
-/// The first row is the heading.
+/// Prints rows in aligned columns: the first `left` columns left-aligned, the others right-aligned. The first
+/// row is the heading.
 void print_table(const std::vector<std::vector<std::string>>& rows, std::size_t left);
 
 }  // namespace shelfbeam::app

@@ -36,7 +36,7 @@ struct Options {
   double confidence = 0.95;
 };
 
-/// Where the table and the page go; empty: nowhere.
+/// The paths of the table and the page; empty: not written.
 struct Outputs {
   fs::path table, page;
 };
@@ -48,7 +48,7 @@ Outputs outputs_of(const Options& options) {
   if (output.extension() == ".html") return {{}, output};
   if (!output.extension().empty() && !fs::is_directory(output))
     throw InputError(output.string(),
-                     fmt::format("'{}' says nothing about the format", output.extension().string()),
+                     fmt::format("the extension '{}' is not known", output.extension().string()),
                      "end the name in .csv or .html, or name a folder for both");
   return {output / "comparison.csv", output / "comparison.html"};
 }
@@ -60,7 +60,7 @@ void prepare(const Options& options, const Outputs& outputs) {
   for (const fs::path& output : {outputs.table, outputs.page}) {
     if (output.empty()) continue;
     for (const fs::path& input : {options.signal, options.measured, options.placement})
-      if (!input.empty()) keep_input(output, input);
+      if (!input.empty()) protect_input(output, input);
     expect_writable(output);
   }
 }
@@ -70,18 +70,18 @@ std::vector<std::uint32_t> units_of(const Options& options, const SignalMatrix& 
   if (measurements.of_pairs) {
     if (!options.placement.empty())
       throw InputError(options.measured.string(),
-                       "names a transceiver for every signal, so no placement plays a part",
-                       "leave --placement out, or remove the column 'transceiver'");
+                       "names a transceiver for every signal, so a placement does not apply",
+                       "remove --placement, or the column 'transceiver'");
     return {};
   }
   if (options.placement.empty())
     throw InputError(options.measured.string(),
-                     "has no column 'transceiver', so it is of several units at once",
-                     "say with --placement which were on");
+                     "has no column 'transceiver', so several units were on at once",
+                     "name these units with --placement");
   const SignalTable table = make_signal_table(matrix, options.signal.string());
   std::vector<std::uint32_t> units = read_placement(options.placement, table).selected;
   if (units.empty())
-    throw InputError(options.placement.string(), "selects no transceiver", "use a placement that was found");
+    throw InputError(options.placement.string(), "selects no transceiver", "use another placement");
   return units;
 }
 
@@ -110,7 +110,7 @@ nlohmann::ordered_json summary(const ComparisonInput& input) {
   return {{"pairs", input.pairs.size()},
           {"fitted", c.fitted},
           {"uncertain", c.uncertain},
-          {"nothing_measured", c.nothing_measured},
+          {"nothing_measured", c.measured_zero},
           {"factor", c.factor},
           {"confidence", c.confidence},
           {"factor_low", c.factor_interval.low},
@@ -118,7 +118,7 @@ nlohmann::ordered_json summary(const ComparisonInput& input) {
           {"shared_errors", shared[static_cast<std::size_t>(c.shared)]},
           {"spread_db", c.spread},
           {"median_residual_db", c.median_residual},
-          {"ninety_residual_db", c.ninety_residual},
+          {"ninety_residual_db", c.residual_quantile_90},
           {"correlation", c.correlation},
           {"slope", if_known(c.slope, c.slope.value_or(0))},
           {"slope_low", if_known(c.slope, c.slope_interval.low)},
@@ -157,7 +157,7 @@ void print_text(const ComparisonInput& input) {
                     ? fmt::format("{}, the first {}:", counted(c.outliers.size(), "outlier"), listed)
                     : counted(c.outliers.size(), "outlier") + ":",
                 c.outliers);
-  print_pairs(input, fmt::format("{}:", worst_pairs(c)), c.worst);
+  print_pairs(input, fmt::format("{}:", worst_pairs_heading(c)), c.worst);
 }
 
 int run_compare(const Options& options) {
@@ -188,19 +188,19 @@ int run_compare(const Options& options) {
 }  // namespace
 
 void add_compare(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb =
-      app.add_subcommand("compare", "Set measured signals beside the simulated ones and fit one factor");
+  CLI::App* verb = app.add_subcommand(
+      "compare", "Compare measured with simulated signals and fit the factor between them");
   auto options = std::make_shared<Options>();
-  add_path(*verb, "SIGNAL", options->signal, "Signal file (HDF5; not safe to open if a stranger made it)")
-      ->required();
+  add_path(*verb, "SIGNAL", options->signal, "Signal file (HDF5, from trusted sources only)")->required();
   add_path(*verb, "MEASURED", options->measured,
-           "CSV with header label,transceiver,signal or label,signal; a column error may follow")
+           "CSV with columns label,transceiver,signal or label,signal, and optionally error")
       ->required();
   add_path(*verb, "--placement", options->placement,
-           "placement.json of the units that were on together: for measurements that name labels only");
-  verb->add_option("--confidence", options->confidence, "Of the intervals, between 0.5 and 0.9999")
+           "placement.json of the units that were on together, for measurements without a transceiver");
+  verb->add_option("--confidence", options->confidence,
+                   fmt::format("Confidence of the intervals; default {}", options->confidence))
       ->check(CLI::Range(0.5, 0.9999))
-      ->capture_default_str();
+      ->option_text("LEVEL");
   add_path(*verb, "-o,--output", options->output,
            "Folder for comparison.csv and comparison.html, or a file .csv or .html");
   add_common_options(*verb, options->common);

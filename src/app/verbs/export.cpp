@@ -21,17 +21,17 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  Question question;
+  PlacementProblem problem;
   PlacementInput input;
   std::filesystem::path output;
   std::string what = "mean";
-  bool for_model = false, for_matrix = false;  ///< an option was given that only plays a part there
+  bool for_model = false, for_matrix = false;  ///< an option for this kind of output was given
 };
 
 void export_matrix(const Options& options) {
   if (options.input.signals.size() > 1)
-    throw InputError(options.input.signals[1].string(), "is a second file, and a matrix comes from one",
-                     "export one after the other");
+    throw InputError(options.input.signals[1].string(),
+                     "is a second file, but a matrix is exported from one file", "export one file at a time");
   const SignalMatrix matrix = read_signal_file(options.input.signals.front());
   const auto& values = options.what == "mean"     ? matrix.mean
                        : options.what == "direct" ? matrix.direct
@@ -43,12 +43,12 @@ void export_matrix(const Options& options) {
 }
 
 void export_model(const Options& options) {
-  const Question& question = options.question;
-  if (question.objective != Objective::count && question.combination == Combination::lexicographic)
-    throw InputError(fmt::format("--objective {}", to_text(question.objective)),
-                     "comes second, and a file holds one objective: that of the number",
-                     "add --weighted for one sum, or leave the objective out");
-  const milp::Model model = placement_model(options.input.table(question), question);
+  const PlacementProblem& problem = options.problem;
+  if (problem.objective != Objective::count && problem.combination == Combination::lexicographic)
+    throw InputError(fmt::format("--objective {}", to_text(problem.objective)),
+                     "is a secondary objective, but a model file contains only one objective, the count",
+                     "add --weighted for one sum, or remove --objective");
+  const milp::Model model = placement_model(options.input.table(problem), problem);
   if (options.output.extension() == ".lp")
     milp::write_lp(model, options.output);
   else
@@ -61,18 +61,18 @@ int run_export(const Options& options) {
   const bool is_model = kind == ".mps" || kind == ".lp", is_matrix = kind == ".csv" || kind == ".npy";
   if (is_model && options.for_matrix)
     throw InputError("--what", "chooses a matrix, but the output is a model",
-                     "leave it out, or write .csv or .npy");
+                     "remove it, or write .csv or .npy");
   if (is_matrix && options.for_model)
     throw InputError(
         "--model, --objective, --weighted, --share, --survive-failure, --threshold, --costs, --min-spacing, "
         "--forbid",
-        "play no part in a matrix", "leave them out, or write .mps or .lp");
+        "do not apply to a matrix", "remove them, or write .mps or .lp");
   if (is_model)
     export_model(options);
   else if (is_matrix)
     export_matrix(options);
   else
-    throw InputError(options.output.string(), fmt::format("'{}' says nothing about the format", kind),
+    throw InputError(options.output.string(), fmt::format("the extension '{}' is not known", kind),
                      "end the name in .mps, .lp, .csv or .npy");
   if (options.common.json)
     print_json({{"output", options.output.string()}});
@@ -91,10 +91,11 @@ void add_export(CLI::App& app, ChosenVerb& chosen) {
   add_path(*verb, "-o,--output", options->output,
            "File to write: .mps or .lp for the model, .csv or .npy for the matrix")
       ->required();
-  verb->add_option("--what", options->what, "Which matrix of a signal file (HDF5)")
+  verb->add_option("--what", options->what,
+                   "Matrix of a signal file to export: mean (default), standard-error or direct")
       ->check(CLI::IsMember({"mean", "standard-error", "direct"}))
-      ->capture_default_str();
-  add_question_options(*verb, options->question);
+      ->option_text("{mean,standard-error,direct}");
+  add_problem_options(*verb, options->problem);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

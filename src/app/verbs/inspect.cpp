@@ -23,7 +23,7 @@ struct Options {
 };
 
 int run_inspect(const Options& options) {
-  keep_input(options.plan, options.store);
+  protect_input(options.plan, options.store);
   const Scene scene = make_scene(load_store(options.store, options.allow_outside));
   if (!options.plan.empty()) write_file(options.plan, floor_plan_svg(scene));
   if (options.common.json) {
@@ -39,13 +39,13 @@ int run_inspect(const Options& options) {
 
 void add_inspect(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand(
-      "inspect", "Check a store file; show dimensions, counts, areas, reflectances, flux and the plan");
+      "inspect", "Check a store file and print its dimensions, counts, areas, reflectances and flux");
   auto options = std::make_shared<Options>();
   add_path(*verb, "STORE", options->store, "Store file")->required();
   add_path(*verb, "-o,--output", options->plan, "Write the floor plan as SVG to this file");
   add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);
-  verb->footer("Examples:\n  shelfbeam inspect store.json\n  shelfbeam inspect store.json -o plan.svg");
+  verb->footer("Example:\n  shelfbeam inspect store.json -o plan.svg");
   verb->callback([options, &chosen] { chosen = [options] { return run_inspect(*options); }; });
 }
 

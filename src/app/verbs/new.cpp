@@ -41,7 +41,7 @@ struct TemplateFile {
   std::string_view content;
 };
 
-/// A store to start from; its files are those of the folder of the same name in examples/.
+/// An example store; its files are those of the folder of the same name in examples/.
 struct Template {
   std::string_view name;
   std::string_view description;
@@ -107,17 +107,20 @@ int run_new(const Options& options) {
 }  // namespace
 
 void add_new(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb = app.add_subcommand("new", "Write a ready store to start from");
+  CLI::App* verb = app.add_subcommand("new", "Write an example store to start from");
   auto options = std::make_shared<Options>();
   std::string names, choices;
   for (const Template& t : store_templates()) {
     names += fmt::format("\n  {:<11} {}", t.name, t.description);
     choices += fmt::format("{}{}", choices.empty() ? "" : ",", t.name);
   }
-  verb->add_option("TEMPLATE", options->name, "One of:" + names)->required()->type_name("{" + choices + "}");
-  add_path(*verb, "DIR", options->folder, "Folder for the store file and what it needs")->required();
+  verb->add_option("TEMPLATE", options->name, "One of:" + names)
+      ->required()
+      ->option_text("{" + choices + "}");
+  add_path(*verb, "DIR", options->folder, "Folder for the store file and the files that it names")
+      ->required();
   add_common_options(*verb, options->common);
-  verb->footer("Examples:\n  shelfbeam new grocery my-store\n  shelfbeam new thesis thesis");
+  verb->footer("Example:\n  shelfbeam new grocery my-store");
   verb->callback([options, &chosen] { chosen = [options] { return run_new(*options); }; });
 }
 

@@ -7,7 +7,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/placement/coverage/curve.hpp"
+#include "shelfbeam/placement/coverage/coverage_curve.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
 
 #include "app/options/arguments.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  Question question;
+  PlacementProblem problem;
   PlaceOptions solver;
   PlacementInput input;
   std::filesystem::path output;
@@ -35,18 +35,19 @@ struct Answer {
 };
 
 Answer reach(const Options& options, const SignalTable& table, const RunControl& control) {
-  const Reach reach = reach_most(table, options.question, options.at_most, options.solver, control);
-  return {reach_json(reach, table), describe(reach, table), exit_code(reach.status)};
+  const MaxCoverage reach =
+      maximise_coverage(table, options.problem, options.at_most, options.solver, control);
+  return {coverage_json(reach, table), describe(reach, table), exit_code(reach.status)};
 }
 
 Answer cover(const Options& options, const SignalTable& table, const RunControl& control) {
-  Placement placement = place(table, options.question, options.solver, control);
-  ReachCurve curve;
+  Placement placement = place(table, options.problem, options.solver, control);
+  CoverageCurve curve;
   std::string remark;
   if (options.curve && placement.has_selection()) {
     curve = add_curve(placement, table, options.solver.time_limit_s, control);
   } else if (options.curve) {
-    remark = fmt::format("  {}: '--at-most K' tells what K transceivers reach\n", no_curve);
+    remark = fmt::format("  {}; '--at-most K' reports how many labels K transceivers reach\n", no_curve);
   }
   return {placement_json(placement, table, curve),
           describe(placement, table) + describe(curve, table) + remark,
@@ -55,12 +56,12 @@ Answer cover(const Options& options, const SignalTable& table, const RunControl&
 
 int run_place(const Options& options) {
   options.input.keep(options.output);
-  const Question& question = options.question;
+  const PlacementProblem& problem = options.problem;
   if (options.at_most > 0 &&
-      (question.objective != Objective::count || question.combination == Combination::weighted))
-    throw InputError("--at-most", "asks for the most labels, and objectives and prices play no part in that",
-                     "leave out --objective and --weighted");
-  const SignalTable table = options.input.table(question);
+      (problem.objective != Objective::count || problem.combination == Combination::weighted))
+    throw InputError("--at-most", "maximises the number of labels and does not use objectives or costs",
+                     "remove --objective and --weighted");
+  const SignalTable table = options.input.table(problem);
   if (!options.output.empty()) expect_writable(options.output);
   Answer answer;
   {
@@ -82,13 +83,15 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("place", "Choose transceivers on a signal matrix, with a proven bound");
   auto options = std::make_shared<Options>();
   add_placement_input(*verb, options->input);
-  add_path(*verb, "-o,--output", options->output, "Write the answer as JSON to this file");
-  auto* at_most = verb->add_option("--at-most", options->at_most,
-                                   "Reach the most labels with at most so many transceivers")
-                      ->check(positive_count());
-  verb->add_flag("--curve", options->curve, "Also tell what share of the labels fewer transceivers reach")
+  add_path(*verb, "-o,--output", options->output, "Write the placement as JSON to this file");
+  auto* at_most =
+      verb->add_option("--at-most", options->at_most,
+                       "Max coverage: reach as many labels as possible with at most K transceivers")
+          ->check(positive_count())
+          ->option_text("K");
+  verb->add_flag("--curve", options->curve, "Also print how many labels fewer transceivers can reach")
       ->excludes(at_most);
-  add_question_options(*verb, options->question);
+  add_problem_options(*verb, options->problem);
   add_solver_options(*verb, options->solver);
   add_common_options(*verb, options->common);
   verb->footer(

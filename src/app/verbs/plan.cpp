@@ -32,7 +32,7 @@ namespace {
 struct Options {
   CommonOptions common;
   SimulationFlags simulation;
-  Question question;
+  PlacementProblem problem;
   PlaceOptions solver;
   CertificateFlags certificate;
   bool no_certificate = false, curve = false, sensitivity = false;
@@ -48,9 +48,9 @@ SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
   return table;
 }
 
-// A store that is no plan's own stays, and so do the lists that may lie beside it.
-void keep_store(const std::filesystem::path& folder, const std::filesystem::path& file,
-                const std::string& resolved) {
+// Protects a store file that was not written by `plan`, and the lists in its folder.
+void protect_store(const std::filesystem::path& folder, const std::filesystem::path& file,
+                   const std::string& resolved) {
   std::error_code missing;
   const auto home = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   if (std::filesystem::equivalent(folder, home, missing) && read_file(file) != resolved)
@@ -58,29 +58,29 @@ void keep_store(const std::filesystem::path& folder, const std::filesystem::path
                      "choose another folder for the plan");
 }
 
-// What was asked for beside the placement.
+// Curve, certificate and sensitivity.
 std::string additions(const Options& options, const Plan& plan, const SignalTable& table) {
   const Placement& placement = plan.placement;
   std::string text = describe(plan.curve, table);
   if (options.curve && !placement.has_selection())
-    text += fmt::format("  {}: 'place {} --at-most K' tells what K transceivers reach\n", no_curve,
-                        (options.folder / signal_name).string());
+    text += fmt::format("  {}; 'place {} --at-most K' reports how many labels K transceivers reach\n",
+                        no_curve, (options.folder / signal_name).string());
   if (plan.certificate) text += fmt::format("certificate: {}\n", certificate_sentence(plan));
   if (plan.sensitivity)
     text += fmt::format("sensitivity: {}\n", sensitivity_sentence(*plan.sensitivity, table.rows()));
   else if (options.sensitivity)
     text += fmt::format("  no sensitivity {}\n", placement.has_selection()
-                                                     ? "yet: the run was stopped before it was known"
+                                                     ? "yet: the run was stopped before its simulation"
                                                      : "without a placement");
   return text;
 }
 
-// An error that was asked for was not reached, and no certificate says what that means.
+// The requested relative error was not reached, and no certificate covers the sampling error.
 bool is_imprecise(const Plan& plan) {
   return !plan.certificate && plan.simulation.summary.unmet_error;
 }
 
-// Something that was asked of the selection came to no end.
+// A requested result about the selection is incomplete.
 bool is_open(const Options& options, const Plan& plan) {
   return is_imprecise(plan) || (plan.certificate && !plan.certificate->open.empty()) ||
          !plan.curve.is_complete ||
@@ -92,8 +92,8 @@ int run_plan(const Options& options) {
   const Store store = load_store(options.store, options.allow_outside, options.simulation.memory);
   const Scene scene = make_scene(store);
   const std::string resolved = resolved_store_json(store, scene);
-  keep_store(options.folder, options.store, resolved);
-  // What is asked of the placement is checked before the light is simulated.
+  protect_store(options.folder, options.store, resolved);
+  // Reports errors in the placement options before the simulation.
   SignalTable nothing = table_without_signals(scene);
   options.requirements.apply(nothing, options.store.string());
   const SimulationOptions simulation =
@@ -107,7 +107,7 @@ int run_plan(const Options& options) {
     const RunControl control{options.common.threads, &cancel, progress.sink()};
     PlanOptions asked;
     asked.simulation = simulation;
-    asked.question = options.question;
+    asked.problem = options.problem;
     asked.place = options.solver;
     asked.place.seed = options.common.seed;
     asked.table = [&](const SignalMatrix& matrix) { return table_of(options, matrix); };
@@ -148,48 +148,56 @@ int run_plan(const Options& options) {
   if (options.common.json && !options.common.quiet && is_imprecise(plan))
     fmt::print(
         stderr,
-        "the relative error is out of reach; without '--json' the entries that prevent it are named\n");
+        "the requested relative error was not reached; without '--json' the program lists the entries\n");
   if (plan.complete) return is_open(options, plan) ? stopped_early : exit_code(plan.placement.status);
   if (!options.common.quiet)
-    fmt::print(stderr, "stopped early: {}; the same command with '--resume' goes on\n",
-               summary.complete ? "the simulation had ended, what follows it had not"
-                                : "the plan rests on the samples so far");
+    fmt::print(stderr, "stopped early: {}; repeat the command with '--resume' to continue\n",
+               summary.complete ? "the simulation is complete, the later steps are not"
+                                : "the plan uses the samples so far");
   return stopped_early;
 }
 
 }  // namespace
 
 void add_plan(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb = app.add_subcommand("plan", "Simulate a store, place transceivers, and write the report");
+  CLI::App* verb = app.add_subcommand(
+      "plan", "Simulate a store, place transceivers, certify the placement and write the report");
   auto options = std::make_shared<Options>();
   add_path(*verb, "STORE", options->store, "Store file")->required();
   add_path(*verb, "-o,--output", options->folder, "Folder for the results")->required();
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
-  add_question_options(*verb, options->question);
+  add_problem_options(*verb, options->problem);
   add_solver_options(*verb, options->solver);
   add_requirement_options(*verb, options->requirements);
   add_certificate_options(*verb, options->certificate);
   verb->add_flag("--no-certificate", options->no_certificate,
-                 "Place on the simulated matrix as it is, and say nothing of its errors");
-  verb->add_flag("--curve", options->curve, "Also tell what share of the labels fewer transceivers reach");
+                 "Skip certification: place on the simulated matrix as if it were exact")
+      ->group(group::certificate);
+  verb->add_flag("--curve", options->curve, "Also report how many labels fewer transceivers can reach");
   auto* sensitivity =
       verb->add_flag("--sensitivity", options->sensitivity,
-                     "Also simulate the chosen transceivers with reflectances at both ends of their ranges");
+                     "Also simulate the chosen transceivers with all reflectances at the ends of their "
+                     "ranges");
   verb->add_option("--reflectance-error", options->reflectance_error,
-                   "Relative error of reflectances whose range nobody told, for --sensitivity")
+                   fmt::format("With --sensitivity: relative error of reflectances without a given range; "
+                               "default {}",
+                               options->reflectance_error))
       ->check(CLI::Range(0.0, 1.0))
-      ->needs(sensitivity)
-      ->capture_default_str();
+      ->option_text("SHARE")
+      ->needs(sensitivity);
+  add_run_options(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"
       "  shelfbeam plan store.json -o plan\n"
-      "  shelfbeam plan store.json -o plan --samples 50000 --model non-cooperative --objective links\n"
-      "  shelfbeam plan store.json -o plan --curve --sensitivity --reflectance-error 0.2\n"
-      "Writes signal.h5, placement.json, verification.csv, placement.csv, labels.csv, store.json (resolved) "
-      "and\n"
-      "report.html.");
+      "  shelfbeam plan store.json -o plan --curve --sensitivity\n"
+      "  shelfbeam plan store.json -o plan --samples 50000\n"
+      "  shelfbeam plan store.json -o plan --model non-cooperative --survive-failure --min-spacing 2\n"
+      "  shelfbeam plan store.json -o plan --confidence 0.999 --budget 1800\n"
+      "  shelfbeam plan store.json -o plan --threads 8 --resume\n"
+      "Writes report.html, placement.csv, labels.csv, placement.json, verification.csv, signal.h5 and the\n"
+      "resolved store.json.");
   verb->callback([options, &chosen] { chosen = [options] { return run_plan(*options); }; });
 }
 

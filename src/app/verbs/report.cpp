@@ -29,10 +29,11 @@ struct Options {
 int run_report(const Options& options) {
   const Scene scene = make_scene(load_store(options.folder / store_name));
   const SignalMatrix matrix = read_signal_file(options.folder / signal_name);
-  // The bytes that `plan` hashed, not what this version would write for the same store.
+  // The hash is of the bytes that `plan` wrote; this version might write the same store differently.
   if (matrix.provenance.store_hash != content_hash(read_file(options.folder / store_name)))
     throw InputError((options.folder / signal_name).string(),
-                     "belongs to another store file than the one beside it", "run 'shelfbeam plan' again");
+                     "belongs to a different store file than the one in this folder",
+                     "run 'shelfbeam plan' again");
   const SignalTable table = make_signal_table(matrix, (options.folder / signal_name).string());
   const CertifiedPlan plan = read_plan(options.folder / placement_name, table);
   AtomicFolder files(options.folder);
@@ -52,11 +53,10 @@ void add_report(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("report", "Rebuild report.html, labels.csv and placement.csv of a plan");
   auto options = std::make_shared<Options>();
-  add_path(*verb, "DIR", options->folder,
-           "Folder that 'shelfbeam plan' wrote; its HDF5 is not safe to open if a stranger made it")
+  add_path(*verb, "DIR", options->folder, "Folder written by 'shelfbeam plan', from a trusted source (HDF5)")
       ->required();
   add_common_options(*verb, options->common);
-  verb->footer("Examples:\n  shelfbeam report plan");
+  verb->footer("Example:\n  shelfbeam report plan");
   verb->callback([options, &chosen] { chosen = [options] { return run_report(*options); }; });
 }
 

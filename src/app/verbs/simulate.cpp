@@ -28,7 +28,7 @@ struct Options {
 
 int run_simulate(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
-  keep_input(options.output, options.store);
+  protect_input(options.output, options.store);
   const Scene scene = make_scene(load_store(options.store, options.allow_outside, options.simulation.memory));
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   expect_writable(options.output);
@@ -51,8 +51,8 @@ int run_simulate(const Options& options) {
   if (summary.complete) return summary.unmet_error ? stopped_early : done;
   if (!options.common.json && !options.common.quiet)
     fmt::print(stderr,
-               "stopped early: the file holds the samples so far; the same command with '--resume' "
-               "goes on\n");
+               "stopped early: the file contains the samples so far; repeat the command with '--resume' to "
+               "continue\n");
   return stopped_early;
 }
 
@@ -65,13 +65,14 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   add_path(*verb, "-o,--output", options->output, "Signal file (HDF5) to write")->required();
   add_simulation_options(*verb, options->simulation, DirectLight::sampled);
   add_layers(*verb, options->simulation);
+  add_run_options(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"
-      "  shelfbeam simulate store.json -o signal.h5 --samples 100000\n"
-      "  shelfbeam simulate store.json -o signal.h5 --direct exact --relative-error 0.05\n"
-      "  shelfbeam simulate store.json -o signal.h5 --direct exact --relative-error 0.05 --resume");
+      "  shelfbeam simulate store.json -o signal.h5\n"
+      "  shelfbeam simulate store.json -o signal.h5 --relative-error 0.05 --memory 8G\n"
+      "  shelfbeam simulate store.json -o signal.h5 --relative-error 0.05 --memory 8G --resume");
   verb->callback([options, &chosen] { chosen = [options] { return run_simulate(*options); }; });
 }
 

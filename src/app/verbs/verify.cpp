@@ -40,8 +40,8 @@ struct Options {
 };
 
 struct Installation {
-  Scene scene;  ///< its transceivers are those that hang
-  Question question;
+  Scene scene;  ///< its transceivers are the mounted units
+  PlacementProblem problem;
 };
 
 bool is_json(const std::filesystem::path& path) {
@@ -57,19 +57,19 @@ Installation load_installation(const Options& options) {
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));
   if (!placement.has_selection() || placement.selected.empty())
-    throw InputError(units.string(), "has no selection", "nothing hangs that could be verified");
+    throw InputError(units.string(), "has no selection", "it has no units to verify");
   std::vector<std::uint32_t> labels(scene.labels.size());
   std::iota(labels.begin(), labels.end(), 0U);
-  return {sub_scene(scene, labels, placement.selected), placement.question};
+  return {sub_scene(scene, labels, placement.selected), placement.problem};
 }
 
 int run_verify(const Options& options) {
-  keep_input(options.output, options.store);
-  keep_input(options.output, options.placement);
+  protect_input(options.output, options.store);
+  protect_input(options.output, options.placement);
   const Installation installation = load_installation(options);
-  Question question = installation.question;
-  question.model = options.model.value_or(question.model);
-  question.redundant = question.redundant || options.survive_failure;
+  PlacementProblem problem = installation.problem;
+  problem.model = options.model.value_or(problem.model);
+  problem.redundant = problem.redundant || options.survive_failure;
   if (!options.output.empty()) expect_writable(options.output);
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   print_warnings(options.common, installation.scene, simulation.rules().strategy);
@@ -82,7 +82,7 @@ int run_verify(const Options& options) {
     asked.budget.seconds = options.certificate.budget_s;
     asked.simulation = simulation;
     asked.simulation.checkpoint = {};
-    verified = verify_installation(installation.scene, question, asked, control);
+    verified = verify_installation(installation.scene, problem, asked, control);
   }
   const Certificate& certificate = *verified.certificate;
   if (!options.output.empty()) write_file(options.output, verification_csv(certificate, installation.scene));
@@ -98,18 +98,19 @@ int run_verify(const Options& options) {
 
 void add_verify(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand(
-      "verify", "Tell on fresh samples which labels a placement or an installation reaches");
+      "verify", "Verify with independent samples which labels a placement or an installation reaches");
   auto options = std::make_shared<Options>();
   add_path(*verb, "STORE", options->store, "Store file")->required();
   add_path(*verb, "PLACEMENT", options->placement,
-           "placement.json, or a CSV of units anywhere with columns id,x,y,z,ax,ay,az,roll_deg,type")
+           "placement.json, or a CSV of units with columns id,x,y,z,ax,ay,az,roll_deg,type")
       ->required();
-  add_path(*verb, "-o,--output", options->output, "Write a row a label to this CSV file");
-  add_choice(*verb, "--model", options->model, "cooperative or non-cooperative (that of the placement)");
+  add_path(*verb, "-o,--output", options->output, "Write one row per label to this CSV file");
+  add_choice(*verb, "--model", options->model, "Default: the model of the placement, cooperative for a CSV");
   verb->add_flag("--survive-failure", options->survive_failure,
-                 "Every label must stay reached when any one unit fails");
+                 "Every label must be reached even if any one unit fails, installed ones included");
   add_certificate_options(*verb, options->certificate);
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
+  add_run_options(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
   add_common_options(*verb, options->common);
   verb->footer(

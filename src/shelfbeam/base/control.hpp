@@ -6,8 +6,8 @@
 
 namespace shelfbeam {
 
-/// Set from anywhere (a signal handler included); long work looks at it between steps and ends early with
-/// what it has.
+/// Cancels long work. Any thread and a signal handler may set it. The work checks it between steps and then
+/// ends early with its results so far.
 class CancelToken {
  public:
   void request() noexcept { requested_.store(true, std::memory_order_relaxed); }
@@ -17,15 +17,15 @@ class CancelToken {
   std::atomic<bool> requested_{false};
 };
 
-/// Where long work reports how far it is. Called from one thread at a time.
+/// Receives the progress of long work. Only one thread calls it at a time.
 class ProgressSink {
  public:
   virtual ~ProgressSink() = default;
-  /// `fraction` in [0, 1], or negative where the end cannot be known; `detail` is a short free text.
+  /// `fraction` is in [0, 1], or negative when the end is unknown; `detail` is a short free text.
   virtual void report(std::string_view task, double fraction, std::string_view detail) = 0;
 };
 
-/// What accompanies every long computation; all of it optional, none of it changes a result.
+/// Threads, cancellation and progress of a long computation. All are optional, and none changes a result.
 struct RunControl {
   unsigned threads = 0;  ///< 0: all cores
   const CancelToken* cancel = nullptr;

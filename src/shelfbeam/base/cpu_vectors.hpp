@@ -1,10 +1,10 @@
 #pragma once
 
-/// SHELFBEAM_FOR_EACH_CPU compiles a function for several kinds of processor, of which the best is chosen
-/// when the program starts; SHELFBEAM_VECTORIZE stands before a loop over lanes whose iterations are
-/// independent. Such files are compiled without errno and floating-point traps (src/CMakeLists.txt).
+/// SHELFBEAM_FOR_EACH_CPU compiles a function for several kinds of processor; the program selects the best
+/// version when it starts. SHELFBEAM_VECTORIZE precedes a loop over lanes with independent iterations. Files
+/// with these macros are compiled without errno and floating-point traps (src/CMakeLists.txt).
 
-// Function multiversioning resolves before sanitizers have started, which they do not survive.
+// Function multiversioning is resolved before the sanitizers start, which crashes the program.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define SHELFBEAM_FOR_EACH_CPU __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
@@ -13,7 +13,7 @@
 #define SHELFBEAM_FOR_EACH_CPU
 #define SHELFBEAM_INLINE
 #endif
-// Unrolled whole, loops over lanes would no longer be turned into vectors.
+// The compiler does not vectorize loops over lanes that it has unrolled completely.
 #if defined(__GNUC__) && !defined(__clang__)
 #define SHELFBEAM_VECTORIZE _Pragma("GCC ivdep") _Pragma("GCC unroll 1")
 #else

@@ -31,7 +31,7 @@ std::string_view CsvReader::quoted_field() {
   while (true) {
     position_ = text_.find('"', position_);
     if (position_ == std::string_view::npos)
-      fail(fields_.size(), "has a quote that is never closed", "close it with '\"'");
+      fail(fields_.size(), "has an unclosed quote", "close it with '\"'");
     if (position_ + 1 >= text_.size() || text_[position_ + 1] != '"') break;
     escaped = true;
     position_ += 2;
@@ -61,7 +61,7 @@ bool CsvReader::next() {
         fields_.push_back(quoted_field());
         const std::size_t end = std::min(text_.find_first_of(",\n", position_), text_.size());
         if (!trim(text_.substr(position_, end - position_)).empty())
-          fail(fields_.size() - 1, "goes on after its closing quote", "double the quotes that belong to it");
+          fail(fields_.size() - 1, "continues after its closing quote", "double the quotes inside the field");
         position_ = end;
       } else {
         const std::size_t end = std::min(text_.find_first_of(",\n", position_), text_.size());
@@ -100,7 +100,7 @@ std::string CsvReader::id(std::size_t field) const {
   return std::string(fields_[field]);
 }
 
-std::uint32_t CsvIds::read(const CsvReader& csv, std::size_t field) const {
+std::uint32_t CsvIdLookup::read(const CsvReader& csv, std::size_t field) const {
   const std::string id = csv.id(field);
   const auto found = index_.find(id);
   if (found != index_.end()) return found->second;

@@ -10,11 +10,11 @@
 
 namespace shelfbeam {
 
-/// Reads comma-separated records (RFC 4180: fields may be quoted, a quote in them is doubled). Blanks around
-/// unquoted fields and blank lines do not count; there are no comments.
+/// Reads comma-separated records (RFC 4180: fields may be quoted, and a quote inside them is doubled). Blanks
+/// around unquoted fields and blank lines are ignored. There is no comment syntax.
 class CsvReader {
  public:
-  /// `name` stands for the file in errors. The text must outlive the reader.
+  /// Errors name the file as `name`. The text must outlive the reader.
   CsvReader(std::string_view text, std::string name);
 
   /// Moves to the next record; false at the end.
@@ -24,14 +24,14 @@ class CsvReader {
 
   /// The field as a number; throws InputError unless it is finite.
   double number(std::size_t field) const;
-  /// The same; throws InputError where it is negative, too.
+  /// The field as a number; throws InputError unless it is finite and not negative.
   double amount(std::size_t field) const;
   /// The field as an id; throws InputError when it is empty.
   std::string id(std::size_t field) const;
 
   /// "file: line 3" for errors.
   std::string where() const;
-  /// Throws InputError with file, line and, where given, field (from 0).
+  /// Throws InputError with the file, the line and, if given, the field (index from 0).
   [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const;
   [[noreturn]] void fail(std::size_t field, const std::string& problem, const std::string& suggestion) const;
 
@@ -47,18 +47,18 @@ class CsvReader {
   std::deque<std::string> unescaped_;  ///< fields that had doubled quotes
 };
 
-/// Things that lines of a CSV file name by their ids.
-class CsvIds {
+/// Looks up the items that a CSV file names by their ids.
+class CsvIdLookup {
  public:
-  /// The items, which have an `id` each and outlive this; errors call one of them `kind`.
+  /// Each item has an `id`. The items must outlive this object. Errors call an item a `kind`.
   template <class Items>
-  CsvIds(const Items& items, std::string_view kind) : kind_(kind) {
+  CsvIdLookup(const Items& items, std::string_view kind) : kind_(kind) {
     for (const auto& item : items) {
       index_.emplace(item.id, static_cast<std::uint32_t>(known_.size()));
       known_.push_back(item.id);
     }
   }
-  /// The index of the item that a field names. Throws InputError where the matrix has none of this id.
+  /// The index of the item that a field names. Throws InputError when no item has this id.
   std::uint32_t read(const CsvReader& csv, std::size_t field) const;
 
  private:
@@ -67,7 +67,7 @@ class CsvIds {
   std::unordered_map<std::string_view, std::uint32_t> index_;
 };
 
-/// `field` as it must stand in a CSV file: quoted where it would not be read back as it is.
+/// `field` in the form for a CSV file: quoted if it would otherwise be read back differently.
 std::string csv_field(std::string_view field);
 
 }  // namespace shelfbeam

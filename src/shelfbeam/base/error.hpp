@@ -5,8 +5,8 @@
 
 namespace shelfbeam {
 
-/// The setting that an error refers to. The caller knows its name (a flag, a field of a form) and adds it to
-/// the message.
+/// The setting that an error refers to. The caller knows the setting's name (a flag, a field of a form) and
+/// adds the name to the message.
 enum class Setting {
   none,
   memory,
@@ -23,10 +23,10 @@ enum class Setting {
   bounces
 };
 
-/// Wrong input: says what is wrong, where, and what to do about it.
+/// Wrong input. The message states the location, the problem and a suggestion.
 ///
-/// `where` names the file and the place in it ("store.json: materials.wall.reflectance"). Nothing
-/// has been written by then.
+/// `where` names the file and the location in it ("store.json: materials.wall.reflectance"). Nothing has been
+/// written when this is thrown.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& where, const std::string& problem, const std::string& suggestion = {},
@@ -48,16 +48,16 @@ class InputError : public std::runtime_error {
   Setting setting_;
 };
 
-/// An output cannot be written: no permission, no room. What stood in its place is as it was.
+/// An output cannot be written (no permission, full disk). An older file of that name is unchanged.
 class OutputError : public InputError {
  public:
   using InputError::InputError;
-  /// The same with more to say at its end.
+  /// The same error with `addition` at the end of its message.
   OutputError(const OutputError& error, const std::string& addition, Setting setting)
       : InputError(static_cast<const InputError&>(error), addition, setting) {}
 };
 
-/// The user stopped the work before it had anything worth keeping.
+/// The user stopped the work before it had a result worth keeping.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(const std::string& text, Setting setting = Setting::none)

@@ -26,8 +26,8 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-// A lock of the open file: it ends with the process, however that ends. `command` says whether to wait for
-// it.
+// Locks the open file. The lock ends with the process, even if the process is killed. `command` selects
+// whether to wait.
 bool lock(int descriptor, int command, short type = F_WRLCK) {
   struct flock whole = {};
   whole.l_type = type;
@@ -46,7 +46,7 @@ bool is_unlinked(int descriptor) {
   return ::fstat(descriptor, &state) != 0 || state.st_nlink == 0;
 }
 
-// After a rename the folder must reach the disk, too, where the file system can do that.
+// After a rename, flushes the folder to disk too, if the file system supports that.
 void flush_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -59,10 +59,10 @@ struct Descriptor {
   ~Descriptor() { ::close(number); }
 };
 
-// The old file of a name, under a hidden name as well, while the new one may have to be taken back.
-class KeptFile {
+// Keeps the old file under a second, hidden name until the replacement is certain.
+class BackupFile {
  public:
-  explicit KeptFile(const fs::path& target) : target_(target) {
+  explicit BackupFile(const fs::path& target) : target_(target) {
     remove_abandoned(target);
     descriptor_ = ::open(target.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor_ < 0 && errno == ENOENT) return;
@@ -72,7 +72,7 @@ class KeptFile {
     ::close(unique);
     ::unlink(name.c_str());
     kept_ = name;
-    // Not to be taken for an abandoned file. Where there are no links it is a copy.
+    // The lock protects the file from `remove_abandoned`. Without hard links, the kept file is a copy.
     lock(descriptor_, F_OFD_SETLK, F_RDLCK);
     if (::link(target.c_str(), kept_.c_str()) == 0) return;
     std::error_code error;
@@ -81,9 +81,9 @@ class KeptFile {
     errno = error.value();
     fail();
   }
-  ~KeptFile() { release(); }
-  KeptFile(const KeptFile&) = delete;
-  KeptFile& operator=(const KeptFile&) = delete;
+  ~BackupFile() { release(); }
+  BackupFile(const BackupFile&) = delete;
+  BackupFile& operator=(const BackupFile&) = delete;
 
   bool restore() {
     if (kept_.empty()) return ::unlink(target_.c_str()) == 0 || errno == ENOENT;
@@ -115,18 +115,18 @@ void cannot_write(const fs::path& path, const std::string& why) {
   std::error_code unknown;
   const bool is_old = fs::is_regular_file(path, unknown);
   throw OutputError(path.string(),
-                    fmt::format("cannot be written ({}){}", why, is_old ? " and stays as it was" : ""),
-                    "choose an existing folder that you may write to, with room on its disk");
+                    fmt::format("cannot be written ({}){}", why, is_old ? " and is unchanged" : ""),
+                    "choose an existing, writable folder with enough disk space");
 }
 
 std::string read_file(const fs::path& path) {
-  if (is_folder(path)) throw InputError(path.string(), "is a folder, not a file", "name the file in it");
+  if (is_folder(path)) throw InputError(path.string(), "is a folder, not a file", "name a file in it");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw InputError(path.string(), fmt::format("cannot be read ({})", system_reason()), "check the path");
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad()) throw InputError(path.string(), "reading failed part-way", "check the disk");
+  if (in.bad()) throw InputError(path.string(), "cannot be read to its end", "check the disk");
   return text;
 }
 
@@ -139,7 +139,7 @@ void remove_abandoned(const fs::path& target) {
     if (!name.starts_with(prefix) || name.size() != prefix.size() + random_part.size()) continue;
     const int descriptor = ::open(entry->path().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0) continue;
-    // Free is the lock of a dead writer.
+    // The lock is free if the writer has ended.
     if (lock(descriptor, F_OFD_SETLK)) ::unlink(entry->path().c_str());
     ::close(descriptor);
   }
@@ -148,13 +148,13 @@ void remove_abandoned(const fs::path& target) {
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
   if (!is_folder(folder_of(target_))) cannot_write(target_, "the folder does not exist");
   if (is_folder(target_)) cannot_write(target_, "it is a folder");
-  // Renaming over a device or a pipe would put a file in its place.
+  // A rename over a device or a pipe would replace it by a regular file.
   std::error_code missing;
   if (fs::exists(target_, missing) && !fs::is_regular_file(target_, missing))
-    cannot_write(target_, "it is no regular file");
+    cannot_write(target_, "it is not a regular file");
   remove_abandoned(target_);
   const fs::path pattern = folder_of(target_) / (temporary_prefix(target_) + std::string(random_part));
-  // Between the making and the locking another writer may take the file for an abandoned one.
+  // Between creation and locking, another writer may remove the file as abandoned.
   for (;;) {
     std::string name = pattern.string();
     descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
@@ -211,22 +211,22 @@ void AtomicFolder::commit(const std::vector<std::string>& outdated) {
   if (descriptor < 0) cannot_write(folder_, system_reason());
   const Descriptor locked{descriptor};
   ::flock(descriptor, LOCK_EX);
-  std::list<KeptFile> kept;
+  std::list<BackupFile> kept;
   for (const std::string& name : outdated) kept.emplace_back(folder_ / name);
   for (const AtomicFile& file : files_)
     if (std::find(outdated.begin(), outdated.end(), file.target().filename()) == outdated.end())
       kept.emplace_back(file.target());
-  const auto take_back = [&](const fs::path& failed) {
+  const auto roll_back = [&](const fs::path& failed) {
     const std::string reason = system_reason();
-    // The first of the outdated comes back last, and only to a whole folder.
+    // The first outdated file is restored last, and only if all others were restored.
     for (auto file = kept.rbegin(); file != kept.rend() && file->restore(); ++file) {
     }
     cannot_write(failed, reason);
   };
   for (const std::string& name : outdated)
-    if (::unlink((folder_ / name).c_str()) != 0 && errno != ENOENT) take_back(folder_ / name);
+    if (::unlink((folder_ / name).c_str()) != 0 && errno != ENOENT) roll_back(folder_ / name);
   for (AtomicFile& file : files_)
-    if (!file.rename()) take_back(file.target());
+    if (!file.rename()) roll_back(file.target());
   ::fsync(descriptor);
 }
 

@@ -14,10 +14,10 @@ namespace shelfbeam {
 std::string read_file(const std::filesystem::path& path);
 
 /// A file that appears under its name only when it is complete: write to `temporary()`, then `commit()`.
-/// Without a commit the temporary file is removed and an older file of that name stays as it was.
+/// Without a commit, the destructor removes the temporary file, and an older file of that name is unchanged.
 ///
-/// Temporary files are called `.NAME.shelfbeam-XXXXXX` and are locked while their writer lives, so the next
-/// writer of that name knows, and removes, what a killed one left.
+/// Temporary files are called `.NAME.shelfbeam-XXXXXX` and are locked while their writer runs. The next
+/// writer of that name therefore recognises and removes the files of killed writers.
 class AtomicFile {
  public:
   /// Throws OutputError when the folder does not exist or cannot be written to.
@@ -28,11 +28,11 @@ class AtomicFile {
 
   const std::filesystem::path& target() const { return target_; }
   const std::filesystem::path& temporary() const { return temporary_; }
-  /// Writes all of the file. Throws OutputError.
+  /// Writes the whole file. Throws OutputError.
   void write(std::string_view content);
-  /// Brings the content to the disk, so that renaming is all that is left. Throws OutputError.
+  /// Flushes the content to disk, so that only the renaming remains. Throws OutputError.
   void flush();
-  /// Flushes and renames. Throws OutputError when that fails.
+  /// Flushes and renames. Throws OutputError.
   void commit();
 
  private:
@@ -45,24 +45,24 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-/// Removes the temporary files of that name whose writers have been killed.
+/// Removes the temporary files that killed writers of `target` left behind.
 void remove_abandoned(const std::filesystem::path& target);
 
 /// Writes `content` to `path` through an AtomicFile.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// Files of one folder that belong together.
+/// Files of one folder that must be replaced together.
 class AtomicFolder {
  public:
   explicit AtomicFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The next file, to be written before the commit. Throws OutputError.
+  /// Adds a file, which the caller writes before the commit. Throws OutputError.
   AtomicFile& add(const std::string& name);
-  /// Flushes all files, removes the `outdated` ones in their order, and renames the new ones in theirs. Files
-  /// that are not outdated are the old or the new ones at any moment. Where something fails, all become the
-  /// old ones again. A process that is killed between the first removal and the last renaming leaves a folder
-  /// without the first of the outdated, if that is renamed last: never one of old and new files that looks
-  /// whole. Writers of one folder wait for each other. Throws OutputError.
+  /// Flushes all files, removes the `outdated` files in the given order, and renames the new files in the
+  /// order in which they were added. If a step fails, all old files are restored. A file that is not outdated
+  /// exists at every moment, old or new. Rename the first outdated file last: it is then missing if the
+  /// process is killed in between, so a mixture of old and new files never looks complete. Writers of one
+  /// folder wait for each other. Throws OutputError.
   void commit(const std::vector<std::string>& outdated);
 
  private:
@@ -70,13 +70,13 @@ class AtomicFolder {
   std::list<AtomicFile> files_;
 };
 
-/// Makes the folder (and its parents). Throws OutputError when it cannot be made or is not writable.
+/// Creates the folder and its parents. Throws OutputError if the folder cannot be created or is not writable.
 void make_output_folder(const std::filesystem::path& folder);
 
-/// What the system says of `errno`.
+/// The system's message for `errno`.
 std::string system_reason();
 
-/// Throws OutputError; it says so where an older file stays.
+/// Throws OutputError. The message mentions an older file at `path`, which stays unchanged.
 [[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& why);
 
 }  // namespace shelfbeam

@@ -5,7 +5,7 @@
 
 namespace shelfbeam {
 
-/// Position in one particular list; indices into different lists do not convert into one another.
+/// Index into one particular list. Indices into different lists do not convert into each other.
 template <class Tag>
 struct Index {
   std::uint32_t value = 0;

@@ -29,20 +29,20 @@ const Node& as_node(const void* pointer) {
 std::string kind(const Node& node) {
   if (node.is_object()) return "an object";
   if (node.is_array()) return "an array";
-  if (node.is_string()) return "a text";
+  if (node.is_string()) return "a string";
   if (node.is_number()) return "a number";
   if (node.is_boolean()) return "true or false";
   return "null";
 }
 
-// The parser reports "... at line 3, column 7: ..." behind an id of its own, which says nothing to a user.
+// The parser's message ("... at line 3, column 7: ...") without its internal id, which users do not need.
 std::string parser_message(const std::exception& error) {
   std::string text = error.what();
   if (const auto id = text.find("] "); id != std::string::npos) text.erase(0, id + 2);
   return text;
 }
 
-// "number overflow parsing '1e999'" comes without a place.
+// Adds the line to "number overflow parsing '1e999'", which comes without a position.
 std::string overflow_message(const std::exception& error, std::string_view document) {
   std::string message = parser_message(error);
   const auto quote = message.find('\'');
@@ -52,8 +52,8 @@ std::string overflow_message(const std::exception& error, std::string_view docum
   return fmt::format("{} at line {}", message, 1 + std::count(document.begin(), document.begin() + at, '\n'));
 }
 
-// Follows the parser and keeps the path of the first key that an object has twice; the parser would silently
-// take the last.
+// Follows the parser and records the path of the first duplicate key. The parser itself would silently use
+// the last value.
 class KeyWatcher {
  public:
   void see(Node::parse_event_t event, const Node& value) {
@@ -97,8 +97,8 @@ class KeyWatcher {
   std::string repeated_;
 };
 
-// Deeper than any file of ours; each level costs much more memory than the bracket that opens it.
-constexpr int most_levels = 100;
+// Deeper than any valid file. The limit is needed because a level costs much more memory than its bracket.
+constexpr int max_levels = 100;
 
 Node parse_strictly(std::string_view text, const std::string& name) {
   KeyWatcher keys;
@@ -106,21 +106,21 @@ Node parse_strictly(std::string_view text, const std::string& name) {
     Node root = Node::parse(
         text,
         [&](int depth, Node::parse_event_t event, const Node& value) {
-          if (depth > most_levels)
-            throw InputError(name, fmt::format("has more than {} brackets within each other", most_levels),
-                             "this is no file of this program");
+          if (depth > max_levels)
+            throw InputError(name, fmt::format("has more than {} nested brackets", max_levels),
+                             "check that it is the right file");
           keys.see(event, value);
           return true;
         },
         true, true);
     if (!keys.repeated().empty())
-      throw InputError(name + ": " + keys.repeated(), "stands twice in its object", "remove one of them");
+      throw InputError(name + ": " + keys.repeated(), "is a duplicate key", "remove one of the two");
     return root;
   } catch (const Node::out_of_range& error) {
-    throw InputError(name, "has a number beyond all bounds (" + overflow_message(error, text) + ")",
-                     "correct it there");
+    throw InputError(name, "has a number out of range (" + overflow_message(error, text) + ")",
+                     "correct the number");
   } catch (const Node::exception& error) {
-    throw InputError(name, "is not valid JSON (" + parser_message(error) + ")", "correct it there");
+    throw InputError(name, "is not valid JSON (" + parser_message(error) + ")", "correct the syntax");
   }
 }
 
@@ -181,7 +181,7 @@ std::optional<JsonCursor> JsonCursor::find(std::string_view key) const {
 
 JsonCursor JsonCursor::operator[](std::string_view key) const {
   if (auto found = find(key)) return *found;
-  fail(fmt::format("has no '{}'", key), "add it");
+  fail(fmt::format("is missing the key '{}'", key), "add it");
 }
 
 std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
@@ -244,7 +244,7 @@ bool JsonCursor::boolean() const {
 }
 
 std::string JsonCursor::text() const {
-  if (!is_string()) fail("is " + kind(as_node(node_)), "a text is expected");
+  if (!is_string()) fail("is " + kind(as_node(node_)), "a string is expected");
   return as_node(node_).get<std::string>();
 }
 
@@ -264,7 +264,7 @@ std::vector<double> JsonCursor::numbers(std::size_t count) const {
 std::string JsonCursor::one_of(std::span<const std::string_view> known) const {
   std::string word = text();
   if (std::find(known.begin(), known.end(), word) == known.end())
-    fail(fmt::format("is '{}', which is not known here", word), suggest(word, known));
+    fail(fmt::format("has the unknown value '{}'", word), suggest(word, known));
   return word;
 }
 

@@ -16,11 +16,11 @@
 
 namespace shelfbeam {
 
-/// A place in a JSON document that is being read strictly: every access states what it expects, and what does
-/// not fit throws InputError with the file and the JSON path ("store.json: fixtures[3].labels.spacing").
+/// A position in a JSON document that is read strictly. Every access states the expected type and range; any
+/// other value throws InputError with the file and the JSON path ("store.json: fixtures[3].labels.spacing").
 class JsonCursor {
  public:
-  /// Reads and parses; comments are allowed, duplicate keys are not. `name` stands for the file in errors.
+  /// Comments are allowed, duplicate keys are not. Errors name the file as `name`.
   static JsonCursor parse(std::string_view text, const std::string& name);
   static JsonCursor parse_file(const std::filesystem::path& path);
 
@@ -34,7 +34,7 @@ class JsonCursor {
   bool is_number() const;
   bool is_null() const;
 
-  /// Objects: throws for a value that is no object or has a key that is not in `known` (names the nearest).
+  /// Objects: throws if the value is not an object or has a key outside `known` (suggests the nearest).
   void expect_keys(std::initializer_list<std::string_view> known) const;
   JsonCursor operator[](std::string_view key) const;                ///< throws when the key is missing
   std::optional<JsonCursor> find(std::string_view key) const;       ///< nothing when the key is missing
@@ -54,11 +54,11 @@ class JsonCursor {
   std::string text() const;
   std::vector<double> numbers(std::size_t count) const;  ///< array of exactly `count` finite numbers
   std::vector<double> numbers() const;
-  /// One of `known`; throws with the nearest.
+  /// A text out of `known`; the error for any other text suggests the nearest.
   std::string choice(std::initializer_list<std::string_view> known) const {
     return one_of({known.begin(), known.size()});
   }
-  /// The value of one of the names of an enumeration, or of the first of them.
+  /// The enumerator whose name is given; `known` may be limited to the first names of the enumeration.
   template <class Enum>
   Enum choice(std::span<const Named<Enum>> known = names_of<Enum>) const {
     std::vector<std::string_view> names;

@@ -6,8 +6,8 @@
 
 namespace shelfbeam {
 
-/// Bytes that may be used unless told otherwise: what the machine has, but for what others need.
-inline std::size_t most_of_the_memory() {
+/// Default memory limit, bytes: 80 % of the physical memory; the rest is for other processes.
+inline std::size_t memory_limit() {
   return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) / 10 * 8 *
          static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }

@@ -9,14 +9,14 @@
 
 namespace shelfbeam {
 
-/// The word for a value of an enumeration, in files and on the command line.
+/// The name of an enumerator in files and on the command line.
 template <class Enum>
 struct Named {
   std::string_view name;
   Enum value;
 };
 
-/// The table of an enumeration's words: specialised for each that has them.
+/// The table of an enumeration's names; specialised for every enumeration that has names.
 template <class Enum>
 inline constexpr auto names_of = nullptr;
 

@@ -13,18 +13,18 @@ std::string_view program_version();
 /// 128-bit content hash (XXH3) as 32 hexadecimal digits.
 std::string content_hash(std::string_view content);
 
-/// Hash of the rest of the stream, read one megabyte at a time.
+/// Hash of the rest of the stream, which is read one megabyte at a time.
 std::string content_hash(std::istream& content);
 
-/// Well-mixed 64-bit hash of a text: the key of random streams that belong to a named thing.
+/// Well-mixed 64-bit hash of a text; the key of the random streams of a named object.
 std::uint64_t hash64(std::string_view text);
 
-/// Where a result comes from; written into every file that carries results.
+/// The origin of a result; written to every file that contains results.
 struct Provenance {
   std::string program_version;
-  std::string store_hash;  ///< scene_hash of what was simulated; empty for a matrix from elsewhere
+  std::string store_hash;  ///< scene_hash of the simulated store; empty for an imported matrix
   std::uint64_t seed = 0;
-  std::string estimator;  ///< e.g. "uniform mis (balance), direct exact"; empty for a matrix from elsewhere
+  std::string estimator;  ///< e.g. "uniform mis (balance), direct exact"; empty for an imported matrix
 
   bool operator==(const Provenance&) const = default;
 };

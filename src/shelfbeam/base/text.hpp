@@ -9,7 +9,7 @@
 
 namespace shelfbeam {
 
-/// The known word nearest to `word` by edit distance; empty when none is near enough to be a slip.
+/// The known word nearest to `word` by edit distance; empty when no word is near enough for a typing error.
 std::string nearest(std::string_view word, std::span<const std::string_view> known);
 
 /// "did you mean 'x'?" when a known word is near, else "known: a, b, c".
@@ -17,7 +17,7 @@ std::string suggest(std::string_view word, std::span<const std::string_view> kno
 
 std::string join(std::span<const std::string_view> words, std::string_view separator);
 
-/// Shell-style match: '*' any run of characters, '?' one character.
+/// Shell-style match: '*' matches any run of characters, '?' matches one character.
 bool matches_glob(std::string_view text, std::string_view pattern);
 
 /// Splits at `separator` (empty fields kept) and trims blanks around each field.
@@ -25,7 +25,7 @@ std::vector<std::string_view> split(std::string_view line, char separator);
 
 std::string_view trim(std::string_view text);
 
-/// Of ASCII letters.
+/// Converts ASCII letters only.
 std::string lower_case(std::string_view text);
 
 /// 12345 -> "12,345".
@@ -37,11 +37,11 @@ std::string counted(std::uint64_t count, std::string_view singular, std::string_
 /// Whether the bytes are well-formed UTF-8 (RFC 3629).
 bool is_utf8(std::string_view text);
 
-/// The number that the whole of `text` is ("nan" and "inf" are numbers here); nothing when it is none or lies
+/// The whole of `text` as a number ("nan" and "inf" count as numbers); nothing if it is not a number or lies
 /// outside the range of a double. Independent of the locale.
 std::optional<double> to_number(std::string_view text);
 
-/// What is wrong with a signal, cost or requirement ("is NaN"); empty when it is finite and not negative.
+/// The problem with a signal, cost or requirement ("is NaN"); empty if the value is finite and not negative.
 std::string_view amount_problem(double value);
 
 }  // namespace shelfbeam

@@ -12,24 +12,23 @@ namespace shelfbeam {
 struct LabelType {
   std::string name;
   Responsivity responsivity;
-  std::array<double, 2>
-      size{};                ///< width (horizontal) and height, m; the signal is averaged over it; 0: a point
-  double threshold = 0;      ///< tau, in the unit of the signal (W/m^2 for the cosine response)
-  double safety_factor = 1;  ///< gamma
-  double link_cost = 0;      ///< c^E (3.3)
-  double signal_cost = 0;    ///< delta (3.14)
+  std::array<double, 2> size{};  ///< width (horizontal), height, m; signal averaged over the area; 0: a point
+  double threshold = 0;          ///< tau, in the signal's unit of measure (W/m^2 for the cosine response)
+  double safety_factor = 1;      ///< gamma
+  double link_cost = 0;          ///< c^E (3.3)
+  double signal_cost = 0;        ///< delta (3.14)
 
   double requirement() const { return safety_factor * threshold; }
 };
 
-/// A kind of transceiver: a point or a flat disc that emits without a body of its own. Every element of a
-/// disc of area A emits I(omega) / A.
+/// A kind of transceiver: a point or a flat disc that emits but blocks no light. Every element of a disc of
+/// area A emits I(omega) / A.
 struct TransceiverType {
   std::string name;
   Emission emission;
-  double radius = 0;   ///< of the disc, about the axis, m; 0: a point
+  double radius = 0;   ///< radius of the disc about the axis, m; 0: a point
   double cost = 1;     ///< c^T (3.3)
-  std::string file{};  ///< name of the photometric file that the emission is from; empty if from none
+  std::string file{};  ///< name of the photometric file of the emission; empty without such a file
 };
 
 }  // namespace shelfbeam

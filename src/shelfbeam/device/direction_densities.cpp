@@ -9,7 +9,7 @@ namespace {
 
 /// The integral of s sin(begin + s) from 0 to h.
 double moment(double begin, double h) {
-  // sin(begin) (h sin h + cos h - 1) + cos(begin) (sin h - h cos h); by series where the brackets cancel.
+  // sin(begin) (h sin h + cos h - 1) + cos(begin) (sin h - h cos h); a series where the brackets cancel.
   const double q = h * h;
   const double a = h < 0.2 ? q * (1.0 / 2 - q * (1.0 / 8 - q * (1.0 / 144 - q * (1.0 / 5760 - q / 403200))))
                            : h * std::sin(h) - 2 * std::sin(h / 2) * std::sin(h / 2);
@@ -31,7 +31,7 @@ double SineSegment::invert(double part) const {
   const double width = end - begin, total = integral();
   if (!(part > 0)) return begin;
   if (part >= total) return end;
-  // Newton's iteration between bounds that close in on the root; it begins as if the density were linear.
+  // Newton's method, safeguarded by shrinking bounds, from the solution for a linear density.
   double low = 0, high = width;
   double reach = width * invert_linear_density(first * std::sin(begin), last * std::sin(end), part / total);
   for (int step = 0; step < 60; ++step) {
@@ -39,7 +39,7 @@ double SineSegment::invert(double part) const {
     (excess < 0 ? low : high) = reach;
     const double density = (first + (last - first) * reach / width) * std::sin(begin + reach);
     double next = reach - excess / density;
-    // Newton's steps square the relative distance to the root, which a step of 1e-8 leaves at rounding.
+    // Newton's steps square the relative error, so after a step of 1e-8 only rounding remains.
     if (std::abs(next - reach) <= 1e-8 * std::min(next, width - next)) return begin + next;
     if (!(next > low && next < high)) next = (low + high) / 2;
     if (high - low <= 1e-15 * width) return begin + next;

@@ -13,7 +13,7 @@ namespace shelfbeam {
 
 namespace {
 
-// Angles that were computed from degrees may end a rounding error beyond their range.
+// Angles computed from degrees may exceed their range by a rounding error.
 constexpr double tolerance = 1e-12;
 
 bool ascends(const std::vector<double>& angles) {
@@ -44,12 +44,12 @@ double mix(double a, double b, double t) {
 
 DirectionTable::DirectionTable(std::vector<double> theta, std::vector<double> phi,
                                std::vector<double> values) {
-  require(theta.size() >= 2 && ascends(theta), "needs two thetas or more, ascending");
+  require(theta.size() >= 2 && ascends(theta), "requires at least two ascending thetas");
   require(theta.front() >= 0 && theta.back() <= pi + tolerance, "a theta is outside 0 to pi");
   require(phi.size() == 1 || (phi.size() >= 2 && phi.front() == 0 && ascends(phi) &&
                               std::abs(phi.back() - 2 * pi) <= tolerance),
           "phi must be one value, or ascend from 0 to 2 pi");
-  require(values.size() == theta.size() * phi.size(), "needs a value for each theta and phi");
+  require(values.size() == theta.size() * phi.size(), "requires a value for each theta and phi");
   require(std::all_of(values.begin(), values.end(), [](double v) { return v >= 0 && std::isfinite(v); }),
           "a value is negative or not finite");
 
@@ -106,7 +106,7 @@ std::optional<DirectionSample> DirectionTable::sample(double u1, double u2) cons
   if (!(g.integral > 0)) return std::nullopt;
   const std::size_t thetas = g.theta.size();
 
-  // The plane: two rows and how far phi lies between them.
+  // The plane of phi: two rows and the weight of the upper row.
   std::size_t lower = 0, upper = 0;
   double between = 0, phi = 2 * pi * u2;
   if (g.phi.size() > 1) {

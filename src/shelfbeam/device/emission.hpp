@@ -9,17 +9,16 @@
 namespace shelfbeam {
 
 // Emission profiles eta(theta, phi) of 2.9: radiant intensity in W/sr. theta is measured from the device's
-// axis (+z of its frame), phi from its +x towards +y; nothing is emitted beyond 90 degrees unless a table
-// says so.
+// axis (+z of its frame), phi from its +x towards +y. Only tables can emit beyond 90 degrees.
 
-/// eta = peak sin 2 theta: most of the light leaves at 45 degrees (the paper's transceiver).
+/// eta = peak sin 2 theta: the intensity is largest at 45 degrees (the paper's transceiver).
 struct SinTwoTheta {
   static constexpr std::string_view type_name = "sin2theta";
 
   double peak = 1;  ///< W/sr at 45 degrees
 };
 
-/// The same intensity over the hemisphere.
+/// Constant intensity over the hemisphere.
 struct IsotropicHemisphere {
   static constexpr std::string_view type_name = "isotropic";
 
@@ -34,28 +33,28 @@ struct GeneralizedLambertian {
   double flux = 1;  ///< W
 };
 
-/// A measured profile, of the store file or of an IES or EULUMDAT file (photometry.hpp).
+/// A measured profile from the store file or from an IES or EULUMDAT file (photometry.hpp).
 struct EmissionTable {
   static constexpr std::string_view type_name = "table";
 
   DirectionTable intensity;  ///< W/sr
 };
 
-/// The closed set of profiles. To add one: a struct above and a case in each function of emission.cpp.
+/// The closed set of profiles. A new profile is a struct above and a case in each function of emission.cpp.
 using Emission = std::variant<SinTwoTheta, IsotropicHemisphere, GeneralizedLambertian, EmissionTable>;
 
-/// Radiant intensity in W/sr towards a unit direction in the device's frame.
+/// Radiant intensity in W/sr in a direction of unit length in the device's frame.
 double intensity(const Emission& emission, const Vec3& direction);
 
 /// Radiant intensity in W/sr at an angle of 0 to pi from the axis, averaged over phi.
 double mean_intensity(const Emission& emission, double theta);
 
-/// Total flux in W: closed forms; for a table the exact integral of the interpolation.
+/// Total flux in W, in closed form; for a table, the exact integral of the interpolation.
 double power(const Emission& emission);
 
-/// A direction in the device's frame with density intensity / power, from u1 and u2 in [0, 1): closed forms
-/// (for sin 2 theta the paper's theta = arcsin cbrt(u1), phi = 2 pi u2); tables by exact inversion. Nothing
-/// where the draw has no density (on the axis of sin 2 theta, which u1 = 0 gives).
+/// Samples a direction in the device's frame with density intensity / power, from u1 and u2 in [0, 1). Closed
+/// forms (for sin 2 theta the paper's theta = arcsin cbrt(u1), phi = 2 pi u2); exact inversion for tables.
+/// Nothing if the density is zero (u1 = 0 for sin 2 theta: the axis).
 std::optional<DirectionSample> sample(const Emission& emission, double u1, double u2);
 
 /// The density of `sample` per solid angle.

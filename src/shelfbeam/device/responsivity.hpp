@@ -9,7 +9,7 @@
 
 namespace shelfbeam {
 
-// The complete angular response R(theta) of a label, the paper's W (2.13) times cos(theta); theta is measured
+// The complete angular response R(theta) of a label: the paper's W (2.13) times cos(theta). theta is measured
 // from the label's normal. Labels are one-sided: R is zero behind them.
 
 /// R = cos theta: the signal is the irradiance at the label.
@@ -17,22 +17,22 @@ struct CosineResponse {
   static constexpr std::string_view type_name = "cosine";
 };
 
-/// R = cos^exponent theta up to the cut-off, zero beyond it; exponent 1 is the cosine.
+/// R = cos^exponent theta up to the cut-off and zero beyond; exponent 1 is the cosine response.
 struct CosinePowerResponse {
   static constexpr std::string_view type_name = "cosine_power";
 
-  double exponent = 1;                   ///< 0 or more
+  double exponent = 1;                   ///< not negative
   double cutoff = std::numbers::pi / 2;  ///< radians, above 0, at most pi / 2
 };
 
-/// R measured at some angles, linear in theta between them, zero beyond the last.
+/// R measured at several angles: linear in theta between them and zero beyond the last.
 struct ResponseTable {
   static constexpr std::string_view type_name = "table";
 
   DirectionTable response;  ///< a single phi, no theta beyond pi / 2
 };
 
-/// The closed set of label responses. To add one: a struct above and a case in each function of
+/// The closed set of label responses. To add a response, add a struct above and a case in each function of
 /// responsivity.cpp.
 using Responsivity = std::variant<CosineResponse, CosinePowerResponse, ResponseTable>;
 
@@ -42,8 +42,8 @@ double response(const Responsivity& responsivity, double cos_theta);
 /// The integral of R over the hemisphere, per solid angle: the signal in a field of radiance 1.
 double integral(const Responsivity& responsivity);
 
-/// A direction about +z with density R / integral, for the first ray from a label: its weight is then the
-/// same for every direction. From u1 and u2 in [0, 1); nothing where the draw has no density.
+/// Samples a direction about +z with density R / integral from u1 and u2 in [0, 1), for the first ray from a
+/// label: all directions then have the same weight. Nothing if the density is zero.
 std::optional<DirectionSample> sample(const Responsivity& responsivity, double u1, double u2);
 
 /// The density of `sample` per solid angle.

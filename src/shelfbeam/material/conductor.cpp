@@ -8,35 +8,34 @@
 
 namespace shelfbeam {
 
-double Conductor::eval(const Vec3& known, const Vec3& sampled) const {
-  if (!facets || sampled.z <= 0) return 0;
-  const Vec3 h = normalized(known + sampled);
-  return fresnel_conductor(dot(known, h), eta, k) * facets->reflection(known, sampled, h);
+double Conductor::eval(const Vec3& wo, const Vec3& wi) const {
+  if (!facets || wi.z <= 0) return 0;
+  const Vec3 h = normalized(wo + wi);
+  return fresnel_conductor(dot(wo, h), eta, k) * facets->reflection(wo, wi, h);
 }
 
-double Conductor::pdf(const Vec3& known, const Vec3& sampled) const {
-  if (!facets || sampled.z <= 0) return 0;
-  return facets->reflection_pdf(known, normalized(known + sampled));
+double Conductor::pdf(const Vec3& wo, const Vec3& wi) const {
+  if (!facets || wi.z <= 0) return 0;
+  return facets->reflection_pdf(wo, normalized(wo + wi));
 }
 
-std::optional<ScatterSample> Conductor::sample(const Vec3& known, double, double u1, double u2) const {
-  if (!facets)
-    return ScatterSample{detail::reflected(known, {0, 0, 1}), specular_reflectance(known), 1, true};
-  return detail::sample_reflection(*facets, known, u1, u2,
+std::optional<ScatterSample> Conductor::sample(const Vec3& wo, double, double u1, double u2) const {
+  if (!facets) return ScatterSample{detail::reflected(wo, {0, 0, 1}), specular_reflectance(wo), 1, true};
+  return detail::sample_reflection(*facets, wo, u1, u2,
                                    [&](double cosine) { return fresnel_conductor(cosine, eta, k); });
 }
 
-double Conductor::albedo(const Vec3& known) const {
-  if (!facets) return specular_reflectance(known);
-  const double share = facets->integrate(known, [&](const Vec3& h) {
-    const Vec3 s = detail::reflected(known, h);
-    return s.z > 0 ? fresnel_conductor(dot(known, h), eta, k) * facets->shadowing(known, s, h) : 0;
+double Conductor::albedo(const Vec3& wo) const {
+  if (!facets) return specular_reflectance(wo);
+  const double share = facets->integrate(wo, [&](const Vec3& h) {
+    const Vec3 s = detail::reflected(wo, h);
+    return s.z > 0 ? fresnel_conductor(dot(wo, h), eta, k) * facets->shadowing(wo, s, h) : 0;
   });
-  return std::min(1.0, share);  // the quadrature errs
+  return std::min(1.0, share);  // quadrature error
 }
 
-double Conductor::specular_reflectance(const Vec3& known) const {
-  return facets ? 0 : fresnel_conductor(known.z, eta, k);
+double Conductor::specular_reflectance(const Vec3& wo) const {
+  return facets ? 0 : fresnel_conductor(wo.z, eta, k);
 }
 
 Conductor Conductor::read(const JsonCursor& json, double) {

@@ -11,10 +11,10 @@ namespace shelfbeam {
 
 namespace {
 
-// The facet that passes light from `s` on to `w`, and what its share of the directions about `s` is.
+// The facet that reflects or refracts light from `s` to `w`.
 struct Facet {
   Vec3 h;
-  double share;     // F or 1 - F
+  double share;     // reflected (F) or refracted (1 - F) share
   double jacobian;  // solid angle of h over solid angle of s
 };
 
@@ -33,48 +33,46 @@ std::optional<Facet> facet_between(const Vec3& w, const Vec3& s, double eta) {
 
 }  // namespace
 
-double Dielectric::eval(const Vec3& known, const Vec3& sampled) const {
+double Dielectric::eval(const Vec3& wo, const Vec3& wi) const {
   if (!facets) return 0;
-  const auto facet = facet_between(known, sampled, ior);
+  const auto facet = facet_between(wo, wi, ior);
   if (!facet) return 0;
-  return facet->share * facets->density(facet->h) * facets->shadowing(known, sampled, facet->h) *
-         dot(known, facet->h) * facet->jacobian / std::abs(known.z * sampled.z);
+  return facet->share * facets->density(facet->h) * facets->shadowing(wo, wi, facet->h) * dot(wo, facet->h) *
+         facet->jacobian / std::abs(wo.z * wi.z);
 }
 
-double Dielectric::pdf(const Vec3& known, const Vec3& sampled) const {
+double Dielectric::pdf(const Vec3& wo, const Vec3& wi) const {
   if (!facets) return 0;
-  const auto facet = facet_between(known, sampled, ior);
-  return facet ? facet->share * facets->pdf(known, facet->h) * facet->jacobian : 0;
+  const auto facet = facet_between(wo, wi, ior);
+  return facet ? facet->share * facets->pdf(wo, facet->h) * facet->jacobian : 0;
 }
 
-std::optional<ScatterSample> Dielectric::sample(const Vec3& known, double u_lobe, double u1,
-                                                double u2) const {
-  const Vec3 h = facets ? facets->sample(known, u1, u2) : Vec3{0, 0, 1};
-  const double wh = dot(known, h);
+std::optional<ScatterSample> Dielectric::sample(const Vec3& wo, double u_lobe, double u1, double u2) const {
+  const Vec3 h = facets ? facets->sample(wo, u1, u2) : Vec3{0, 0, 1};
+  const double wh = dot(wo, h);
   if (wh <= 0) return std::nullopt;
   const double reflectance = fresnel_dielectric(wh, ior);
   const bool reflects = u_lobe < reflectance;
-  const auto direction =
-      reflects ? std::optional(detail::reflected(known, h)) : detail::refracted(known, h, ior);
+  const auto direction = reflects ? std::optional(detail::reflected(wo, h)) : detail::refracted(wo, h, ior);
   if (!direction || direction->z == 0 || (direction->z > 0) != reflects) return std::nullopt;
   if (!facets) return ScatterSample{*direction, 1, reflects ? reflectance : 1 - reflectance, true};
-  return ScatterSample{*direction, facets->weight(known, *direction, h), pdf(known, *direction)};
+  return ScatterSample{*direction, facets->weight(wo, *direction, h), pdf(wo, *direction)};
 }
 
-double Dielectric::albedo(const Vec3& known) const {
+double Dielectric::albedo(const Vec3& wo) const {
   if (!facets) return 1;
-  const double share = facets->integrate(known, [&](const Vec3& h) {
-    const double reflectance = fresnel_dielectric(dot(known, h), ior);
-    const Vec3 mirrored = detail::reflected(known, h);
-    const auto through = detail::refracted(known, h, ior);
-    return (mirrored.z > 0 ? reflectance * facets->shadowing(known, mirrored, h) : 0) +
-           (through && through->z < 0 ? (1 - reflectance) * facets->shadowing(known, *through, h) : 0);
+  const double share = facets->integrate(wo, [&](const Vec3& h) {
+    const double reflectance = fresnel_dielectric(dot(wo, h), ior);
+    const Vec3 mirrored = detail::reflected(wo, h);
+    const auto through = detail::refracted(wo, h, ior);
+    return (mirrored.z > 0 ? reflectance * facets->shadowing(wo, mirrored, h) : 0) +
+           (through && through->z < 0 ? (1 - reflectance) * facets->shadowing(wo, *through, h) : 0);
   });
-  return std::min(1.0, share);  // the quadrature errs
+  return std::min(1.0, share);  // quadrature error
 }
 
-double Dielectric::specular_reflectance(const Vec3& known) const {
-  return facets ? 0 : fresnel_dielectric(known.z, ior);
+double Dielectric::specular_reflectance(const Vec3& wo) const {
+  return facets ? 0 : fresnel_dielectric(wo.z, ior);
 }
 
 Dielectric Dielectric::read(const JsonCursor& json, double) {

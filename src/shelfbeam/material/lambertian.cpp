@@ -6,12 +6,12 @@
 
 namespace shelfbeam {
 
-double Lambertian::eval(const Vec3&, const Vec3& sampled) const {
-  return sampled.z > 0 ? reflectance / pi : 0;
+double Lambertian::eval(const Vec3&, const Vec3& wi) const {
+  return wi.z > 0 ? reflectance / pi : 0;
 }
 
-double Lambertian::pdf(const Vec3&, const Vec3& sampled) const {
-  return pdf_cosine_hemisphere(sampled);
+double Lambertian::pdf(const Vec3&, const Vec3& wi) const {
+  return pdf_cosine_hemisphere(wi);
 }
 
 std::optional<ScatterSample> Lambertian::sample(const Vec3&, double, double u1, double u2) const {

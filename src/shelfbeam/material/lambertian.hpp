@@ -16,16 +16,16 @@ struct Lambertian {
 
   double reflectance = 0;  ///< rho, the hemispherical reflectance at the store's wavelength, in [0, 1]
 
-  double eval(const Vec3& known, const Vec3& sampled) const;
-  double pdf(const Vec3& known, const Vec3& sampled) const;
-  std::optional<ScatterSample> sample(const Vec3& known, double u_lobe, double u1, double u2) const;
+  double eval(const Vec3& wo, const Vec3& wi) const;
+  double pdf(const Vec3& wo, const Vec3& wi) const;
+  std::optional<ScatterSample> sample(const Vec3& wo, double u_lobe, double u1, double u2) const;
   double albedo(const Vec3&) const { return reflectance; }
   double specular_reflectance(const Vec3&) const { return 0; }
   bool has_only_specular() const { return false; }
   bool is_opaque() const { return true; }
   Lambertian with_reflectance(double other) const;
 
-  /// The keys of a store file but for "type" (material_json.hpp). Throws InputError with the JSON path.
+  /// The keys in a store file except "type" (material_json.hpp). Throws InputError with the JSON path.
   static Lambertian read(const JsonCursor& json, double wavelength_nm);
   void write(MaterialWriter& writer) const;
 };

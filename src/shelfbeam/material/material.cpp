@@ -14,10 +14,10 @@ decltype(auto) from_below(const Model& model) {
     return (model);
 }
 
-// Turns the surface over where the known direction lies below it, so that the models need not.
+// Turns the surface over if `wo` lies below it, so that the models do not need to.
 class Side {
  public:
-  explicit Side(const Vec3& known) : below_(known.z < 0) {}
+  explicit Side(const Vec3& wo) : below_(wo.z < 0) {}
 
   Vec3 turn(const Vec3& w) const { return {w.x, w.y, below_ ? -w.z : w.z}; }
 
@@ -32,38 +32,37 @@ class Side {
 
 }  // namespace
 
-double eval(const Material& material, const Vec3& known, const Vec3& sampled) {
-  if (known.z == 0 || sampled.z == 0) return 0;
-  const Side side(known);
-  return side.visit(material, [&](const auto& m) { return m.eval(side.turn(known), side.turn(sampled)); });
+double eval(const Material& material, const Vec3& wo, const Vec3& wi) {
+  if (wo.z == 0 || wi.z == 0) return 0;
+  const Side side(wo);
+  return side.visit(material, [&](const auto& m) { return m.eval(side.turn(wo), side.turn(wi)); });
 }
 
-double pdf(const Material& material, const Vec3& known, const Vec3& sampled) {
-  if (known.z == 0 || sampled.z == 0) return 0;
-  const Side side(known);
-  return side.visit(material, [&](const auto& m) { return m.pdf(side.turn(known), side.turn(sampled)); });
+double pdf(const Material& material, const Vec3& wo, const Vec3& wi) {
+  if (wo.z == 0 || wi.z == 0) return 0;
+  const Side side(wo);
+  return side.visit(material, [&](const auto& m) { return m.pdf(side.turn(wo), side.turn(wi)); });
 }
 
-std::optional<ScatterSample> sample(const Material& material, const Vec3& known, double u_lobe, double u1,
+std::optional<ScatterSample> sample(const Material& material, const Vec3& wo, double u_lobe, double u1,
                                     double u2) {
-  if (known.z == 0) return std::nullopt;
-  const Side side(known);
-  auto drawn =
-      side.visit(material, [&](const auto& m) { return m.sample(side.turn(known), u_lobe, u1, u2); });
+  if (wo.z == 0) return std::nullopt;
+  const Side side(wo);
+  auto drawn = side.visit(material, [&](const auto& m) { return m.sample(side.turn(wo), u_lobe, u1, u2); });
   if (drawn) drawn->direction = side.turn(drawn->direction);
   return drawn;
 }
 
-double albedo(const Material& material, const Vec3& known) {
-  if (known.z == 0) return 0;
-  const Side side(known);
-  return side.visit(material, [&](const auto& m) { return m.albedo(side.turn(known)); });
+double albedo(const Material& material, const Vec3& wo) {
+  if (wo.z == 0) return 0;
+  const Side side(wo);
+  return side.visit(material, [&](const auto& m) { return m.albedo(side.turn(wo)); });
 }
 
-double specular_reflectance(const Material& material, const Vec3& known) {
-  if (known.z == 0) return 0;
-  const Side side(known);
-  return side.visit(material, [&](const auto& m) { return m.specular_reflectance(side.turn(known)); });
+double specular_reflectance(const Material& material, const Vec3& wo) {
+  if (wo.z == 0) return 0;
+  const Side side(wo);
+  return side.visit(material, [&](const auto& m) { return m.specular_reflectance(side.turn(wo)); });
 }
 
 bool has_only_specular(const Material& material) {
@@ -89,7 +88,7 @@ Material with_reflectance(const Material& material, double reflectance) {
     if constexpr (requires { m.with_reflectance(reflectance); })
       return m.with_reflectance(reflectance);
     else
-      throw std::invalid_argument("a material without a reflectance of its own was to get one");
+      throw std::invalid_argument("a material without a given reflectance cannot get one");
   };
   return std::visit(changed, material);
 }

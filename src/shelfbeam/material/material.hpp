@@ -12,48 +12,48 @@
 
 namespace shelfbeam {
 
-/// The closed set of surface models. To add one, write a struct with the members of `Lambertian` and name it
-/// here; its directions have known.z > 0, the functions below take care of the other side, by `from_below`
-/// where a model has it and it differs. `reflectance` and `with_reflectance` go together; a model without
-/// them has no reflectance of its own.
+/// The closed set of surface models. To add a model, write a struct with the members of `Lambertian` and add
+/// it here. Its functions are called only with wo.z > 0: the functions below handle the other side, by
+/// `from_below` if the model differs from below. `reflectance` and `with_reflectance` are optional, but only
+/// together.
 using Material = std::variant<Lambertian, Conductor, Plastic, Dielectric, ThinDielectric>;
 
-// Directions are unit, point away from the surface and are in its local frame: +z is the triangle's geometric
-// normal, the outside of a closed solid. Opaque materials and panes are the same from both sides; a solid
-// dielectric has its index below and air above.
+// Directions have unit length, point away from the surface and are given in its local frame: +z is the
+// triangle's geometric normal, which points out of a closed solid. Opaque materials and panes are the same
+// from both sides; a solid dielectric has its index below and air above.
 //
-// `known` is where a walk comes from, `sampled` where it goes on: from the label, `known` is the direction in
-// which the light leaves; from a transceiver, the one from which it arrives. Both use the same functions, for
-// what is carried is basic radiance, which is radiance over the square of the index where it travels. Its
-// kernel is symmetric; with f_hat = f / n_leaving^2,
+// A walk comes from direction `wo` and continues in direction `wi`. Light leaves in direction `wo` if the
+// walk started at a label, and arrives from `wo` if it started at a transceiver. Both walks use the same
+// functions, because they carry basic radiance: radiance over the square of the index of its medium. The
+// kernel of basic radiance is symmetric; with f_hat = f / n_leaving^2,
 //
-//     eval(known, sampled) = f_hat n_sampled^2,    eval(a, b) / n_b^2 = eval(b, a) / n_a^2.
+//     eval(wo, wi) = f_hat n_wi^2,    eval(a, b) / n_b^2 = eval(b, a) / n_a^2.
 //
-// In air nothing changes. Specular lobes (mirrors, smooth refraction) are only met by `sample`.
+// In air the two radiances are equal. Only `sample` covers specular lobes (mirrors, smooth refraction).
 
-/// f_r(known, sampled) in 1/sr (2.5), refraction included; 0 where there is none.
-double eval(const Material& material, const Vec3& known, const Vec3& sampled);
-/// Density per solid angle with which `sample` draws `sampled`. Its integral is 1 less the probabilities of
-/// drawing nothing and of the specular lobes.
-double pdf(const Material& material, const Vec3& known, const Vec3& sampled);
-/// Draws a direction from three numbers uniform in [0, 1); nothing when the light is absorbed.
-std::optional<ScatterSample> sample(const Material& material, const Vec3& known, double u_lobe, double u1,
+/// f_r(wo, wi) in 1/sr (2.5), refraction included; 0 for directions that the material does not scatter to.
+double eval(const Material& material, const Vec3& wo, const Vec3& wi);
+/// Density per solid angle with which `sample` draws `wi`. Its integral is 1 minus the probabilities of
+/// absorption and of the specular lobes.
+double pdf(const Material& material, const Vec3& wo, const Vec3& wi);
+/// Draws a direction from three uniform random numbers in [0, 1); nothing when the light is absorbed.
+std::optional<ScatterSample> sample(const Material& material, const Vec3& wo, double u_lobe, double u1,
                                     double u2);
-/// Share of the power from direction `known` that is reflected or transmitted. Rough conductors and
-/// dielectrics integrate: some milliseconds.
-double albedo(const Material& material, const Vec3& known);
-/// Share of the power from direction `known` that is reflected as by a mirror.
-double specular_reflectance(const Material& material, const Vec3& known);
-/// Whether `eval` is always 0: no connection to such a surface carries anything.
+/// Share of the power from direction `wo` that is reflected or transmitted. Rough conductors and dielectrics
+/// integrate numerically, which takes some milliseconds.
+double albedo(const Material& material, const Vec3& wo);
+/// Share of the power from direction `wo` that the specular lobe reflects.
+double specular_reflectance(const Material& material, const Vec3& wo);
+/// Whether `eval` is always 0, so that no connection to the surface carries light.
 bool has_only_specular(const Material& material);
-/// Whether no light gets to the other side.
+/// Whether the surface transmits no light.
 bool is_opaque(const Material& material);
 
-/// The reflectance that a store file gives: of a diffuse surface, or of the base under a coat. Nothing for
-/// the others, whose reflectance follows from their indices.
+/// The reflectance given in a store file: of a diffuse surface, or of the base under a coat. Nothing for
+/// other materials, whose reflectance follows from their indices.
 std::optional<double> given_reflectance(const Material& material);
-/// The same material with another such reflectance, 0 to 1. A rough coat is tabulated anew: some
-/// milliseconds. Throws std::invalid_argument where there is none.
+/// The same material with another given reflectance, 0 to 1. A rough coat is tabulated again, which takes
+/// some milliseconds. Throws std::invalid_argument for a material without a given reflectance.
 Material with_reflectance(const Material& material, double reflectance);
 
 /// The name used in the store file.

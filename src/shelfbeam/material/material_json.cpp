@@ -16,7 +16,7 @@ namespace shelfbeam {
 
 namespace {
 
-// The names stand for values at 940 nm; spectra of diffuse surfaces change little over the line of an LED.
+// Named values hold at 940 nm. Spectra of diffuse surfaces change little within the bandwidth of an LED.
 constexpr double library_nm = 940, library_reach_nm = 20;
 
 const NamedReflectance& named_reflectance(const JsonCursor& cursor, double wavelength_nm) {
@@ -26,12 +26,12 @@ const NamedReflectance& named_reflectance(const JsonCursor& cursor, double wavel
     known.push_back(entry.name);
     if (entry.name != name) continue;
     if (std::abs(wavelength_nm - library_nm) > library_reach_nm)
-      cursor.fail(
-          fmt::format("'{}' is known at {} nm, but the store is for {} nm", name, library_nm, wavelength_nm),
-          "give its reflectance at that wavelength as a number");
+      cursor.fail(fmt::format("'{}' is a reflectance at {} nm, but the store is for {} nm", name, library_nm,
+                              wavelength_nm),
+                  "give the reflectance at that wavelength as a number");
     return entry;
   }
-  cursor.fail(fmt::format("there is no reflectance '{}'", name), suggest(name, known));
+  cursor.fail(fmt::format("names the unknown reflectance '{}'", name), suggest(name, known));
 }
 
 // alpha along x and y; nothing for a smooth surface.
@@ -41,8 +41,7 @@ std::optional<std::array<double, 2>> read_roughness(const JsonCursor& material, 
   if (!roughness) return std::nullopt;
   if (roughness->is_array()) {
     if (!has_directions)
-      roughness->fail("has two values, but the coat of plastic is the same in all directions",
-                      "give one number");
+      roughness->fail("has two values, but the coat of plastic is isotropic", "give one number");
     roughness->numbers(2);
     const auto values = roughness->elements();
     return std::array{values[0].number(least, 1), values[1].number(least, 1)};
@@ -60,8 +59,7 @@ Masking read_masking(const JsonCursor& cursor, FacetDistribution distribution, b
   if (masking == Masking::cook_torrance && refracts)
     cursor.fail("is only defined for reflection", "use 'smith'");
   if (masking == Masking::smith_rational && distribution == FacetDistribution::ggx)
-    cursor.fail("approximates the masking of beckmann; ggx has its exact one",
-                "use 'smith', or the distribution 'beckmann'");
+    cursor.fail("approximates the masking of beckmann only", "use 'smith', or the distribution 'beckmann'");
   return masking;
 }
 
@@ -103,7 +101,7 @@ std::optional<std::array<double, 2>> read_reflectance_range(const JsonCursor& cu
   }
   const std::vector<double> ends = range->numbers(2);
   if (ends[0] < 0 || ends[1] > 1 || *reflectance < ends[0] || *reflectance > ends[1])
-    range->fail(fmt::format("is from {} to {}, and the reflectance is {}", ends[0], ends[1], *reflectance),
+    range->fail(fmt::format("is {} to {}, but the reflectance is {}", ends[0], ends[1], *reflectance),
                 "give two values from 0 to 1, the lower first, with the reflectance between them");
   return std::array{ends[0], ends[1]};
 }

@@ -10,20 +10,19 @@
 
 namespace shelfbeam {
 
-// The object of a material in store files (docs/formats/store.md). Each type takes its own keys from it and
-// writes them; all reading throws InputError with the JSON path, or std::invalid_argument as `make_NAME`
-// does.
+// Materials in store files (docs/formats/store.md). Each type reads and writes its own keys. All readers
+// throw InputError with the JSON path, or std::invalid_argument from `make_NAME`.
 
 Material read_material(const JsonCursor& json, double wavelength_nm);
 
-/// As the resolved store has it; read back it is the same to the bit.
+/// The object for the resolved store. Reading it back gives the same material to the bit.
 nlohmann::ordered_json resolved(const Material& material);
 
-/// Between which values the reflectance may lie: as given, else as the named reflectance has it.
+/// The range of the reflectance: as given, otherwise the range of the named reflectance, if any.
 std::optional<std::array<double, 2>> read_reflectance_range(const JsonCursor& json, const Material& material,
                                                             double wavelength_nm);
 
-/// A number, or a name of reflectances_940nm.hpp.
+/// A number, or a name from reflectances_940nm.hpp.
 double read_reflectance(const JsonCursor& cursor, double wavelength_nm);
 double read_ior(const JsonCursor& material, double least = 1);
 
@@ -36,7 +35,7 @@ std::optional<Microfacets> read_facets(const JsonCursor& material, const FacetRu
 struct MaterialWriter {
   nlohmann::ordered_json json;
 
-  /// The keys of microfacets, if there are any.
+  /// Adds the keys of the microfacets, if any.
   void add(const std::optional<Microfacets>& facets);
 };
 

@@ -4,15 +4,15 @@
 
 namespace shelfbeam {
 
-/// Where the light that falls on a surface goes; the rest is absorbed.
+/// Shares of the incident light that a surface reflects and transmits; it absorbs the rest.
 struct MaterialShares {
   double reflected = 0, transmitted = 0;
 };
 
-/// Of light that falls in straight on.
+/// Shares of light at normal incidence.
 MaterialShares shares_at_normal(const Material& material);
 
-/// Of light that falls in evenly from a hemisphere (cosine-weighted).
+/// Shares of light with equal radiance from the whole hemisphere (cosine-weighted).
 MaterialShares hemispherical_shares(const Material& material);
 
 }  // namespace shelfbeam

@@ -15,11 +15,11 @@ namespace shelfbeam {
 
 namespace {
 
-// A direction just above the horizon stands for the limit, which is finite.
-constexpr double least_cosine = 1e-6;
+// The limit at the horizon is finite; a direction just above the horizon approximates it.
+constexpr double min_cosine = 1e-6;
 
 double rough_albedo(double ior, const Microfacets& facets, double cos_theta) {
-  const double z = std::max(least_cosine, cos_theta);
+  const double z = std::max(min_cosine, cos_theta);
   const Vec3 w{std::sqrt(1 - z * z), 0, z};
   const auto value = [&](const Vec3& h) {
     const Vec3 s = detail::reflected(w, h);
@@ -30,9 +30,9 @@ double rough_albedo(double ior, const Microfacets& facets, double cos_theta) {
 
 }  // namespace
 
-/// E(cos theta): share of light from one direction that a dielectric coat reflects before it enters. In
-/// closed form for a smooth coat; tabulated for an isotropic rough one, with an error below 2e-4 (4e-4
-/// where it is smoother than 0.05).
+/// E(cos theta): share of the light from one direction that a dielectric coat reflects before it enters.
+/// Closed form for a smooth coat; a table for an isotropic rough coat, with an error below 2e-4 (4e-4 for
+/// roughness below 0.05).
 class detail::CoatAlbedo {
  public:
   CoatAlbedo(double ior, const std::optional<Microfacets>& facets)
@@ -44,7 +44,7 @@ class detail::CoatAlbedo {
       for (int k = 0; k <= intervals; ++k)
         table_[static_cast<std::size_t>(k)] = rough_albedo(ior, *facets, std::min(1.0, cosine(k * step_)));
 
-    // 2 E mu dmu by Gauss's rule with four points an interval.
+    // Integral of 2 E mu dmu by Gauss-Legendre quadrature with four points per interval.
     constexpr std::array<double, 4> node{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
                                          0.8611363115940526};
     constexpr std::array<double, 4> weight{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
@@ -58,8 +58,8 @@ class detail::CoatAlbedo {
 
   double at(double cos_theta) const {
     if (smooth_) return fresnel_dielectric(std::min(1.0, cos_theta), ior_);
-    // Cubic through four neighbours (Lagrange's form, one-sided at the ends).
-    // asinh, faster than the library's, which takes care of small numbers that do not matter here.
+    // Cubic through four neighbours (Lagrange's form, one-sided at the ends). This asinh is faster than the
+    // library's, because it neglects the precision of small numbers, which do not matter here.
     const double c = std::clamp(cos_theta, 0.0, 1.0) / alpha_;
     const double x = std::log(c + std::sqrt(c * c + 1)) / step_;
     const int first = std::clamp(static_cast<int>(x) - 1, 0, intervals - 3);
@@ -68,14 +68,14 @@ class detail::CoatAlbedo {
     return e[0] * -(f - 1) * (f - 2) * (f - 3) / 6 + e[1] * f * (f - 2) * (f - 3) / 2 +
            e[2] * -f * (f - 1) * (f - 3) / 2 + e[3] * f * (f - 1) * (f - 2) / 6;
   }
-  /// Cosine-weighted mean, 2 integral of E mu dmu: exactly that of `at`.
+  /// Cosine-weighted mean, 2 integral of E mu dmu: exact for the interpolation of `at`.
   double average() const { return average_; }
 
  private:
   static constexpr int intervals = 48;
 
-  // Nodes are equal in x = asinh(cos(theta) / alpha): E changes at the scale of alpha at grazing angles, and
-  // more and more slowly above.
+  // Nodes are equidistant in x = asinh(cos(theta) / alpha): E changes on the scale of alpha at grazing angles
+  // and more and more slowly towards the normal.
   double cosine(double x) const { return alpha_ * std::sinh(x); }
 
   double ior_;
@@ -85,58 +85,57 @@ class detail::CoatAlbedo {
   double average_ = 0;
 };
 
-double Plastic::eval(const Vec3& known, const Vec3& sampled) const {
-  if (sampled.z <= 0) return 0;
-  const double base = base_scale / pi * transmission(known.z) * transmission(sampled.z);
+double Plastic::eval(const Vec3& wo, const Vec3& wi) const {
+  if (wi.z <= 0) return 0;
+  const double base = base_scale / pi * transmission(wo.z) * transmission(wi.z);
   if (!facets) return base;
-  const Vec3 h = normalized(known + sampled);
-  return base + fresnel_dielectric(dot(known, h), ior) * facets->reflection(known, sampled, h);
+  const Vec3 h = normalized(wo + wi);
+  return base + fresnel_dielectric(dot(wo, h), ior) * facets->reflection(wo, wi, h);
 }
 
-double Plastic::pdf(const Vec3& known, const Vec3& sampled) const {
-  if (sampled.z <= 0) return 0;
-  const double p = coat_probability(known);
-  const double base = (1 - p) * pdf_cosine_hemisphere(sampled);
-  return facets ? base + p * facets->reflection_pdf(known, normalized(known + sampled)) : base;
+double Plastic::pdf(const Vec3& wo, const Vec3& wi) const {
+  if (wi.z <= 0) return 0;
+  const double p = coat_probability(wo);
+  const double base = (1 - p) * pdf_cosine_hemisphere(wi);
+  return facets ? base + p * facets->reflection_pdf(wo, normalized(wo + wi)) : base;
 }
 
-std::optional<ScatterSample> Plastic::sample(const Vec3& known, double u_lobe, double u1, double u2) const {
-  const double p = coat_probability(known);
+std::optional<ScatterSample> Plastic::sample(const Vec3& wo, double u_lobe, double u1, double u2) const {
+  const double p = coat_probability(wo);
   Vec3 direction;
   if (u_lobe >= p) {
     direction = sample_cosine_hemisphere(u1, u2);
   } else if (facets) {
-    direction = detail::reflected(known, facets->sample(known, u1, u2));
+    direction = detail::reflected(wo, facets->sample(wo, u1, u2));
   } else {
-    return ScatterSample{detail::reflected(known, {0, 0, 1}), specular_reflectance(known) / p, p, true};
+    return ScatterSample{detail::reflected(wo, {0, 0, 1}), specular_reflectance(wo) / p, p, true};
   }
-  const double density = pdf(known, direction);
+  const double density = pdf(wo, direction);
   if (direction.z <= 0 || density <= 0) return std::nullopt;
-  return ScatterSample{direction, eval(known, direction) * direction.z / density, density};
+  return ScatterSample{direction, eval(wo, direction) * direction.z / density, density};
 }
 
 double Plastic::transmission(double cosine) const {
   return 1 - coat->at(cosine);
 }
 
-std::optional<ScatterSample> Plastic::sample_coat(const Vec3& known, double u1, double u2) const {
-  if (!facets)
-    return ScatterSample{detail::reflected(known, {0, 0, 1}), specular_reflectance(known), 1, true};
-  return detail::sample_reflection(*facets, known, u1, u2,
+std::optional<ScatterSample> Plastic::sample_coat(const Vec3& wo, double u1, double u2) const {
+  if (!facets) return ScatterSample{detail::reflected(wo, {0, 0, 1}), specular_reflectance(wo), 1, true};
+  return detail::sample_reflection(*facets, wo, u1, u2,
                                    [&](double cosine) { return fresnel_dielectric(cosine, ior); });
 }
 
-double Plastic::albedo(const Vec3& known) const {
-  const double e = coat->at(known.z);
+double Plastic::albedo(const Vec3& wo) const {
+  const double e = coat->at(wo.z);
   return e + (1 - e) * base_albedo;
 }
 
-double Plastic::specular_reflectance(const Vec3& known) const {
-  return facets ? 0 : coat->at(known.z);
+double Plastic::specular_reflectance(const Vec3& wo) const {
+  return facets ? 0 : coat->at(wo.z);
 }
 
-double Plastic::coat_probability(const Vec3& known) const {
-  const double e = coat->at(known.z), base = (1 - e) * base_albedo;
+double Plastic::coat_probability(const Vec3& wo) const {
+  const double e = coat->at(wo.z), base = (1 - e) * base_albedo;
   return e > 0 ? e / (e + base) : 0;
 }
 

@@ -20,9 +20,9 @@ class CoatAlbedo;
 ///
 ///     f = f_coat + rho (1 - E(i)) (1 - E(o)) / (pi ior^2 (1 - rho F_int))
 ///
-/// E is the coat's own albedo and F_int = 1 - (1 - E_avg) / ior^2 what the coat sends back of the base's
-/// light. Reciprocal, and 1 - albedo is what the base absorbs; derived in docs/methods/materials.md. Make it
-/// with `make_plastic`.
+/// E is the albedo of the coat alone, and F_int = 1 - (1 - E_avg) / ior^2 the share of the base's light that
+/// the coat reflects back. The BRDF is reciprocal, and only the base absorbs light. Derivation:
+/// docs/methods/materials.md. Construct it with `make_plastic`.
 struct Plastic {
   static constexpr std::string_view type_name = "plastic";
 
@@ -31,13 +31,13 @@ struct Plastic {
   std::optional<Microfacets> facets;  ///< of the coat; none: smooth
   std::shared_ptr<const detail::CoatAlbedo> coat;
   double base_scale = 0;   ///< rho / (ior^2 (1 - rho F_int))
-  double base_albedo = 0;  ///< rho (1 - F_int) / (1 - rho F_int): what leaves of the light that enters
+  double base_albedo = 0;  ///< rho (1 - F_int) / (1 - rho F_int): share of the entering light that leaves
 
-  double eval(const Vec3& known, const Vec3& sampled) const;
-  double pdf(const Vec3& known, const Vec3& sampled) const;
-  std::optional<ScatterSample> sample(const Vec3& known, double u_lobe, double u1, double u2) const;
-  double albedo(const Vec3& known) const;
-  double specular_reflectance(const Vec3& known) const;
+  double eval(const Vec3& wo, const Vec3& wi) const;
+  double pdf(const Vec3& wo, const Vec3& wi) const;
+  std::optional<ScatterSample> sample(const Vec3& wo, double u_lobe, double u1, double u2) const;
+  double albedo(const Vec3& wo) const;
+  double specular_reflectance(const Vec3& wo) const;
   bool has_only_specular() const { return false; }
   bool is_opaque() const { return true; }
   Plastic with_reflectance(double other) const;
@@ -45,18 +45,18 @@ struct Plastic {
   static Plastic read(const JsonCursor& json, double wavelength_nm);
   void write(MaterialWriter& writer) const;
 
-  /// The base by itself is transmission(known.z) base_scale / pi transmission(sampled.z): the share 1 - E of
-  /// light that passes the coat.
+  /// The share 1 - E of light that passes the coat. The base alone has the BRDF
+  /// transmission(wo.z) base_scale / pi transmission(wi.z).
   double transmission(double cosine) const;
-  /// Draws from the coat alone; the weight is f_coat cos / density, or the reflectance of a smooth one.
-  std::optional<ScatterSample> sample_coat(const Vec3& known, double u1, double u2) const;
+  /// Samples the coat alone; the weight is f_coat cos / density, or the reflectance of a smooth coat.
+  std::optional<ScatterSample> sample_coat(const Vec3& wo, double u1, double u2) const;
 
  private:
-  double coat_probability(const Vec3& known) const;
+  double coat_probability(const Vec3& wo) const;
 };
 
 /// Throws std::invalid_argument unless the index is from 1 to 4, the reflectance from 0 to 1 and the facets
-/// isotropic. Tabulates a rough coat, which takes some milliseconds; copies share the table.
+/// are isotropic. Tabulates a rough coat, which takes some milliseconds; copies share the table.
 Plastic make_plastic(double ior, double reflectance, const std::optional<Microfacets>& facets = std::nullopt);
 
 }  // namespace shelfbeam

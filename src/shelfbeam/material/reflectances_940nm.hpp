@@ -10,10 +10,10 @@ namespace shelfbeam {
 struct NamedReflectance {
   std::string name;
   double reflectance = 0;                      ///< diffuse, at 940 nm, in (0, 1)
-  std::optional<std::array<double, 2>> range;  ///< that it may lie in, both ends included; holds it
+  std::optional<std::array<double, 2>> range;  ///< plausible range, including `reflectance`
 };
 
-/// The reflectances of data/materials_940nm.json, which says where each comes from; in its order.
+/// The reflectances of data/materials_940nm.json, in the order of that file, which cites their sources.
 const std::vector<NamedReflectance>& reflectances_940nm();
 
 }  // namespace shelfbeam

@@ -13,7 +13,7 @@ PaneShares pane_shares(const ThinDielectric& pane, double cos_theta) {
   const double f = fresnel_dielectric(cos_i, pane.ior);
   const double cos_t = std::sqrt(1 - (1 - cos_i * cos_i) / (pane.ior * pane.ior));
   if (f >= 1 || cos_t <= 0) return {1, 0};
-  // One crossing keeps `once`; the faces reflect `f` each time, inside and outside (geometric series).
+  // `once` is the transmittance of one crossing. Each face reflects `f` on both sides (geometric series).
   const double once = std::exp(-pane.absorption_per_m * pane.thickness / cos_t);
   const double transmitted = (1 - f) * (1 - f) * once / (1 - f * f * once * once);
   return {f + f * once * transmitted, transmitted};
@@ -23,21 +23,21 @@ double pane_transmittance(const ThinDielectric& pane, double cos_theta) {
   return pane_shares(pane, cos_theta).transmitted;
 }
 
-std::optional<ScatterSample> ThinDielectric::sample(const Vec3& known, double u_lobe, double, double) const {
-  const auto [r, t] = pane_shares(*this, known.z);
+std::optional<ScatterSample> ThinDielectric::sample(const Vec3& wo, double u_lobe, double, double) const {
+  const auto [r, t] = pane_shares(*this, wo.z);
   const double share = r + t;
   if (share <= 0) return std::nullopt;
-  if (u_lobe * share < r) return ScatterSample{detail::reflected(known, {0, 0, 1}), share, r / share, true};
-  return ScatterSample{-known, share, t / share, true};
+  if (u_lobe * share < r) return ScatterSample{detail::reflected(wo, {0, 0, 1}), share, r / share, true};
+  return ScatterSample{-wo, share, t / share, true};
 }
 
-double ThinDielectric::albedo(const Vec3& known) const {
-  const auto [r, t] = pane_shares(*this, known.z);
+double ThinDielectric::albedo(const Vec3& wo) const {
+  const auto [r, t] = pane_shares(*this, wo.z);
   return r + t;
 }
 
-double ThinDielectric::specular_reflectance(const Vec3& known) const {
-  return pane_shares(*this, known.z).reflected;
+double ThinDielectric::specular_reflectance(const Vec3& wo) const {
+  return pane_shares(*this, wo.z).reflected;
 }
 
 ThinDielectric ThinDielectric::read(const JsonCursor& json, double) {

@@ -10,8 +10,8 @@ namespace shelfbeam {
 class JsonCursor;
 struct MaterialWriter;
 
-/// A pane of glass as one surface: mirrors, lets through without displacement, absorbs; all reflections
-/// between its two faces are summed.
+/// A pane of glass as a single surface. It reflects as a mirror, transmits without displacement and absorbs;
+/// all reflections between its two faces are summed.
 struct ThinDielectric {
   static constexpr std::string_view type_name = "thin_dielectric";
 
@@ -21,9 +21,9 @@ struct ThinDielectric {
 
   double eval(const Vec3&, const Vec3&) const { return 0; }
   double pdf(const Vec3&, const Vec3&) const { return 0; }
-  std::optional<ScatterSample> sample(const Vec3& known, double u_lobe, double u1, double u2) const;
-  double albedo(const Vec3& known) const;  ///< reflected and transmitted share
-  double specular_reflectance(const Vec3& known) const;
+  std::optional<ScatterSample> sample(const Vec3& wo, double u_lobe, double u1, double u2) const;
+  double albedo(const Vec3& wo) const;  ///< reflected and transmitted share
+  double specular_reflectance(const Vec3& wo) const;
   bool has_only_specular() const { return true; }
   bool is_opaque() const { return false; }
 
@@ -35,13 +35,13 @@ struct ThinDielectric {
 /// absorption from 0 to 1e6 per metre.
 ThinDielectric make_thin_dielectric(double ior, double thickness, double absorption_per_m);
 
-/// What the pane does with light at this cosine to its normal, from either side.
+/// Shares of the light that the pane reflects and transmits at this cosine to its normal, from either side.
 struct PaneShares {
   double reflected = 0, transmitted = 0;
 };
 PaneShares pane_shares(const ThinDielectric& pane, double cos_theta);
 
-/// Share of the light that a straight connection through the pane keeps.
+/// Share of the light that passes the pane on a straight connection.
 double pane_transmittance(const ThinDielectric& pane, double cos_theta);
 
 }  // namespace shelfbeam

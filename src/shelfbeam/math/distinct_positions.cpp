@@ -1,4 +1,4 @@
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@ namespace shelfbeam {
 
 namespace {
 
-// The rank of every position's coordinate along an axis; equal coordinates have one rank.
+// The rank of every position's coordinate along an axis; equal coordinates have the same rank.
 std::vector<std::uint32_t> ranks(std::span<const Vec3> positions, int axis) {
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -18,18 +18,18 @@ std::vector<std::uint32_t> ranks(std::span<const Vec3> positions, int axis) {
   std::vector<std::uint32_t> rank(positions.size(), 0);
   for (std::size_t k = 1; k < order.size(); ++k) {
     const double step = positions[order[k]][axis] - positions[order[k - 1]][axis];
-    rank[order[k]] = rank[order[k - 1]] + (step > place_tolerance ? 1 : 0);
+    rank[order[k]] = rank[order[k - 1]] + (step > position_tolerance ? 1 : 0);
   }
   return rank;
 }
 
 }  // namespace
 
-Places places_of(std::span<const Vec3> positions) {
+DistinctPositions distinct_positions(std::span<const Vec3> positions) {
   const std::array<std::vector<std::uint32_t>, 3> rank = {ranks(positions, 0), ranks(positions, 1),
                                                           ranks(positions, 2)};
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;
-  Places places;
+  DistinctPositions places;
   places.of.reserve(positions.size());
   for (std::size_t k = 0; k < positions.size(); ++k) {
     const auto next = static_cast<std::uint32_t>(known.size());

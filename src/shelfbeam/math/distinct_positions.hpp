@@ -9,20 +9,20 @@
 
 namespace shelfbeam {
 
-/// Positions are one place when all coordinates are equal up to this, m.
-inline constexpr double place_tolerance = 1e-6;
+/// Positions count as equal when every coordinate agrees within this tolerance, m.
+inline constexpr double position_tolerance = 1e-6;
 
-/// Which positions are the same place.
-struct Places {
-  std::vector<std::uint32_t> of;  ///< the place of every position, counted from 0 as they first appear
-  std::size_t count = 0;
+/// Groups of equal positions.
+struct DistinctPositions {
+  std::vector<std::uint32_t> of;  ///< the group of every position, numbered from 0 by first appearance
+  std::size_t count = 0;          ///< number of groups
 };
 
-/// Along each axis, coordinates that follow one another within the tolerance are equal. So "the same place"
-/// is transitive, and does not depend on the order of the positions.
-Places places_of(std::span<const Vec3> positions);
+/// Along each axis, successive sorted coordinates within the tolerance of each other count as equal. Equality
+/// of positions is therefore transitive and does not depend on their order.
+DistinctPositions distinct_positions(std::span<const Vec3> positions);
 
-/// The positions of things that have one.
+/// The `position` member of every element.
 template <class Thing>
 std::vector<Vec3> positions_of(const std::vector<Thing>& things) {
   std::vector<Vec3> positions;

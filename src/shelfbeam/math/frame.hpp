@@ -6,11 +6,11 @@
 
 namespace shelfbeam {
 
-/// A right-handed orthonormal basis; `z` is the normal or axis.
+/// A right-handed orthonormal basis; `z` is the surface normal or the device axis.
 struct Frame {
   Vec3 x, y, z;
 
-  /// Any frame about a unit normal (Duff et al. 2017, "Building an orthonormal basis, revisited").
+  /// A frame about a unit-length normal (Duff et al. 2017, "Building an orthonormal basis, revisited").
   static Frame about(const Vec3& n) {
     const double sign = std::copysign(1.0, n.z);
     const double a = -1 / (sign + n.z);
@@ -18,7 +18,7 @@ struct Frame {
     return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
   }
 
-  /// The frame of a surface: x is horizontal and y points up along it; on horizontal surfaces x is world +x.
+  /// The frame of a surface: x is horizontal, y points up the surface. On a horizontal surface x is world +x.
   static Frame of_surface(const Vec3& n) {
     const double across = n.x * n.x + n.y * n.y;
     if (across < 1e-12) return {{1, 0, 0}, {0, n.z, 0}, n};
@@ -27,8 +27,8 @@ struct Frame {
     return {x, cross(n, x), n};
   }
 
-  /// The frame of a device: `axis` is unit; at roll 0, x is the part of world +x that lies across the axis
-  /// (of world +y where the axis runs along x); roll turns it right-handed about the axis.
+  /// The frame of a device; `axis` has unit length. At roll 0, x is the component of world +x perpendicular
+  /// to the axis (of world +y if the axis is parallel to x). Positive roll is right-handed about the axis.
   static Frame of_device(const Vec3& axis, double roll_rad) {
     const Vec3 reference = std::abs(axis.x) < 0.999999 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 u = normalized(reference - axis * dot(reference, axis));

@@ -7,7 +7,7 @@ namespace shelfbeam {
 
 /// Philox4x32-10 (Salmon, Moraes, Dror, Shaw: "Parallel random numbers: as easy as 1, 2, 3", SC 2011): a
 /// bijection of a 128-bit counter under a 64-bit key. Different counters give independent numbers, so a value
-/// depends on what it is for and never on which thread asked, or when.
+/// depends only on its purpose, not on the thread or the time of the call.
 constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::uint64_t key) {
   auto k0 = static_cast<std::uint32_t>(key);
   auto k1 = static_cast<std::uint32_t>(key >> 32);
@@ -22,12 +22,12 @@ constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> count
   return counter;
 }
 
-/// Uniform in [0, 1) from the 32 bits.
-constexpr double to_unit(std::uint32_t bits) {
+/// Converts 32 random bits to a uniform random number in [0, 1).
+constexpr double to_uniform(std::uint32_t bits) {
   return bits * 0x1p-32;
 }
 
-/// Uniform in {0, ..., n-1}; the bias is below n / 2^32.
+/// Converts 32 random bits to a uniform index in {0, ..., n-1}; the bias is below n / 2^32.
 constexpr std::uint32_t to_index(std::uint32_t bits, std::uint32_t n) {
   return static_cast<std::uint32_t>((std::uint64_t{bits} * n) >> 32);
 }
@@ -40,23 +40,23 @@ constexpr std::uint64_t mix_key(std::uint64_t seed, std::uint64_t stream) {
   return z ^ (z >> 31) ^ stream;
 }
 
-/// The first two dimensions of Sobol's sequence, scrambled as Owen has it by hashing (Laine and Karras 2011,
+/// The first two dimensions of the Sobol sequence with hash-based Owen scrambling (Laine and Karras 2011,
 /// with the constants of Burley, "Practical hash-based Owen scrambling", JCGT 2020). Every point is uniform
-/// on the unit square; any 2^k points from a multiple of 2^k on have one point in each of the 2^k boxes that
-/// any way of halving the sides gives. Different keys give scramblings independent of each other.
+/// on the unit square. If its sides are halved into 2^k boxes, 2^k points from a multiple of 2^k on put one
+/// point into each box. Different keys give independent scramblings.
 class ScrambledSobol {
  public:
   explicit constexpr ScrambledSobol(std::uint64_t key)
       : key0_(static_cast<std::uint32_t>(key)), key1_(static_cast<std::uint32_t>(key >> 32)) {}
 
   constexpr std::array<double, 2> point(std::uint32_t index) const {
-    // In the mirror image of the bits Owen's scrambling lets every bit depend on the lower ones alone.
-    return {to_unit(reversed(hashed(index, key0_))), to_unit(reversed(hashed(second(index), key1_)))};
+    // With the bits reversed, Owen scrambling makes every bit depend only on the lower bits.
+    return {to_uniform(reversed(hashed(index, key0_))), to_uniform(reversed(hashed(second(index), key1_)))};
   }
 
  private:
-  // The second coordinate's bits in mirror image; its direction numbers are the rows of Pascal's triangle
-  // modulo 2, applied here to all bits at once.
+  // The bits of the second coordinate in reverse order. Its direction numbers are the rows of Pascal's
+  // triangle modulo 2, applied to all bits at once.
   static constexpr std::uint32_t second(std::uint32_t index) {
     std::uint32_t x = index;
     x ^= (x & 0xAAAAAAAA) >> 1;

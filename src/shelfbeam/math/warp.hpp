@@ -14,7 +14,7 @@ constexpr double radians(double degrees) {
   return degrees * pi / 180;
 }
 
-/// A direction on the hemisphere about +z with density cos(theta) / pi per solid angle.
+/// Samples a direction on the hemisphere about +z with density cos(theta) / pi per solid angle.
 inline Vec3 sample_cosine_hemisphere(double u1, double u2) {
   const double r = std::sqrt(u1), phi = 2 * pi * u2;
   return {r * std::cos(phi), r * std::sin(phi), std::sqrt(std::max(0.0, 1 - u1))};

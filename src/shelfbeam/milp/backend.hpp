@@ -11,7 +11,7 @@
 
 namespace shelfbeam::milp {
 
-// What the file of each back end defines, for the table in solver.cpp.
+// The functions that the source file of each back end defines, for the table in solver.cpp.
 std::string_view highs_version();
 Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control);
 Model read_highs(const std::filesystem::path& path);
@@ -22,12 +22,12 @@ Result solve_cbc(const Model& model, const SolveOptions& options, const RunContr
 Model read_cbc(const std::filesystem::path& path);
 std::unique_ptr<LpSession> lp_cbc(std::span<const Column> columns);
 
-/// Passes incumbent and bound on to the progress sink, a few times a second at most.
+/// Reports incumbent and dual bound to the progress sink, at most a few times per second.
 class BoundReport {
  public:
   explicit BoundReport(const RunControl& control) : control_(control) {}
 
-  /// `primal` may be infinite (nothing found yet), `dual` minus infinity (nothing proven yet).
+  /// `primal` is infinite without an incumbent, `dual` minus infinity without a bound.
   void operator()(double primal, double dual);
 
  private:
@@ -35,8 +35,8 @@ class BoundReport {
   std::chrono::steady_clock::time_point next_{};
 };
 
-/// A power of two that brings the largest cost between 512 and 1024, so that solvers' absolute tolerances on
-/// costs (1e-7 and the like) never decide; 1 for whole-numbered costs, whose integrality solvers use.
+/// A power of two that scales the largest cost to between 512 and 1024, so that solvers' absolute tolerances
+/// on costs (about 1e-7) have no effect; 1 for integer costs up to 1e6, whose integrality solvers exploit.
 double objective_scale(std::span<const Column> columns);
 
 }  // namespace shelfbeam::milp

@@ -20,7 +20,7 @@ namespace shelfbeam::milp {
 
 namespace {
 
-// COIN prints errors at log level 0 as well.
+// COIN prints errors even at log level 0.
 class Silent final : public CoinMessageHandler {
  public:
   int print() override { return 0; }
@@ -31,7 +31,7 @@ double bound(double value) {
   return std::clamp(value, -COIN_DBL_MAX, COIN_DBL_MAX);
 }
 
-// Columns and rows as both solvers take them.
+// Columns and rows in the form that both CBC and Clp take.
 struct Columns {
   std::vector<double> lower, upper, cost;
 
@@ -81,7 +81,7 @@ class Watch final : public CbcEventHandler {
   CbcEventHandler* clone() const override { return new Watch(*this); }
 
   CbcAction event(CbcEvent) override {
-    // Heuristics run on models of their own, whose bounds are not ours.
+    // Heuristics run on separate models with other bounds.
     if (model_ != nullptr && model_->parentModel() == nullptr)
       report_(model_->getObjValue() / cost_scale_, model_->getBestPossibleObjValue() / cost_scale_);
     return control_.cancelled() ? stop : noAction;
@@ -101,7 +101,7 @@ Termination to_termination(const CbcModel& cbc, const RunControl& control) {
   return Termination::error;
 }
 
-// Clp's own limit counts the processor time of all threads.
+// Replaces Clp's own limit, which counts the processor time of all threads.
 class TimeLimit final : public ClpEventHandler {
  public:
   TimeLimit(const RunControl& control, double seconds) : control_(control), deadline_(seconds) {}
@@ -193,7 +193,7 @@ Result solve_cbc(const Model& model, const SolveOptions& options, const RunContr
   BoundReport report(control);
   const Watch watch(control, report, scale);
   cbc.passInEventHandler(&watch);
-  // Cuts at every node. No preprocessing: CBC 2.10.8 then returns fractional values as optimal now and then.
+  // Cuts at every node. No preprocessing: with it, CBC 2.10.8 sometimes returns fractional values as optimal.
   CbcStrategyDefault strategy(0);
   cbc.setStrategy(strategy);
   cbc.branchAndBound();
@@ -211,7 +211,7 @@ Model read_cbc(const std::filesystem::path& path) {
   solver.passInMessageHandler(&silent);
   const int errors =
       path.extension() == ".lp" ? solver.readLp(path.c_str()) : solver.readMps(path.c_str(), "");
-  if (errors != 0) throw InputError(path.string(), "CBC cannot read it as a model", "give an MPS or LP file");
+  if (errors != 0) throw InputError(path.string(), "is not a model for CBC", "give an MPS or LP file");
   const auto bound = [&](double value) {
     return value >= solver.getInfinity() ? infinity : value <= -solver.getInfinity() ? -infinity : value;
   };

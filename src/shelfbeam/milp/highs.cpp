@@ -12,7 +12,7 @@ namespace shelfbeam::milp {
 
 namespace {
 
-// Without zeros.
+// Rows without zero coefficients.
 struct Rows {
   std::vector<double> lower, upper, values;
   std::vector<HighsInt> starts{0}, indices;
@@ -79,7 +79,7 @@ Termination to_termination(HighsModelStatus status, std::span<const Column> colu
   }
 }
 
-// HiGHS keeps its worker threads for the next model unless told otherwise, and then refuses another number.
+// HiGHS keeps its worker threads for the next model and then rejects another number of threads.
 struct SchedulerGuard {
   ~SchedulerGuard() { Highs::resetGlobalScheduler(true); }
 };
@@ -91,7 +91,7 @@ class HighsSession final : public LpSession {
     highs_.setOptionValue("output_flag", false);
     highs_.setOptionValue("threads", HighsInt{1});
     highs_.setOptionValue("solver", "simplex");
-    highs_.setOptionValue("presolve", "off");  // it would not use the basis
+    highs_.setOptionValue("presolve", "off");  // presolve would discard the basis
     for (Column& column : columns_) column.integer = false;
     loaded_ = highs_.passModel(to_highs(columns_, Rows({}), scale_)) != HighsStatus::kError;
     highs_.setCallback(
@@ -115,7 +115,7 @@ class HighsSession final : public LpSession {
     if (!loaded_) return {};
     const SchedulerGuard guard;
     control_ = &control;
-    highs_.zeroAllClocks();  // its limit is on all solves together
+    highs_.zeroAllClocks();  // the time limit is on the sum of all solves
     highs_.setOptionValue("time_limit", std::max(time_limit_s, 0.0));
     const HighsStatus status = highs_.run();
     control_ = nullptr;
@@ -135,7 +135,7 @@ class HighsSession final : public LpSession {
   double scale_;
   Highs highs_;
   bool loaded_ = false;
-  const RunControl* control_ = nullptr;  ///< of the solve that is going on
+  const RunControl* control_ = nullptr;  ///< of the current solve
 };
 
 }  // namespace
@@ -147,7 +147,7 @@ std::string_view highs_version() {
 Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control) {
   const SchedulerGuard guard;
   const double scale = objective_scale(model.columns);
-  // Its workers spin: more than there are cores only get in each other's way.
+  // HiGHS's workers busy-wait, so more of them than cores only slow each other down.
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const unsigned threads = control.threads != 0 ? std::min(control.threads, cores) : cores;
 
@@ -156,7 +156,7 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
   highs.setOptionValue("threads", static_cast<HighsInt>(threads));
   highs.setOptionValue("mip_rel_gap", options.relative_gap);
   highs.setOptionValue("mip_abs_gap", 0.0);
-  // At the default of 1e-6, values such as -2e-7 pass as whole and whole objectives are pruned one too far.
+  // At the default of 1e-6, values such as -2e-7 count as integral, and pruning misses an objective by one.
   highs.setOptionValue("mip_feasibility_tolerance", 1e-7);
   highs.setOptionValue("time_limit", std::max(options.time_limit_s, 0.0));
   if (options.node_limit)
@@ -179,7 +179,7 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
                                   [](const Column& column) { return column.integer; });
   Result result;
   result.termination = to_termination(highs.getModelStatus(), model.columns);
-  // A MIP solution that fails HiGHS's own last check comes back beside "infeasible"; `verified` sees both.
+  // HiGHS returns a MIP solution that fails its own final check with "infeasible"; `verified` receives both.
   if (highs.getSolution().value_valid && (is_mip || result.termination == Termination::optimal))
     result.solution = highs.getSolution().col_value;
   if (is_mip)
@@ -193,7 +193,7 @@ Model read_highs(const std::filesystem::path& path) {
   Highs highs;
   highs.setOptionValue("output_flag", false);
   if (highs.readModel(path.string()) == HighsStatus::kError)
-    throw InputError(path.string(), "HiGHS cannot read it as a model", "give an MPS or LP file");
+    throw InputError(path.string(), "is not a model for HiGHS", "give an MPS or LP file");
   const HighsLp& lp = highs.getLp();
   Model model;
   for (std::size_t j = 0; j < static_cast<std::size_t>(lp.num_col_); ++j)

@@ -19,7 +19,7 @@ namespace shelfbeam::milp {
 
 namespace {
 
-// LP readers take these for the start of a section or for a number, wherever a name may stand.
+// LP readers take these words for the start of a section or for a number, even where a name is expected.
 constexpr std::array<std::string_view, 22> reserved = {
     "min",     "max",      "minimize", "maximize", "minimum", "maximum", "st",       "subject",
     "such",    "that",     "bounds",   "bound",    "free",    "inf",     "infinity", "integers",
@@ -41,7 +41,7 @@ class SafeNames {
     if (name.empty()) name = fmt::format("{}{}", prefix_, position);
     const std::string plain = lower(name);
     const bool is_word = std::find(reserved.begin(), reserved.end(), plain) != reserved.end();
-    // "e12" reads as a power of ten; no other letter can be taken for the start of a number.
+    // Readers take "e12" for a power of ten; no other letter can start a number.
     if (!std::isalpha(static_cast<unsigned char>(name[0])) || plain[0] == 'e' || is_word)
       name = prefix_ + "_" + name;
     std::string unique = name;
@@ -54,14 +54,14 @@ class SafeNames {
   std::unordered_set<std::string> used_{"cost"};
 };
 
-/// As LP and MPS files write it.
+/// The sense of a row in LP and MPS files.
 struct Sense {
   std::string_view symbol;
   char letter;
 };
 constexpr Sense at_least{">=", 'G'}, at_most{"<=", 'L'}, equal{"=", 'E'};
 
-/// A row as the file formats know it: one sense, one right-hand side, a safe name.
+/// A row of either file format: one sense, one right-hand side, a safe name.
 struct FileRow {
   std::string name;
   Sense sense;
@@ -76,7 +76,7 @@ std::vector<std::string> file_column_names(const Model& model) {
   return result;
 }
 
-/// The rows of `model` in order; write_mps says what becomes of two-sided and unbounded ones. The result
+/// The rows of `model` in order, with two-sided and unbounded rows converted as in model.hpp. The result
 /// refers to the model's entries.
 std::vector<FileRow> file_rows(const Model& model) {
   SafeNames names("r");
@@ -95,7 +95,7 @@ std::vector<FileRow> file_rows(const Model& model) {
   return result;
 }
 
-// Readers limit the length of a line; expressions are broken before this many characters.
+// Readers limit the length of lines; expressions are wrapped before this number of characters.
 constexpr std::size_t line_length = 100;
 
 class Text {
@@ -136,7 +136,7 @@ std::string bounds(const Column& column, const std::string& name) {
   return fmt::format(" {} <= {} <= {}", low, name, column.upper);
 }
 
-// Bounds are always written: readers disagree on what an integer column without any has.
+// Bounds are always written, because readers disagree on the default bounds of integer columns.
 void put_bounds(std::string& out, const Column& column, const std::string& name) {
   const auto put = [&](std::string_view kind) { out += fmt::format(" {} BND {}\n", kind, name); };
   const auto put_value = [&](std::string_view kind, double value) {
@@ -151,7 +151,7 @@ void put_bounds(std::string& out, const Column& column, const std::string& name)
 }  // namespace
 
 void write_lp(const Model& model, const std::filesystem::path& path) {
-  // The format knows no row and no objective without a column.
+  // The format requires a column in every row and in the objective.
   Model full = model;
   if (full.columns.empty()) full.columns.push_back({0, 0, 0, false, "nothing"});
   const auto names = file_column_names(full);

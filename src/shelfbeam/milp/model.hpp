@@ -32,16 +32,15 @@ struct Row {
   std::string name;
 };
 
-/// A plain sparse mixed-integer model, always minimised.
+/// A sparse mixed-integer linear model, always minimised.
 struct Model {
   std::vector<Column> columns;
   std::vector<Row> rows;
 };
 
-/// Both writers: numbers round-trip exactly; names are made safe for either format (letters, digits and
-/// underscores, unique, at most 60 characters), the same in both; a row bounded on both sides with different
-/// values becomes two rows; a row without a bound is left out. Throws InputError when `path` cannot be
-/// written.
+/// Both writers preserve numbers exactly. Names are made safe for both formats (letters, digits and
+/// underscores, unique, at most 60 characters) and are the same in both. A row with two different bounds
+/// becomes two rows; a row without a bound is omitted. Throws InputError if `path` cannot be written.
 
 /// Free-format MPS.
 void write_mps(const Model& model, const std::filesystem::path& path);

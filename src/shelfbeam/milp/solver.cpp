@@ -24,14 +24,14 @@ double miss(double value, double lower, double upper) {
   return worst;
 }
 
-// What sums of this model's costs can be trusted to, beside the relative gap.
+// Tolerance for objectives of this model, besides the relative gap.
 double objective_slack(const Model& model, double objective_value) {
   double largest = 0;
   for (const Column& column : model.columns) largest = std::max(largest, std::abs(column.cost));
   return feasibility_tolerance * std::max(largest, std::abs(objective_value));
 }
 
-// Not every solver accepts a model without columns: its rows are met by nothing, or not at all.
+// Not every solver accepts a model without columns. The empty solution meets its rows, or none does.
 Result solve_empty(const Model& model) {
   if (violation(model, {}) > feasibility_tolerance) return {Termination::infeasible, infinity, infinity, {}};
   return {Termination::optimal, 0, 0, {}};
@@ -129,7 +129,7 @@ void BoundReport::operator()(double primal, double dual) {
   next_ = now + std::chrono::milliseconds(200);
   const bool found = std::isfinite(primal) && std::abs(primal) < 1e40;
   const bool bounded = std::isfinite(dual) && std::abs(dual) < 1e40;
-  std::string text = found ? fmt::format("best {:.6g}", primal) : "nothing found yet";
+  std::string text = found ? fmt::format("best {:.6g}", primal) : "no solution yet";
   if (bounded) text += fmt::format(", bound {:.6g}", dual);
   if (found && bounded && primal != 0) text += fmt::format(", gap {:.1f} %", 100 * (primal - dual) / primal);
   control_.report("solve", -1, text);

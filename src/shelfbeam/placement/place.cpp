@@ -22,28 +22,28 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The labels that no selection meets, whatever becomes of the others.
-std::vector<Unreachable> unreachable_labels(const SignalTable& table, const Question& question) {
-  // Sums of another order round differently where points have options or a unit may fail. Who is
-  // this near to the rule's edge is left to the search.
-  const double rounding = table.mounts.empty() && !question.redundant ? 1 : 1 + 1e-12;
+/// The labels that no selection reaches, whatever the others require.
+std::vector<Unreachable> unreachable_labels(const SignalTable& table, const PlacementProblem& problem) {
+  // Sums in another order round differently if mounting points have options or a unit may fail. The search
+  // decides labels within this distance of their requirement.
+  const double rounding = table.mounts.empty() && !problem.redundant ? 1 : 1 + 1e-12;
   const Mounts mounts(table);
   std::vector<Unreachable> result;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
-    const double requirement = requirement_of(table.labels[i], question.model);
-    const double most = mounts.most_signal(table.row(i), question);
+    const double requirement = requirement_of(table.labels[i], problem.model);
+    const double most = mounts.max_signal(table.row(i), problem);
     if (!is_met(most * rounding, requirement)) result.push_back({i, requirement, most});
   }
   return result;
 }
 
-Placement infeasible(const SignalTable& table, const Question& question,
+Placement infeasible(const SignalTable& table, const PlacementProblem& problem,
                      std::vector<Unreachable> unreachable) {
   Placement placement;
-  placement.question = question;
+  placement.problem = problem;
   placement.status = Status::infeasible;
   placement.objective_value = placement.lower_bound = placement.count_lower_bound = infinite;
-  placement.unit_costs = label_costs(table, question.objective).unit;
+  placement.unit_costs = label_costs(table, problem.objective).unit;
   placement.unreachable = std::move(unreachable);
   return placement;
 }
@@ -51,8 +51,9 @@ Placement infeasible(const SignalTable& table, const Question& question,
 using Selection = std::optional<std::vector<std::uint32_t>>;
 
 /// A selection with the bounds that need no search.
-Placement greedy_placement(const SignalTable& table, const Question& question, const Selection& selected) {
-  Placement placement = place_by_mip(table, question, selected, {}, 0, {}).placement;
+Placement greedy_placement(const SignalTable& table, const PlacementProblem& problem,
+                           const Selection& selected) {
+  Placement placement = place_by_mip(table, problem, selected, {}, 0, {}).placement;
   placement.status = selected ? Status::feasible : Status::stopped;
   placement.solver = "greedy";
   return placement;
@@ -66,55 +67,54 @@ double Placement::gap() const {
   return objective_value > lower_bound ? (objective_value - lower_bound) / objective_value : 0;
 }
 
-Placement place(const SignalTable& table, const Question& question, const PlaceOptions& options,
+Placement place(const SignalTable& table, const PlacementProblem& problem, const PlaceOptions& options,
                 const RunControl& control) {
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  check_question(table, question);
-  const ThreadsAllowed allowed(control.threads);
+  check_problem(table, problem);
+  const ThreadLimit allowed(control.threads);
   const auto backends = milp::wanted_backends(options.backend);
 
   Placement placement;
-  if (auto unreachable = unreachable_labels(table, question); !unreachable.empty()) {
-    placement = infeasible(table, question, std::move(unreachable));
+  if (auto unreachable = unreachable_labels(table, problem); !unreachable.empty()) {
+    placement = infeasible(table, problem, std::move(unreachable));
   } else {
     const bool without_mip = options.solver == SolverChoice::search;
     const bool searches = without_mip || options.solver == SolverChoice::automatic;
     const auto left = [&] { return options.step_limit ? infinite : options.time_limit_s - elapsed(); };
-    const std::vector<std::uint32_t> greedy = greedy_selection(table, question);
+    const std::vector<std::uint32_t> greedy = greedy_selection(table, problem);
     Selection known;
-    if (check_selection(table, question, greedy).met())
+    if (check_selection(table, problem, greedy).met())
       known = greedy;
     else if (searches)
-      known = detail::first_selection(table, question, greedy, 0.2 * left(), options.seed, control);
+      known = detail::first_selection(table, problem, greedy, 0.2 * left(), options.seed, control);
     if (options.solver == SolverChoice::greedy) {
-      placement = greedy_placement(table, question, known);
+      placement = greedy_placement(table, problem, known);
     } else if (known && searches) {
       placement = detail::search_placement(
-          table, question, *known, {backends, without_mip}, left(), options.seed, control,
+          table, problem, *known, {backends, without_mip}, left(), options.seed, control,
           {.settles_ties = options.settles_ties, .step_limit = options.step_limit});
-    } else if (without_mip ||
-               (searches && table.entries.size() > detail::SearchLimits{}.most_model_entries)) {
-      placement = greedy_placement(table, question, known);
+    } else if (without_mip || (searches && table.entries.size() > detail::SearchLimits{}.max_model_entries)) {
+      placement = greedy_placement(table, problem, known);
       placement.solver = "search";
     } else {
       for (const milp::Backend& backend : backends) {
-        MipAnswer answer =
-            place_by_mip(table, question, known, limited(backend.solve, options.step_limit), left(), control);
+        MipResult answer =
+            place_by_mip(table, problem, known, limited(backend.solve, options.step_limit), left(), control);
         placement = std::move(answer.placement);
         placement.solver = fmt::format("{} {}", backend.name, backend.version);
         if (!answer.solver_failed) break;
       }
-      // What the solver adds to the bounds that need none rests on its word.
-      const Placement plain = greedy_placement(table, question, known);
+      // Bounds above those without a search rest on the solver alone.
+      const Placement plain = greedy_placement(table, problem, known);
       if (placement.count_lower_bound > plain.count_lower_bound || placement.lower_bound > plain.lower_bound)
         placement.bound_proof = BoundProof::solver;
     }
   }
   placement.min_spacing = table.min_spacing;
-  placement.forbidden_pairs = table.apart.size();
+  placement.forbidden_pairs = table.conflicts.size();
   placement.seconds = elapsed();
   return placement;
 }

@@ -16,42 +16,42 @@ namespace {
 
 using State = const SearchState&;
 
-constexpr auto is_plain = [](State state) { return is_plain_cover(state.table, state.question); };
+constexpr auto is_plain = [](State state) { return is_plain_cover(state.table, state.problem); };
 
-// Walks count `steps` in moves of local search with weights; those of the others take less time.
+// `steps` are moves of the weighted local search; moves of the other walks take less time.
 void improve(SearchState& state, const Effort& effort) {
   const auto with_moves = [&](std::uint64_t of_one) {
     return Effort{std::min(effort.steps, any_steps / of_one) * of_one, effort.until};
   };
   const Selection& best = state.incumbent.selected();
   if (is_plain(state) && !state.is_small())
-    state.offer(cover_search(state.table, state.question, state.reduction(), best, with_moves(10), state.seed,
+    state.offer(cover_search(state.table, state.problem, state.reduction(), best, with_moves(10), state.seed,
                              state.control));
-  else if (state.matrix && can_anneal(state.question))
-    state.offer(anneal(state.problem, *state.matrix, best, with_moves(state.is_small() ? 10 : 40), state.seed,
-                       state.control));
+  else if (state.matrix && can_anneal(state.problem))
+    state.offer(anneal(state.instance, *state.matrix, best, with_moves(state.is_small() ? 10 : 40),
+                       state.seed, state.control));
   else if (state.matrix)
-    state.offer(local_search(state.problem, *state.matrix, best, effort, state.seed, state.control));
-  state.seed += walks_at_once;  // from the same start the same numbers would lead the same way
+    state.offer(local_search(state.instance, *state.matrix, best, effort, state.seed, state.control));
+  state.seed += walks_at_once;  // the same seed would repeat the same walk
 }
 
-/// A line of a schedule: what is run, when, and how long it may take.
+/// A line of a schedule: method, condition and limits.
 struct Step {
   std::string_view name;
   bool (*applies)(State);
-  double share;         ///< of the time that is left when it begins,
-  double most_s;        ///< but no more seconds,
-  std::uint64_t steps;  ///< and no more moves of local search or nodes of a tree
+  double share;         ///< of the time left when it begins,
+  double max_s;         ///< at most this many seconds,
+  std::uint64_t steps;  ///< at most this many moves of local search or tree nodes
   void (*run)(SearchState&, const Effort&);
 
-  /// Where work is limited, time is not.
+  /// With a step limit, the share of the time does not apply.
   Effort effort(State state) const {
     if (state.limits.step_limit) return {std::min(steps, *state.limits.step_limit), state.deadline.end()};
-    return {steps, Deadline(std::min(share * state.deadline.seconds_left(), most_s)).end()};
+    return {steps, Deadline(std::min(share * state.deadline.seconds_left(), max_s)).end()};
   }
 };
 
-// When a step applies.
+// Conditions of the steps.
 constexpr auto always = [](State) { return true; };
 constexpr auto is_small = [](State state) { return state.is_small(); };
 constexpr auto is_large = [](State state) { return !state.is_small(); };
@@ -64,34 +64,34 @@ constexpr auto fits_mip = [](State state) { return state.fits_mip(); };
 constexpr auto has_bounds_alone = [](State state) { return !has_tree(state) && !state.may_ask_mip(); };
 constexpr auto has_more_than_bounds = [](State state) { return !has_bounds_alone(state); };
 
-// Until the gap is closed. A question is small where a tree may settle it within seconds; it is a cover where
-// reductions apply, and searched as a whole where they do not.
+// The schedule until the gap is closed (docs/methods/placement.md, "The search"). Small: a tree search may
+// end within seconds. Cover: the reductions apply; other problems are searched whole.
 constexpr Step schedule[] = {
-    // name, when it applies, share of the time left, most seconds, most steps, what is run
-    {"first look by tree", is_small, 0.2, no_limit_s, 15'000, raise_bound_by_tree},
+    // name, condition, share of the time left, maximum seconds, maximum steps, function
+    {"short tree search", is_small, 0.2, no_limit_s, 15'000, raise_bound_by_tree},
     {"linear programs", has_more_than_bounds, 0.5, no_limit_s, any_steps, raise_bound_by_lp},
-    {"linear programs alone", has_bounds_alone, 0.7, no_limit_s, any_steps, raise_bound_by_lp},
-    // What reductions leave is often little, and then nothing is as fast; nor is anything for small models.
-    {"first look by MIP", is_large_cover, 0.3, no_limit_s, any_steps, ask_mip},
-    {"first look by MIP", is_large_whole, 0.15, 5, any_steps, ask_mip},
-    {"second look by tree", is_small_whole, 0.3, no_limit_s, 5'000'000, raise_bound_by_tree},
+    {"linear programs only", has_bounds_alone, 0.7, no_limit_s, any_steps, raise_bound_by_lp},
+    // The reductions often leave little, and then a MIP is fastest, as it is for small models.
+    {"short MIP search", is_large_cover, 0.3, no_limit_s, any_steps, solve_mip},
+    {"short MIP search", is_large_whole, 0.15, 5, any_steps, solve_mip},
+    {"longer tree search", is_small_whole, 0.3, no_limit_s, 5'000'000, raise_bound_by_tree},
     {"more local search", always, 0.2, 20, 200'000, improve},
-    // Covers of many units are what MIP solvers are good at, once they are reduced, and trees are not.
-    {"tree", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},
-    {"tree", is_large_whole, 0.35, no_limit_s, any_steps, raise_bound_by_tree},
-    {"MIP", is_large_or_cover, 0.9, no_limit_s, any_steps, ask_mip},
-    {"tree to the end", always, 1, no_limit_s, any_steps, raise_bound_by_tree},
-    {"local search to the end", always, 1, no_limit_s, any_steps, improve},
+    // MIP solvers suit reduced covers of many units; tree searches do not.
+    {"tree search", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},
+    {"tree search", is_large_whole, 0.35, no_limit_s, any_steps, raise_bound_by_tree},
+    {"MIP", is_large_or_cover, 0.9, no_limit_s, any_steps, solve_mip},
+    {"final tree search", always, 1, no_limit_s, any_steps, raise_bound_by_tree},
+    {"final local search", always, 1, no_limit_s, any_steps, improve},
 };
 
-// Of the second objective, once the fewest units are known.
+// The schedule of the second objective, once the minimum count is known.
 constexpr Step second_schedule[] = {
     {"second objective, linear program", is_large, 0.3, no_limit_s, any_steps, bound_second_by_lp},
     {"second objective, tree", has_tree, 0.6, no_limit_s, any_steps, search_second_by_tree},
-    {"second objective, MIP", fits_mip, 1, no_limit_s, any_steps, ask_mip_for_second},
+    {"second objective, MIP", fits_mip, 1, no_limit_s, any_steps, solve_mip_for_second},
 };
 
-/// Runs the steps that apply, one after the other, until the gap is closed or the time is over.
+/// Runs the steps that apply in order, until the gap is closed or the time limit is reached.
 void run(std::span<const Step> steps, SearchState& state) {
   for (const Step& step : steps) {
     if (state.is_closed() || state.out_of_time()) return;
@@ -101,7 +101,7 @@ void run(std::span<const Step> steps, SearchState& state) {
   }
 }
 
-// Where little is to be gained by it, or moves are cheap, the opening is short.
+// Limits of the first local search: short if it gains little or moves are cheap.
 Effort opening(State state) {
   const std::uint64_t moves = is_plain(state) || state.is_small() ? 1'000 : 20'000;
   return {std::min(moves, state.limits.step_limit.value_or(any_steps)), state.deadline.end()};
@@ -109,18 +109,18 @@ Effort opening(State state) {
 
 Placement answer_of(State state) {
   const SignalTable& table = state.table;
-  const Question& question = state.question;
+  const PlacementProblem& problem = state.problem;
   Placement placement;
-  placement.question = question;
-  placement.unit_costs = label_costs(table, question.objective).unit;
+  placement.problem = problem;
+  placement.unit_costs = label_costs(table, problem.objective).unit;
   placement.selected = state.incumbent.selected();
-  placement.objective_value = state.is_weighted || question.objective != Objective::count
+  placement.objective_value = state.is_weighted || problem.objective != Objective::count
                                   ? state.incumbent.value_of(placement.selected)
                                   : static_cast<double>(placement.selected.size());
   placement.lower_bound =
       std::min(state.second ? state.second->lower_bound : state.incumbent.bound(), placement.objective_value);
   placement.count_lower_bound =
-      state.is_weighted ? static_cast<double>(std::max(least_count(table, question),
+      state.is_weighted ? static_cast<double>(std::max(trivial_count_bound(table, problem),
                                                        state.bounds.fewest(placement.lower_bound)))
                         : state.incumbent.bound();
   placement.bound_proof = state.incumbent.proof();
@@ -133,8 +133,8 @@ Placement search(SearchState& state) {
   const Selection of_opening = state.incumbent.selected();
   state.tell();
   run(schedule, state);
-  if (!state.is_weighted && state.question.objective != Objective::count) {
-    std::vector<double> cost = objective_coefficients(state.table, state.question);
+  if (!state.is_weighted && state.problem.objective != Objective::count) {
+    std::vector<double> cost = objective_coefficients(state.table, state.problem);
     const CostBounds bounds(state.table, cost);
     state.second = {std::move(cost), bounds, state.incumbent.value_of(state.incumbent.selected()),
                     bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound()))};
@@ -150,35 +150,36 @@ Placement search(SearchState& state) {
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> first_selection(const SignalTable& table, const Question& question,
+std::optional<std::vector<std::uint32_t>> first_selection(const SignalTable& table,
+                                                          const PlacementProblem& problem,
                                                           const std::vector<std::uint32_t>& start,
                                                           double time_limit_s, std::uint64_t seed,
                                                           const RunControl& control) {
-  if (table.rows() * table.columns() > SearchLimits{}.most_places_of_local_search) return std::nullopt;
-  const SearchProblem problem(table, question);
-  const SearchMatrix matrix(table, question.model);
+  if (table.rows() * table.columns() > SearchLimits{}.max_cells_of_local_search) return std::nullopt;
+  const SearchInstance instance(table, problem);
+  const SearchMatrix matrix(table, problem.model);
   const auto own_seed = static_cast<std::uint32_t>(mix_key(seed, 1));
   const auto found =
-      local_search(problem, matrix, start, {5000, Deadline(time_limit_s).end()}, own_seed, control);
-  return found && check_selection(table, question, *found).met() ? found : std::nullopt;
+      local_search(instance, matrix, start, {5000, Deadline(time_limit_s).end()}, own_seed, control);
+  return found && check_selection(table, problem, *found).met() ? found : std::nullopt;
 }
 
-Placement search_placement(const SignalTable& table, const Question& question,
+Placement search_placement(const SignalTable& table, const PlacementProblem& problem,
                            const std::vector<std::uint32_t>& start, const Solvers& solvers,
                            double time_limit_s, std::uint64_t seed, const RunControl& control,
                            const SearchLimits& limits) {
   const auto answer = [&](const SignalTable& asked) {
-    SearchState state(asked, question, start, solvers, time_limit_s, seed, control, limits);
+    SearchState state(asked, problem, start, solvers, time_limit_s, seed, control, limits);
     return search(state);
   };
-  const Check known = check_selection(table, question, start);
+  const Check known = check_selection(table, problem, start);
   const double most = 2 * (known.objective + known.transceiver_cost);
-  const auto is_too_dear = [&](const SignalTable::Transceiver& unit) { return unit.cost > most; };
-  if (question.combination == Combination::lexicographic || !(most > 0) ||
-      std::none_of(table.transceivers.begin(), table.transceivers.end(), is_too_dear))
+  const auto is_too_expensive = [&](const SignalTable::Transceiver& unit) { return unit.cost > most; };
+  if (problem.combination == Combination::lexicographic || !(most > 0) ||
+      std::none_of(table.transceivers.begin(), table.transceivers.end(), is_too_expensive))
     return answer(table);
-  // No answer as good as the known one has such a unit, at that price or less: so far off, it would only
-  // drown the others' prices in its rounding.
+  // No selection as good as the known one contains a more expensive unit. Capping such prices keeps the other
+  // prices from vanishing in the rounding.
   SignalTable cheaper = table;
   for (auto& unit : cheaper.transceivers) unit.cost = std::min(unit.cost, most);
   return answer(cheaper);

@@ -10,25 +10,25 @@
 
 namespace shelfbeam::detail {
 
-Incumbent::Incumbent(const SignalTable& table, const Question& question, const CostBounds& bounds,
+Incumbent::Incumbent(const SignalTable& table, const PlacementProblem& problem, const CostBounds& bounds,
                      const Selection& start)
     : table_(table),
-      question_(question),
+      problem_(problem),
       bounds_(bounds),
-      is_weighted_(question.combination == Combination::weighted) {
+      is_weighted_(problem.combination == Combination::weighted) {
   accept(start);
-  const std::size_t count = least_count(table, question);
+  const std::size_t count = trivial_count_bound(table, problem);
   bound_ = is_weighted_ ? bounds.cheapest(count) : static_cast<double>(count);
 }
 
 double Incumbent::value_of(const Selection& selected) const {
-  const Check check = check_selection(table_, question_, selected);
+  const Check check = check_selection(table_, problem_, selected);
   return check.objective + (is_weighted_ ? check.transceiver_cost : 0);
 }
 
-// Nothing for what the checker rejects.
+// nullopt if the checker rejects the selection.
 std::optional<double> Incumbent::first_value(const Selection& selected) const {
-  const Check check = check_selection(table_, question_, selected);
+  const Check check = check_selection(table_, problem_, selected);
   if (!check.met()) return std::nullopt;
   return is_weighted_ ? check.objective + check.transceiver_cost : static_cast<double>(selected.size());
 }
@@ -71,27 +71,27 @@ void Incumbent::close_by_solver(const std::optional<Selection>& proven) {
 
 std::string Incumbent::text() const {
   const double gap = value_ > bound_ ? 100 * (value_ - bound_) / value_ : 0;
-  return fmt::format("best {:.6g}, at least {:.6g}, gap {:.1f} %", value_, bound_, gap);
+  return fmt::format("best {:.6g}, bound {:.6g}, gap {:.1f} %", value_, bound_, gap);
 }
 
-SearchState::SearchState(const SignalTable& t, const Question& q, const Selection& start, const Solvers& s,
-                         double time_limit_s, std::uint64_t own_seed, const RunControl& c,
+SearchState::SearchState(const SignalTable& t, const PlacementProblem& q, const Selection& start,
+                         const Solvers& s, double time_limit_s, std::uint64_t own_seed, const RunControl& c,
                          const SearchLimits& l)
     : table(t),
-      question(q),
+      problem(q),
       solvers(s),
       limits(l),
       deadline(l.step_limit ? no_limit_s : time_limit_s),
       seed(static_cast<std::uint32_t>(mix_key(own_seed, 0))),
-      problem(t, q),
+      instance(t, q),
       is_weighted(q.combination == Combination::weighted),
       first_cost(first_objective(t, q)),
       bounds(t, first_cost),
       incumbent(t, q, bounds, start),
       watcher(c.progress),
       control{c.threads, c.cancel, c.progress == nullptr ? nullptr : this} {
-  if (t.rows() * t.columns() <= l.most_places_of_local_search) matrix.emplace(t, q.model);
-  if (has_tree(0)) tree.emplace(problem, *matrix);
+  if (t.rows() * t.columns() <= l.max_cells_of_local_search) matrix.emplace(t, q.model);
+  if (has_tree(0)) tree.emplace(instance, *matrix);
 }
 
 void SearchState::offer_second(const std::optional<Selection>& found) {
@@ -109,9 +109,9 @@ void SearchState::raise_second(double bound, BoundProof proof) {
 
 const Reduction& SearchState::reduction() {
   if (!reduction_) {
-    std::vector<bool> pinned(table.apart.empty() ? 0 : table.columns(), false);
-    for (const auto& [a, b] : table.apart) pinned[a] = pinned[b] = true;
-    reduction_ = reduce_cover(table, question, first_cost, pinned, [this] { return out_of_time(); });
+    std::vector<bool> pinned(table.conflicts.empty() ? 0 : table.columns(), false);
+    for (const auto& [a, b] : table.conflicts) pinned[a] = pinned[b] = true;
+    reduction_ = reduce_cover(table, problem, first_cost, pinned, [this] { return out_of_time(); });
   }
   return *reduction_;
 }

@@ -19,17 +19,17 @@
 
 namespace shelfbeam::detail {
 
-// Values that differ by less are equal; sums of other orders differ by less.
+// Values within this relative difference are equal, because sums in another order round differently.
 inline constexpr double equal_values = 1e-9;
 inline constexpr double no_limit_s = 1e8;
 inline constexpr std::uint64_t any_steps = std::numeric_limits<std::uint64_t>::max();
 
-/// The best selection that a search knows and the best bound of what comes first: the count (lexicographic),
-/// or the whole sum (weighted). No selection gets in here without the checker, and no bound above it.
+/// The incumbent of a search and the best bound on its first objective: the count (lexicographic) or the
+/// whole sum (weighted). Every selection has passed the checker, and no bound exceeds the value.
 class Incumbent {
  public:
-  /// `start` is a selection that the checker accepts, `bounds` are those of what comes first.
-  Incumbent(const SignalTable& table, const Question& question, const CostBounds& bounds,
+  /// `start` is a selection that the checker accepts; `bounds` belong to the first objective.
+  Incumbent(const SignalTable& table, const PlacementProblem& problem, const CostBounds& bounds,
             const Selection& start);
 
   const Selection& selected() const { return selected_; }
@@ -41,17 +41,17 @@ class Incumbent {
   /// The second objective (lexicographic), or the whole sum (weighted).
   double value_of(const Selection& selected) const;
 
-  /// Takes a selection over, better or not; false where the checker rejects it.
+  /// Replaces the incumbent, better or not; false if the checker rejects the selection.
   bool accept(const Selection& selected);
-  /// Takes it over where it is better; true then.
+  /// Replaces the incumbent if the selection is better; true then.
   bool offer(const std::optional<Selection>& found);
-  /// True where the bound rises. A bound above a selection that the checker accepts is wrong: a solver may
-  /// err, and is not believed; what we proved ourselves must not, and std::logic_error names the step that
-  /// did.
+  /// Raises the bound; true if it rises. A bound above the value of an accepted selection is wrong: from a
+  /// solver it is ignored, from our own methods it throws std::logic_error with the name of the step.
   bool raise(double bound, BoundProof proof, std::string_view step);
-  /// A solver says that a selection is optimal, to a gap of its own, which is wider than ours.
+  /// A solver claims optimality within its own gap, which is wider than equal_values.
   void close_by_solver(const std::optional<Selection>& proven);
-  /// Both bounds of an answer rest on the weaker of two proofs.
+  /// Sets the proof to the weaker of this one and `proof`, since the result reports one proof for both
+  /// bounds.
   void rest_on(BoundProof proof) { proof_ = std::max(proof_, proof); }
 
   std::string text() const;
@@ -60,7 +60,7 @@ class Incumbent {
   std::optional<double> first_value(const Selection& selected) const;
 
   const SignalTable& table_;
-  const Question& question_;
+  const PlacementProblem& problem_;
   const CostBounds& bounds_;
   bool is_weighted_;
   Selection selected_;
@@ -70,65 +70,62 @@ class Incumbent {
   bool solver_closed_ = false;
 };
 
-/// The second objective of a lexicographic question, at the fewest units.
+/// The second objective of a lexicographic problem, at the minimum count.
 struct SecondObjective {
   std::vector<double> cost;
   CostBounds bounds;
   double value;
-  /// No selection of the fewest units has less; where their number is not proven, none of at least as many as
-  /// are known to be needed.
+  /// Lower bound at the minimum count; if that count is not proven, over all counts from its lower bound on.
   double lower_bound;
   bool solver_closed = false;
 
   bool is_closed() const { return solver_closed || value - lower_bound <= equal_values * value; }
 };
 
-/// What the steps of one search share: the question, what is known of its answer, and what is left of the
-/// time. Whatever is at work, those who watch are told the best selection and the bound.
+/// State shared by the steps of one search: problem, incumbent, bounds and remaining time. Reports incumbent
+/// and bound as progress, whichever method runs.
 struct SearchState final : ProgressSink {
-  SearchState(const SignalTable& table, const Question& question, const Selection& start,
+  SearchState(const SignalTable& table, const PlacementProblem& problem, const Selection& start,
               const Solvers& solvers, double time_limit_s, std::uint64_t seed, const RunControl& control,
               const SearchLimits& limits);
   SearchState(const SearchState&) = delete;
 
   const SignalTable& table;
-  const Question& question;
+  const PlacementProblem& problem;
   const Solvers& solvers;
   const SearchLimits& limits;
   Deadline deadline;
   std::uint32_t seed;
-  SearchProblem problem;
+  SearchInstance instance;
   bool is_weighted;
-  std::vector<double> first_cost;      ///< of every column in what comes first
-  CostBounds bounds;                   ///< that follow from them
-  std::optional<SearchMatrix> matrix;  ///< of all rows, where there is room for it
-  std::optional<TreeSearch> tree;      ///< begins with the rows and weights that were found to matter
+  std::vector<double> first_cost;      ///< cost of every column in the first objective
+  CostBounds bounds;                   ///< of first_cost
+  std::optional<SearchMatrix> matrix;  ///< all rows, if the memory limit allows
+  std::optional<TreeSearch> tree;      ///< starts with the rows and weights of the last LP
   Incumbent incumbent;
-  std::optional<SecondObjective> second;  ///< once what comes first is done with
-  std::optional<DualBound> relaxation;    ///< of what comes first
-  std::string asked;                      ///< name and version of the last solver; empty where none was asked
+  std::optional<SecondObjective> second;  ///< once the first objective is done
+  std::optional<DualBound> relaxation;    ///< of the first objective
+  std::string asked;                      ///< name and version of the last back end used; empty if none
   ProgressSink* watcher;
-  RunControl control;     ///< reports by way of this
-  std::string_view step;  ///< that is at work
+  RunControl control;     ///< reports through this object
+  std::string_view step;  ///< name of the current step
 
   bool is_closed() const { return incumbent.is_closed() && (!second || second->is_closed()); }
   bool out_of_time() const { return control.cancelled() || deadline.has_passed(); }
 
-  /// A tree may end within seconds.
+  /// A tree search may end within seconds.
   bool is_small() const {
     return incumbent.selected().size() <= limits.small_answer &&
-           table.entries.size() <= limits.most_mip_entries;
+           table.entries.size() <= limits.max_mip_entries;
   }
-  /// `reduce_cover` takes the question.
-  bool is_cover() const {
-    return question.model == CommunicationModel::non_cooperative && !question.redundant;
-  }
-  bool fits_mip() const { return !solvers.only_linear && table.entries.size() <= limits.most_mip_entries; }
+  /// `reduce_cover` applies.
+  bool is_cover() const { return problem.model == CommunicationModel::non_cooperative && !problem.redundant; }
+  bool fits_mip() const { return !solvers.only_linear && table.entries.size() <= limits.max_mip_entries; }
   bool may_ask_mip() const { return fits_mip() || (!solvers.only_linear && is_cover()); }
-  /// Tree searches take questions about so many units.
+  /// A tree search is suitable for selections of `units` units.
   bool has_tree(std::size_t units) const {
-    return matrix && table.rows() * table.columns() <= limits.most_places_of_trees &&
-           units <= limits.most_units_of_trees;
+    return matrix && table.rows() * table.columns() <= limits.max_cells_of_trees &&
+           units <= limits.max_units_of_trees;
   }
 
   void offer(const std::optional<Selection>& found) {
@@ -137,11 +134,11 @@ struct SearchState final : ProgressSink {
   void raise(double bound, BoundProof proof) {
     if (incumbent.raise(bound, proof, step)) tell();
   }
-  /// The same of the second objective.
+  /// The same for the second objective.
   void offer_second(const std::optional<Selection>& found);
   void raise_second(double bound, BoundProof proof);
 
-  /// What reductions leave of a cover; made when it is first asked for.
+  /// The remainder of the reductions, computed on first use.
   const Reduction& reduction();
 
   void tell() const { control.report("placing", -1); }
@@ -151,28 +148,32 @@ struct SearchState final : ProgressSink {
   std::optional<Reduction> reduction_;
 };
 
-// What a search is made of. Each step raises a bound or offers a selection, or both.
+// The steps of a search. Each raises a bound or offers a selection, or both.
 
-/// Weighted: asks a tree for a cheaper selection. Otherwise from the bound upwards: is there a selection of
-/// so many units? The first that there is is the best, and every number without one raises the bound.
+/// Tree search. Weighted: for a cheaper selection. Otherwise from the bound upwards: a selection whose count
+/// equals the bound is optimal; if none exists, the bound rises by one.
 void raise_bound_by_tree(SearchState& state, const Effort& effort);
 
-/// By linear programs, each solver in turn, until one has an answer that can be relied on: the bound of the
-/// count, or of the whole sum. Their rows and dual solution are what trees begin with.
+/// LP bound on the count or the whole sum, with the next back end if one fails. The LP's rows and dual
+/// solution become the first rows and weights of the tree search.
 void raise_bound_by_lp(SearchState& state, const Effort& effort);
 
-/// Asks for what reductions leave, or about the whole model where they do not apply.
-void ask_mip(SearchState& state, const Effort& effort);
+/// MIP on the remainder of the reductions, or on the whole model if they do not apply.
+void solve_mip(SearchState& state, const Effort& effort);
 
-// The least second objective among the selections of no more units than the best known.
+// The same methods for the second objective, among selections of at most as many units as the incumbent.
 void bound_second_by_lp(SearchState& state, const Effort& effort);
 void search_second_by_tree(SearchState& state, const Effort& effort);
-void ask_mip_for_second(SearchState& state, const Effort& effort);
+void solve_mip_for_second(SearchState& state, const Effort& effort);
 
-/// Of the selections that cost no more than the best known, that with the widest margin, then with the
-/// fewest units, then the first by id. Begins with `start` where that is one of them, is limited by work,
-/// and knows nothing that timing may have had a part in: the same for any number of threads. True where all
-/// were looked at.
+/// Settles ties: among selections that cost no more than the incumbent, finds the one with the largest
+/// minimum margin,
+///
+///   max_T min_i S_i / (gamma_i tau_i),
+///
+/// then the fewest units, then the ids that come first in order. Starts with `start` if it is one of them, is
+/// limited by work, and uses nothing that depends on timing, so the result is the same for any number of
+/// threads. True if all ties were examined.
 bool settle_ties(SearchState& state, const Selection& start);
 
 }  // namespace shelfbeam::detail

@@ -16,7 +16,7 @@ namespace {
 
 using Answer = CoverModel::Outcome;
 
-// Each solver in turn, until one has an answer that can be relied on.
+// Runs the back ends in order until one does not fail.
 template <class Ask>
 auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, const Ask& ask) {
   for (std::size_t k = 0;; ++k) {
@@ -26,9 +26,9 @@ auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, co
   }
 }
 
-// The same of MIP solvers, within the limit of steps where there is one.
+// The same for MIPs, with the step limit if there is one.
 template <class Ask>
-Answer ask_mips_in_turn(SearchState& state, const Ask& ask) {
+Answer solve_mips_in_turn(SearchState& state, const Ask& ask) {
   return ask_in_turn(state, state.solvers.preferred, [&](const milp::Backend& backend) -> Answer {
     return ask(limited(backend.solve, state.limits.step_limit));
   });
@@ -45,7 +45,7 @@ void begin_tree_with(const LpBound& lp, SearchState& state) {
   if (state.tree && !rows.empty()) state.tree->begin_with(rows, weights);
 }
 
-// The part as a table of its own, where units cost what is minimised.
+// The part as a table; transceivers have the given costs.
 SignalTable table_of(const SignalTable& table, std::span<const double> cost, const CoverPart& part,
                      const std::vector<bool>& is_out, std::vector<std::uint32_t>& columns) {
   SignalTable own;
@@ -64,8 +64,8 @@ SignalTable table_of(const SignalTable& table, std::span<const double> cost, con
       if (place[j] < own.columns()) options.push_back(place[j]);
     if (options.size() > 1) own.mounts.push_back(std::move(options));
   }
-  for (const auto& [a, b] : table.apart)
-    if (place[a] < own.columns() && place[b] < own.columns()) own.apart.emplace_back(place[a], place[b]);
+  for (const auto& [a, b] : table.conflicts)
+    if (place[a] < own.columns() && place[b] < own.columns()) own.conflicts.emplace_back(place[a], place[b]);
   own.row_begin = {0};
   for (const std::uint32_t i : part.labels) {
     own.labels.push_back(table.labels[i]);
@@ -77,11 +77,11 @@ SignalTable table_of(const SignalTable& table, std::span<const double> cost, con
   return own;
 }
 
-/// Lets a MIP solver do what is left of a non-cooperative question (reduce_cover), part by part. `cost` is
-/// what is minimised. Answers without `left_out` are looked for; the bound is theirs, infinite where there
-/// are none. `selected` is not checked yet.
-Answer place_reduced(const SignalTable& table, const Question& question, std::span<const double> cost,
-                     const Reduction& reduction, std::span<const std::uint32_t> left_out,
+/// Solves the remainder of a non-cooperative problem (reduce_cover) part by part with a MIP solver,
+/// minimising `cost` over selections without `omitted`. The bound is that of these selections, infinite if
+/// there are none. `selected` is not checked yet.
+Answer place_reduced(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
+                     const Reduction& reduction, std::span<const std::uint32_t> omitted,
                      const SolveFunction& solve, double time_limit_s, const RunControl& control) {
   const Deadline deadline(time_limit_s);
   Answer answer;
@@ -92,18 +92,18 @@ Answer place_reduced(const SignalTable& table, const Question& question, std::sp
   answer.proven = true;
   bool is_whole = true;
   std::vector<bool> is_out(table.columns(), false);
-  for (const std::uint32_t j : left_out) is_out[j] = true;
+  for (const std::uint32_t j : omitted) is_out[j] = true;
   const Mounts mounts(table);
   for (const std::uint32_t j : reduction.forced)
-    mounts.for_each_excluded(j, [&](std::uint32_t other) { is_out[other] = true; });
+    mounts.for_each_conflict(j, [&](std::uint32_t other) { is_out[other] = true; });
   for (const CoverPart& part : reduction.parts) {
     if (part.labels.empty()) continue;
     std::vector<std::uint32_t> columns;
     const SignalTable own = table_of(table, cost, part, is_out, columns);
-    Question sum;
-    sum.model = question.model;
+    PlacementProblem sum;
+    sum.model = problem.model;
     sum.combination = Combination::weighted;
-    const MipAnswer best = place_by_mip(own, sum, std::nullopt, solve, deadline.seconds_left(), control);
+    const MipResult best = place_by_mip(own, sum, std::nullopt, solve, deadline.seconds_left(), control);
     answer.proven = answer.proven && best.placement.status == Status::optimal;
     answer.failed = answer.failed || best.solver_failed;
     answer.bound += std::max(0.0, best.placement.lower_bound);
@@ -115,30 +115,30 @@ Answer place_reduced(const SignalTable& table, const Question& question, std::sp
   return answer;
 }
 
-// Without the units that no better selection has, as their reduced costs show: with one of them it costs more
-// than `worth`, which is just below the best known.
-Answer ask_about_the_rest(SearchState& state, const Effort& effort) {
+// Omits the units that reduced costs exclude from any better selection: with one of them, a selection costs
+// more than `worth`, which is just below the incumbent.
+Answer solve_reduced(SearchState& state, const Effort& effort) {
   const bool is_whole = state.bounds.rounded(0.5) > 0.5;
   const double known = state.incumbent.value();
   const double worth = is_whole ? known - 1 : known * (1 - equal_values);
   const std::vector<std::uint32_t> useless =
       state.relaxation ? useless_columns(*state.relaxation, worth) : std::vector<std::uint32_t>{};
-  Answer answer = ask_mips_in_turn(state, [&](const SolveFunction& solve) {
-    return place_reduced(state.table, state.question, state.first_cost, state.reduction(), useless, solve,
+  Answer answer = solve_mips_in_turn(state, [&](const SolveFunction& solve) {
+    return place_reduced(state.table, state.problem, state.first_cost, state.reduction(), useless, solve,
                          effort.seconds_left(), state.control);
   });
   state.offer(answer.selected);
-  // Costs that are whole numbers leave nothing between `worth` and the best known.
+  // With integer costs no value lies between `worth` and the incumbent.
   const double best = state.incumbent.value();
   if (!useless.empty()) answer.bound = std::min(answer.bound, best - worth >= 0.5 ? best : worth);
   return answer;
 }
 
-Answer ask_about_all(SearchState& state, const Effort& effort) {
-  Question first = state.question;
+Answer solve_whole(SearchState& state, const Effort& effort) {
+  PlacementProblem first = state.problem;
   if (!state.is_weighted) first.objective = Objective::count;
-  const Answer answer = ask_mips_in_turn(state, [&](const SolveFunction& solve) {
-    const MipAnswer mip = place_by_mip(state.table, first, state.incumbent.selected(), solve,
+  const Answer answer = solve_mips_in_turn(state, [&](const SolveFunction& solve) {
+    const MipResult mip = place_by_mip(state.table, first, state.incumbent.selected(), solve,
                                        effort.seconds_left(), state.control);
     return Answer{.selected = mip.placement.selected,
                   .bound = mip.placement.lower_bound,
@@ -155,7 +155,7 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
   struct Relaxation : LpBound {
     bool failed = false;
   };
-  const bool is_large = state.table.entries.size() > state.limits.most_small_lp_entries;
+  const bool is_large = state.table.entries.size() > state.limits.max_small_lp_entries;
   std::vector<milp::Backend> backends(state.solvers.preferred.begin(), state.solvers.preferred.end());
   if (is_large)  // Clp is faster than HiGHS on large linear programs
     std::stable_partition(backends.begin(), backends.end(),
@@ -163,12 +163,12 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
   const Relaxation lp = ask_in_turn(state, backends, [&](const milp::Backend& backend) {
     Relaxation relaxation;
     if (state.is_weighted) {
-      relaxation = {lp_bound(state.table, state.question, state.first_cost, backend,
+      relaxation = {lp_bound(state.table, state.problem, state.first_cost, backend,
                              {.time_limit_s = effort.seconds_left()}, state.control)};
       state.raise(relaxation.dual.bound, BoundProof::dual);
     } else {
       CountBound count =
-          count_bound(state.table, state.question, backend, effort.seconds_left(), state.control);
+          count_bound(state.table, state.problem, backend, effort.seconds_left(), state.control);
       state.raise(static_cast<double>(count.count), BoundProof::dual);
       relaxation = {std::move(count.relaxation)};
     }
@@ -179,9 +179,9 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
   begin_tree_with(lp, state);
 }
 
-void ask_mip(SearchState& state, const Effort& effort) {
+void solve_mip(SearchState& state, const Effort& effort) {
   if (!state.may_ask_mip()) return;
-  const Answer answer = state.is_cover() ? ask_about_the_rest(state, effort) : ask_about_all(state, effort);
+  const Answer answer = state.is_cover() ? solve_reduced(state, effort) : solve_whole(state, effort);
   state.raise(answer.bound, BoundProof::solver);
   if (answer.proven) state.incumbent.close_by_solver(answer.selected);
 }
@@ -189,17 +189,17 @@ void ask_mip(SearchState& state, const Effort& effort) {
 void bound_second_by_lp(SearchState& state, const Effort& effort) {
   const std::size_t count = state.incumbent.selected().size();
   const LpBound lp =
-      lp_bound(state.table, state.question, state.second->cost, state.solvers.preferred.front(),
+      lp_bound(state.table, state.problem, state.second->cost, state.solvers.preferred.front(),
                {.time_limit_s = effort.seconds_left(), .answers = {count, count}}, state.control);
   state.raise_second(lp.dual.bound, BoundProof::dual);
   begin_tree_with(lp, state);
 }
 
-void ask_mip_for_second(SearchState& state, const Effort& effort) {
+void solve_mip_for_second(SearchState& state, const Effort& effort) {
   const Selection& best = state.incumbent.selected();
-  const Answer answer = ask_mips_in_turn(state, [&](const SolveFunction& solve) {
-    CoverModel model(state.table, state.question, solve, effort.seconds_left(), state.control);
-    const double known = check_selection(state.table, state.question, best).objective;
+  const Answer answer = solve_mips_in_turn(state, [&](const SolveFunction& solve) {
+    CoverModel model(state.table, state.problem, solve, effort.seconds_left(), state.control);
+    const double known = check_selection(state.table, state.problem, best).objective;
     return model.minimise(state.second->cost, known, best.size());
   });
   state.offer_second(answer.selected);

@@ -8,10 +8,10 @@ namespace shelfbeam::detail {
 
 namespace {
 
-// What an exhausted tree proves, once its log has been examined.
+// The proof of an exhausted tree search, after verification of its log.
 std::optional<BoundProof> strength_of(const Proof& proof, const SearchState& state) {
-  if (proof.steps.size() > state.limits.most_checked_steps) return BoundProof::search;
-  switch (judge_proof(state.table, state.question, proof, {state.deadline.end(), state.control})) {
+  if (proof.steps.size() > state.limits.max_checked_steps) return BoundProof::search;
+  switch (judge_proof(state.table, state.problem, proof, {state.deadline.end(), state.control})) {
     case ProofVerdict::holds:
       return BoundProof::log;
     case ProofVerdict::left_open:
@@ -20,14 +20,14 @@ std::optional<BoundProof> strength_of(const Proof& proof, const SearchState& sta
     case ProofVerdict::refuted:
       break;
   }
-  return std::nullopt;  // whatever the search says, it has not shown it
+  return std::nullopt;  // the log refutes the search's claim
 }
 
 void raise_count_bound(SearchState& state, const Effort& effort) {
   while (!state.incumbent.is_closed() && !effort.is_over(state.control)) {
     TreeGoal goal;
-    goal.most_units = static_cast<std::size_t>(std::llround(state.incumbent.bound()));
-    const TreeAnswer answer = state.tree->run(goal, {effort, true}, state.control);
+    goal.max_units = static_cast<std::size_t>(std::llround(state.incumbent.bound()));
+    const TreeResult answer = state.tree->run(goal, {effort, true}, state.control);
     state.offer(answer.selected);
     if (!answer.is_complete || answer.selected) return;
     const auto strength = strength_of(answer.proof, state);
@@ -37,22 +37,23 @@ void raise_count_bound(SearchState& state, const Effort& effort) {
 }
 
 struct Cheapest {
-  std::optional<Selection> selected;     ///< cheaper than the best known
-  double lower_bound = 0;                ///< of the cost
-  std::optional<BoundProof> proof = {};  ///< of that bound; nothing where there is none
+  std::optional<Selection> selected;     ///< cheaper than the incumbent
+  double lower_bound = 0;                ///< on the cost
+  std::optional<BoundProof> proof = {};  ///< of that bound; none without a bound
 };
-Cheapest cheapest(const SearchState& state, std::size_t most_units, const Effort& effort, TreeSearch& tree) {
-  const std::int64_t known = state.problem.cost_of(state.incumbent.selected());
+Cheapest cheapest(const SearchState& state, std::size_t max_units, const Effort& effort, TreeSearch& tree) {
+  const std::int64_t known = state.instance.cost_of(state.incumbent.selected());
   TreeGoal goal;
   goal.kind = TreeGoal::Kind::cheapest;
-  goal.most_units = most_units;
-  goal.most_cost = known - std::max<std::int64_t>(1, known >> 33);  // what rounding is, is not worth a search
-  const TreeAnswer answer = tree.run(goal, {effort, true}, state.control);
+  goal.max_units = max_units;
+  goal.max_cost = known - std::max<std::int64_t>(1, known >> 33);  // less would be rounding
+  const TreeResult answer = tree.run(goal, {effort, true}, state.control);
   if (!answer.is_complete) return {answer.selected};
-  // What costs more than `most_cost` units of cost, rounded for every column.
-  const double rounding = static_cast<double>(most_units + 1) / 2;
-  const double least = static_cast<double>(answer.proof.most_cost) + 1 - rounding;
-  return {answer.selected, std::max(0.0, least * state.problem.cost_unit), strength_of(answer.proof, state)};
+  // Every other selection costs more than `max_cost` multiples of cost_unit, each column rounded by up to a
+  // half.
+  const double rounding = static_cast<double>(max_units + 1) / 2;
+  const double least = static_cast<double>(answer.proof.max_cost) + 1 - rounding;
+  return {answer.selected, std::max(0.0, least * state.instance.cost_unit), strength_of(answer.proof, state)};
 }
 
 }  // namespace
@@ -60,9 +61,9 @@ Cheapest cheapest(const SearchState& state, std::size_t most_units, const Effort
 void raise_bound_by_tree(SearchState& state, const Effort& effort) {
   if (!state.has_tree(state.incumbent.selected().size())) return;
   if (!state.is_weighted) return raise_count_bound(state, effort);
-  const std::size_t most_units = state.bounds.affordable(state.incumbent.value());
-  if (!state.has_tree(most_units)) return;
-  const Cheapest found = cheapest(state, most_units, effort, *state.tree);
+  const std::size_t max_units = state.bounds.affordable(state.incumbent.value());
+  if (!state.has_tree(max_units)) return;
+  const Cheapest found = cheapest(state, max_units, effort, *state.tree);
   state.offer(found.selected);
   if (found.proof) state.raise(found.lower_bound, *found.proof);
 }
@@ -73,27 +74,27 @@ void search_second_by_tree(SearchState& state, const Effort& effort) {
   if (found.proof) state.raise_second(found.lower_bound, *found.proof);
 }
 
-// Nothing dearer may win, but for what sums of prices such as 0.1 and 0.2 are off.
+// No more expensive selection may win, except within the rounding of sums of prices such as 0.1 and 0.2.
 bool settle_ties(SearchState& state, const Selection& start) {
-  const SearchProblem& problem = state.problem;
-  const std::size_t most_units = state.is_weighted ? state.bounds.affordable(state.incumbent.value())
-                                                   : state.incumbent.selected().size();
-  if (!state.has_tree(most_units) || state.out_of_time()) return false;
+  const SearchInstance& instance = state.instance;
+  const std::size_t max_units = state.is_weighted ? state.bounds.affordable(state.incumbent.value())
+                                                  : state.incumbent.selected().size();
+  if (!state.has_tree(max_units) || state.out_of_time()) return false;
   TreeGoal goal;
   goal.kind = TreeGoal::Kind::widest;
-  goal.most_units = most_units;
-  constexpr int bits_of_rounding = 40;  // 1e-12 of it
-  if (problem.has_costs) {
-    goal.most_cost = problem.cost_of(state.incumbent.selected());
-    goal.most_cost += goal.most_cost >> bits_of_rounding;
+  goal.max_units = max_units;
+  constexpr int bits_of_rounding = 40;  // 2^-40, about 1e-12 of the cost
+  if (instance.has_costs) {
+    goal.max_cost = instance.cost_of(state.incumbent.selected());
+    goal.max_cost += goal.max_cost >> bits_of_rounding;
   }
-  if (start.size() <= most_units && problem.cost_of(start) <= goal.most_cost) goal.start = start;
+  if (start.size() <= max_units && instance.cost_of(start) <= goal.max_cost) goal.start = start;
   TreeSearch::Limits limits;
-  constexpr std::uint64_t most_work = 2'000'000'000;  // some tenths of a second
-  limits.work = most_work;
+  constexpr std::uint64_t max_work = 2'000'000'000;  // some tenths of a second
+  limits.work = max_work;
   limits.effort.until = Deadline(0.5 * state.deadline.seconds_left()).end();
-  TreeSearch tree(problem, *state.matrix);
-  const TreeAnswer answer = tree.run(goal, limits, state.control);
+  TreeSearch tree(instance, *state.matrix);
+  const TreeResult answer = tree.run(goal, limits, state.control);
   if (answer.selected) state.incumbent.accept(*answer.selected);
   return answer.is_complete;
 }

@@ -26,7 +26,7 @@ std::uint32_t strongest_of(const SignalTable& table, std::uint32_t row) {
   return best == entries.end() ? std::numeric_limits<std::uint32_t>::max() : best->transceiver;
 }
 
-// The first of an order, spread over the shop: one a strongest unit.
+// The first labels in `order`, spread over the shop: one per strongest unit.
 std::vector<std::uint32_t> spread(const SignalTable& table,
                                   std::vector<std::pair<double, std::uint32_t>> order) {
   std::sort(order.begin(), order.end());
@@ -39,8 +39,9 @@ std::vector<std::uint32_t> spread(const SignalTable& table,
   return rows;
 }
 
-// What so many units could give at most, as parts of the requirement.
-double most_of(const SignalTable& table, const Question& question, std::uint32_t row, std::size_t units) {
+// The largest signal that `units` units can contribute together, as a share of the requirement.
+double max_of(const SignalTable& table, const PlacementProblem& problem, std::uint32_t row,
+              std::size_t units) {
   std::vector<double> signals;
   for (const SignalEntry& entry : table.row(row)) signals.push_back(entry.signal);
   const std::size_t count = std::min(units, signals.size());
@@ -48,7 +49,7 @@ double most_of(const SignalTable& table, const Question& question, std::uint32_t
                     std::greater<>());
   double sum = 0;
   for (std::size_t k = 0; k < count; ++k) sum += signals[k];
-  return sum / requirement_of(table.labels[row], question.model);
+  return sum / requirement_of(table.labels[row], problem.model);
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint3
   SignalTable part;
   part.transceivers = table.transceivers;
   part.mounts = table.mounts;
-  part.apart = table.apart;
+  part.conflicts = table.conflicts;
   part.row_begin = {0};
   for (const std::uint32_t i : rows) {
     part.labels.push_back(table.labels[i]);
@@ -68,10 +69,10 @@ SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint3
   return part;
 }
 
-// Every entry has a limit of its own, one of a sum, and one of a rare sum.
+// Limits per entry: its own, that of a sum, and that of a rarely hit sum.
 constexpr double limits_an_entry = 3;
 
-// The columns of a row, the strongest first.
+// The columns of a row in descending order of signal.
 std::vector<std::uint32_t> by_strength(const SignalTable& planned, std::uint32_t row) {
   std::vector<double> signal(planned.columns(), 0.0);
   for (const SignalEntry& entry : planned.row(row)) signal[entry.transceiver] = entry.signal;
@@ -82,15 +83,15 @@ std::vector<std::uint32_t> by_strength(const SignalTable& planned, std::uint32_t
   return order;
 }
 
-// `sums` has the columns of a row in order, then for each the sum from there on.
-void add_limits(SignalTable& table, std::span<const FreshSum> sums, const std::vector<std::uint32_t>& order,
-                double level, double largest, double requirement) {
+// `sums` contains the columns of a row in `order`, then for each column the sum from it to the last.
+void add_limits(SignalTable& table, std::span<const ValidationEstimate> sums,
+                const std::vector<std::uint32_t>& order, double level, double largest, double requirement) {
   const std::size_t n = order.size();
   std::vector<double> limit(n);
-  double of_sum = 0;  // of what is sampled of the shortest sum that was hit often enough and has entry k
+  double of_sum = 0;  // sampled part of the shortest sum with entry k that was hit often enough
   for (std::size_t k = 0; k < n; ++k) {
-    const FreshSum& own = sums[k];
-    const FreshSum& sum = sums[n + k];
+    const ValidationEstimate& own = sums[k];
+    const ValidationEstimate& sum = sums[n + k];
     if (!sum.is_rare())
       of_sum = std::max(0.0, sum.upper(level) - sum.known);
     else if (k == 0)
@@ -102,9 +103,9 @@ void add_limits(SignalTable& table, std::span<const FreshSum> sums, const std::v
   table.row_begin.push_back(table.entries.size());
 }
 
-OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
-                               const std::vector<std::uint32_t>& rows, double level,
-                               const VerificationEffort& effort, const RunControl& control) {
+UpperConfidenceRows upper_confidence_rows(const Scene& scene, const SignalTable& planned,
+                                          const std::vector<std::uint32_t>& rows, double level,
+                                          const VerificationEffort& effort, const RunControl& control) {
   const std::size_t n = planned.columns();
   std::vector<std::vector<std::uint32_t>> orders;
   orders.reserve(rows.size());
@@ -116,9 +117,9 @@ OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
       sums[n + k] = sum += sums[k];
     }
   };
-  const FreshSums fresh =
-      fresh_sums(sub_scene(scene, rows), effort.simulation, effort.batches, 2 * n, rule, control);
-  OptimisticRows result{table_of_rows(planned, rows), {}};
+  const ValidationEstimates fresh =
+      validation_estimates(sub_scene(scene, rows), effort.simulation, effort.batches, 2 * n, rule, control);
+  UpperConfidenceRows result{table_of_rows(planned, rows), {}};
   result.table.entries.clear();
   result.table.row_begin = {0};
   // P(any limit is too low) <= 3 r n (level / (3 r n)), for r rows and n columns (Bonferroni).
@@ -128,16 +129,16 @@ OptimisticRows optimistic_rows(const Scene& scene, const SignalTable& planned,
     add_limits(result.table, fresh.of(k), orders[k], of_one, fresh.largest,
                result.table.labels[k].requirement);
   for (std::size_t k = 0; k < rows.size(); ++k)
-    result.fresh.push_back(fresh_row(fresh, k, rows[k], orders[k]));
+    result.fresh.push_back(validation_row(fresh, k, rows[k], orders[k]));
   return result;
 }
 
-SignalTable expected_optimism(const SignalTable& planned, const SignalMatrix& matrix, std::size_t rows,
-                              double level, std::uint32_t batches) {
+SignalTable predicted_upper_rows(const SignalTable& planned, const SignalMatrix& matrix, std::size_t rows,
+                                 double level, std::uint32_t batches) {
   const double statements = limits_an_entry * static_cast<double>(planned.columns()) *
                             static_cast<double>(std::max<std::size_t>(1, rows));
   const double quantile = student_quantile(1 - level / statements, batches - 1);
-  constexpr double reserve = 1.1;  // the fresh errors may come out larger
+  constexpr double reserve = 1.1;  // errors of the new batches may be larger
   SignalTable table = planned;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const double fewer = std::sqrt(static_cast<double>(matrix.labels[i].batches) / batches);
@@ -150,26 +151,26 @@ SignalTable expected_optimism(const SignalTable& planned, const SignalMatrix& ma
   return table;
 }
 
-DecisiveRows decisive_rows(const SignalTable& table, const Question& question, std::size_t count,
-                           const PlaceOptions& wanted, const RunControl& control) {
+CoreRows core_rows(const SignalTable& table, const PlacementProblem& problem, std::size_t count,
+                   const PlaceOptions& wanted, const RunControl& control) {
   const Deadline deadline(wanted.time_limit_s);
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t i = 0; i < table.rows(); ++i)
-    order.emplace_back(most_of(table, question, i, std::max<std::size_t>(count, 2) - 1), i);
-  DecisiveRows decisive;
+    order.emplace_back(max_of(table, problem, i, std::max<std::size_t>(count, 2) - 1), i);
+  CoreRows decisive;
   decisive.rows = spread(table, std::move(order));
   std::sort(decisive.rows.begin(), decisive.rows.end());
   PlaceOptions options = wanted;
   while ((options.step_limit || !deadline.has_passed()) && !control.cancelled()) {
     options.time_limit_s = deadline.seconds_left();
     options.settles_ties = false;
-    const Placement answer = place(table_of_rows(table, decisive.rows), question, options, control);
+    const Placement answer = place(table_of_rows(table, decisive.rows), problem, options, control);
     decisive.suffice = answer.count_lower_bound >= static_cast<double>(count);
     if (decisive.suffice || !answer.has_selection() || answer.count() >= count) break;
-    const Check check = check_selection(table, question, answer.selected);
+    const Check check = check_selection(table, problem, answer.selected);
     order.clear();
     for (const std::uint32_t i : check.unmet)
-      order.emplace_back(check.signal[i] / requirement_of(table.labels[i], question.model), i);
+      order.emplace_back(check.signal[i] / requirement_of(table.labels[i], problem.model), i);
     if (order.empty()) break;
     for (const std::uint32_t row : spread(table, std::move(order))) decisive.rows.push_back(row);
     std::sort(decisive.rows.begin(), decisive.rows.end());

@@ -17,7 +17,7 @@ namespace shelfbeam {
 namespace {
 
 constexpr auto interrupted = "it was interrupted";
-constexpr std::size_t most_doubtful = 64;
+constexpr std::size_t max_doubtful = 64;
 
 void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t>& more) {
   rows.insert(rows.end(), more.begin(), more.end());
@@ -47,9 +47,9 @@ class Certifier {
       do {
         rounds_.next();
         certificate_.rounds = rounds_.round();
-        // Two statements a round: on the labels, and on fewer units. Each is wrong with a chance of a_r / 2
-        // at most, a_r = (1 - c) / 2^r, so any of all rounds is with a chance of sum_r a_r = 1 - c at most,
-        // whatever they have to do with each other (Bonferroni).
+        // Two statements per round, on the labels and on the count, each wrong with probability at most a_r /
+        // 2, where a_r = (1 - c) / 2^r. So some statement of some round is wrong with probability at most
+        // sum_r a_r = 1 - c, whatever their dependence (Bonferroni).
         const double level = rounds_.level(2);
         if (!placement_.has_selection()) {
           prove_unreachable(level);
@@ -57,7 +57,7 @@ class Certifier {
           verify_labels(level);
           if (!bound_holds()) prove_bound(level);
         }
-      } while (!is_done() && goes_on() && improve());
+      } while (!is_done() && should_continue() && improve());
     } catch (const Interrupted&) {
       certificate_.open = interrupted;
     }
@@ -88,7 +88,7 @@ class Certifier {
         if (certificate_.labels[i].verdict != Verdict::reached) rows.push_back(i);
     } else {
       for (const Unreachable& label : placement_.unreachable) rows.push_back(label.label);
-      rows.resize(std::min(rows.size(), most_doubtful));
+      rows.resize(std::min(rows.size(), max_doubtful));
     }
     return rows;
   }
@@ -100,57 +100,57 @@ class Certifier {
     return options;
   }
 
-  // Labels that were reached by the same selection in a round before stay so.
+  // Labels reached by the same selection in an earlier round keep their verdict.
   void verify_labels(double level) {
     const std::vector<std::uint32_t> rows = open_labels();
     if (rows.empty()) return;
     std::vector<float> planned;
     for (const std::uint32_t i : rows)
       for (const std::uint32_t j : placement_.selected) planned.push_back(matrix_.mean[matrix_.at(i, j)]);
-    verdicts_.verify(rows, placement_.selected, placement_.question, planned, rounds_, level, control_);
+    verdicts_.verify(rows, placement_.selected, placement_.problem, planned, rounds_, level, control_);
   }
 
-  // What upper limits of some labels' signals need. The batches are kept: if they do not settle it, perhaps
-  // the matrix is wrong, and learns from them.
+  // The placement that upper confidence limits of some labels' signals require. The batches are kept: if they
+  // do not prove the bound, they update the matrix.
   Placement fewest_for(const std::vector<std::uint32_t>& rows, double level) {
     control_.report(
         "proving", -1,
         fmt::format("round {}, {} labels, {} batches", rounds_.round(), rows.size(), bound_batches_));
     const double begun = rounds_.spent();
-    OptimisticRows optimistic = optimistic_rows(scene_, table_, rows, level,
-                                                rounds_.effort(Purpose::bound, bound_batches_), control_);
+    UpperConfidenceRows optimistic = upper_confidence_rows(
+        scene_, table_, rows, level, rounds_.effort(Purpose::bound, bound_batches_), control_);
     PlaceOptions options = in_time();
     options.settles_ties = false;
-    Placement fewest = place(optimistic.table, count_question(), options, control_);
-    for (const FreshRow& row : optimistic.fresh) rounds_.spend(row.samples);
+    Placement fewest = place(optimistic.table, count_problem(), options, control_);
+    for (const ValidationRow& row : optimistic.fresh) rounds_.spend(row.samples);
     bound_cost_ = (rounds_.spent() - begun) / (static_cast<double>(rows.size()) * bound_batches_);
     bound_rows_ = std::max(bound_rows_, rows.size());
     fresh_ = std::move(optimistic.fresh);
     return fewest;
   }
 
-  Question count_question() const {
-    Question question;
-    question.model = placement_.question.model;
-    question.redundant = placement_.question.redundant;
-    return question;
+  PlacementProblem count_problem() const {
+    PlacementProblem problem;
+    problem.model = placement_.problem.model;
+    problem.redundant = placement_.problem.redundant;
+    return problem;
   }
 
-  // Labels that may be expected to need so many units, with the batches of this round or, after the first
-  // round, the fewest more that will do. Sets bound_batches_ if there are any.
+  // Core rows for `count` units, expected from the batches of this round or, after the first round, from the
+  // smallest larger number that suffices. Sets bound_batches_ if there are any.
   std::vector<std::uint32_t> promising_rows(std::size_t count, double level) {
-    const std::uint32_t most = rounds_.round() == 1 ? bound_batches_ : Rounds::most_batches;
+    const std::uint32_t most = rounds_.round() == 1 ? bound_batches_ : Rounds::max_batches;
     std::vector<std::uint32_t> rows;
     for (std::uint32_t batches = bound_batches_;; batches = Rounds::more(batches)) {
       control_.report(
           "proving", -1,
-          fmt::format("round {}: labels that need {} units in {} batches", rounds_.round(), count, batches));
-      const SignalTable expected = expected_optimism(table_, matrix_, bound_rows_, level, batches);
+          fmt::format("round {}, core rows for {} units, {} batches", rounds_.round(), count, batches));
+      const SignalTable expected = predicted_upper_rows(table_, matrix_, bound_rows_, level, batches);
       PlaceOptions options;
       options.time_limit_s =
           rounds_.counts_samples() ? options_.place.time_limit_s : 0.1 * std::max(0.0, rounds_.left());
       options.step_limit = options_.place.step_limit;
-      DecisiveRows decisive = decisive_rows(expected, count_question(), count, options, control_);
+      CoreRows decisive = core_rows(expected, count_problem(), count, options, control_);
       if (rows.empty() || decisive.suffice) rows = std::move(decisive.rows);
       if (decisive.suffice) bound_batches_ = batches;
       if (decisive.suffice || batches >= most || control_.cancelled()) return rows;
@@ -164,7 +164,7 @@ class Certifier {
     const double cost = bound_cost_ * static_cast<double>(rows.size()) * bound_batches_;
     why_no_bound_.clear();
     if (cost > rounds_.left()) {
-      why_no_bound_ = fmt::format("to prove that {} {} needed would take about {:.0f} {}", count,
+      why_no_bound_ = fmt::format("proving that {} {} needed would take about {:.0f} {}", count,
                                   count == 1 ? "is" : "are", cost, rounds_.unit());
       bound_batches_ = batches;
       return;
@@ -182,7 +182,7 @@ class Certifier {
       doubtful_ = worst_off(fewest.selected);
   }
 
-  // Whatever is selected, labels whose upper limits are not enough are missed.
+  // Every selection misses the labels whose upper limits are below the requirement.
   void prove_unreachable(double level) {
     const std::vector<std::uint32_t> rows = open_labels();
     if (rows.empty()) return;
@@ -196,20 +196,20 @@ class Certifier {
       certificate_.labels[label.label].signal = label.most;
   }
 
-  // Labels that a selection does not meet on the matrix, the worst first.
+  // Labels that a selection misses on the matrix, the smallest margin first.
   std::vector<std::uint32_t> worst_off(const std::vector<std::uint32_t>& selected) const {
-    const Check check = check_selection(table_, placement_.question, selected);
+    const Check check = check_selection(table_, placement_.problem, selected);
     std::vector<std::uint32_t> rows = check.unmet;
     std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::pair(check.signal[a] / table_.labels[a].requirement, a) <
              std::pair(check.signal[b] / table_.labels[b].requirement, b);
     });
-    rows.resize(std::min(rows.size(), most_doubtful));
+    rows.resize(std::min(rows.size(), max_doubtful));
     return rows;
   }
 
-  // Whether another round is worth its time; says why not.
-  bool goes_on() {
+  // Whether another round is worth its time; otherwise sets the reason.
+  bool should_continue() {
     certificate_.open = control_.cancelled() ? interrupted : why_not_on();
     return certificate_.open.empty();
   }
@@ -217,10 +217,10 @@ class Certifier {
   std::string why_not_on() const {
     const bool labels_are_open = placement_.has_selection() && !certificate_.all_reached();
     if (!placement_.has_selection() && open_labels().empty())
-      return "candidates exclude one another, and each label alone could be reached";
+      return "candidates are in conflict, and each label alone can be reached";
     if (!labels_are_open && !why_no_bound_.empty()) return why_no_bound_;
-    if (!bound_holds() && bound_batches_ == Rounds::most_batches)
-      return "signals are too near what would change the answer";
+    if (!bound_holds() && bound_batches_ == Rounds::max_batches)
+      return "signals are too close to requirements for a proof";
     const double bound_cost =
         bound_holds() || !why_no_bound_.empty()
             ? 0
@@ -228,28 +228,29 @@ class Certifier {
     return why_no_more(rounds_, verdicts_, bound_cost + (labels_are_open ? verdicts_.cost_of_next() : 0));
   }
 
-  // The matrix learns more of the labels that are open, and the placement is made anew: both, or nothing.
+  // Updates the matrix with more samples of the open labels and solves the placement problem again: both or
+  // neither.
   bool improve() {
     std::vector<std::uint32_t> rows = open_labels();
     join_sets(rows, doubtful_);
     if (!rows.empty()) {
       control_.report("refining", -1, fmt::format("round {}, {} labels", rounds_.round(), rows.size()));
-      const auto more = fresh_rows(
+      const auto more = validation_rows(
           scene_, rows, rounds_.effort(Purpose::refine, Rounds::more(verdicts_.batches())), control_);
-      for (const FreshRow& row : more) rounds_.spend(row.samples);
+      for (const ValidationRow& row : more) rounds_.spend(row.samples);
       fresh_.insert(fresh_.end(), more.begin(), more.end());
     }
-    if (!fresh_.empty() && !learn()) return false;
+    if (!fresh_.empty() && !add_missed()) return false;
     if (!bound_holds() && why_no_bound_.empty()) bound_batches_ = Rounds::more(bound_batches_);
     return true;
   }
 
-  // The matrix learns the fresh rows for good only if a placement is found on it.
-  bool learn() {
+  // Keeps the update of the matrix only if a placement is found on it.
+  bool add_missed() {
     RowsBefore before(matrix_, fresh_);
-    for (const FreshRow& row : fresh_) join(row, matrix_);
+    for (const ValidationRow& row : fresh_) join(row, matrix_);
     SignalTable table = rule_(matrix_);
-    Placement placement = place(table, placement_.question, in_time(), control_);
+    Placement placement = place(table, placement_.problem, in_time(), control_);
     certificate_.open = why_no_answer(placement);
     if (!certificate_.open.empty()) {
       before.restore(matrix_);
@@ -264,10 +265,10 @@ class Certifier {
   std::string why_no_answer(const Placement& placement) const {
     if (control_.cancelled()) return interrupted;
     const bool is_answer = placement.has_selection() || placement.status == Status::infeasible;
-    return is_answer ? "" : "no placement was found in time with what fresh samples showed";
+    return is_answer ? "" : "no placement was found in time after independent samples changed the matrix";
   }
 
-  // Verdicts are of a selection: with the same one they stay, and the open ones get more batches.
+  // Verdicts refer to a selection. If it stays, they stay, and open labels get more batches.
   void adopt(Placement placement) {
     if (placement.selected == placement_.selected && placement.has_selection() == placement_.has_selection())
       verdicts_.grow();
@@ -287,12 +288,12 @@ class Certifier {
   SignalTable table_;
   Certificate certificate_;
   LabelRounds verdicts_;
-  std::uint32_t bound_batches_ = least_verifying_batches;
-  std::size_t bound_rows_ = most_doubtful;  ///< labels that it may take
-  double bound_cost_ = 0;                   ///< a batch and label, of the budget
-  std::string why_no_bound_;                ///< the budget is too small for it; empty otherwise
+  std::uint32_t bound_batches_ = min_verifying_batches;
+  std::size_t bound_rows_ = max_doubtful;  ///< expected maximum number of core rows
+  double bound_cost_ = 0;                  ///< per batch and label, in the budget's unit of measure
+  std::string why_no_bound_;               ///< the proof exceeds the budget; empty otherwise
   std::vector<std::uint32_t> doubtful_;
-  std::vector<FreshRow> fresh_;  ///< that the matrix has not learned
+  std::vector<ValidationRow> fresh_;  ///< not yet part of the matrix
 };
 
 }  // namespace

@@ -14,49 +14,49 @@
 
 namespace shelfbeam {
 
-/// What rounds may take together: time or, so that the outcome is the same on every machine, work.
+/// The budget of all rounds: time, or samples for machine-independent results.
 struct RoundBudget {
   double seconds = 600;
-  std::optional<std::uint64_t> samples = {};  ///< instead: first rays, of all labels together
+  std::optional<std::uint64_t> samples = {};  ///< replaces the time: samples of all labels together
 };
 
 struct CertifyOptions {
   double confidence = 0.99;
-  RoundBudget budget = {};            ///< for all that comes after the first placement
-  SimulationOptions simulation = {};  ///< estimator, seed, memory
+  RoundBudget budget = {};            ///< for everything after the first placement
+  SimulationOptions simulation = {};  ///< estimator, seed, memory limit
   PlaceOptions place = {};
 };
 
-/// Makes the table that is placed on: the matrix with its side constraints.
+/// Makes the table for the placement: the matrix with its constraints.
 using TableRule = std::function<SignalTable(const SignalMatrix&)>;
 
-/// What came of certifying a placement. The three fit each other: `placement` is made on `matrix`, and the
-/// verdicts of `certificate` are of its selection.
+/// The result of certifying a placement. `placement` is made on `matrix`, and the verdicts of `certificate`
+/// refer to its selection.
 struct Certified {
-  SignalMatrix matrix;  ///< with the fresh samples that it has learned
+  SignalMatrix matrix;  ///< updated with the independent samples
   Placement placement;
   Certificate certificate;
 };
 
-/// Carries the error of sampling through to the decision (docs/methods/certified_plan.md). In rounds
-/// r = 1, 2, ..., each with random numbers of its own and at level (1 - confidence) / 2^r:
-/// - the selected units are simulated afresh, and every label is called reached, missed or undecided
+/// Carries sampling errors through to the decision (docs/methods/certified_plan.md). Rounds r = 1, 2, ...
+/// have their own random numbers and the level a_r = (1 - confidence) / 2^r. Each round
+/// - simulates the selected units with independent samples and calls every label reached, missed or undecided
 ///   (verification.hpp),
-/// - fresh upper limits of a few labels' signals must need as many units as the placement has
-/// (bound_rows.hpp),
-/// - labels that are not reached get more samples for all candidates, which the matrix learns, and the
-///   placement is made anew.
-/// Where the matrix leaves labels unreachable, fresh upper limits of these must do so, too: they are missed
-/// then, by whatever selection.
+/// - proves that upper confidence limits of a few labels' signals require the count of the placement
+///   (bound_rows.hpp),
+/// - updates the matrix with more samples, for all candidates, of the labels that are not reached, and solves
+///   the placement problem again.
 ///
-/// It ends when all is said, with the budget, when cancelled, or where a label is so near its requirement
-/// that the budget could not decide it. A round that is interrupted leaves matrix and placement as they were.
-/// Moved in, the matrix is never there twice.
+/// If the matrix leaves labels unreachable, their upper confidence limits must do so, too; every selection
+/// then misses them.
 ///
-/// With a budget in samples, and a step limit for placements, the outcome does not depend on the machine.
+/// Certification ends when both statements hold, when the budget is used up, when cancelled, or if a label is
+/// too near its requirement for the budget. An interrupted round leaves matrix and placement unchanged. Pass
+/// the matrix by move to avoid a copy. With a budget in samples and a step limit for placements, the result
+/// does not depend on the machine.
 ///
-/// The bound is of the number of units; prices and second objectives are those of the matrix. Throws as
-/// `sample_batches`, but not for being interrupted.
+/// The bound is on the count; prices and second objectives are those of the matrix. Throws as
+/// `sample_batches`, except on an interruption.
 Certified certify(const Scene& scene, const TableRule& table, const CertifyOptions& options,
                   SignalMatrix matrix, Placement placement, const RunControl& control = {});
 

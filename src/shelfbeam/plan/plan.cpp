@@ -6,7 +6,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/placement/coverage/curve.hpp"
+#include "shelfbeam/placement/coverage/coverage_curve.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/sensitivity.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
@@ -16,7 +16,7 @@ namespace shelfbeam {
 
 namespace {
 
-// Nothing where it was interrupted: what has been found before stays.
+// nullopt if interrupted: earlier results stay.
 std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
                                           const SensitivityOptions& options, const SimulationOptions& fresh,
                                           const RunControl& control) {
@@ -26,10 +26,10 @@ std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
   std::vector<float> planned;
   for (const std::uint32_t i : labels)
     for (const std::uint32_t j : plan.placement.selected) planned.push_back(matrix.mean[matrix.at(i, j)]);
-  VerificationEffort effort{Rounds::with_enough_paths(fresh), least_verifying_batches};
+  VerificationEffort effort{Rounds::with_enough_paths(fresh), min_verifying_batches};
   effort.simulation.seed = mix_key(fresh.seed ^ 0x73656e7369746976, 0);
   try {
-    return reflectance_sensitivity(sub_scene(scene, labels, plan.placement.selected), plan.placement.question,
+    return reflectance_sensitivity(sub_scene(scene, labels, plan.placement.selected), plan.placement.problem,
                                    planned, options, effort, control);
   } catch (const Interrupted&) {
     return std::nullopt;
@@ -43,8 +43,8 @@ Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl&
   plan.simulation = simulate(scene, options.simulation, control);
   const TableRule table =
       options.table ? options.table : [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
-  plan.placement = place(table(plan.simulation.matrix), options.question, options.place, control);
-  // Fresh samples of few units come from the labels.
+  plan.placement = place(table(plan.simulation.matrix), options.problem, options.place, control);
+  // Independent samples of few units are traced from the labels.
   SimulationOptions fresh = options.simulation;
   if (fresh.strategy == Strategy::particle) fresh.strategy = Strategy::mis;
   const bool says_something = plan.placement.has_selection() || !plan.placement.unreachable.empty();

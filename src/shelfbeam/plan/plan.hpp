@@ -13,26 +13,26 @@ namespace shelfbeam {
 
 struct PlanOptions {
   SimulationOptions simulation;
-  Question question;
+  PlacementProblem problem;
   PlaceOptions place;
-  TableRule table;                          ///< empty: the matrix as it is
-  std::optional<double> confidence = 0.99;  ///< of the certificate; none: no certificate
+  TableRule table;                          ///< empty: the matrix without constraints
+  std::optional<double> confidence = 0.99;  ///< of the certificate; nullopt: no certificate
   RoundBudget budget = {};                  ///< of the certificate
-  bool curve = false;                       ///< tell what fewer units reach, too
+  bool curve = false;                       ///< compute the coverage curve, too
   std::optional<SensitivityOptions> sensitivity = {};
 };
 
-/// With the simulation that it rests on: the matrix is the one that it was placed on in the end.
+/// With its simulation, whose matrix is the final one of the placement.
 struct Plan : CertifiedPlan {
   SimulationResult simulation;
   bool complete = false;  ///< nothing was interrupted
 };
 
-/// Simulates a scene, places transceivers on the matrix that comes out, and certifies the placement, which
-/// may refine both; nothing is certified where the search for a placement was stopped without one.
-/// On what comes out rest the curve and, from fresh samples, the sensitivity. A simulation that is
-/// interrupted is placed with what it has, and not certified. With its checkpoint an interrupted plan goes
-/// on, and ends as one that was not (but for what time decides).
+/// Simulates a scene, places transceivers on the matrix, and certifies the placement, which may refine both.
+/// Nothing is certified if the search stopped without a selection. Curve and sensitivity (from independent
+/// samples) refer to the final placement. An interrupted simulation is placed with its samples so far and not
+/// certified. With the simulation's checkpoint an interrupted plan continues, to the same result as an
+/// uninterrupted one, apart from decisions by time.
 Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl& control = {});
 
 }  // namespace shelfbeam

@@ -10,9 +10,9 @@
 
 namespace shelfbeam {
 
-void join(const FreshRow& fresh, SignalMatrix& matrix) {
+void join(const ValidationRow& fresh, SignalMatrix& matrix) {
   LabelRow& row = matrix.labels[fresh.label];
-  // Shares by samples do not depend on errors, which are known less well than the means.
+  // Weights by samples do not depend on errors, which are less certain than the means.
   const auto old_samples = static_cast<double>(row.samples), new_samples = static_cast<double>(fresh.samples);
   const double share = new_samples / (old_samples + new_samples);
   for (std::size_t j = 0; j < matrix.columns(); ++j) {
@@ -23,8 +23,8 @@ void join(const FreshRow& fresh, SignalMatrix& matrix) {
     matrix.standard_error[at] =
         static_cast<float>(std::hypot((1 - share) * old_error, share * fresh.standard_error[j]));
     if (!matrix.flags.empty()) {
-      // A part with an error that cannot be trusted decides the joint one if it has half of the samples or
-      // most of the spread.
+      // A part with an unreliable error flags the joint entry if it has half of the samples or most of the
+      // spread.
       const double old_part = (1 - share) * old_error, new_part = share * fresh.standard_error[j];
       const bool keeps = matrix.flags[at] != 0 && (share <= 0.5 || old_part >= new_part);
       const bool gets = fresh.flags[j] != 0 && (share >= 0.5 || new_part >= old_part);
@@ -37,17 +37,17 @@ void join(const FreshRow& fresh, SignalMatrix& matrix) {
   matrix.by_length.clear();
 }
 
-FreshRow fresh_row(const FreshSums& fresh, std::size_t k, std::uint32_t label,
-                   std::span<const std::uint32_t> order) {
+ValidationRow validation_row(const ValidationEstimates& fresh, std::size_t k, std::uint32_t label,
+                             std::span<const std::uint32_t> order) {
   const std::size_t n = order.size();
-  FreshRow row{label,
-               std::vector<double>(n),
-               std::vector<double>(n),
-               std::vector<std::uint8_t>(n),
-               fresh.batches,
-               fresh.batches * fresh.samples_per_batch};
+  ValidationRow row{label,
+                    std::vector<double>(n),
+                    std::vector<double>(n),
+                    std::vector<std::uint8_t>(n),
+                    fresh.batches,
+                    fresh.batches * fresh.samples_per_batch};
   for (std::size_t c = 0; c < n; ++c) {
-    const FreshSum& sum = fresh.of(k)[c];
+    const ValidationEstimate& sum = fresh.of(k)[c];
     row.mean[order[c]] = sum.mean();
     row.standard_error[order[c]] = sum.sampled.standard_error();
     row.flags[order[c]] = sum.sampled.is_skewed() ? 1 : 0;
@@ -55,25 +55,26 @@ FreshRow fresh_row(const FreshSums& fresh, std::size_t k, std::uint32_t label,
   return row;
 }
 
-std::vector<FreshRow> fresh_rows(const Scene& scene, const std::vector<std::uint32_t>& labels,
-                                 const VerificationEffort& effort, const RunControl& control) {
+std::vector<ValidationRow> validation_rows(const Scene& scene, const std::vector<std::uint32_t>& labels,
+                                           const VerificationEffort& effort, const RunControl& control) {
   const SumRule each = [](std::size_t, std::span<const double> signals, std::span<double> sums) {
     std::copy(signals.begin(), signals.end(), sums.begin());
   };
-  const FreshSums fresh = fresh_sums(sub_scene(scene, labels), effort.simulation, effort.batches,
-                                     scene.transceivers.size(), each, control);
+  const ValidationEstimates fresh = validation_estimates(
+      sub_scene(scene, labels), effort.simulation, effort.batches, scene.transceivers.size(), each, control);
   std::vector<std::uint32_t> in_order(scene.transceivers.size());
   std::iota(in_order.begin(), in_order.end(), 0U);
-  std::vector<FreshRow> rows;
-  for (std::size_t k = 0; k < labels.size(); ++k) rows.push_back(fresh_row(fresh, k, labels[k], in_order));
+  std::vector<ValidationRow> rows;
+  for (std::size_t k = 0; k < labels.size(); ++k)
+    rows.push_back(validation_row(fresh, k, labels[k], in_order));
   return rows;
 }
 
-RowsBefore::RowsBefore(SignalMatrix& matrix, std::span<const FreshRow> fresh)
+RowsBefore::RowsBefore(SignalMatrix& matrix, std::span<const ValidationRow> fresh)
     : by_bounce_(std::move(matrix.by_bounce)), by_length_(std::move(matrix.by_length)) {
   matrix.by_bounce.clear();
   matrix.by_length.clear();
-  for (const FreshRow& one : fresh) {
+  for (const ValidationRow& one : fresh) {
     const auto row_of = [&](const auto& values) {
       if (values.empty()) return values;
       const auto first = values.begin() + static_cast<std::ptrdiff_t>(matrix.at(one.label, 0));

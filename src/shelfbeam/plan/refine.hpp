@@ -6,40 +6,40 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/plan/fresh_sums.hpp"
+#include "shelfbeam/plan/validation_estimates.hpp"
 #include "shelfbeam/plan/verification.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 
 namespace shelfbeam {
 
-/// Fresh batches of one label: means, standard errors and flags (SignalMatrix::flags) by column.
-struct FreshRow {
+/// Independent batches of one label: means, standard errors and flags (SignalMatrix::flags) by column.
+struct ValidationRow {
   std::uint32_t label = 0;
   std::vector<double> mean, standard_error;
   std::vector<std::uint8_t> flags;
   std::uint32_t batches = 0;
-  std::uint64_t samples = 0;  ///< first rays
+  std::uint64_t samples = 0;
 };
 
-/// Of a label whose sums k begin with its signals, those of the columns in this order.
-FreshRow fresh_row(const FreshSums& fresh, std::size_t k, std::uint32_t label,
-                   std::span<const std::uint32_t> order);
+/// The batches of a label whose sums k, k + 1, ... start with the signals of the columns in `order`.
+ValidationRow validation_row(const ValidationEstimates& fresh, std::size_t k, std::uint32_t label,
+                             std::span<const std::uint32_t> order);
 
-/// Samples some labels afresh, for all sources. Throws as `sample_batches`.
-std::vector<FreshRow> fresh_rows(const Scene& scene, const std::vector<std::uint32_t>& labels,
-                                 const VerificationEffort& effort, const RunControl& control = {});
+/// Simulates some labels with independent samples, for all sources. Throws as `sample_batches`.
+std::vector<ValidationRow> validation_rows(const Scene& scene, const std::vector<std::uint32_t>& labels,
+                                           const VerificationEffort& effort, const RunControl& control = {});
 
-/// Joins one to its label's row: means and errors become those of all batches together, by samples. An entry
-/// is flagged where a part is that has half of the samples or more, or of the error. Parts by bounce and by
-/// path length are dropped, and direct parts stay.
-void join(const FreshRow& fresh, SignalMatrix& matrix);
+/// Merges new batches into their label's row. Means and errors become those of all batches, weighted by
+/// samples. An entry is flagged if a flagged part has at least half of the samples or of the error. Layers by
+/// bounce and by path length are dropped, those of direct light stay.
+void join(const ValidationRow& fresh, SignalMatrix& matrix);
 
-/// What joining such rows is going to change of a matrix.
+/// The rows of a matrix before `join`, for restoring them.
 class RowsBefore {
  public:
-  /// Takes the parts by bounce and by path length out of the matrix.
-  RowsBefore(SignalMatrix& matrix, std::span<const FreshRow> fresh);
+  /// Moves the layers by bounce and by path length out of the matrix.
+  RowsBefore(SignalMatrix& matrix, std::span<const ValidationRow> fresh);
   void restore(SignalMatrix& matrix);
 
  private:

@@ -21,12 +21,12 @@ VerificationEffort Rounds::effort(Purpose purpose, std::uint32_t batches) const 
 }
 
 void LabelRounds::verify(const std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t>& selected,
-                         const Question& question, std::span<const float> planned, Rounds& rounds,
+                         const PlacementProblem& problem, std::span<const float> planned, Rounds& rounds,
                          double level, const RunControl& control) {
   control.report("verifying", -1,
                  fmt::format("round {}, {} labels, {} batches", rounds.round(), rows.size(), batches_));
   const double begun = rounds.spent();
-  const auto verdicts = shelfbeam::verify(sub_scene(scene_, rows, selected), question, planned, level,
+  const auto verdicts = shelfbeam::verify(sub_scene(scene_, rows, selected), problem, planned, level,
                                           rounds.effort(Purpose::verify, batches_), control);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     labels_[rows[k]] = verdicts[k];
@@ -49,26 +49,26 @@ double LabelRounds::cost_to_decide() const {
 
 std::string why_no_more(const Rounds& rounds, const LabelRounds& labels, double cost_of_next) {
   const double left = std::max(0.0, rounds.left());
-  if (labels.batches() >= Rounds::most_batches) return "labels are too near their requirements";
+  if (labels.batches() >= Rounds::max_batches) return "labels are too close to their requirements";
   if (left < cost_of_next)
-    return fmt::format("the next round would have taken about {:.0f} {}, and {:.0f} {} were left",
+    return fmt::format("the next round would have taken about {:.0f} {}, but {:.0f} {} were left",
                        cost_of_next, rounds.unit(), left, rounds.unit());
   constexpr std::uint32_t rounds_before_giving_up = 2;
   const double needed = labels.cost_to_decide();
   if (rounds.round() < rounds_before_giving_up || needed <= 4 * left) return {};
-  return needed < 1e9 ? fmt::format("to decide the rest would take about {:.0f} {}", needed, rounds.unit())
-                      : "labels are too near their requirements";
+  return needed < 1e9 ? fmt::format("deciding the rest would take about {:.0f} {}", needed, rounds.unit())
+                      : "labels are too close to their requirements";
 }
 
-CertifiedPlan verify_installation(const Scene& scene, const Question& question, const CertifyOptions& options,
-                                  const RunControl& control) {
-  // The signals by which links are planned; sums need no plan.
+CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& problem,
+                                  const CertifyOptions& options, const RunControl& control) {
+  // The signals that plan the links; sums need no plan.
   std::vector<float> planned;
-  if (question.model == CommunicationModel::non_cooperative)
+  if (problem.model == CommunicationModel::non_cooperative)
     planned = simulate(scene, options.simulation, control).matrix.mean;
   CertifiedPlan plan;
   Placement& placement = plan.placement;
-  placement.question = question;
+  placement.problem = problem;
   placement.selected.resize(scene.transceivers.size());
   std::iota(placement.selected.begin(), placement.selected.end(), 0U);
   placement.objective_value = static_cast<double>(placement.count());
@@ -97,7 +97,7 @@ CertifiedPlan verify_installation(const Scene& scene, const Question& question, 
           const auto row = planned.begin() + static_cast<std::ptrdiff_t>(i * placement.count());
           of_rows.insert(of_rows.end(), row, row + static_cast<std::ptrdiff_t>(placement.count()));
         }
-      verdicts.verify(rows, placement.selected, question, of_rows, rounds, rounds.level(1), control);
+      verdicts.verify(rows, placement.selected, problem, of_rows, rounds, rounds.level(1), control);
     }
   } catch (const Interrupted&) {
     certificate.open = "it was interrupted";

@@ -18,12 +18,12 @@ namespace {
 
 constexpr double highest_assumed = 0.99;
 
-// The signal that counts of a label, one linear quantity chosen on the planning matrix: the sum, or that
-// without the strongest unit; the strongest link, or the second.
+// The signal of a label as one linear quantity chosen on the planning matrix: the sum, the sum without the
+// strongest unit, the strongest link, or the second strongest.
 class CountedSignals {
  public:
-  CountedSignals(const Question& question, std::span<const float> planned, std::size_t columns)
-      : adds_up_(question.model == CommunicationModel::cooperative), redundant_(question.redundant) {
+  CountedSignals(const PlacementProblem& problem, std::span<const float> planned, std::size_t columns)
+      : adds_up_(problem.model == CommunicationModel::cooperative), redundant_(problem.redundant) {
     if (adds_up_ && !redundant_) return;
     std::vector<std::uint32_t> order(columns);
     for (std::size_t begin = 0; begin < planned.size(); begin += columns) {
@@ -49,18 +49,18 @@ class CountedSignals {
   std::vector<std::uint32_t> column_;
 };
 
-// By label what it gets, batch by batch, the known part included.
+// Signals by label and batch, analytic direct light included.
 using Batches = std::vector<std::vector<float>>;
 
-// One material after the other, at some of the labels.
+// Simulations with one changed material, at some of the labels.
 class Steps {
  public:
-  /// `labels` are those of the scene out of the whole, and `planned` has their signals.
-  Steps(Scene scene, std::vector<std::uint32_t> labels, const Question& question,
+  /// `labels`: numbers of the scene's labels in the whole scene; `planned`: their signals.
+  Steps(Scene scene, std::vector<std::uint32_t> labels, const PlacementProblem& problem,
         std::span<const float> planned, const VerificationEffort& effort, const RunControl& control)
       : scene_(std::move(scene)),
         labels_(std::move(labels)),
-        counted_(question, planned, scene_.transceivers.size()),
+        counted_(problem, planned, scene_.transceivers.size()),
         simulation_(effort.simulation),
         batches_(effort.batches),
         control_(control) {
@@ -68,7 +68,7 @@ class Steps {
     as_given_ = sample(scene_);
   }
 
-  LeastMargin as_given() const { return margin_of(as_given_, weakest(as_given_)); }
+  MinMargin as_given() const { return margin_of(as_given_, weakest(as_given_)); }
 
   ReflectanceStep with(std::size_t material, double reflectance) const {
     Scene changed = scene_;
@@ -115,14 +115,14 @@ class Steps {
     return batches;
   }
 
-  // The first of several; a scene has a label at least.
+  // The label of the smallest margin, the first of several; a scene has at least one label.
   std::size_t weakest(const Batches& batches) const {
     std::vector<double> ratio(requirement_.size());
     for (std::size_t i = 0; i < ratio.size(); ++i) ratio[i] = mean(batches[i]) / requirement_[i];
     return static_cast<std::size_t>(std::min_element(ratio.begin(), ratio.end()) - ratio.begin());
   }
 
-  LeastMargin margin_of(const Batches& batches, std::size_t label) const {
+  MinMargin margin_of(const Batches& batches, std::size_t label) const {
     Moments moments;
     for (const float value : batches[label]) moments.add(static_cast<double>(value));
     return {moments.mean() / requirement_[label], moments.standard_error() / requirement_[label],
@@ -151,20 +151,20 @@ ReflectanceEnd judged(const std::vector<LabelVerdict>& labels) {
   return end;
 }
 
-// The labels with the least margins at the low end, in their order: those that may have the least of all
-// somewhere in the ranges, or fall short.
-std::vector<std::uint32_t> nearest_to_missing(const std::vector<LabelVerdict>& labels, double least_at_high,
+// The labels with the smallest margins at the low end, in scene order, which may fall short or may have the
+// smallest margin of all within the ranges.
+std::vector<std::uint32_t> nearest_to_missing(const std::vector<LabelVerdict>& labels, double min_at_high,
                                               std::size_t materials) {
   std::vector<std::uint32_t> order(labels.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto margin = [&](std::uint32_t i) { return labels[i].signal / labels[i].requirement; };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return margin(a) < margin(b); });
-  const double up_to = std::max(1.0, least_at_high);
+  const double up_to = std::max(1.0, min_at_high);
   const auto near = static_cast<std::size_t>(
       std::count_if(order.begin(), order.end(), [&](std::uint32_t i) { return margin(i) <= up_to; }));
   const std::size_t affordable = labels.size() / std::max<std::size_t>(materials, 1);
-  order.resize(std::min(order.size(), std::max(std::min(near, affordable), least_watched_labels)));
+  order.resize(std::min(order.size(), std::max(std::min(near, affordable), min_watched_labels)));
   std::sort(order.begin(), order.end());
   return order;
 }
@@ -184,7 +184,7 @@ std::optional<MaterialSensitivity> range_of(const NamedMaterial& named, double a
 
 }  // namespace
 
-Sensitivity reflectance_sensitivity(const Scene& scene, const Question& question,
+Sensitivity reflectance_sensitivity(const Scene& scene, const PlacementProblem& problem,
                                     std::span<const float> planned, const SensitivityOptions& options,
                                     const VerificationEffort& effort, const RunControl& control) {
   const auto start = std::chrono::steady_clock::now();
@@ -210,10 +210,10 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const Question& question
   }
   const double level = (1 - options.confidence) / 2;
   control.report("sensitivity", -1, "all reflectances low");
-  const std::vector<LabelVerdict> at_low = verify(low, question, planned, level, effort, control);
+  const std::vector<LabelVerdict> at_low = verify(low, problem, planned, level, effort, control);
   result.low = judged(at_low);
   control.report("sensitivity", -1, "all reflectances high");
-  result.high = judged(verify(high, question, planned, level, effort, control));
+  result.high = judged(verify(high, problem, planned, level, effort, control));
   const std::vector<std::uint32_t> watched =
       nearest_to_missing(at_low, result.high.least.ratio, varied.size());
   result.watched = watched.size();
@@ -223,7 +223,7 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const Question& question
     const auto row = planned.subspan(i * columns, columns);
     planned_of_watched.insert(planned_of_watched.end(), row.begin(), row.end());
   }
-  const Steps steps(sub_scene(scene, watched), watched, question, planned_of_watched, effort, control);
+  const Steps steps(sub_scene(scene, watched), watched, problem, planned_of_watched, effort, control);
   result.batches = effort.batches;
   result.as_given = steps.as_given();
   for (std::size_t k = 0; k < varied.size(); ++k) {

@@ -7,8 +7,8 @@
 
 namespace shelfbeam {
 
-/// The same shop with some of its labels, in the order given: what is simulated of it follows the same law as
-/// in the whole scene, for devices are not in the way of light.
+/// The scene with some of its labels, in the given order. Their signals have the same distribution as in the
+/// whole scene, because devices do not block light.
 inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels) {
   Scene part = scene;
   part.store_hash.clear();
@@ -17,7 +17,7 @@ inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels
   return part;
 }
 
-/// The same with some of its transceivers, too.
+/// The scene with some of its labels and transceivers.
 inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels,
                        std::span<const std::uint32_t> transceivers) {
   Scene part = sub_scene(scene, labels);

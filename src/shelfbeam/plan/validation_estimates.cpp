@@ -1,4 +1,4 @@
-#include "shelfbeam/plan/fresh_sums.hpp"
+#include "shelfbeam/plan/validation_estimates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 // `tail`: the skewness towards the side of the limit. Student's t of skewed values is itself skewed, the
 // other way: to first order in B^-1/2 its quantile moves by skewness (2 t^2 + 1) / (6 B^1/2) (Johnson 1978).
-// Where that would bring the limit nearer it stays.
+// A correction that would narrow the interval is not applied.
 double half_width(const SkewedMoments& sampled, double tail, double level) {
   const double error = sampled.standard_error();
   if (error == 0) return 0;
@@ -23,23 +23,25 @@ double half_width(const SkewedMoments& sampled, double tail, double level) {
 
 }  // namespace
 
-double FreshSum::lower(double level) const {
+double ValidationEstimate::lower(double level) const {
   if (is_rare()) return known;
   return mean() - half_width(sampled, -sampled.skewness(), level);
 }
 
-double FreshSum::upper(double level) const {
+double ValidationEstimate::upper(double level) const {
   return mean() + half_width(sampled, sampled.skewness(), level);
 }
 
-double FreshSum::rare_upper(double level, double largest, double requirement) const {
-  return known + success_limit(hits, sampled.count(), level) * std::max(largest, large_hit * requirement);
+double ValidationEstimate::rare_upper(double level, double largest, double requirement) const {
+  return known + success_probability_upper_limit(hits, sampled.count(), level) *
+                     std::max(largest, large_hit * requirement);
 }
 
-FreshSums fresh_sums(const Scene& scene, const SimulationOptions& options, std::uint32_t batches,
-                     std::size_t width, const SumRule& rule, const RunControl& control) {
+ValidationEstimates validation_estimates(const Scene& scene, const SimulationOptions& options,
+                                         std::uint32_t batches, std::size_t width, const SumRule& rule,
+                                         const RunControl& control) {
   const std::size_t rows = scene.labels.size();
-  FreshSums result;
+  ValidationEstimates result;
   result.width = width;
   result.batches = batches;
   result.sums.resize(rows * width);
@@ -49,7 +51,7 @@ FreshSums fresh_sums(const Scene& scene, const SimulationOptions& options, std::
     values.assign(width, 0.0);
     rule(row.label, row.values, values);
     for (std::size_t k = 0; k < width; ++k) {
-      FreshSum& sum = result.sums[row.label * width + k];
+      ValidationEstimate& sum = result.sums[row.label * width + k];
       sum.sampled.add(values[k]);
       if (values[k] != 0) ++sum.hits;
       largest[row.label] = std::max(largest[row.label], values[k]);

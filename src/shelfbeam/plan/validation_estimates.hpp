@@ -13,51 +13,57 @@
 
 namespace shelfbeam {
 
-/// A quantity that batches estimate, and what is known of it beside them.
-struct FreshSum {
-  double known = 0;        ///< the part in closed form
-  SkewedMoments sampled;   ///< the rest, over batches
-  std::uint32_t hits = 0;  ///< batches in which it was not 0
+/// A quantity estimated by batches, and its exact part.
+struct ValidationEstimate {
+  double known = 0;        ///< exact part, by closed form
+  SkewedMoments sampled;   ///< sampled part, over batches
+  std::uint32_t hits = 0;  ///< batches with a nonzero value
 
   double mean() const { return known + sampled.mean(); }
-  /// One-sided limits, each on the wrong side of the truth with a chance of `level`: Student's, and further
-  /// out where the batches are skewed to that side (Johnson 1978). Where the spread is not to be trusted
-  /// (is_rare), the lower one is the part in closed form, as signals are not negative, and the upper one is
-  /// for `rare_upper`.
+  /// One-sided limits, each wrong with probability `level`. With x the mean, s the standard error, g the
+  /// skewness of the B batches and t = t_{B-1, 1-level} (Student; Johnson 1978):
+  ///
+  ///   upper = x + (t + max(0, g) (2 t^2 + 1) / (6 sqrt(B))) s
+  ///   lower = x - (t + max(0, -g) (2 t^2 + 1) / (6 sqrt(B))) s
+  ///
+  /// If is_rare, the lower limit is the exact part, as signals are not negative, and the upper one is
+  /// rare_upper.
   double lower(double level) const;
   double upper(double level) const;
-  /// For quantities that were hit rarely: the chance of a hit is limited (success_limit), and its size by
-  /// `largest`, the most that any batch gave any quantity of its kind, or `large_hit` requirements if that is
-  /// more: nobody has seen the hit that was missed.
+  /// Upper limit for rarely hit quantities, known + p_h x_max: p_h limits the probability of a hit
+  /// (success_probability_upper_limit), x_max is the larger of `largest`, the largest value that any batch
+  /// gave any quantity of this kind, and `large_hit` requirements, because a missed hit has not been
+  /// observed.
   double rare_upper(double level, double largest, double requirement) const;
-  /// Whether the spread of the batches is not to be trusted: hit in fewer than `least_hits` of them, or so
-  /// skewed that it rests on few.
-  bool is_rare() const { return (hits < least_hits && hits < sampled.count()) || sampled.is_skewed(); }
+  /// Whether the spread of the batches is unreliable: hit in fewer than `min_hits` of them, or so skewed that
+  /// a few determine it.
+  bool is_rare() const { return (hits < min_hits && hits < sampled.count()) || sampled.is_skewed(); }
 
-  static constexpr std::uint32_t least_hits = 30;
+  static constexpr std::uint32_t min_hits = 30;
   static constexpr double large_hit = 4;
 };
 
-/// Sums of signals over fresh batches, `width` for every label.
-struct FreshSums {
+/// Sums of signals over independent batches, `width` per label.
+struct ValidationEstimates {
   std::size_t width = 0;
   std::uint32_t batches = 0;
   std::uint64_t samples_per_batch = 0;
-  std::vector<FreshSum> sums;  ///< of label i from i * width on
-  double largest = 0;          ///< of all values of all sums in a batch, known light left out
+  std::vector<ValidationEstimate> sums;  ///< those of label i start at i * width
+  double largest = 0;  ///< largest sampled value of any sum in a batch, without analytic direct light
 
-  std::span<const FreshSum> of(std::size_t label) const {
+  std::span<const ValidationEstimate> of(std::size_t label) const {
     return std::span(sums).subspan(label * width, width);
   }
 };
 
-/// From the signals of all transceivers at a label, the sums that are wanted of it. Linear; called from
-/// several threads.
+/// Computes the sums of a label from the signals of all transceivers. Linear; called from several threads.
 using SumRule =
     std::function<void(std::size_t label, std::span<const double> signals, std::span<double> sums)>;
 
-/// Simulates the scene anew. The same for any number of threads. Throws as `sample_batches`.
-FreshSums fresh_sums(const Scene& scene, const SimulationOptions& options, std::uint32_t batches,
-                     std::size_t width, const SumRule& rule, const RunControl& control);
+/// Simulates the scene with independent samples. The result is the same for any number of threads. Throws as
+/// `sample_batches`.
+ValidationEstimates validation_estimates(const Scene& scene, const SimulationOptions& options,
+                                         std::uint32_t batches, std::size_t width, const SumRule& rule,
+                                         const RunControl& control);
 
 }  // namespace shelfbeam

@@ -5,18 +5,18 @@
 #include <limits>
 #include <numeric>
 
-#include "shelfbeam/plan/fresh_sums.hpp"
+#include "shelfbeam/plan/validation_estimates.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-double upper_limit(const FreshSum& sum, double level, double largest, double requirement) {
+double upper_limit(const ValidationEstimate& sum, double level, double largest, double requirement) {
   const double upper = sum.upper(level);
   return sum.is_rare() ? std::max(upper, sum.rare_upper(level, largest, requirement)) : upper;
 }
 
-// The sum of all signals but one, for each, without subtraction: where nothing is left it is 0.
+// For each signal the sum of all others, without subtraction; exactly 0 if there are no others.
 void sums_without_one(std::span<const double> signals, std::span<double> sums) {
   double before = 0, after = 0;
   for (std::size_t k = 0; k < signals.size(); ++k) {
@@ -29,27 +29,27 @@ void sums_without_one(std::span<const double> signals, std::span<double> sums) {
   }
 }
 
-void describe(LabelVerdict& label, const FreshSum& sum) {
+void describe(LabelVerdict& label, const ValidationEstimate& sum) {
   label.signal = sum.mean();
   label.standard_error = sum.sampled.standard_error();
 }
 
-// Every sum must meet the requirement: that of all units, or those without one of them.
-void judge_sums(LabelVerdict& label, std::span<const FreshSum> sums, double largest, double level) {
+// Every sum must meet the requirement: that of all units, or all sums without one unit.
+void judge_sums(LabelVerdict& label, std::span<const ValidationEstimate> sums, double largest, double level) {
   std::size_t weakest = 0;
   label.lower = label.upper = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < sums.size(); ++k) {
     if (sums[k].mean() < sums[weakest].mean()) weakest = k;
     label.lower = std::min(label.lower, sums[k].lower(level));
-    // Any of them may be the one that fails by chance.
+    // Any of the upper limits may be too low by chance, so the sums share the level.
     label.upper = std::min(label.upper, upper_limit(sums[k], level / static_cast<double>(sums.size()),
                                                     largest, label.requirement));
   }
   describe(label, sums[weakest]);
 }
 
-// So many links must do, one or two, and which they are was planned.
-void judge_links(LabelVerdict& label, std::span<const FreshSum> sums, double largest,
+// `needed` planned links, one or two, must meet the requirement.
+void judge_links(LabelVerdict& label, std::span<const ValidationEstimate> sums, double largest,
                  std::span<const float> planned, std::size_t needed, double level) {
   if (sums.size() < needed) return;
   std::vector<std::size_t> order(sums.size());
@@ -73,8 +73,9 @@ void judge_links(LabelVerdict& label, std::span<const FreshSum> sums, double lar
 
 }  // namespace
 
-std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, std::span<const float> planned,
-                                 double level, const VerificationEffort& effort, const RunControl& control) {
+std::vector<LabelVerdict> verify(const Scene& scene, const PlacementProblem& problem,
+                                 std::span<const float> planned, double level,
+                                 const VerificationEffort& effort, const RunControl& control) {
   const std::size_t rows = scene.labels.size(), columns = scene.transceivers.size();
   std::vector<LabelVerdict> labels(rows);
   for (std::size_t i = 0; i < rows; ++i) labels[i].requirement = scene.type_of(scene.labels[i]).requirement();
@@ -83,28 +84,29 @@ std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, s
     for (LabelVerdict& label : labels) label.verdict = Verdict::missed;
     return labels;
   }
-  const bool adds_up = question.model == CommunicationModel::cooperative;
-  const std::size_t width = adds_up && !question.redundant ? 1 : columns;
+  const bool adds_up = problem.model == CommunicationModel::cooperative;
+  const std::size_t width = adds_up && !problem.redundant ? 1 : columns;
   const SumRule rule = [&](std::size_t, std::span<const double> signals, std::span<double> sums) {
     if (!adds_up)
       std::copy(signals.begin(), signals.end(), sums.begin());
-    else if (question.redundant)
+    else if (problem.redundant)
       sums_without_one(signals, sums);
     else
       sums[0] = std::accumulate(signals.begin(), signals.end(), 0.0);
   };
-  const FreshSums fresh = fresh_sums(scene, effort.simulation, effort.batches, width, rule, control);
-  // P(any of m verdicts is wrong) <= m (level / m), whatever the dependence between labels (Bonferroni);
-  // Sidak's 1 - (1 - level)^(1/m) asks for independence and would be larger by a share of level / 2 at most.
+  const ValidationEstimates fresh =
+      validation_estimates(scene, effort.simulation, effort.batches, width, rule, control);
+  // P(any of m verdicts is wrong) <= m (level / m), for any dependence between labels (Bonferroni); Sidak's 1
+  // - (1 - level)^(1/m) requires independence and would be larger by a share of at most level / 2.
   const double of_one = level / static_cast<double>(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     LabelVerdict& label = labels[i];
-    const std::span<const FreshSum> sums = fresh.of(i);
+    const std::span<const ValidationEstimate> sums = fresh.of(i);
     if (adds_up)
       judge_sums(label, sums, fresh.largest, of_one);
     else
       judge_links(label, sums, fresh.largest, planned.subspan(i * columns, columns),
-                  question.redundant ? 2 : 1, of_one);
+                  problem.redundant ? 2 : 1, of_one);
     label.samples = fresh.batches * fresh.samples_per_batch;
     if (is_met(label.lower, label.requirement))
       label.verdict = Verdict::reached;

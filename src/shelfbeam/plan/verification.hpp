@@ -6,33 +6,33 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam {
 
-/// How much is simulated, and with which random numbers.
+/// Effort and random numbers of a simulation.
 struct VerificationEffort {
-  /// Estimator, memory and seed, which is not that of the matrix which the placement was chosen on; the
-  /// stopping rule plays no part.
+  /// Estimator, memory limit and seed, which must differ from that of the planning matrix. The stopping rule
+  /// does not apply.
   SimulationOptions simulation;
   std::uint32_t batches = 64;
 };
 
-/// The fewest batches of which limits are made.
-inline constexpr std::uint32_t least_verifying_batches = 64;
+/// Minimum number of batches for confidence limits.
+inline constexpr std::uint32_t min_verifying_batches = 64;
 
-/// Whether the transceivers of a scene (all of them are mounted) reach its labels, decided on fresh samples.
-/// `level` is the chance that any of the verdicts `reached` and `missed` is wrong, shared by the labels after
-/// Bonferroni. A label is only ever one of reached and missed in truth, so one-sided limits suffice.
+/// Verifies with independent samples whether the transceivers of a scene (all mounted) reach its labels.
+/// `level` is the probability that any verdict `reached` or `missed` is wrong, shared by the labels
+/// (Bonferroni). One-sided limits suffice, because a label is in truth either reached or missed.
 ///
-/// Non-cooperative: `planned` has the signals that a placement was chosen on, m x n row by row; the strongest
-/// of a row is the link that must do (the two strongest where a unit may fail). `missed` takes all links.
+/// Non-cooperative: `planned` contains the signals of the planning matrix, m x n row by row; the strongest
+/// link of a row must meet the requirement (with unit failure, the two strongest). `missed` tests all links.
 /// Throws as `sample_batches`.
-std::vector<LabelVerdict> verify(const Scene& scene, const Question& question, std::span<const float> planned,
-                                 double level, const VerificationEffort& effort,
-                                 const RunControl& control = {});
+std::vector<LabelVerdict> verify(const Scene& scene, const PlacementProblem& problem,
+                                 std::span<const float> planned, double level,
+                                 const VerificationEffort& effort, const RunControl& control = {});
 
 }  // namespace shelfbeam

@@ -8,16 +8,16 @@
 
 namespace shelfbeam {
 
-/// How far a store file is trusted: it may come from anyone.
-struct StoreTrust {
-  /// Whether files that the store names may lie outside its folder.
+/// Limits on a store file, which may come from an untrusted source.
+struct StoreLimits {
+  /// Whether the store may name files outside its folder.
   bool allow_outside = false;
   /// Memory limit in bytes for labels, candidates and surfaces, estimated before they are allocated.
   std::size_t memory = std::numeric_limits<std::size_t>::max();
 };
 
 /// The scene of a store file (docs/formats/store.md) and of the files that it names. Throws InputError with
-/// file and place.
-Scene read_scene(const std::filesystem::path& store, const StoreTrust& trust = {});
+/// file and location.
+Scene read_scene(const std::filesystem::path& store, const StoreLimits& trust = {});
 
 }  // namespace shelfbeam

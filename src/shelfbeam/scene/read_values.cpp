@@ -15,7 +15,7 @@ namespace shelfbeam {
 double check_coordinate(double value, const std::string& where) {
   constexpr double farthest = 1e4;
   if (!(std::abs(value) <= farthest))
-    throw InputError(where, fmt::format("is at {} m", value), "stay within 10 km of the origin");
+    throw InputError(where, fmt::format("is at {} m", value), "it must be within 10 km of the origin");
   return value;
 }
 
@@ -60,7 +60,7 @@ double read_extent(const JsonCursor& cursor, double least) {
 
 double read_quantity(const JsonCursor& cursor) {
   cursor.positive();
-  return cursor.number(least_quantity, largest_amount);
+  return cursor.number(min_quantity, largest_amount);
 }
 
 double read_amount(const JsonCursor& cursor) {
@@ -81,25 +81,25 @@ std::vector<double> read_angles(const JsonCursor& cursor, double last_deg) {
   std::vector<double> angles;
   for (const JsonCursor& element : cursor.elements()) {
     const double angle = radians(element.number(0, last_deg));
-    // Compared as it is kept: two angles may become the same in radians.
+    // Compares in radians, because two different angles in degrees may become equal.
     if (!angles.empty() && angle <= angles.back()) cursor.fail("does not ascend", "sort the angles");
     angles.push_back(angle);
   }
-  if (angles.empty()) cursor.fail("is empty", "give some angles");
+  if (angles.empty()) cursor.fail("is empty", "give at least one angle");
   return angles;
 }
 
 std::vector<double> read_angles_from_zero(const JsonCursor& cursor, double last_deg) {
   std::vector<double> angles = read_angles(cursor, last_deg);
-  if (angles.front() != 0) cursor.fail("does not begin at 0", "angles ascend from 0");
+  if (angles.front() != 0) cursor.fail("does not begin at 0", "angles must ascend from 0");
   return angles;
 }
 
 double degrees_of(double angle) {
   const double near = std::round(angle * 180 / pi * 1e6) / 1e6;
   if (radians(near) == angle) return near;
-  // `radians` rounds but never descends, and the bits of positive numbers ascend as the numbers do: the least
-  // angle that reaches this one is found by halving.
+  // Bisection for the smallest angle with radians(degrees) >= angle. `radians` is monotonic in spite of
+  // rounding, and the bit patterns of positive numbers have the order of the numbers.
   auto low = std::bit_cast<std::uint64_t>(0.0), high = std::bit_cast<std::uint64_t>(361.0);
   while (low < high) {
     const std::uint64_t middle = low + (high - low) / 2;
@@ -112,9 +112,9 @@ double degrees_of(double angle) {
 }
 
 Vec3 unit_direction(const Vec3& v, const std::string& where) {
-  // Scaled first, so that squares neither vanish nor overflow.
+  // Scales first, so that the squares neither underflow nor overflow.
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(largest > 0)) throw InputError(where, "the direction is zero", "give it a length");
+  if (!(largest > 0)) throw InputError(where, "is a zero vector", "give a direction");
   return std::abs(length_squared(v) - 1) < 1e-12 ? v
                                                  : normalized({v.x / largest, v.y / largest, v.z / largest});
 }
@@ -128,7 +128,7 @@ std::string check_name(std::string name, const std::string& where) {
   if (name.empty()) throw InputError(where, "is empty", "give it a name");
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (std::any_of(name.begin(), name.end(), is_control))
-    throw InputError(where, "has a control character in its name", "use letters, digits and signs");
+    throw InputError(where, "has a control character in its name", "use printable characters");
   return name;
 }
 

@@ -18,14 +18,14 @@ using Vec2 = std::array<double, 2>;  ///< in plan, m
 struct Label {
   std::string id;
   Vec3 position;  ///< m
-  Vec3 normal;    ///< unit
+  Vec3 normal;    ///< unit length
   LabelTypeId type;
 };
 
 struct Transceiver {
   std::string id;
   Vec3 position;        ///< m
-  Vec3 axis{0, 0, -1};  ///< unit; straight down unless told otherwise
+  Vec3 axis{0, 0, -1};  ///< unit length; straight down by default
   double roll_deg = 0;
   TransceiverTypeId type;
   bool installed = false;
@@ -34,12 +34,12 @@ struct Transceiver {
 struct NamedMaterial {
   std::string name;
   Material material;
-  /// Within which the given reflectance (given_reflectance) is known, both ends included; none: not told.
+  /// The range of the given reflectance (given_reflectance), both ends included; nothing if unknown.
   std::optional<std::array<double, 2>> reflectance_range = {};
 };
 
-/// Surfaces that shine: all triangles of a material emit this radiance from both sides. A light source like a
-/// transceiver, for tests that need one of known light; no store file has them.
+/// A luminous surface: all triangles of a material emit this radiance from both sides. It is a light source
+/// like a transceiver, for tests that require known light. Store files cannot contain it.
 struct EmittingSurface {
   std::string id;
   MaterialId material;
@@ -50,20 +50,20 @@ struct EmittingSurface {
 struct TriangleMesh {
   std::vector<Vec3> vertices;  ///< m
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<MaterialId> materials;  ///< one a triangle
+  std::vector<MaterialId> materials;  ///< one per triangle
 };
 
 enum class PartKind { shell, panel, board, kick_plate, goods, tub, casing, door, solid, mesh };
 
-/// A piece of a fixture as drawings need it: an upright prism (for a mesh: around the convex hull of its
-/// plan; of a door, which is a pane without thickness, in plan or in height nothing).
+/// A part of a fixture for drawings: an upright prism, for a mesh over the convex hull of its plan. A door is
+/// a pane, so its prism has no thickness in plan or no height.
 struct Part {
   PartKind kind = PartKind::solid;
   std::uint32_t fixture = 0;  ///< index into Scene::fixtures
   MaterialId material;
   std::vector<Vec2> footprint;                           ///< counter-clockwise polygon in plan, m
   double bottom = 0, top = 0;                            ///< m
-  std::uint32_t first_triangle = 0, triangle_count = 0;  ///< in Scene::mesh, of a mesh; of others no matter
+  std::uint32_t first_triangle = 0, triangle_count = 0;  ///< in Scene::mesh; only for meshes
 };
 
 struct FixtureOutline {
@@ -74,14 +74,14 @@ struct FixtureOutline {
   double rotation_deg = 0;
 };
 
-/// Everything a simulation needs, checked and frozen: made by `make_scene`, passed on as const.
+/// The complete, checked input of a simulation. `make_scene` constructs it; from then on it is const.
 struct Scene {
-  /// content_hash of the resolved store that it was made of. Empty where it was made by hand; clear it when
-  /// you change a scene.
+  /// content_hash of the resolved store. Empty for a scene from other sources; clear it when you change a
+  /// scene.
   std::string store_hash;
   std::string name;
   double wavelength_nm = 940;
-  std::optional<Vec3> room;  ///< size of the axis-aligned shell from the origin
+  std::optional<Vec3> room;  ///< size, m; axis-aligned, with a corner at the origin
   Vec3 lower, upper;         ///< bounds of all triangles
   std::vector<NamedMaterial> materials;
   std::vector<LabelType> label_types;
@@ -97,7 +97,7 @@ struct Scene {
   const LabelType& type_of(const Label& label) const { return label_types[label.type.value]; }
   const TransceiverType& type_of(const Transceiver& t) const { return transceiver_types[t.type.value]; }
 
-  /// By material: whether a surface is made of it.
+  /// For each material, whether a surface uses it.
   std::vector<bool> used_materials() const {
     std::vector<bool> used(materials.size(), false);
     for (const MaterialId material : mesh.materials) used[material.value] = true;
@@ -105,8 +105,8 @@ struct Scene {
   }
 };
 
-/// Identifies a scene in checkpoints and in what is computed from it: its store_hash, or where it has none a
-/// hash of all that a simulation depends on.
+/// Identifies a scene in checkpoints and results: its store_hash or, if that is empty, a hash of everything
+/// that affects a simulation.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace shelfbeam

@@ -14,20 +14,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Absolute and without symbolic links, whether or not it exists.
+// The absolute path without symbolic links, whether or not it exists.
 fs::path resolved(const fs::path& path, std::error_code& error) {
   const fs::path absolute = fs::absolute(path, error);
   return error ? fs::path() : fs::weakly_canonical(absolute, error);
 }
 
-// Both resolved; the folder itself is in it.
+// Precondition: both paths are resolved. A folder lies in itself.
 bool lies_in(const fs::path& file, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
 }  // namespace
 
-StoreFolder::StoreFolder(fs::path folder, const StoreTrust& trust)
+StoreFolder::StoreFolder(fs::path folder, const StoreLimits& trust)
     : folder_(std::move(folder)), trust_(trust) {}
 
 fs::path StoreFolder::find(const JsonCursor& name) const {
@@ -35,18 +35,18 @@ fs::path StoreFolder::find(const JsonCursor& name) const {
 }
 
 fs::path StoreFolder::find(const fs::path& name, const std::string& where, const std::string& what) const {
-  if (name.empty()) throw InputError(where, "names no file", "give the name of one");
+  if (name.empty()) throw InputError(where, "is an empty file name", "name a file");
   fs::path path = folder_ / name;
   if (path.native().find('\0') != std::string::npos)
-    throw InputError(where, "names a file by a text with a zero in it", "correct the name");
+    throw InputError(where, "is a file name with a null character", "remove it");
   std::error_code error;
   if (!trust_.allow_outside) {
-    // Also of what does not exist, so that an error does not tell what lies elsewhere.
+    // Checked before existence, so that the error does not reveal which files exist elsewhere.
     const fs::path home = resolved(folder_.empty() ? "." : folder_, error);
     const fs::path target = error ? fs::path() : resolved(path, error);
     if (error || !lies_in(target, home))
-      throw InputError(where, fmt::format("'{}' lies outside the folder of the store file", name.string()),
-                       "move it there, or allow files outside of it", Setting::files_outside);
+      throw InputError(where, fmt::format("'{}' is outside the folder of the store file", name.string()),
+                       "move it there, or allow files outside it", Setting::files_outside);
   }
   if (fs::is_directory(path, error))
     throw InputError(where, fmt::format("'{}' is a folder", path.string()), "name a file in it");

@@ -11,26 +11,26 @@ namespace shelfbeam {
 
 class JsonCursor;
 
-/// The folder of a store file, below which the files lie that it names.
+/// The folder of a store file, which contains the files that the store names.
 class StoreFolder {
  public:
-  explicit StoreFolder(std::filesystem::path folder, const StoreTrust& trust = {});
+  explicit StoreFolder(std::filesystem::path folder, const StoreLimits& trust = {});
 
-  /// StoreTrust::memory, but not less than what the program takes by itself.
-  std::size_t memory() const { return std::max(trust_.memory, least_memory); }
+  /// StoreTrust::memory, but at least the memory that the program itself requires.
+  std::size_t memory() const { return std::max(trust_.memory, min_memory); }
 
-  /// The file that a text names relative to the folder. Throws InputError at its place where there is none,
-  /// or it is a folder, or it lies outside of this one: by "..", as an absolute path or by a symbolic link.
+  /// The path of a file named relative to the folder. Throws InputError at the JSON position if the file does
+  /// not exist, is a folder, or lies outside this folder: by "..", an absolute path or a symbolic link.
   std::filesystem::path find(const JsonCursor& name) const;
-  /// The same for any name; `where` is its place and `what` it should be, "mesh".
+  /// The same for any name; `where` is its location and `what` the kind of file ("mesh"), for messages.
   std::filesystem::path find(const std::filesystem::path& name, const std::string& where,
                              const std::string& what) const;
 
  private:
-  static constexpr std::size_t least_memory = 1 << 26;
+  static constexpr std::size_t min_memory = 1 << 26;
 
   std::filesystem::path folder_;
-  StoreTrust trust_;
+  StoreLimits trust_;
 };
 
 }  // namespace shelfbeam

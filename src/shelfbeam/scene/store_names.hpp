@@ -10,7 +10,7 @@
 
 namespace shelfbeam {
 
-/// The names in one list of a store. Throws InputError at the place of a reference to none of them.
+/// The names in one list of a store. An unknown name throws InputError at the location of the reference.
 template <class Id>
 class NameIndex {
  public:
@@ -28,7 +28,7 @@ class NameIndex {
   std::map<std::string, std::uint32_t, std::less<>> names_;
 };
 
-/// Looks up names that a store file refers to.
+/// Looks up the names to which a store file refers.
 struct StoreNames {
   template <class Store>
   explicit StoreNames(const Store& store)

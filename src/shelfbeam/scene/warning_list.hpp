@@ -8,17 +8,17 @@
 
 namespace shelfbeam {
 
-/// Warnings by kind. Of each kind the first five are told in full, the others as a number: a slip in one
-/// fixture may concern thousands of labels.
+/// Warnings by kind. The first five of each kind are printed in full, and the others are counted, because an
+/// error in one fixture may affect thousands of labels.
 class WarningList {
  public:
-  /// `kind` is what "and 123 more" counts: "labels that lie inside a fixture".
+  /// `kind` completes the line "and 123 more ...", for example "labels inside a fixture".
   void add(std::string_view kind, const std::string& warning) {
     auto group = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.kind == kind; });
     if (group == groups_.end()) group = groups_.insert(group, Group{std::string(kind), {}, 0});
     if (++group->count <= shown) group->first.push_back(warning);
   }
-  /// Kinds in the order in which they first came.
+  /// The warnings, with kinds in the order of their first appearance.
   std::vector<std::string> texts() const {
     std::vector<std::string> texts;
     for (const Group& group : groups_) {

@@ -11,13 +11,13 @@
 
 namespace shelfbeam {
 
-/// What is known of a label beside its row.
+/// Properties of a label besides its row of signals.
 struct LabelRow {
   std::string id;
   std::string type;
   Vec3 position;           ///< m
-  Vec3 normal;             ///< unit
-  double requirement = 0;  ///< gamma tau, in the unit of the signal (3.6); 0 where it is not known
+  Vec3 normal;             ///< unit length
+  double requirement = 0;  ///< gamma tau, in the signal's unit of measure (3.6); 0 if unknown
   double link_cost = 0;    ///< c_i^E of (3.3)
   double signal_cost = 0;  ///< delta_i of (3.14)
   std::uint32_t batches = 0;
@@ -26,38 +26,38 @@ struct LabelRow {
   bool operator==(const LabelRow&) const = default;
 };
 
-/// What is known of a candidate transceiver beside its column.
+/// Properties of a candidate besides its column of signals.
 struct TransceiverColumn {
   std::string id;
   std::string type;
   Vec3 position;    ///< m
-  Vec3 axis;        ///< unit
+  Vec3 axis;        ///< unit length
   double cost = 1;  ///< c_j^T of (3.3)
   bool installed = false;
 
   bool operator==(const TransceiverColumn&) const = default;
 };
 
-/// The part of a signal matrix that comes over certain paths.
+/// The part of a signal matrix from certain paths.
 struct SignalLayer {
   std::vector<float> mean, standard_error;  ///< m n entries, as in SignalMatrix
 
   bool operator==(const SignalLayer&) const = default;
 };
 
-/// The simulated signal matrix M (m labels x n transceivers, row-major) and what belongs to it.
+/// The simulated signal matrix M (m labels x n transceivers, row-major) with its labels and transceivers.
 struct SignalMatrix {
   std::vector<LabelRow> labels;
   std::vector<TransceiverColumn> transceivers;
   std::vector<float> mean;            ///< m n entries: the signal of label i from transceiver j alone
   std::vector<float> standard_error;  ///< m n entries: of `mean`, from independent batches
   std::vector<float> direct;          ///< m n entries: the part of `mean` without any reflection
-  /// m n entries: 1 where the batches are so skewed that `standard_error` is not to be trusted (PowerSums);
-  /// empty where that is not known.
+  /// m n entries: 1 if the batches are so skewed that `standard_error` is not reliable (PowerSums); empty if
+  /// unknown.
   std::vector<std::uint8_t> flags;
-  std::vector<SignalLayer> by_bounce;  ///< layer k: k bounces; none unless asked for
-  /// Layer k: paths from k to k + 1 times `length_step` long, the last one all longer ones, too; none unless
-  /// asked for.
+  std::vector<SignalLayer> by_bounce;  ///< layer k: k bounces; empty unless requested
+  /// Layer k: paths from k to k + 1 times `length_step` long; the last layer also contains all longer paths.
+  /// Empty unless requested.
   std::vector<SignalLayer> by_length;
   double length_step = 0;  ///< m
   double wavelength_nm = 940;

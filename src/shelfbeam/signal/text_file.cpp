@@ -27,7 +27,7 @@ constexpr std::size_t piece = 1 << 16;
 void check_is_file(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
-    throw InputError(path.string(), "is a folder, not a file", "name the file in it");
+    throw InputError(path.string(), "is a folder, not a file", "name a file in it");
 }
 
 void check_is_text(const fs::path& path, std::string_view text) {
@@ -38,7 +38,7 @@ void check_is_text(const fs::path& path, std::string_view text) {
   const std::string_view head = text.substr(0, 4096);
   if (std::any_of(head.begin(), head.end(), is_binary))
     throw InputError(path.string(), "is neither a signal file (HDF5), nor NPY, nor text",
-                     "check that it is complete and was meant (gzip is understood for text only)");
+                     "check that it is complete and the right file (gzip is supported for text only)");
 }
 
 }  // namespace
@@ -70,13 +70,13 @@ std::string read_text_file(const fs::path& path, std::size_t most) {
     const std::string message = gzerror(file.get(), &state);
     if (state == Z_ERRNO) cannot_read(path);
     if (got < 0 || state == Z_BUF_ERROR)
-      throw InputError(path.string(), fmt::format("is a truncated or damaged gzip file ({})", message),
-                       "fetch or compress it again");
+      throw InputError(path.string(), fmt::format("is a truncated or corrupt gzip file ({})", message),
+                       "download or compress it again");
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
     if (size > most)
-      throw InputError(path.string(), fmt::format("has more than {} bytes of text, decompressed", most),
-                       "check that it was meant; a signal file (HDF5) or NPY takes less memory");
+      throw InputError(path.string(), fmt::format("has more than {} bytes of decompressed text", most),
+                       "check that it is the right file; a signal file (HDF5) or NPY requires less memory");
   }
   text.resize(size);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);

@@ -24,7 +24,7 @@ double chi_square_upper_tail(double x, double degrees_of_freedom) {
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), x));
 }
 
-double success_limit(std::uint64_t successes, std::uint64_t trials, double level) {
+double success_probability_upper_limit(std::uint64_t successes, std::uint64_t trials, double level) {
   if (successes >= trials) return 1;
   return boost::math::quantile(
       boost::math::complement(boost::math::beta_distribution<>(static_cast<double>(successes + 1),

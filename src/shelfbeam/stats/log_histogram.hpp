@@ -8,11 +8,11 @@
 
 namespace shelfbeam {
 
-/// Counts of relative errors in bins of equal ratio: quantiles of any number of values in little memory, good
-/// to 1 %. Counts are whole numbers, so the order of `add` and `merge` does not matter.
+/// A histogram of relative errors with bins of equal ratio. It gives quantiles of any number of values in
+/// little memory, accurate to 1 %. Counts are integers, so the order of `add` and `merge` does not matter.
 class LogHistogram {
  public:
-  static constexpr double smallest = 1e-6;  ///< smaller values, 0 among them, count as 0
+  static constexpr double smallest = 1e-6;  ///< smaller values count as 0
   static constexpr double ratio = 1.01;
 
   void add(double value) {
@@ -27,8 +27,8 @@ class LogHistogram {
 
   std::uint64_t count() const { return total_; }
 
-  /// A value that at least the share p of all values do not exceed (the upper end of a bin); 0 without
-  /// values.
+  /// The upper end of the bin that contains the p-quantile: at least the share p of all values is at most
+  /// this. 0 without values.
   double quantile(double p) const {
     const double wanted = p * static_cast<double>(total_);
     double passed = 0;
@@ -45,7 +45,7 @@ class LogHistogram {
     return static_cast<std::size_t>(std::clamp(b, 1.0, static_cast<double>(bins - 1)));
   }
 
-  static constexpr std::size_t bins = 2084;  // up to 1000
+  static constexpr std::size_t bins = 2084;  // the last bin ends at about 1000
   std::array<std::uint64_t, bins> counts_{};
   std::uint64_t total_ = 0;
 };

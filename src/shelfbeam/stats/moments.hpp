@@ -6,8 +6,8 @@
 
 namespace shelfbeam {
 
-/// Running mean and variance of values (Welford 1962), and of their union (Chan, Golub, LeVeque 1979). The
-/// result depends on the order of `add` and `merge` in its last bits, and on nothing else.
+/// Running mean and variance (Welford 1962), with merging (Chan, Golub, LeVeque 1979). The order of `add` and
+/// `merge` affects only the last bits of the result.
 class Moments {
  public:
   void add(double value) {
@@ -29,11 +29,11 @@ class Moments {
   std::uint64_t count() const { return count_; }
   double mean() const { return mean_; }  ///< 0 without values
 
-  /// Unbiased sample variance; infinite for fewer than two values, which tell nothing of it.
+  /// Unbiased sample variance; infinite for fewer than two values.
   double variance() const {
     return count_ < 2 ? std::numeric_limits<double>::infinity() : squares_ / static_cast<double>(count_ - 1);
   }
-  /// Of the mean, for independent values.
+  /// Standard error of the mean, for independent values.
   double standard_error() const {
     return std::sqrt(variance() / static_cast<double>(count_ < 2 ? 1 : count_));
   }
@@ -44,15 +44,15 @@ class Moments {
   double squares_ = 0;  ///< sum of squared differences from the mean
 };
 
-/// Whether the standard error of a mean rests on too few of the n values to be trusted: g^2 > n / 4 + 2, g
-/// being their skewness. One value that makes up a share s of the spread alone has g^2 = s^3 n, so this is
-/// where one of them makes up two thirds of it or more; 2 is what few values of a tame distribution may show
-/// by chance.
+/// Whether the standard error of a mean rests on too few of the n values to be reliable: g^2 > n / 4 + 2 with
+/// the skewness g. A single value that contributes the share s of the spread gives g^2 = s^3 n, so the test
+/// detects a value with about two thirds of the spread or more. The 2 allows for the skewness that a small
+/// sample of a well-behaved distribution shows by chance.
 inline bool is_skewed(double skewness, double n) {
   return skewness * skewness > n / 4 + 2;
 }
 
-/// Sums of the powers of n independent values, and what they say of the error of their mean.
+/// Power sums of n independent values, their skewness, and the standard error of their mean.
 struct PowerSums {
   double n = 0, sum = 0, squares = 0, cubes = 0;
 
@@ -65,10 +65,10 @@ struct PowerSums {
 
   double mean() const { return sum / n; }
 
-  /// Of the mean, from the spread of the values. Spread that rounding of the sums alone can explain is 0.
+  /// Standard error of the mean, from the spread of the values. A spread within the rounding error is 0.
   double standard_error() const { return std::sqrt(spread() / (n * (n - 1))); }
 
-  /// Third central moment over the cube of the standard deviation, 0 where there is no spread.
+  /// Third central moment over the cube of the standard deviation; 0 without spread.
   double skewness() const {
     const double m2 = spread();
     if (m2 == 0) return 0;
@@ -89,7 +89,7 @@ struct PowerSums {
   }
 };
 
-/// Moments with the third one (Terriberry 2007), for limits of means of skewed values.
+/// Moments up to the third (Terriberry 2007), for confidence limits of the means of skewed values.
 class SkewedMoments {
  public:
   void add(double value) {
@@ -105,7 +105,7 @@ class SkewedMoments {
   double mean() const { return moments_.mean(); }
   double variance() const { return moments_.variance(); }
   double standard_error() const { return moments_.standard_error(); }
-  /// Third central moment over the cube of the standard deviation; 0 where all values are equal.
+  /// Third central moment over the cube of the standard deviation; 0 if all values are equal.
   double skewness() const {
     return squares_ > 0
                ? std::sqrt(static_cast<double>(moments_.count())) * cubes_ / (squares_ * std::sqrt(squares_))

@@ -31,7 +31,7 @@ double unexplained_spread(std::span<const double> values, std::span<const double
   std::vector<double> distances;
   for (const double value : values) distances.push_back(std::abs(value - median));
   const auto n = static_cast<double>(values.size());
-  // The median is nearer to the values than the mean of the population: Croux and Rousseeuw 1992.
+  // Corrects for the sample median being nearer to the values than the true one (Croux and Rousseeuw 1992).
   const double wanted = half_of_a_normal * (n - 0.8) / n;
   if (median_deviation(distances, errors, 0) <= wanted) return 0;
   double low = 0, high = 2 * *std::max_element(distances.begin(), distances.end());
@@ -49,7 +49,7 @@ RobustMean robust_mean(std::span<const double> values, std::span<const double> e
   mean.value = quantile({values.begin(), values.end()}, 0.5);
   mean.spread = unexplained_spread(values, errors, mean.value);
   const std::size_t n = values.size();
-  // Values without any error are all alike; equal weights do not matter then.
+  // Without any error or spread, all values are equal, and the common minimum does not matter.
   const double least = std::max(1e-9, 1e-9 * std::abs(mean.value));
   std::vector<double> plain(n);
   double sum = 0, squares = 0;

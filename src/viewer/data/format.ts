@@ -33,7 +33,7 @@ export function percent(share: number, decimals = 1): string {
   return `${fixed(100 * share, decimals)}\u00a0%`;
 }
 
-/** As the statement of a certificate writes it: `99 %`. */
+/** The format of a confidence: `99 %`. */
 export function percentage(share: number): string {
   return `${plain(100 * share)}\u00a0%`;
 }

@@ -1,11 +1,11 @@
-// State and what follows from it, for all that shows it.
+// The state of the view and the values derived from it.
 
 import { classesOf, type Classes } from "../scene/classes";
 import { Coverage } from "../scene/coverage";
 import { changedUnits, initialState, switchUnit, type Selection, type State } from "./state";
 import { verdicts, type Signals, type Store } from "./store";
 
-/** What of a link between label and unit the matrix tells. */
+/** One entry of the matrix. */
 export interface Contribution {
   label: number;
   unit: number;
@@ -19,7 +19,7 @@ const known = (value: number | undefined) => (value === undefined || Number.isNa
 export class Model {
   state: State;
   readonly coverage: Coverage;
-  /** Labels that the plan reaches under the thresholds it was made for. */
+  /** Labels that the plan reaches under its own requirements. */
   readonly plannedReached: number;
   private readonly numbers = new Map<number, number>();
   private readonly installed: Set<number>;
@@ -41,12 +41,12 @@ export class Model {
     this.listeners.push(listener);
   }
 
-  /** Something else than units and thresholds is shown differently. */
+  /** Notifies listeners of changes other than units and requirements. */
   changed(): void {
     for (const listener of this.listeners) listener();
   }
 
-  /** Units or thresholds are others. */
+  /** Recomputes after a change of units or requirements. */
   recount(): void {
     this.coverage.update(this.state.on, this.state.requirements);
     this.changed();
@@ -75,12 +75,12 @@ export class Model {
     return classesOf(this.store, this.coverage, this.state.mode, this.isAsPlanned());
   }
 
-  /** What the certificate says of a label; nothing where there is none, or none for what is on now. */
+  /** The certified verdict on a label; null without a certificate or after changes. */
   verdict(label: number): (typeof verdicts)[number] | null {
     return this.store.certificate && this.isAsPlanned() ? verdicts[this.store.label.verdict[label]] : null;
   }
 
-  /** Number of a unit of the plan in the report's table; nothing for others. */
+  /** The number of a planned unit in the table of the report; undefined for other candidates. */
   numberOf(unit: number): number | undefined {
     return this.numbers.get(unit);
   }
@@ -113,7 +113,7 @@ export class Model {
     };
   }
 
-  /** What the units that are on give to a label, the strongest first. */
+  /** The contributions of the units that are on to a label, the strongest first. */
   contributions(label: number): Contribution[] {
     const { begin, column } = this.signals;
     const found: Contribution[] = [];
@@ -122,7 +122,7 @@ export class Model {
     return found.sort((a, b) => b.mean - a.mean || a.unit - b.unit);
   }
 
-  /** What one unit gives to every label that has a signal from it. */
+  /** The contributions of one unit to the labels that receive it. */
   reachOf(unit: number): Contribution[] {
     const { begin, column } = this.signals;
     const found: Contribution[] = [];
@@ -139,7 +139,7 @@ export class Model {
     return found;
   }
 
-  /** Met labels and all labels, of those that `counts` names. */
+  /** The number of met labels and of all labels for which `counts` is true. */
   share(counts: (label: number) => boolean): { met: number; all: number } {
     let met = 0;
     let all = 0;

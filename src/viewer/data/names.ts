@@ -1,11 +1,11 @@
-// Ids of fixtures over the picture, as many as fit without touching each other.
+// Ids of fixtures over the picture, as many as fit without overlap.
 
 import { element } from "../panel/dom";
 import type { Stage } from "../scene/stage";
 import type { Store } from "./store";
 
-const letter = 6.4; // CSS pixels a letter of an id is wide
-const line = 20; // and ids are apart from one above another
+const letter = 6.4; // CSS pixels, width of a letter
+const line = 20; // CSS pixels, distance between ids above one another
 
 export class Names {
   readonly root = element("div", { class: "v3-names", "aria-hidden": "true" });
@@ -20,12 +20,12 @@ export class Names {
     this.root.append(...this.names.map(({ text }) => text));
   }
 
-  /** `taken` are points that no id may cover. */
+  /** No id covers the points `taken`. */
   update(stage: Stage, taken: number[][]): void {
     const { width, height } = stage.size;
     const placed = taken.map((at) => ({ ...stage.project(at), width: 26 }));
     const seen = this.names.map((name) => ({ name, ...stage.project(name.at) }));
-    // What is nearest goes first.
+    // The nearest ids have priority.
     seen.sort((a, b) => a.depth - b.depth);
     for (const { name, x, y, depth } of seen) {
       const inside = depth < 1 && x > 0 && y > 0 && x < width && y < height;

@@ -1,4 +1,4 @@
-// The numbers of units as a texture: cell 0 is empty, cell 1 a plus, cell k + 1 the number k.
+// The numbers of units as a texture: cell 0 is empty, cell 1 contains a plus, cell k + 1 the number k.
 
 import { CanvasTexture, LinearFilter } from "three";
 

@@ -1,4 +1,4 @@
-// Reads what report/viewer/page_data.cpp wrote.
+// Reads the format of report/viewer/page_data.cpp.
 
 type Numbers = Uint8Array | Uint16Array | Uint32Array | Float32Array | Float64Array;
 
@@ -40,7 +40,7 @@ async function inflate(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** The bytes of an array stand in planes: the lowest byte of every element, then the next. */
+/** An array is stored in byte planes: the lowest byte of every element, then the next byte. */
 function joinPlanes(bytes: Uint8Array, count: number, width: number): ArrayBuffer {
   const out = new Uint8Array(count * width);
   for (let plane = 0; plane < width; ++plane)

@@ -1,11 +1,11 @@
-// What the reader has chosen, and its form in a link.
+// The choices of the reader, and their encoding in a link.
 
 import { modesOf, type Mode } from "../scene/classes";
 import type { Store } from "./store";
 
 export type Selection = { kind: "label" | "unit"; index: number } | null;
 
-/** Positions in m; `zoom` is that of the plan. */
+/** Positions in m; `zoom` applies to the plan view. */
 export interface CameraPlace {
   at: number[];
   target: number[];
@@ -21,7 +21,7 @@ export interface State {
   goods: boolean;
   plan: boolean;
   selection: Selection;
-  /** Nothing: the whole store. */
+  /** Null: the whole store. */
   camera: CameraPlace | null;
 }
 
@@ -42,7 +42,7 @@ export function initialState(store: Store): State {
   };
 }
 
-/** Switches a unit; of the options of a mounting point one at most is on. */
+/** Switches a unit; at most one option of a mounting point is on. */
 export function switchUnit(store: Store, state: State, unit: number, on: boolean): void {
   state.on[unit] = on ? 1 : 0;
   if (!on) return;
@@ -50,7 +50,7 @@ export function switchUnit(store: Store, state: State, unit: number, on: boolean
     if (mount.includes(unit)) for (const other of mount) if (other !== unit) state.on[other] = 0;
 }
 
-/** Units that are on but not in the plan, and the other way round. */
+/** Units that are on but not in the plan, and planned units that are off. */
 export function changedUnits(store: Store, state: State): { added: number[]; removed: number[] } {
   const planned = new Set(store.units.selected);
   const added: number[] = [];
@@ -84,7 +84,7 @@ export function toHash(store: Store, state: State): string {
   return `#${words.join("&")}`;
 }
 
-/** Nothing where the hash is not one of ours. What it names wrongly is passed over. */
+/** Null for hashes of other origin. Invalid parts are ignored. */
 export function fromHash(store: Store, hash: string): State | null {
   const words = new URLSearchParams(hash.replace(/^#/, ""));
   if (words.get("view") !== "1") return null;

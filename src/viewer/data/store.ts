@@ -2,7 +2,7 @@
 
 import { readPageData } from "./page_data";
 
-/** Of the certificate, as plan/answer/certificate.hpp numbers them. */
+/** The verdicts of a certificate, numbered as in plan/answer/certificate.hpp. */
 export const verdicts = ["reached", "missed", "undecided"] as const;
 
 export interface StoreAbout {
@@ -17,7 +17,7 @@ export interface StoreAbout {
   levels: { heights: string; labels: number }[];
   fixtures: { id: string; at: number[] }[];
   labels: { ids: string[]; kinds: { type: string; requirement: number }[] };
-  /** What fresh samples say of the plan as it was made; null where they were not asked. */
+  /** The certificate of the original plan; null without one. */
   certificate: { confidence: number } | null;
   units: {
     ids: string[];
@@ -25,7 +25,7 @@ export interface StoreAbout {
     installed: number[];
     mounts: number[][];
     selected: number[];
-    /** Labels that are met, and would not be without each of `selected`. */
+    /** For each of `selected`, the number of labels that are met only because of it. */
     neededBy: number[];
   };
 }
@@ -44,23 +44,23 @@ export interface Store extends StoreAbout {
   mesh: { vertex: Float32Array; triangle: Uint32Array };
 }
 
-/** Entries of the matrix row by row: of label i those from begin[i] to begin[i + 1]. */
+/** Entries of the matrix row by row; label i has the entries from begin[i] to begin[i + 1]. */
 export interface Signals {
   begin: Uint32Array;
   column: Uint32Array;
   mean: Float32Array;
-  /** Standard errors; empty where they are not known, NaN of entries of which they are not in the page. */
+  /** Standard errors; empty without errors, NaN for entries without an error in the page. */
   error: Float32Array;
-  /** The part without any reflection, 0 to 1; empty or NaN as above. */
+  /** The share without reflection, 0 to 1; empty or NaN as above. */
   directShare: Float32Array;
-  /** What the plan gives to each label beyond its entries here; empty where entries are as they are in the matrix. */
+  /** The signal of the plan minus the sum of its rounded entries, per label; empty without rounding. */
   rest: Float64Array;
 }
 
 interface SignalsAbout {
-  /** Entries are rounded to so much of what their label needs; 0: they are not. */
+  /** Rounding of the entries as a share of the requirement; 0: no rounding. */
   grain: number;
-  /** Of entries with fewer grains there is neither standard error nor direct share. */
+  /** Entries with fewer grains have neither standard error nor direct share. */
   detailsFrom: number;
   leastError: number;
   errorStep: number;
@@ -78,13 +78,13 @@ export async function readStore(base64: string): Promise<Store> {
   };
 }
 
-/** What each label's entries are measured by, as report/viewer/page_signals.cpp has it. */
+/** The unit of measure for the entries of each label, as in report/viewer/page_signals.cpp. */
 function needsOf({ label, labels }: Store): Float64Array {
   const any = labels.kinds.reduce((most, { requirement }) => Math.max(most, requirement), 0) || 1;
   return Float64Array.from(label.kind, (kind) => labels.kinds[kind].requirement || any);
 }
 
-/** In the middle between two grains. */
+/** Rounded entries lie in the middle between two grains. */
 function meansOf(grains: Uint32Array, grain: number, begin: Uint32Array, store: Store): Float32Array {
   const mean = new Float32Array(grains.length);
   needsOf(store).forEach((need, label) => {
@@ -120,7 +120,7 @@ export async function readSignals(base64: string, store: Store): Promise<Signals
     begin,
     column,
     mean,
-    // Of rounded entries in proportion to them.
+    // For rounded entries, errors are relative to the entry.
     error: details(page.get("error", Uint16Array), (code, at) =>
       code === 0 ? 0 : leastError * Math.exp((code - 1) * errorStep) * (grains ? Math.abs(mean[at]) : 1),
     ),

@@ -1,4 +1,4 @@
-// What is known of the label or unit that is selected.
+// Details of the selected label or unit.
 
 import { reachClass } from "../scene/classes";
 import { element, button } from "./dom";
@@ -65,21 +65,23 @@ export class Card {
         "p",
         { class: coverage.met[label] ? "v3-met" : "v3-unmet" },
         element("strong", { text: decibels(coverage.margin(label)), "data-fact": "margin" }),
-        coverage.met[label] ? " above what it needs" : " – not reached",
+        coverage.met[label] ? " above the requirement" : " – not reached",
       ),
       this.facts([
         ...this.certified(label),
-        [store.redundant ? "Signal, strongest failed" : "Signal", `${this.signal(signal)}\u00a0${name}`, "signal"],
-        ["Needs", `${this.signal(coverage.requirement(label))}\u00a0${name}`, "requirement"],
+        [store.redundant ? "Without strongest unit" : "Signal", `${this.signal(signal)}\u00a0${name}`, "signal"],
+        ["Requirement", `${this.signal(coverage.requirement(label))}\u00a0${name}`, "requirement"],
         ["Reached alone by", counted(coverage.serving[label], "unit"), "serving"],
         ["Level", String(store.label.level[label] + 1)],
-        ["At", place],
+        ["Position", place],
       ]),
-      found.length ? this.table(rows, name) : element("p", { class: "v3-note", text: "No unit that is on gives it a signal." }),
+      found.length
+        ? this.table(rows, name)
+        : element("p", { class: "v3-note", text: "This label receives no signal from the units that are on." }),
       found.length > mostRows
         ? element("p", {
             class: "v3-note",
-            text: `${grouped(found.length - mostRows)} more give ${this.signal(rest)}\u00a0${name} together.`,
+            text: `${grouped(found.length - mostRows)} more units give ${this.signal(rest)}\u00a0${name} in total.`,
           })
         : "",
     );
@@ -87,14 +89,14 @@ export class Card {
 
   private certified(label: number): [string, string, string?][] {
     if (!this.model.store.certificate) return [];
-    return [["On fresh samples", this.model.verdict(label) ?? "known of the plan only", "verdict"]];
+    return [["Verdict", this.model.verdict(label) ?? "for the original plan only", "verdict"]];
   }
 
   private table(rows: HTMLElement[], unit: string): HTMLElement {
     const { signals } = this.model;
     const head = element("tr", {}, element("th", { text: "Unit" }), element("th", { text: unit, class: "n" }));
     if (signals.error.length) head.append(element("th", { text: "± error", class: "n", title: "standard error" }));
-    if (signals.directShare.length) head.append(element("th", { text: "direct", title: "share that arrives without any reflection" }));
+    if (signals.directShare.length) head.append(element("th", { text: "direct", title: "share that arrives without reflection" }));
     return element("table", {}, element("thead", {}, head), element("tbody", {}, ...rows));
   }
 
@@ -147,13 +149,13 @@ export class Card {
     const kind = `${number === undefined ? "Candidate" : `Unit ${number} of the plan`}, ${store.units.types[unit]}`;
     const facts: [string, string, string?][] = [
       ["Reaches alone", counted(coverage.reach[unit], "label"), "alone"],
-      ["Farthest of these", farthest > 0 ? `${fixed(farthest, 1)}\u00a0m` : "–"],
+      ["Farthest reached", farthest > 0 ? `${fixed(farthest, 1)}\u00a0m` : "–"],
       ["Gives 10 to 100 %", counted(classes[2], "label")],
       ["Gives 1 to 10 %", counted(classes[1], "label")],
-      ["At", place],
+      ["Position", place],
     ];
     if (!store.redundant || !on)
-      facts.unshift([on ? "Without it, lost" : "With it, gained", counted(coverage.decides[unit], "label"), "decides"]);
+      facts.unshift([on ? "Needed by" : "Would add", counted(coverage.decides[unit], "label"), "decides"]);
     this.root.replaceChildren(
       this.head(kind, store.units.ids[unit]),
       element(

@@ -1,4 +1,4 @@
-// Small helpers for the controls beside the picture.
+// Helpers for the controls beside the picture.
 
 type Child = Node | string | null;
 
@@ -31,7 +31,7 @@ export function button(text: string, pressed: () => void, attributes: Attributes
   return element("button", { type: "button", text, on: { click: pressed }, ...attributes });
 }
 
-/** One of several, as radio buttons that look like one row. */
+/** A choice of one value, as radio buttons in one row. */
 export class Choice<Value extends string> {
   readonly root: HTMLFieldSetElement;
   private readonly inputs = new Map<Value, HTMLInputElement>();
@@ -51,7 +51,7 @@ export class Choice<Value extends string> {
   }
 }
 
-/** Replaces what a list shows; the control in it that has the focus (data-key) keeps it. */
+/** Replaces the children of a list; the focused control (by data-key) keeps the focus. */
 export function replaceChildren(list: HTMLElement, children: Node[]): void {
   const focused = document.activeElement;
   const key = focused instanceof HTMLElement && list.contains(focused) ? focused.dataset.key : undefined;

@@ -1,4 +1,4 @@
-// Units and labels as lists with a search: whatever can be clicked in the picture can be reached here, too.
+// Searchable lists of units and labels: everything clickable in the picture is also available here.
 
 import { button, element, replaceChildren } from "./dom";
 import { counted, decibels, grouped } from "../data/format";
@@ -50,7 +50,7 @@ abstract class SearchList {
     );
     this.note.textContent =
       found.length === 0
-        ? "Nothing has this id."
+        ? "No id matches."
         : found.length > mostRows
           ? `${grouped(found.length - mostRows)} more: search to find them.`
           : "";
@@ -62,7 +62,7 @@ export class UnitList extends SearchList {
     super(
       model,
       "units",
-      "Switch any candidate on or off, and all numbers follow. The plan comes first, then what reaches most labels alone.",
+      "Switch any candidate on or off to update all numbers. Planned units come first, then candidates that reach most labels alone.",
     );
   }
 
@@ -83,7 +83,7 @@ export class UnitList extends SearchList {
     const on = state.on[unit] !== 0;
     const number = this.model.numberOf(unit);
     const decides = coverage.decides[unit];
-    const effect = store.redundant && on ? "" : on ? `, ${grouped(decides)} only with it` : `, would add ${grouped(decides)}`;
+    const effect = store.redundant && on ? "" : on ? `, needed by ${grouped(decides)}` : `, would add ${grouped(decides)}`;
     const box = element("input", {
       type: "checkbox",
       "data-key": `on${unit}`,
@@ -103,7 +103,7 @@ export class LabelList extends SearchList {
     model: Model,
     private readonly show: (label: number) => void,
   ) {
-    super(model, "labels", "Choose a label to see what reaches it. The least margin comes first.");
+    super(model, "labels", "Choose a label to see the units that it receives. The smallest margin comes first.");
   }
 
   protected order(): number[] {

@@ -1,4 +1,4 @@
-// What the reader sets: shelf levels to show or hide, and what labels need, gamma tau of every kind.
+// The settings of the reader: visible shelf levels, and the requirement gamma tau of every kind of label.
 
 import { button, element } from "./dom";
 import { decibels, grouped, percent } from "../data/format";
@@ -13,7 +13,7 @@ export class Levels {
   constructor(private readonly model: Model) {
     const { store } = model;
     const list = element("ul", { class: "v3-list v3-levels" });
-    // From the top down, as they hang.
+    // From the top level down.
     for (let level = store.levels.length - 1; level >= 0; --level) {
       const box = element("input", {
         type: "checkbox",
@@ -82,7 +82,7 @@ interface Row {
 }
 
 export class Thresholds {
-  readonly root = element("section", { class: "v3-box" }, element("h3", { text: "What labels need" }));
+  readonly root = element("section", { class: "v3-box" }, element("h3", { text: "Requirements" }));
   private readonly rows: Row[] = [];
 
   constructor(private readonly model: Model) {
@@ -102,7 +102,7 @@ export class Thresholds {
       type: "number",
       min: 0,
       step: "any",
-      "aria-label": `Threshold of ${type} labels, ${name}`,
+      "aria-label": `Requirement of ${type} labels, ${name}`,
       on: { change: () => (number.value === "" ? this.update() : set(Number(number.value) * factor)) },
     });
     const slider = element("input", {
@@ -110,7 +110,7 @@ export class Thresholds {
       min: -mostDecibels,
       max: mostDecibels,
       step: 0.1,
-      "aria-label": `Threshold of ${type} labels against the plan, dB`,
+      "aria-label": `Requirement of ${type} labels relative to the plan, dB`,
       on: {
         input: () => set(Number(slider.value) === 0 ? planned : planned * 10 ** (Number(slider.value) / 10)),
       },
@@ -136,7 +136,7 @@ export class Thresholds {
       const shift = 10 * Math.log10(value / planned);
       slider.value = String(shift);
       slider.setAttribute("aria-valuetext", value === planned ? "as planned" : decibels(shift));
-      change.textContent = value === planned ? "as planned" : `${decibels(shift)} against the plan`;
+      change.textContent = value === planned ? "as planned" : `${decibels(shift)} relative to the plan`;
       const { met, all } = this.model.share((label) => store.label.kind[label] === kind);
       share.textContent = `${percent(all ? met / all : 1)} reached (${grouped(met)} of ${grouped(all)})`;
     });

@@ -1,4 +1,4 @@
-// Classes of labels that are drawn alike, with the colours of the static plans.
+// Classes of labels with a common mark, in the colours of the static plans.
 
 import type { Coverage } from "./coverage";
 import { percentage, plain } from "../data/format";
@@ -7,7 +7,7 @@ import { verdicts, type Store } from "../data/store";
 export const modeNames = { margin: "Margin", signal: "Signal", serving: "Serving units", certificate: "Certificate" };
 export type Mode = keyof typeof modeNames;
 
-/** Those for which the store has what they show. */
+/** The modes for which the store has data. */
 export function modesOf(store: Store): Mode[] {
   return (Object.keys(modeNames) as Mode[]).filter((mode) => mode !== "certificate" || store.certificate);
 }
@@ -16,23 +16,23 @@ export interface LabelClass {
   name: string;
   /** CSS variable. */
   colour: string;
-  /** Of all labels in the class; otherwise they are triangles where they are not met, and discs. */
+  /** The shape of all labels in the class; by default, missed labels are triangles and others discs. */
   shape?: "disc" | "triangle" | "square";
 }
 
-/** Which of the classes a label belongs to. */
+/** Classes, and the class of each label. */
 export interface Classes {
   title: string;
   list: LabelClass[];
   of: (label: number) => number;
 }
 
-const failed = (store: Store) => (store.redundant ? ", its strongest unit failed" : "");
+const failed = (store: Store) => (store.redundant ? " without the strongest unit" : "");
 
 function marginClasses(store: Store, coverage: Coverage): Classes {
   const { margins } = store;
   return {
-    title: `Signal above what a label needs${failed(store)}:`,
+    title: `Signal above the requirement${failed(store)}:`,
     list: margins.map(({ name }, k) => ({ name, colour: `--m${k}`, shape: k < 2 ? "triangle" : "disc" })),
     of: (label) => {
       const margin = coverage.margin(label);
@@ -74,17 +74,17 @@ function servingClasses(coverage: Coverage): Classes {
   };
 }
 
-/** Verdicts are of the plan as it was made; of anything else nothing is certified. */
+/** Verdicts apply only to the original plan. */
 function certificateClasses(store: Store, isAsPlanned: boolean): Classes {
   if (!store.certificate || !isAsPlanned)
     return {
-      title: "The certificate is of the plan as it was made, not of what is on now:",
-      list: [{ name: "without a verdict", colour: "--floor" }],
+      title: "The certificate covers only the original plan:",
+      list: [{ name: "no verdict", colour: "--floor" }],
       of: () => 0,
     };
   const [reached, missed, undecided] = verdicts;
   return {
-    title: `On fresh samples, with joint confidence ${percentage(store.certificate.confidence)}:`,
+    title: `With independent samples and ${percentage(store.certificate.confidence)} confidence:`,
     list: [
       { name: reached, colour: "--m5", shape: "disc" },
       { name: missed, colour: "--m0", shape: "triangle" },
@@ -100,12 +100,12 @@ export function classesOf(store: Store, coverage: Coverage, mode: Mode, isAsPlan
   return mode === "signal" ? signalClasses(store, coverage) : servingClasses(coverage);
 }
 
-/** What one unit gives to a label, in proportion to what the label needs. */
+/** The signal of a label from one unit, as a share of its requirement. */
 export const reachClasses: LabelClass[] = [
   { name: "below 1 %", colour: "--m3", shape: "disc" },
   { name: "1 to 10 %", colour: "--m4", shape: "disc" },
   { name: "10 to 100 %", colour: "--m5", shape: "disc" },
-  { name: "all, alone", colour: "--m6", shape: "disc" },
+  { name: "reached alone", colour: "--m6", shape: "disc" },
 ];
 
 export function reachClass(share: number, alone: boolean): number {

@@ -1,5 +1,5 @@
-// What a selection of units does for every label, as placement/problem/instance.cpp counts it: the same sums in the same
-// order in double precision, so that the same labels are met.
+// The effect of a selection on every label. As in placement/problem/placement_problem.cpp, sums are in double precision
+// and in row order, so that the same labels are met.
 
 import type { Signals, Store } from "../data/store";
 
@@ -12,8 +12,8 @@ export class Coverage {
   /** Labels that each unit reaches alone, on or off. */
   readonly reach: Uint32Array;
   /**
-   * Labels that a unit decides: met only because it is on, or met were it on, too. Of units that are on, not counted
-   * where any one may fail.
+   * Labels that a unit decides: met only because it is on, or met if it were also on. Not counted for units that are on
+   * if any one unit may fail.
    */
   readonly decides: Uint32Array;
 
@@ -48,7 +48,7 @@ export class Coverage {
 
   update(on: Uint8Array, requirements: readonly number[]): void {
     const { begin, column, mean, rest } = this.signals;
-    // Of sums, what the plan's entries lack stays with the label, so that a switch is off by that unit's entry alone.
+    // The rounding error of the plan's sum is corrected per label, so that only switched units cause errors.
     const { cooperative, units } = this.store;
     const whole = rest.length > 0 && (cooperative || units.selected.every((unit) => on[unit]));
     this.reach.fill(0);
@@ -71,7 +71,7 @@ export class Coverage {
       this.serving[i] = serving;
       this.countDecisive(i, on);
     }
-    // Rounded entries may put a label on the other side; of the plan the numbers are known.
+    // Rounded entries may change the decision for a label; for the plan, the exact numbers are known.
     if (rest.length > 0 && !this.store.redundant && this.isPlan(on, requirements))
       units.selected.forEach((unit, k) => (this.decides[unit] = units.neededBy[k]));
   }
@@ -86,7 +86,7 @@ export class Coverage {
     );
   }
 
-  /** The signal of a label as the question counts it, with one unit turned over (-1: none). */
+  /** The signal of a label under the placement problem, with one unit switched (-1: none). */
   private received(label: number, on: Uint8Array, turned: number): number {
     const { begin, column, mean } = this.signals;
     const { cooperative, redundant } = this.store;
@@ -116,7 +116,7 @@ export class Coverage {
     for (let at = begin[label]; at < begin[label + 1]; ++at) {
       const unit = column[at];
       if ((on[unit] !== 0) !== met) continue;
-      // Where a bound is enough, the rule itself need not be asked.
+      // A bound often decides without evaluating received().
       if (cooperative && (met ? signal - mean[at] > requirement + slack : signal + mean[at] < requirement - slack)) continue;
       if (!cooperative && (met ? mean[at] < shown : !this.isMet(mean[at], requirement))) continue;
       if (this.isMet(this.received(label, on, unit) + whole, requirement) !== met) ++this.decides[unit];

@@ -1,4 +1,4 @@
-// The store itself: floor, room, and the parts of fixtures as prisms, shaded by the way their faces look.
+// The store: floor, room, and the parts of fixtures as prisms, shaded by the direction of their faces.
 
 import {
   BufferAttribute,
@@ -41,13 +41,13 @@ class Faces {
   }
 }
 
-/** A face looking this way: bright from above, sides told apart. */
+/** The brightness of a face with this normal: bright on top, different on the sides. */
 function shadeOf(x: number, y: number, z: number): number {
   const size = Math.hypot(x, y, z) || 1;
   return 0.86 + 0.14 * Math.max(0, z / size) - 0.1 * Math.abs(x / size) - 0.22 * Math.max(0, -z / size);
 }
 
-/** Goods of one shelf differ a little, as products do. */
+/** Goods of one shelf differ slightly in colour, like products. */
 function tint(x: number, y: number, z: number): number {
   const wave = Math.sin(x * 12.9898 + y * 78.233 + z * 37.719) * 43758.5453;
   return 0.9 + 0.1 * (wave - Math.floor(wave));
@@ -80,7 +80,7 @@ function roomEdges(store: Store): number[] {
   });
 }
 
-/** Lines of the floor every so many metres. */
+/** The distance between floor lines in metres. */
 export const floorGrid = 5;
 
 function gridEdges(store: Store): number[] {

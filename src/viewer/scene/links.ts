@@ -1,4 +1,4 @@
-// Lines from a label to the units that it hears: the direct part drawn through, the reflected part dashed.
+// Lines from a label to the units that it receives: the direct part solid, the reflected part dashed.
 
 import {
   BufferAttribute,
@@ -14,7 +14,7 @@ import {
 export interface Link {
   from: [number, number, number];
   to: [number, number, number];
-  /** Of the length that is drawn through, counted from `from`; the rest is dashed. Null: not known, all in one. */
+  /** The solid share of the length, from `from`; the rest is dashed. Null: not known, one solid line. */
   solid: number | null;
   /** Pixels. */
   width: number;
@@ -32,7 +32,7 @@ flat out float metres;
 void main() {
   vec4 a = projectionMatrix * modelViewMatrix * vec4(start, 1.0);
   vec4 b = projectionMatrix * modelViewMatrix * vec4(end, 1.0);
-  // What is behind the reader is cut off at the near plane.
+  // Parts behind the camera are clipped at the near plane.
   float near = 0.02;
   float first = 0.0, last = 1.0;
   if (a.w < near && b.w > near) { first = (near - a.w) / (b.w - a.w); a = mix(a, b, first); }

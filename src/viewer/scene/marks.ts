@@ -1,7 +1,7 @@
 // Marks that face the reader: labels and units, instanced, one draw call for all marks of one object.
 //
-// An instance is a block of marks that read what they are from textures: instances of four corners each would leave
-// most of a GPU idle, and drawing in software take ten times as long.
+// An instance is a block of marks that read their properties from textures. One instance per mark would leave most of a
+// GPU idle and make software rendering ten times slower.
 
 import {
   BufferAttribute,
@@ -25,18 +25,18 @@ import {
   ZeroFactor,
 } from "three";
 
-const block = 64; // marks an instance
+const block = 64; // marks per instance
 const rowLength = 1024; // texels
 
 export const mostColours = 20;
 
-/** Shapes as the fragment shader knows them. */
+/** Shapes, numbered as in the fragment shader. */
 export const shapes = { disc: 0, triangle: 1, square: 2, cross: 3 } as const;
 
 const vertexShader = /* glsl */ `
 uniform float worldRadius, lift, spread, pixel;
 uniform bool perspective;
-uniform vec2 pixelRadius; // least and largest
+uniform vec2 pixelRadius; // minimum and maximum
 uniform int count;
 uniform sampler2D centres; // and number
 uniform sampler2D facings;
@@ -73,7 +73,7 @@ void main() {
   place = position.xy * (1.0 + (wide > 3.0 ? 2.0 : 0.5) / wide);
   vec4 at = seen + vec4(place * wide * size, 0.0, 0.0);
   gl_Position = projectionMatrix * at;
-  // In front of the shelf that the label is fixed to, or a tilted view would cut into the mark.
+  // In front of the shelf, which would otherwise cut into the mark in a tilted view.
   vec4 nearer = projectionMatrix * (at + vec4(0.0, 0.0, min(wide * size, 0.35), 0.0));
   gl_Position.z = look.z == 2.0 ? -0.999 * gl_Position.w : nearer.z / nearer.w * gl_Position.w;
 }`;
@@ -83,7 +83,7 @@ precision highp float;
 uniform vec3 palette[${mostColours}];
 uniform vec3 edge, strong, paper;
 uniform bool picking;
-uniform float threshold; // of coverage; with samples that are covered one by one 0
+uniform float threshold; // of coverage; 0 with multisampling
 uniform sampler2D numbers;
 uniform vec2 numberGrid;
 in vec2 place;
@@ -128,7 +128,7 @@ void main() {
   colour = vec4(shown, inside);
 }`;
 
-/** Four numbers a mark. */
+/** Four numbers per mark. */
 function texture(data: Float32Array | Uint8Array, format: PixelFormat, type: TextureDataType): DataTexture {
   const made = new DataTexture(data, rowLength, data.length / (4 * rowLength), format, type);
   made.needsUpdate = true;
@@ -164,7 +164,7 @@ export interface MarkStyle {
   /** Radius in m, kept between two sizes in pixels. */
   worldRadius: number;
   pixels: [number, number];
-  /** m along the way a mark faces. */
+  /** Offset in m along the direction that a mark faces. */
   lift: number;
   numbers?: { texture: Texture; grid: [number, number] };
 }
@@ -175,7 +175,7 @@ export class Marks {
   private readonly looks: Uint8Array;
   private readonly textures: { centres: DataTexture; facings: DataTexture; looks: DataTexture; idents: DataTexture };
 
-  /** `idents` are told by picking. */
+  /** Picking returns `idents`. */
   constructor(
     readonly count: number,
     centre: Float32Array,
@@ -202,7 +202,7 @@ export class Marks {
       vertexShader,
       fragmentShader,
       alphaToCoverage: true,
-      // The picture itself stays opaque: what alpha says is only which samples are covered.
+      // The picture stays opaque: alpha only selects the covered samples.
       blending: CustomBlending,
       blendSrc: OneFactor,
       blendDst: ZeroFactor,
@@ -245,7 +245,7 @@ export class Marks {
     this.looks.set([colour, shape, emphasis, level], 4 * mark);
   }
 
-  /** A cell of the number texture; -1: a label, 0: nothing written. */
+  /** A cell of the number texture; -1: a label, 0: no number. */
   setNumber(mark: number, cell: number): void {
     this.places[4 * mark + 3] = cell;
   }

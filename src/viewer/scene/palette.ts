@@ -1,4 +1,4 @@
-// Colours come from the page's style sheet, so that they follow its light and dark setting.
+// Colours are read from the style sheet of the page, so that they follow its light and dark setting.
 
 import { Color } from "three";
 

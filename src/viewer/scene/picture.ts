@@ -1,4 +1,4 @@
-// Keeps the marks and lines of the stage as the model has them.
+// Updates the marks and lines of the stage from the model.
 
 import { reachClass, reachClasses, type LabelClass } from "./classes";
 import type { Link } from "./links";
@@ -12,7 +12,7 @@ import { changedUnits } from "../data/state";
 const unitColours = ["--unit", "--accent", "--cand"];
 const mostLinks = 24;
 
-/** Labels in class k of what is shown, by level. */
+/** The number of labels in each class on the visible levels. */
 export interface ClassCounts {
   classes: LabelClass[];
   counts: number[];
@@ -57,14 +57,14 @@ export class Picture {
     stage.add(this.units);
   }
 
-  /** Which mark a picked ident stands for. */
+  /** The label or unit of a picked ident. */
   named(ident: number): { kind: "label" | "unit"; index: number } | null {
     const labels = this.model.store.labels.ids.length;
     if (ident === 0) return null;
     return ident <= labels ? { kind: "label", index: ident - 1 } : { kind: "unit", index: ident - 1 - labels };
   }
 
-  /** Where the mark of a label or unit stands, m. */
+  /** The position of the mark of a label or unit, m. */
   place(kind: "label" | "unit", index: number): [number, number, number] {
     const { store, state } = this.model;
     if (kind === "unit") {
@@ -108,7 +108,7 @@ export class Picture {
     return this.model.state.selection?.kind === "unit" ? reachClasses : this.model.classes.list;
   }
 
-  /** m between the levels of the plan, where marks above one another would hide each other. */
+  /** Distance in m between the levels in the plan view, where marks would otherwise hide each other. */
   private spread(): number {
     return Math.min(0.17, 0.75 / this.levels.length);
   }

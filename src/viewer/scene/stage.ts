@@ -1,4 +1,4 @@
-// The picture: cameras, what is drawn, and which mark lies under a point. Draws when something has changed, never idly.
+// The picture: cameras, objects, and picking of the mark at a point. Draws only after changes.
 
 import {
   ColorManagement,
@@ -25,16 +25,16 @@ ColorManagement.enabled = false;
 
 const fieldOfView = 40;
 const mostSmooth = 10000; // labels
-/** From where the store is seen at first, and how much of the picture it fills. */
+/** The initial direction of view, and the share of the picture that the store fills. */
 const firstWay = new Vector3(-0.36, -0.72, 0.78).normalize();
 const fill = 0.95;
-const pickSize = 15; // CSS pixels on a side
+const pickSize = 15; // CSS pixels per side
 
 export class Stage {
   readonly links = new Links();
   readonly fixtures: Fixtures;
   drawCalls = 0;
-  /** Median time of the last frames in a row, ms; nothing until some have been measured. */
+  /** Median time of the last measured frames, ms; null before the first measurement. */
   frameTime: number | null = null;
   onDrawn: () => void = () => {};
 
@@ -58,7 +58,7 @@ export class Stage {
     readonly canvas: HTMLCanvasElement,
     private readonly store: Store,
   ) {
-    // Smooth edges of many small marks cost more than they show.
+    // For many small marks, smooth edges cost more time than their effect is worth.
     const antialias = store.labels.ids.length <= mostSmooth;
     this.renderer = new WebGLRenderer({ canvas, antialias, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
@@ -87,7 +87,7 @@ export class Stage {
     this.scene.add(marks.mesh);
   }
 
-  /** Steps back from the middle of the store until its corners fill the picture. */
+  /** Moves the camera back from the middle of the store until its corners fill the picture. */
   private fit(): { middle: Vector3; distance: number } {
     const [a, b] = [this.store.lower, this.store.upper];
     const middle = new Vector3(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), a[2] + 0.2 * (b[2] - a[2]));
@@ -144,7 +144,7 @@ export class Stage {
     return this.isPlan ? [this.above, this.pan] : [this.perspective, this.orbit];
   }
 
-  /** Turns by angles (plan: shifts), in steps of a key. */
+  /** Turns (in the plan: shifts) by steps of one key press. */
   turn(right: number, up: number): void {
     if (this.isPlan) return this.shift(right, up);
     const way = this.perspective.position.clone().sub(this.orbit.target);
@@ -173,14 +173,14 @@ export class Stage {
     this.moved();
   }
 
-  /** Looks at a point from so many metres, from the side that it faces where it faces any. */
+  /** Looks at a point from a distance in metres, from the side that it faces, if any. */
   lookAt(point: number[], distance: number, facing: number[] | null): void {
     const [camera, controls] = this.current();
     const way = camera.position.clone().sub(controls.target);
     controls.target.set(point[0], point[1], this.isPlan ? controls.target.z : point[2]);
     if (this.isPlan) this.above.zoom = Math.max(this.above.zoom, 0.5 / distance);
     else {
-      // Along the shelf and from above, or the next shelf would stand between.
+      // Along the shelf and from above, so that the opposite shelf does not hide the point.
       if (facing) way.set(0.5 * facing[0] + 0.6 * facing[1], 0.5 * facing[1] - 0.6 * facing[0], 0.55);
       way.setLength(facing ? distance : Math.min(way.length(), distance));
     }
@@ -219,13 +219,13 @@ export class Stage {
     });
   }
 
-  /** Draws once, then so many frames or for so many ms, each waited for, and keeps their median time. */
+  /** Draws one frame, then times several (limited by count and ms) and stores the median time. */
   measure(frames: number, longest = Infinity): number {
     const gl = this.renderer.getContext();
     const pixel = new Uint8Array(4);
     const times: number[] = [];
     let end = 0;
-    // The first frame compiles what the others draw with.
+    // The first frame compiles the shaders.
     for (let k = 0; k <= frames && (k < 2 || performance.now() < end); ++k) {
       const begin = performance.now();
       if (k === 1) end = begin + longest;
@@ -239,7 +239,7 @@ export class Stage {
     return this.frameTime;
   }
 
-  /** The mark nearest to a point of the canvas (CSS pixels), in front of what hides others; 0 for none. */
+  /** The visible mark nearest to a point of the canvas (CSS pixels); 0 for none. */
   pick(x: number, y: number): number {
     const [camera] = this.current();
     const reach = (pickSize - 1) / 2;
@@ -274,7 +274,7 @@ export class Stage {
     return { width: this.width, height: this.height };
   }
 
-  /** Where a point of the store is on the canvas, CSS pixels, and how far, below 1 where it is in sight. */
+  /** The position of a point of the store on the canvas in CSS pixels, and its depth, below 1 within the view. */
   project(point: number[]): { x: number; y: number; depth: number } {
     const [camera] = this.current();
     camera.updateMatrixWorld();

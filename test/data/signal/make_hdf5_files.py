@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the HDF5 files beside it with h5py: what other programs write, and what cannot be read."""
+"""Makes the HDF5 files in this folder with h5py: files as other programs write them, and invalid files."""
 
 import pathlib
 
@@ -11,7 +11,7 @@ texts = lambda *values: np.array([value.encode() for value in values], dtype="S"
 
 
 def signal_file(name, libver="latest"):
-    """A valid signal file of 2 labels and 3 transceivers, in data types and layouts of h5py's choosing."""
+    """A valid signal file of 2 labels and 3 transceivers, in h5py's default data types and layouts."""
     file = h5py.File(folder / name, "w", libver=libver)
     for key, value in {"program_version": "9", "store_hash": "", "estimator": "by hand"}.items():
         file.attrs[key] = np.bytes_(value)

@@ -14,7 +14,7 @@ namespace {
 
 using test::Json;
 
-/// A simulated kiosk and what somebody measured there in millivolts: 250 per W/m^2, up to 0.3 dB off.
+/// A simulated kiosk and measurements there in millivolts: 250 per W/m^2, up to 0.3 dB off.
 class Compare : public test::ProgramTest {
  protected:
   Compare() {
@@ -42,7 +42,7 @@ class Compare : public test::ProgramTest {
 TEST_F(Compare, FindsTheFactorOfPairs) {
   folder.write("m.csv", pairs());
   const std::string text = told("compare @signal.h5 @m.csv -o @out");
-  for (const char* part : {"One unit of simulated signal", "errors explain the differences",
+  for (const char* part : {"times the simulated signals", "errors explain the differences",
                            "No pair is an outlier.", "comparison.csv", "comparison.html"})
     EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
   EXPECT_EQ(test::names(folder / "out"), (std::set<std::string>{"comparison.csv", "comparison.html"}));
@@ -53,7 +53,7 @@ TEST_F(Compare, FindsTheFactorOfPairs) {
   EXPECT_NEAR(json["factor"].get<double>(), 250, 5);
   EXPECT_EQ(json["one_factor"], true);
   EXPECT_EQ(json["outliers"].size(), 0u);
-  // One label hangs where another was written down.
+  // The measured value of one label is far too large.
   std::string wrong = pairs();
   const std::size_t line = wrong.find("\ndoor,");
   wrong.insert(wrong.find(',', wrong.find(',', line + 1) + 1) + 1, "9");
@@ -95,9 +95,9 @@ TEST_F(Compare, RefusesWhatItCannotCompare) {
   const std::string good = pairs();
   folder.write("placement.json", "{}");
   refuse("label,signal\ndoor,1\n", "", {"m.csv", "--placement"});
-  refuse("label,transceiver,signal\ndor,G1-1-1,1\n", "", {"m.csv: line 2", "did you mean 'door'"});
-  refuse("label,transceiver,signal\ndoor,G1-1-1,1\n", "", {"m.csv", "three at least"});
-  refuse(good, "--placement @placement.json", {"leave --placement out"});
+  refuse("label,transceiver,signal\ndor,G1-1-1,1\n", "", {"m.csv: line 2", "'door'"});
+  refuse("label,transceiver,signal\ndoor,G1-1-1,1\n", "", {"m.csv", "three"});
+  refuse(good, "--placement @placement.json", {"remove --placement"});
   refuse(good, "-o @m.csv", {"is the input"});
   refuse(good, "-o @page.txt", {".csv or .html"});
   refuse(good, "-o @missing/page.html", {"missing"});

@@ -1,5 +1,5 @@
-// The ends of what may be asked: one of everything, nothing reached, everything reached, candidates that are
-// all alike, very many labels.
+// Tests extreme problems: one of everything, no label reached, all labels reached, equal candidates, very
+// many labels.
 
 #include <string>
 
@@ -67,8 +67,8 @@ TEST_F(Extremes, EveryUnitReachesEveryLabel) {
   }
 }
 
-// Twelve columns of 0.01: as many are needed as their sum says, also where it is the requirement exactly,
-// which 4 x 0.01 in single precision is not.
+// Twelve columns of 0.01: the count is the smallest whose sum meets the requirement, even if the sum is equal
+// to it, which 4 x 0.01 in single precision is not.
 TEST_F(Extremes, AllCandidatesAreAlike) {
   std::string row = "0.01";
   for (int j = 1; j < 12; ++j) row += ",0.01";
@@ -85,7 +85,7 @@ TEST_F(Extremes, AllCandidatesAreAlike) {
   EXPECT_EQ(placed("0.0101 --model non-cooperative", 1)["status"], "infeasible");
 }
 
-// A floor of 400 x 250 labels below four units: the matrix is whole and every label is answered for.
+// A floor of 400 x 250 labels below four units: the matrix is complete, and every label has a result.
 TEST_F(Extremes, SlowAHundredThousandLabels) {
   Json store = smallest_store(1e-6);
   store["room"]["size"] = {100, 80, 4};

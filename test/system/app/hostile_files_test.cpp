@@ -6,8 +6,9 @@
 #include "support/sanitizers.hpp"
 #include "support/temp_folder.hpp"
 
-// Files that ask for far more than they hold: refused (exit code 2) by a program that has half a gigabyte of
-// addresses and a few seconds of a processor, each with what would need many times as much.
+// Tests files that require far more memory than they contain. A program with half a gigabyte of address space
+// and a few seconds of CPU time must refuse them (exit code 2), although reading each would require many
+// times as much.
 
 namespace shelfbeam {
 namespace {
@@ -33,7 +34,7 @@ Outcome run_small(const std::string& arguments) {
       {"/bin/sh", "-c", "ulimit -v 500000; ulimit -t 20; exec " SHELFBEAM_BINARY " " + arguments});
 }
 
-// So many gondolas of a million labels each.
+// A store with `gondolas` gondolas of a million labels each.
 std::string store_of(int gondolas) {
   std::string fixtures;
   for (int k = 0; k < gondolas; ++k)
@@ -71,17 +72,17 @@ TEST_F(HostileFiles, StoresThatMultiply) {
   const TempFolder folder;
   const std::string store = folder.write("store.json", store_of(100));
   const std::string rest = " -o " + (folder / "signal.h5").string() + " --memory ";
-  expect_refused("simulate " + store + rest + "300M", "use wider spacings or simpler meshes");
-  // The control: with more allowed than there is, the memory does end.
+  expect_refused("simulate " + store + rest + "300M", "(--memory)");
+  // Control: with a higher memory limit than the address space, the memory runs out.
   EXPECT_EQ(run_small("simulate " + store + rest + "500G").exit_code, 4);
 }
 
 TEST_F(HostileFiles, BracketsWithinBrackets) {
   const TempFolder folder;
   const std::string store = folder.write("store.json", std::string(3'000'000, '['));
-  expect_refused("inspect " + store, "has more than 100 brackets within each other");
+  expect_refused("inspect " + store, "100 ");
   const std::string objects = folder.write("objects.json", repeated("{\"a\":", 500'000));
-  expect_refused("inspect " + objects, "has more than 100 brackets within each other");
+  expect_refused("inspect " + objects, "100 ");
 }
 
 TEST_F(HostileFiles, MeshesThatClaimMore) {
@@ -94,12 +95,11 @@ TEST_F(HostileFiles, MeshesThatClaimMore) {
     "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
     "accessors":[{"bufferView":0,"componentType":5126,"count":4000000000,"type":"VEC3"}],
     "bufferViews":[{"buffer":0,"byteLength":3}],"buffers":[{"byteLength":3,"uri":"data:;base64,AAAA"}]})");
-  expect_refused("inspect " + folder.write("ply.json", mesh_store("a.ply")).string(), "ends before the last");
-  expect_refused("inspect " + folder.write("gltf.json", mesh_store("a.gltf")).string(),
-                 "reaches beyond its view of a buffer");
+  expect_refused("inspect " + folder.write("ply.json", mesh_store("a.ply")).string(), "a.ply'");
+  expect_refused("inspect " + folder.write("gltf.json", mesh_store("a.gltf")).string(), "accessors[0]: ");
 }
 
-// A mesh of few bytes, which many nodes put into the scene.
+// A mesh of few bytes that many nodes instantiate.
 TEST_F(HostileFiles, MeshesThatMultiply) {
   const TempFolder folder;
   constexpr int nodes = 20'000;
@@ -109,7 +109,7 @@ TEST_F(HostileFiles, MeshesThatMultiply) {
     numbers += (k > 0 ? "," : "") + std::to_string(k);
     objects += std::string(k > 0 ? "," : "") + "{\"mesh\":0}";
   }
-  // Triangles are in base64, 48 characters each, the places of all of them 0.
+  // Triangles in base64, 48 characters each, with all positions 0.
   folder.write("a.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[)" + numbers + R"(]}],"nodes":[)" +
                              objects +
                              R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
@@ -121,7 +121,7 @@ TEST_F(HostileFiles, MeshesThatMultiply) {
                              std::string(48 * triangles, 'A') + R"("}]})");
   const std::string store = folder.write("store.json", mesh_store("a.gltf"));
   expect_refused("simulate " + store + " -o " + (folder / "signal.h5").string() + " --memory 300M",
-                 "has more triangles than the memory holds");
+                 "triangles");
 }
 
 TEST_F(HostileFiles, MatricesThatClaimMore) {
@@ -129,9 +129,9 @@ TEST_F(HostileFiles, MatricesThatClaimMore) {
   const auto place = [&](const std::string& file) {
     return "place " + file + " -o " + (folder / "placement.json").string() + " --threshold 1";
   };
-  expect_refused(place(folder.write("a.npy", npy("(4294967294, 4294967294)"))), "where its shape");
-  expect_refused(place(folder.write("a.txt", "4000000000 4000000000 1\n0\n")), "more than a file");
-  expect_refused(place(folder.write("b.txt", "4000000000 4000000000\n1 1\n")), "more than a file");
+  expect_refused(place(folder.write("a.npy", npy("(4294967294, 4294967294)"))), "(4294967294, 4294967294)");
+  expect_refused(place(folder.write("a.txt", "4000000000 4000000000 1\n0\n")), "m is 4000000000");
+  expect_refused(place(folder.write("b.txt", "4000000000 4000000000\n1 1\n")), "m is 4000000000");
 }
 
 }  // namespace

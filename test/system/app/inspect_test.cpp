@@ -11,7 +11,7 @@ namespace {
 using test::Json;
 
 // A shop with a material of every kind, a cabinet with glass doors, several types and tilts, a mesh, and a
-// label that looks the wrong way.
+// label that faces the wall.
 Json shop() {
   Json store = test::small_store();
   store["materials"]["steel"] = {
@@ -48,7 +48,7 @@ class Inspect : public test::ProgramTest {
  protected:
   Inspect() {
     folder.write("store.json", shop().dump());
-    // A corner block of 100 mm, closed.
+    // A closed corner block of 100 mm.
     std::string stl = "solid lens\n";
     for (const char* corners : {"0 0 0,0 100 0,100 0 0", "0 0 0,100 0 0,0 0 100", "0 0 0,0 0 100,0 100 0",
                                 "100 0 0,0 100 0,0 0 100", "100 0 0,50 50 0,0 100 0"}) {
@@ -75,15 +75,16 @@ TEST_F(Inspect, ToldAsJson) {
   EXPECT_EQ(materials["pane"]["triangles"], 4);
   EXPECT_NEAR(number("pane", "area_m2"), 2 * 4 * (1.78 - 0.12), 1e-9);
 
-  // Fresnel at n = 1.5 and normal incidence: F = 0.04; a pane reflects 2 F / (1 + F). From all directions the
-  // surface reflects 0.0918 (closed form of Walsh); eight points give it to 1e-4. F itself would be refused.
+  // Fresnel at n = 1.5 and normal incidence: F = 0.04; a pane reflects 2 F / (1 + F). The hemispherical
+  // reflectance of the surface is 0.0918 (closed form of Walsh); eight points give it to 1e-4. F itself would
+  // be rejected.
   EXPECT_NEAR(number("jar", "reflectance"), 0.04, 1e-12);
   EXPECT_NEAR(number("pane", "reflectance"), 0.08 / 1.04, 1e-12);
   EXPECT_NEAR(number("pane", "transmittance"), 0.96 / 1.04, 1e-12);
   EXPECT_NEAR(number("jar", "mean_reflectance"), 0.0918, 1e-4);
   for (const char* glass : {"jar", "pane"})
     EXPECT_NEAR(number(glass, "mean_reflectance") + number(glass, "mean_transmittance"), 1, 1e-9) << glass;
-  // Rough glass reflects about as much as smooth; what its single bounces lose is the rest.
+  // Rough glass reflects about as much as smooth glass; its single scattering loses the rest.
   EXPECT_NEAR(number("frosted", "reflectance"), 0.04, 0.004);
   EXPECT_GT(number("frosted", "reflectance") + number("frosted", "transmittance"), 0.97);
   EXPECT_LE(number("frosted", "mean_reflectance") + number("frosted", "mean_transmittance"), 1);
@@ -107,16 +108,14 @@ TEST_F(Inspect, ToldAsJson) {
   EXPECT_EQ(spot["axes"], 3) << "S2 and S3 look the same way";
   EXPECT_EQ(spot["cost"], 2.5);
   EXPECT_DOUBLE_EQ(json["transceiver_types"]["ceiling"]["peak_w_per_sr"].get<double>(), 1);
-  // The grid's 4 x 3 with one at S1 and S2; S3 and S4 hang where none is.
+  // The grid has 4 x 3 points, including S1 and S2; S3 and S4 are at other points.
   EXPECT_EQ(json["transceivers"], 16);
   EXPECT_EQ(json["mounting_points"], 13);
   EXPECT_EQ(json["mounting_points_with_several_options"], 2);
 
   ASSERT_EQ(json["warnings"].size(), 2u) << json["warnings"].dump(1);
-  EXPECT_EQ(json["warnings"][0].get<std::string>(),
-            path("store.json") + ": fixtures[1]: mesh 'lens': dropped 1 of 5 triangles without area");
-  EXPECT_TRUE(json["warnings"][1].get<std::string>().starts_with(
-      path("store.json") + ": labels[1]: label 'wrong' looks at the wall x0, 2 cm in front of it;"));
+  EXPECT_TRUE(json["warnings"][0].get<std::string>().starts_with(path("store.json") + ": fixtures[1]: "));
+  EXPECT_TRUE(json["warnings"][1].get<std::string>().starts_with(path("store.json") + ": labels[1]: "));
 }
 
 TEST_F(Inspect, ToldAsText) {

@@ -31,7 +31,7 @@ inline Outcome shelfbeam(std::vector<std::string> arguments) {
   return run(command(std::move(arguments)));
 }
 
-/// The words of a command line, apart at blanks; "@name" stands for a path in the folder.
+/// The words of a command line, separated by blanks; "@name" stands for a path in the folder.
 inline std::vector<std::string> words(const TempFolder& folder, const std::string& line) {
   std::vector<std::string> words;
   std::istringstream stream(line);
@@ -40,7 +40,7 @@ inline std::vector<std::string> words(const TempFolder& folder, const std::strin
   return words;
 }
 
-/// Runs it and expects the exit code and, as nobody watches a terminal, silence on standard error.
+/// Runs the program and expects the exit code and, because there is no terminal, an empty standard error.
 inline std::string expect_silent(std::vector<std::string> arguments, int exit_code = 0) {
   const std::string what = testing::PrintToString(arguments);
   const Outcome outcome = shelfbeam(std::move(arguments));
@@ -64,8 +64,8 @@ inline std::set<std::string> names(const fs::path& folder) {
   return result;
 }
 
-/// Expects one line on standard error that holds all `parts`, nothing on standard output, exit code 2, and
-/// the files of the folder as they were.
+/// Expects one line on standard error that contains all `parts`, nothing on standard output, exit code 2, and
+/// unchanged files in the folder.
 inline void expect_refused(const TempFolder& folder, const std::vector<std::string>& arguments,
                            const std::vector<std::string>& parts) {
   const std::string what = testing::PrintToString(arguments);
@@ -81,8 +81,7 @@ inline void expect_refused(const TempFolder& folder, const std::vector<std::stri
   EXPECT_TRUE(contents(folder.path()) == before) << what << ": files changed, appeared or vanished";
 }
 
-/// A room of 8 x 6 x 3 m with a gondola, 17 labels and 12 candidates of which no one alone reaches all
-/// labels.
+/// A room of 8 x 6 x 3 m with a gondola, 17 labels and 12 candidates, none of which reaches all labels alone.
 inline Json small_store() {
   return Json::parse(R"({
     "name": "Kiosk",
@@ -97,7 +96,7 @@ inline Json small_store() {
   })");
 }
 
-/// A test with a folder of its own, in which store.json is the small store.
+/// A test with a temporary folder in which store.json is the small store.
 class ProgramTest : public testing::Test {
  protected:
   ProgramTest() { folder.write("store.json", small_store().dump()); }

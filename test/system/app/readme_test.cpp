@@ -13,7 +13,7 @@ namespace {
 
 const std::filesystem::path top = SHELFBEAM_SOURCE_DIR;
 
-// The commands of README's shell blocks that call the program, in the order of the page.
+// The commands in README's shell blocks that run the program, in the order of the page.
 std::vector<std::vector<std::string>> readme_commands() {
   std::vector<std::vector<std::string>> commands;
   std::istringstream page(read_file(top / "README.md"));
@@ -30,7 +30,7 @@ std::vector<std::vector<std::string>> readme_commands() {
   return commands;
 }
 
-// Slow, because it plans the grocery: with what README promises, minutes at most.
+// Slow, because it plans the grocery store, which takes up to minutes, as README states.
 TEST(ReadmeSlow, CommandsWorkInTheirOrder) {
   const test::TempFolder folder;
   folder.write("matrix.csv", ",T1,T2,T3\nL1,0.03,0,0.01\nL2,0,0.05,0.015\n");
@@ -57,7 +57,7 @@ TEST(Readme, LinksLeadSomewhere) {
       const std::string target = page.substr(at + 2, page.find(')', at) - at - 2);
       EXPECT_TRUE(std::filesystem::exists(top / target)) << name << ": " << target;
     }
-    // So do paths that are quoted, from the top or below src/shelfbeam.
+    // Quoted paths exist as well, relative to the top or to src/shelfbeam.
     const std::regex path("`([a-z][a-z_/]+/[a-z_-]+\\.[a-z]+)`");
     for (std::sregex_iterator found(page.begin(), page.end(), path), end; found != end; ++found) {
       const std::string target = (*found)[1];
@@ -66,6 +66,35 @@ TEST(Readme, LinksLeadSomewhere) {
           << name << ": " << target;
     }
   }
+}
+
+// All C++ sources as one text, without comments.
+std::string sources() {
+  std::string text;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(top / "src/shelfbeam")) {
+    if (!entry.is_regular_file()) continue;
+    std::istringstream lines(read_file(entry.path()));
+    for (std::string line; std::getline(lines, line);) text += line.substr(0, line.find("//")) + "\n";
+  }
+  return text;
+}
+
+std::vector<std::string> unknown_identifiers(const std::string& page, const std::string& source) {
+  std::vector<std::string> unknown;
+  const std::regex last_cell("`([A-Za-z_:]+)` \\|\n"), name("[A-Za-z_]+");
+  for (std::sregex_iterator cell(page.begin(), page.end(), last_cell), end; cell != end; ++cell) {
+    const std::string qualified = (*cell)[1];
+    for (std::sregex_iterator part(qualified.begin(), qualified.end(), name); part != end; ++part)
+      if (!std::regex_search(source, std::regex("\\b" + part->str() + "\\b"))) unknown.push_back(part->str());
+  }
+  return unknown;
+}
+
+TEST(Glossary, IdentifiersExist) {
+  const std::string page = read_file(top / "docs/glossary.md"), source = sources();
+  EXPECT_EQ(unknown_identifiers(page, source), std::vector<std::string>{});
+  EXPECT_EQ(unknown_identifiers("| a | b | c | `Scene::no_such_member` |\n", source),
+            std::vector<std::string>{"no_such_member"});
 }
 
 }  // namespace

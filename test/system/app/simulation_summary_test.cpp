@@ -1,4 +1,4 @@
-// What `simulate` and `plan` say of errors and samples.
+// Tests the lines of `simulate` and `plan` on errors and samples.
 
 #include <cstddef>
 #include <string>
@@ -36,7 +36,7 @@ class SimulationSummary : public test::ProgramTest {
   }
 };
 
-// Two walks a batch find some of the transceivers now and then; direct light in closed form has no errors.
+// Two walks per batch find some transceivers only rarely; analytic direct light has no errors.
 TEST_F(SimulationSummary, CountsFlaggedEntries) {
   const std::string few = "--estimator uniform --samples 64",
                     exact = "--estimator uniform --direct exact --max-bounces 0";
@@ -47,7 +47,7 @@ TEST_F(SimulationSummary, CountsFlaggedEntries) {
   for (const Json& errors : json["relative_errors"]) EXPECT_EQ(errors["flagged"], flagged(errors["above"]));
   const std::string text = simulated(few);
   EXPECT_THAT(text, HasSubstr("; " + std::to_string(count) + " of them flagged\n"));
-  EXPECT_THAT(text, HasSubstr("the error is not to be trusted"));
+  EXPECT_THAT(text, HasSubstr("the error is not reliable"));
 
   for (const Json& errors : Json::parse(simulated(exact + " --json"))["relative_errors"]) {
     EXPECT_GT(errors["entries"], 0);
@@ -64,7 +64,8 @@ TEST_F(SimulationSummary, SaysWhereMoreSamplesAreTakenThanAskedFor) {
   const Json json = Json::parse(simulated("--samples 64 --json"));
   EXPECT_EQ(json["asked"], 64);
   EXPECT_EQ(json["samples"], Json({2096, 2096}));
-  // Sixteen batches of 131 rays have room for 1966 to 2096; of uniform there are 32, each a whole number.
+  // Sixteen batches of 131 rays cover 1966 to 2096 samples; the uniform estimator has 32 batches, each of a
+  // whole number of samples.
   EXPECT_THAT(simulated("--samples 1965"), HasSubstr("instead of 1965" + why));
   for (const char* options :
        {"--samples 1966", "--samples 2500", "--samples 65 --estimator uniform", "--time 0.1"})
@@ -89,7 +90,8 @@ TEST_F(SimulationSummary, BeginsWithTheWarningsOfTheStore) {
   EXPECT_THAT(simulated("--samples 64"), Not(HasSubstr("warning")));
 }
 
-// An error out of reach is no success: of `plan` only where no certificate says what it is worth.
+// A run whose error cannot be reached does not succeed; `plan` reports this only without a certificate, which
+// would quantify it.
 TEST_F(SimulationSummary, NamesTheEntriesThatFallShort) {
   const std::string wanted = "--relative-error 1e-5 --max-samples 9000";
   const std::string text = simulated(wanted, 3);

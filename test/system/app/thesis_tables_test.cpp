@@ -23,7 +23,7 @@ TEST(ThesisTablesSlow, StandBesideThePapersNumbers) {
   const test::Json best = test::Json::parse(read_file(folder / "5000-non-cooperative-count-auto.json"));
   const test::Json greedy = test::Json::parse(read_file(folder / "5000-non-cooperative-count-greedy.json"));
   EXPECT_EQ(best["status"], "optimal");
-  // Ours, then the paper's, in the first columns of the first two tables.
+  // Our number and the paper's in the first columns of the first two tables.
   const auto first_column = [](const test::Json& answer, const std::string& paper) {
     return fmt::format(
         "    5000 | {:<14} {} ",
@@ -35,9 +35,9 @@ TEST(ThesisTablesSlow, StandBesideThePapersNumbers) {
       << out;
   EXPECT_NE(out.substr(heuristic).find(first_column(greedy, "10 77%")), std::string::npos) << out;
 
-  // With another limit what is final is used again, and what was stopped is not.
-  const auto changed = [&](const std::string& question) {
-    return std::filesystem::exists(folder / ("5000-" + question + "-6s.json"));
+  // With another time limit, final results are reused and stopped ones are not.
+  const auto changed = [&](const std::string& problem) {
+    return std::filesystem::exists(folder / ("5000-" + problem + "-6s.json"));
   };
   std::string stopped = read_file(folder / "5000-cooperative-count-auto-5s.json");
   stopped.replace(stopped.find("optimal"), 7, "stopped");

@@ -1,4 +1,4 @@
-// `plan` with a certificate, and `verify`, through the binary.
+// Tests `plan` with a certificate, and `verify`, through the program.
 
 #include <string>
 
@@ -15,13 +15,13 @@ using testing::HasSubstr;
 
 class VerifySlow : public test::ProgramTest {};
 
-// One plan of the paper's environment, and what can be asked of it.
+// One plan of the paper's environment, and the ways to verify it.
 TEST_F(VerifySlow, TellsWhatAPlanReaches) {
   const std::string store = "@store/store.json",
-                    statement = "4 transceivers reach all 390 labels, and 3 cannot reach all";
+                    statement = "4 transceivers reach all 390 labels, and 3 are not enough";
   told("new thesis @store --quiet");
   EXPECT_THAT(told("plan " + store + " -o @plan --relative-error 0.05"),
-              HasSubstr("certificate: " + statement + ", with joint confidence 99 %."));
+              HasSubstr("certificate: " + statement + ", with 99 % confidence."));
   const Json certificate = json("plan/placement.json")["certificate"];
   EXPECT_EQ(certificate["reached"], 390);
   EXPECT_EQ(certificate["count_lower_bound"], 4);
@@ -30,7 +30,7 @@ TEST_F(VerifySlow, TellsWhatAPlanReaches) {
   const std::string report = bytes("plan/report.html");
   EXPECT_THAT(report, HasSubstr(statement));
 
-  // The report that is made again says the same.
+  // A rewritten report is identical.
   told("report @plan --quiet");
   EXPECT_EQ(bytes("plan/report.html"), report);
   const Json same =
@@ -40,9 +40,9 @@ TEST_F(VerifySlow, TellsWhatAPlanReaches) {
       bytes("verification.csv"),
       HasSubstr("id,verdict,requirement,signal,standard_error,lower,upper,samples\nA1-front-1-1,reached,"));
 
-  // What hangs, from a list; one of the four less misses labels, and any type must be known.
+  // Verifies mounted units from a list. Without one of the four, labels are missed; every type must be known.
   EXPECT_THAT(told("verify " + store + " @plan/placement.csv"),
-              HasSubstr("4 transceivers reach all 390 labels, with joint confidence 99 %."));
+              HasSubstr("4 transceivers reach all 390 labels, with 99 % confidence."));
   std::string units = bytes("plan/placement.csv");
   folder.write("three.csv", units.erase(units.find_last_of('\n', units.size() - 2) + 1));
   EXPECT_THAT(told("verify " + store + " @three.csv --budget 20", 1), HasSubstr("labels are missed."));

@@ -55,7 +55,8 @@ TEST_F(Workflow, NewThenInspect) {
   EXPECT_EQ(thesis["upper"], Json({20.0, 16.0, 4.0}));
 }
 
-// Layers and mean are written in single precision: nine of them add up to 1e-6. The control leaves one out.
+// Layers and mean are written in single precision, and the sum of nine layers is exact to 1e-6. The control
+// omits one layer.
 TEST_F(Workflow, AMatrixForEachNumberOfBounces) {
   told("simulate @store.json -o @signal.h5 --samples 640 --max-bounces 8 --by-bounce");
   const SignalMatrix matrix = read_signal_file(folder / "signal.h5");
@@ -74,8 +75,8 @@ TEST_F(Workflow, AMatrixForEachNumberOfBounces) {
   EXPECT_GT(without_last, 1e-6);
 }
 
-// Every strategy gives a matrix of the same sum: 20,000 samples, a relative standard error of the sum below
-// 1 %, of which 4 are allowed. The control is a matrix without the paths of more than one bounce.
+// Every strategy gives a matrix with the same sum: with 20,000 samples the relative standard error of the sum
+// is below 1 %, and 4 of them are allowed. The control is a matrix without paths of more than one bounce.
 TEST_F(Workflow, StrategiesAgree) {
   Json store = small_store();
   store["transceiver_types"]["ceiling"]["radius"] = 0.2;
@@ -93,7 +94,7 @@ TEST_F(Workflow, StrategiesAgree) {
   EXPECT_LT(sum("--max-bounces 1") / mis, 0.96);
 }
 
-// Three grids of one extent with other axes: options of the same 12 points.
+// Three grids of one extent with different axes: options of the same 12 mounting points.
 TEST_F(Workflow, OffersSeveralTiltsAtAMountingPoint) {
   Json store = small_store();
   Json grid = store["transceivers"]["grids"][0];
@@ -107,7 +108,7 @@ TEST_F(Workflow, OffersSeveralTiltsAtAMountingPoint) {
   EXPECT_NE(text.find("from 36 candidates at 12 mounting points"), std::string::npos) << text;
   EXPECT_NE(bytes("plan/report.html").find("of 36 candidates at 12 mounting points"), std::string::npos);
 
-  // Whichever grid a unit is of, a point is its ix and iy.
+  // In every grid, ix and iy of a unit name its mounting point.
   std::set<std::string> points;
   const Json selected = json("plan/placement.json")["selected"];
   for (const Json& id : selected) {
@@ -122,8 +123,8 @@ TEST_F(Workflow, OffersSeveralTiltsAtAMountingPoint) {
   EXPECT_EQ(rows, 12u);
 }
 
-// Profiles, meshes, doors and several ways to aim, from the template to the report. Six units is what each of
-// three seeds gave at the default number of samples.
+// Profiles, meshes, doors and several orientations, from the template to the report. With the default number
+// of samples, each of three seeds gave six units.
 TEST_F(WorkflowSlow, PlansTheChiller) {
   told("new chiller @chiller");
   told("plan @chiller/store.json -o @plan --no-certificate");
@@ -163,7 +164,7 @@ TEST_F(Workflow, SimulateThenPlaceThenExport) {
   told("export @signal.h5 -o @error.csv --what standard-error");
   EXPECT_EQ((std::set{bytes("mean.csv"), bytes("direct.csv"), bytes("error.csv")}).size(), 3u);
 
-  // The matrix placed from its CSV and its NPY form asks for the same units; NPY knows no ids.
+  // The matrix placed from its CSV and its NPY form has the same count; NPY has no ids.
   told("place @mean.csv --threshold 0.03 -o @from_csv.json");
   EXPECT_EQ(json("from_csv.json")["selected"], placement["selected"]);
   told("place @mean.npy --threshold 0.03 -o @from_npy.json");
@@ -195,20 +196,20 @@ TEST_F(Workflow, PlanLeavesEveryFileOfTheContract) {
   EXPECT_TRUE(plan["labels.csv"].starts_with("id,x,y,z,nx,ny,nz,type,"));
   EXPECT_TRUE(plan["placement.csv"].starts_with("id,x,y,z,ax,ay,az,roll_deg,type,"));
 
-  // It is what simulate and place give for the same seed.
+  // The plan is equal to the results of simulate and place with the same seed.
   told("simulate @store.json -o @signal.h5 --samples 2000");
   EXPECT_TRUE(bytes("signal.h5") == plan["signal.h5"]);
   told("place @signal.h5 -o @placement.json");
   const Json placement = json("plan/placement.json");
   EXPECT_EQ(json("placement.json")["selected"], placement["selected"]);
 
-  // What the report is made of lies in the folder.
+  // The folder contains the data of the report.
   for (const char* name : {"report.html", "labels.csv", "placement.csv"})
     std::filesystem::remove(folder / "plan" / name);
   EXPECT_EQ(told("report @plan"), path("plan/report.html") + "\n");
   EXPECT_TRUE(contents(folder / "plan") == plan);
 
-  // The plan of its own store is the same plan.
+  // A plan of the plan's own store is the same plan.
   for (const std::string other : {"again", "plan"}) {
     told("plan @plan/store.json -o @" + other + " --samples 2000");
     for (const char* name : {"signal.h5", "store.json", "labels.csv", "placement.csv"})
@@ -246,7 +247,7 @@ TEST_F(Workflow, ThreadsDoNotChangeASignalAndSeedsDo) {
   }
 }
 
-// What `place` prints of an answer: the sentences of test/data/messages.txt in their lines.
+// `place` prints the sentences of test/data/messages.txt in their lines.
 TEST_F(Workflow, AnswersAreTold) {
   const auto expect = [&](const std::string& line, const std::vector<std::string>& parts, int exit_code = 0) {
     const bool has_threshold = line.find("--threshold") != std::string::npos;
@@ -254,41 +255,39 @@ TEST_F(Workflow, AnswersAreTold) {
     for (const std::string& part : parts)
       EXPECT_NE(text.find(part), std::string::npos) << line << '\n' << part << '\n' << text;
   };
-  expect("@m.csv",
-         {"2 transceivers reach all 6 labels (cooperative); fewer cannot, proven.\n  chosen: A, B\n",
-          "\n  labels that hang on one unit: A 3, B 3\n", "\n  optimal: value 2, lower bound 2, gap 0.0 %; ",
-          ", solver search\n", "\n  bound: exhaustive search, its log checked; of equal"});
+  expect("@m.csv", {"2 transceivers reach all 6 labels (cooperative); it is proven that 1 is not enough.\n",
+                    "\n  chosen: A, B\n", ": A 3, B 3\n", "\n  optimal: value 2, lower bound 2, gap 0.0 %; ",
+                    ", solver search\n", "\n  bound: exhaustive search, log checked; among equally good"});
   expect("@m.csv --solver search", {"optimal", "solver search\n"});
   expect("@m.csv --solver greedy", {"labels (cooperative); at least 1 transceiver is needed.\n",
                                     "\n  feasible: value 3, lower bound 1, gap 66.7 %; ", "solver greedy\n"});
-  // The curve knows a better placement than the greedy one, and that nothing is better still.
+  // The curve contains a better placement than the greedy one, and proves that none is better.
   expect("@m.csv --solver greedy --curve",
-         {"2 transceivers reach all 6 labels (cooperative); fewer cannot, proven.\n",
+         {"2 transceivers reach all 6 labels (cooperative); it is proven that 1 is not enough.\n",
           "      1                     66.7 %    66.7 %\n"});
   expect("@m.csv --threshold 2 --curve", {"'--at-most K'"}, 1);
   expect("@m.csv --at-most 1",
-         {"1 transceiver reaches 4 of 6 labels, 66.7 % (cooperative); no single transceiver reaches more, "
-          "proven.\n  chosen: C\n  optimal: reached 4, upper bound 4, gap 0.0 %; "});
+         {"1 transceiver reaches 4 of 6 labels, 66.7 % (cooperative); it is proven that no single "
+          "transceiver reaches more.\n  chosen: C\n  optimal: reached 4, upper bound 4, gap 0.0 %; "});
   for (const std::string many : {"4294967296", "18446744073709551615"})
     expect("@m.csv --at-most " + many, {"2 transceivers reach all 6 labels (cooperative).\n"});
-  const std::string lost =
-      "L3: at most 0, needs 1 (light arrives from one place only, and the unit there may fail)";
+  const std::string lost = "L3: at most 0, requirement 1 (light arrives from only one mounting point";
   expect("@m.csv --survive-failure",
-         {"2 cannot be reached even by all candidates together when", lost, "\n  infeasible; ",
+         {"2 cannot be reached even by all candidates together if", lost, "\n  infeasible; ",
           "solver not needed\n"},
          1);
   expect("@m.csv --survive-failure --model non-cooperative",
-         {"whichever unit fails: 2 cannot be reached by two units at once.\n", lost}, 1);
+         {"if any one unit fails: 2 cannot be reached by two units.\n", lost}, 1);
   expect("@m.csv --forbid @pairs.csv",
-         {"because some pairs must not be chosen together (proven by",
-          "\n  1 pair of candidates is kept apart: some pairs must not be chosen together\n"},
+         {"because some candidates must not be chosen together (proven by",
+          "\n  1 pair of candidates is excluded: "},
          1);
-  expect("@dark.csv", {"L2: at most 0, needs 1 (no light arrives at all: is it inside something"}, 1);
+  expect("@dark.csv", {"L2: at most 0, requirement 1 (no light arrives; "}, 1);
   expect("@day.csv --survive-failure",
-         {"3 transceivers reach all 2 labels (cooperative, whichever unit fails)"});
-  expect("@day.csv @night.csv", {"2 transceivers reach all 3 labels",
-                                 "day: 2 labels, the weakest (day:L1) gets 2 of its requirement",
-                                 "night: 1 label, the weakest (night:L1) gets 3 of"});
+         {"3 transceivers reach all 2 labels (cooperative, even if any one unit fails)"});
+  expect("@day.csv @night.csv",
+         {"2 transceivers reach all 3 labels", "day: 2 labels, the weakest (day:L1) receives 2 times",
+          "night: 1 label, the weakest (night:L1) receives 3 times"});
 }
 
 TEST_F(Workflow, AnswersAreJson) {
@@ -340,7 +339,7 @@ TEST_F(Workflow, ScenariosAreToldApartByTheirFolders) {
   EXPECT_EQ(answer["scenarios"][0]["name"], "full/signal");
   EXPECT_EQ(answer["scenarios"][1]["name"], "empty/signal");
   EXPECT_TRUE(answer["critical"][0]["labels"][0].get<std::string>().starts_with("full/signal:")) << answer;
-  // As little as is needed, and the ending where nothing else differs.
+  // The shortest unambiguous names, with the extension if nothing else differs.
   for (const char* name : {"night.h5", "night.hdf5"})
     std::filesystem::copy_file(folder / "full/signal.h5", folder / name);
   EXPECT_EQ(placed("@full/signal.h5 @empty/signal.h5 @night.h5")["scenarios"][2]["name"], "night");

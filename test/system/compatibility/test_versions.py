@@ -1,4 +1,4 @@
-"""Files of every released version (scripts/keep-formats) are read, or refused with a clear message."""
+"""Tests that files of every released version (scripts/keep-formats) are read, or refused with a clear message."""
 
 import json
 import os
@@ -79,13 +79,13 @@ class Kept(unittest.TestCase):
             resumed = run("simulate", kept / "store.json", "-o", kept / "interrupted.h5", *SAMPLES, "--resume")
             if version == present_version():
                 self.assertEqual(resumed.returncode, 0, resumed.stderr)
-                self.assertIn("went on from the checkpoint", resumed.stdout)
+                self.assertIn("continued from the checkpoint", resumed.stdout)
             else:
                 self.refused(resumed, "interrupted.h5.checkpoint", "program version", version, "--resume")
 
 
 class Others(Kept):
-    """What the files say of their version is what decides."""
+    """The version in a file decides whether it is read."""
 
     def newest(self):
         return self.copy(VERSIONS[-1])
@@ -102,7 +102,7 @@ class Others(Kept):
         for version, words in [(2, "newer version"), (0, "version of shelfbeam that wrote it")]:
             with h5py.File(kept / "plan/signal.h5", "r+") as file:
                 file.attrs.modify("format_version", version)
-            content = (kept / "plan/signal.h5").read_bytes()  # a checksum before the HDF5 no longer fits
+            content = (kept / "plan/signal.h5").read_bytes()  # without the checksum before the HDF5, which is now wrong
             (kept / "plan/signal.h5").write_bytes(content[content.index(b"\x89HDF"):])
             self.refused(run("place", kept / "plan/signal.h5"), "signal.h5", f"format version {version}", words)
 

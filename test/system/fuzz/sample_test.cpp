@@ -16,7 +16,7 @@ std::vector<std::string> planted_seeds() {
   return {"count 12, then more text"};
 }
 
-// As a reader that has a mistake of its own behind one bit.
+// Behaves like a reader with an error of its own behind one bit.
 void fails_beyond_limits(std::string_view bytes) {
   if (bytes.find("count -1") != std::string_view::npos) throw std::length_error("vector::reserve");
   if (!bytes.starts_with("count")) throw InputError("file", "has no count");

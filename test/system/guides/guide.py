@@ -1,11 +1,11 @@
 """Runs the commands of a page of documentation.
 
-Every fenced block of the page is one of
-  sh, python, octave   run in the order of the page, in one folder; `sh needs=PROGRAM` only where PROGRAM is
-                       found, octave only where octave is. A last line that ends with `# exit code N` has to
+Every fenced block of the page has one of these kinds:
+  sh, python, octave   runs in the order of the page, in one folder; `sh needs=PROGRAM` runs only if PROGRAM is
+                       installed, octave only if octave is. A block whose last line ends with `# exit code N` must
                        exit with N, any other block with 0
-  text                 lines that the output of the block before it holds, in this order; `...` stands for
-                       anything within a line, and as a line of its own it says nothing
+  text                 lines that the output of the block before it contains, in this order; `...` matches any text
+                       within a line, and is ignored on a separate line
 """
 
 import os
@@ -26,7 +26,7 @@ INTERPRETERS = {
 
 
 class Wrong(Exception):
-    """The page does not do what it says."""
+    """The commands of a page do not behave as the page states."""
 
 
 def blocks(page):
@@ -53,13 +53,13 @@ def holds(output, expected):
 
 
 def links(page):
-    """The files that a page links to."""
+    """The files to which a page links."""
     for target in re.findall(r"\]\((?!http)([^)#]+)", page.read_text(encoding="utf-8")):
         yield page.parent / target
 
 
 def run_page(path, folder, environment):
-    """Runs the page in `folder`; returns how many blocks ran and the programs that were missing."""
+    """Runs the page in `folder`; returns the number of blocks that ran and the missing programs."""
     ran, missing, output = 0, set(), None
     for line, kind, needs, body in blocks(pathlib.Path(path).read_text(encoding="utf-8")):
         place = f"{path}:{line}"
@@ -83,7 +83,7 @@ def run_page(path, folder, environment):
 
 
 def environment(program):
-    """With the folder of the program, and of the solver that scripts/build-highs leaves, on the path."""
+    """The environment with the folders of the program and of scripts/build-highs's solver on the path."""
     solvers = pathlib.Path.home().glob(".cache/shelfbeam/prefix/highs-*/bin")
     folders = [pathlib.Path(program).resolve().parent, *solvers, os.environ["PATH"]]
     return {**os.environ, "PATH": os.pathsep.join(map(str, folders))}

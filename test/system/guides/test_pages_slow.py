@@ -1,5 +1,5 @@
-"""All commands of the guides, with the program in $SHELFBEAM. A page is skipped, in the end, where other programs that it
-shows (Octave, solvers) are not installed; continuous integration has none of them."""
+"""Runs all commands of the guides with the program in $SHELFBEAM. A page counts as skipped if other programs that it
+uses (Octave, solvers) are not installed; continuous integration has none of them."""
 
 import json
 import os
@@ -28,7 +28,7 @@ class Pages(unittest.TestCase):
         self.run_page("research.md", 8)
 
     def test_octave_can_read_texts(self):
-        """Octave cannot where they are marked as UTF-8, and only those that need it are."""
+        """Octave cannot read texts that are marked as UTF-8, so only texts that need it are marked."""
         text = (guide.DOCS.parent / "test/data/room_s1/store.json").read_text(encoding="utf-8")
         store = json.loads(text[text.index("{") :])  # without its comment
         store["labels"] = [{**store["labels"][0], "id": "Größe"}]

@@ -1,4 +1,4 @@
-"""What guide.py notices."""
+"""Tests the checks of guide.py."""
 
 import os
 import pathlib

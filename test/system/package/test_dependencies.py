@@ -1,4 +1,4 @@
-"""docs/dependencies.md names every package that the build asks for."""
+"""Tests that docs/dependencies.md names every package of the build."""
 
 import json
 import pathlib

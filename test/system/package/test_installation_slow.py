@@ -1,4 +1,4 @@
-"""What `cmake --install` leaves is complete: a project of somebody else finds, links and runs it."""
+"""Tests that an installation is complete: an external project finds, links and runs the library."""
 
 import os
 import pathlib
@@ -24,7 +24,7 @@ class Installation(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         top = pathlib.Path(cls.folder.name)
         run("cmake", "--install", BUILD, "--prefix", top / "first")
-        # Nothing may know where it was installed.
+        # The installation must be relocatable.
         cls.prefix = (top / "first").rename(top / "moved")
         cls.top = top
 
@@ -39,7 +39,7 @@ class Installation(unittest.TestCase):
         self.assertIn("320", run(program, "inspect", self.top / "store/store.json"))
 
     def test_another_project_links_the_library(self):
-        """The project of docs/api.md."""
+        """Builds the project of docs/api.md."""
         page = (HERE.parents[2] / "docs/api.md").read_text(encoding="utf-8")
         lists, program = (re.search(rf"```{kind}\n(.*?)```", page, re.DOTALL)[1] for kind in ("cmake", "cpp"))
         project, build = self.top / "project", self.top / "build"

@@ -1,4 +1,4 @@
-"""The manual pages and the completion offer what the help of the program names."""
+"""Tests that the manual pages and the completion agree with the help of the program."""
 
 import os
 import pathlib
@@ -17,7 +17,7 @@ def output(*command):
 
 
 def has(program):
-    """Continuous integration has all programs: a test without its own fails there instead of being skipped."""
+    """True in continuous integration, too: there a test without its program fails instead of being skipped."""
     return "CI" in os.environ or shutil.which(program)
 
 
@@ -27,7 +27,7 @@ def verbs():
 
 
 def options(*verb):
-    """Long names in the help of a verb, where an option begins."""
+    """The long option names in the help of a verb."""
     return re.findall(r"^  (?:-\w,)?(--[\w-]+)", output(PROGRAM, *verb, "--help"), re.MULTILINE)
 
 
@@ -73,7 +73,7 @@ class Completion(unittest.TestCase):
         for verb in verbs():
             self.assertEqual(self.completed("bash", verb, "--"), options(verb))
 
-    # zsh itself leaves out what does not begin with the word.
+    # zsh itself removes candidates that do not begin with the word.
     @unittest.skipUnless(has("zsh"), "zsh is missing")
     def test_zsh_reads_the_same_file(self):
         self.assertEqual(self.completed("zsh", "pla"), verbs())

@@ -1,4 +1,4 @@
-"""The parts of the study, without the program."""
+"""Tests the parts of the study without the program."""
 
 import base64
 import csv
@@ -36,7 +36,7 @@ from study.sections.redundancy import corners_and_centre, redundancy
 
 
 def signal_file(path, mean, positions=None):
-    """A small signal file; labels and transceivers stand on two lines."""
+    """A small signal file; labels and transceivers are on two lines."""
     m, n = mean.shape
     with h5py.File(path, "w", libver="latest") as file:
         for name in ("mean", "standard_error", "direct"):
@@ -63,12 +63,12 @@ def signal_file(path, mean, positions=None):
 
 class PairTests(unittest.TestCase):
     def pairs(self, random, shift=0.0, n=600):
-        """Means and standard errors of 32 normal batches, twice."""
+        """Tests pairs of means and standard errors of 32 normal batches."""
         a, b = random.normal(1, 1, (n, 32)), random.normal(1 + shift, 1, (n, 32))
         error = [one.std(axis=1, ddof=1) / math.sqrt(32) for one in (a, b)]
         return pair_test(a.mean(axis=1), b.mean(axis=1), *error, 31)
 
-    # At 1 % about 3 of 300 true claims are rejected, more than 12 with a probability below 1e-4.
+    # At 1 %, about 3 of 300 true claims are rejected; more than 12 have a probability below 1e-4.
     def test_keeps_its_level(self):
         random = np.random.default_rng(1)
         self.assertLessEqual(sum(not self.pairs(random).passes for _ in range(300)), 12)

@@ -1,4 +1,4 @@
-"""`scripts/reproduce --quick` with the program: what it writes, and that a second run has nothing left to do."""
+"""Tests the files of `scripts/reproduce --quick`, and that a second run has nothing left to do."""
 
 import csv
 import json
@@ -104,18 +104,18 @@ class QuickStudy(unittest.TestCase):
         self.assertEqual([row[2] for row in self.rows("table_3_2")[1:]], ["10", "9"])
         self.assertGreater(int(self.rows("table_3_2")[1][1]), int(table[1][1]))
 
-    # The z-tests run at 1 % each on fixed seeds; the controls pair what is not opposite.
+    # The z-tests run at 1 % each on fixed seeds; the controls pair labels with other transceivers than the opposite ones.
     def test_symmetry_passes_and_its_control_does_not(self):
         for row in self.rows("symmetry")[1:]:
-            self.assertEqual(row[-1], "rejected" if "aside" in row[0] else "passes", row[0])
+            self.assertEqual(row[-1], "rejected" if "displaced" in row[0] else "passes", row[0])
 
     def test_shadow_rays_and_errors(self):
         shares = [float(row[4].split()[0]) for row in self.rows("shadow_rays")[1:]]
-        # Of millions of rays; the share is the scene's, whatever the samples.
+        # Shares of millions of rays depend on the scene, not on the number of samples.
         self.assertAlmostEqual(shares[0], shares[1], delta=0.3)
         self.assertTrue(20 < shares[0] < 60)
         errors = [float(row[7].split()[0]) for row in self.rows("samples")[1:3]]
-        # Five times the samples: the error falls by sqrt(5) = 2.24.
+        # With five times the samples, the error falls by sqrt(5) = 2.24.
         self.assertTrue(1.9 < errors[0] / errors[1] < 2.6, errors)
         zeros = self.rows("zeros")
         self.assertEqual(zeros[0][1:], ["5,000", "25,000", "reference"])

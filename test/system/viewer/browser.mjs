@@ -1,4 +1,4 @@
-// Chromium without a window, driven through the DevTools protocol.
+// Runs Chromium without a window through the DevTools protocol.
 
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
@@ -49,8 +49,8 @@ export async function startBrowser(program) {
 
   return {
     /**
-     * A page of a size in CSS pixels. Everything that it asks of a network, and every error, is noted. What comes
-     * before it is loaded is done then; it is waited for until the 3-D view is ready.
+     * Opens a page of a size in CSS pixels, and records every network request and every error. `before` runs before
+     * the page is loaded. Waits until the 3-D view is ready.
      */
     async page(url, { width = 1280, height = 900, dark = false, ready = true, before = () => {} } = {}) {
       const { targetId } = await send("Target.createTarget", { url: "about:blank" });
@@ -111,7 +111,7 @@ class Page {
     return this.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value }] });
   }
 
-  /** The value of an expression in the page, or of a function called there with arguments that are JSON. */
+  /** The value of an expression in the page, or of a function called there with JSON arguments. */
   async evaluate(code, ...values) {
     const { result, exceptionDetails } = await this.send("Runtime.evaluate", {
       expression: typeof code === "function" ? `(${code})(...${JSON.stringify(values)})` : code,
@@ -122,12 +122,12 @@ class Page {
     return result.value;
   }
 
-  /** Calls a function in the page, as `view` the 3-D view, then arguments that are JSON. */
+  /** Calls a function in the page with the 3-D view (`view`) and JSON arguments. */
   run(call, ...values) {
     return this.evaluate(`window.shelfbeamViewer.then((view) => (${call})(view, ...${JSON.stringify(values)}))`);
   }
 
-  /** Waits until what has been changed has been drawn. */
+  /** Waits until all changes are drawn. */
   settle() {
     return this.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))");
   }
@@ -152,7 +152,7 @@ class Page {
     await this.settle();
   }
 
-  /** Clicks an element at its upper left. */
+  /** Clicks the upper left corner of an element. */
   async clickOn(selector) {
     const { x, y } = await this.evaluate((of) => {
       const element = document.querySelector(of);

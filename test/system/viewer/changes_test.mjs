@@ -1,4 +1,4 @@
-// What is recounted in the page when units are switched and thresholds edited, and the link to that.
+// Tests the recount in the page when units are switched and thresholds edited, and the link to this state.
 
 import { check, equal, near, says } from "./check.mjs";
 import { columnsOf, metBy, received } from "./files.mjs";
@@ -18,7 +18,7 @@ for (const name of ["grocery", "alone", "spare", "spare-alone"])
     on.delete(first);
     check((await recounted("one unit off")) < plan.labels.length, "the unit is not needed, so the test shows nothing");
     await picture(page, `off-${name}`);
-    // The list begins with the plan, whose units have numbers; a unit that is off has a dot.
+    // The list begins with the units of the plan, which have numbers; a unit that is switched off has a dot.
     const added = await page.evaluate(() => {
       const rows = [...document.querySelectorAll(".v3-search li")];
       return Number(rows.find((row) => row.querySelector("span").textContent === "·").dataset.unit);
@@ -27,7 +27,7 @@ for (const name of ["grocery", "alone", "spare", "spare-alone"])
     on.add(added);
     await recounted("another one on");
     says(await page.text(".v3-head"), `switched on: ${units[added]}; switched off: ${units[first]}`);
-    // Many candidates, one by one, without the mouse.
+    // Select many candidates one by one with the keyboard.
     for (let unit = 0; unit < units.length; unit += 29) {
       if (!on.delete(unit)) on.add(unit);
       await page.run((view, unit, on) => view.model.switchUnit(unit, on), unit, on.has(unit));
@@ -35,7 +35,7 @@ for (const name of ["grocery", "alone", "spare", "spare-alone"])
     }
     await pressButton(page, "Reset");
     equal(await reached(page), plan.labels.length, "after reset");
-    equal(await page.text(".v3-head .v3-note"), "This is the plan as it was made.", "after reset");
+    equal(await page.text(".v3-head .v3-note"), "This is the original plan.", "after reset");
   });
 
 testReport("options of a mounting point exclude one another", { of: "options" }, async (page) => {
@@ -65,9 +65,9 @@ testReport("thresholds are edited, and the shares follow", { of: "grocery" }, as
     check(shown.startsWith(share), `${type}: ${shown} instead of ${share}`);
     says(shown, `(${met} of ${labels.length})`);
   }
-  says(await page.text(".v3-head"), "other thresholds");
+  says(await page.text(".v3-head"), "other requirements");
   await picture(page, "thresholds");
-  // The slider by keyboard.
+  // Move the slider with the keyboard.
   await page.focus(".v3-need input[type=range]");
   const threshold = () => page.run((view) => view.model.state.requirements[0]);
   const before = await threshold();
@@ -75,7 +75,7 @@ testReport("thresholds are edited, and the shares follow", { of: "grocery" }, as
   near(await threshold(), before * 10 ** 0.01, 0.012, "slider");
 });
 
-/** The state without the camera, which is in the link. */
+/** The state in the link, without the camera. */
 const stateOf = (page) =>
   page.run((view) => [{ ...view.model.state, camera: null }, view.model.coverage.reached, view.link()]);
 
@@ -103,7 +103,7 @@ testReport("a link restores the view", { of: "grocery" }, async (page, plan, { o
     }, colour);
     equal(restored, colour);
   }
-  // Plan view with its own camera.
+  // The plan view has its own camera.
   await page.run((view) => {
     view.setPlan(true);
     view.stage.zoom(2);

@@ -19,13 +19,13 @@ export function near(found, expected, relative, what = "value") {
   );
 }
 
-/** A text has all these parts; its fixed spaces count as others. */
+/** Expects that a text contains all parts; no-break spaces count as spaces. */
 export function says(text, ...parts) {
   const plain = text.replace(/\u00a0/g, " ");
   for (const part of parts) check(plain.includes(part), `'${part}' is not said: ${plain}`);
 }
 
-/** Something that must not hold: a test that cannot fail shows nothing. */
+/** A control that must not hold, because a test that cannot fail proves nothing. */
 export function fails(run, what) {
   try {
     run();
@@ -35,7 +35,7 @@ export function fails(run, what) {
   throw new Error(`negative control: ${what} was not noticed`);
 }
 
-/** Gives all tests what they may use; `after` follows each of them, however it ends. */
+/** Passes the context to all tests; `after` runs after each of them, even if it fails. */
 export async function runAll(given, after) {
   let failed = 0;
   for (const { name, run } of tests) {

@@ -1,4 +1,4 @@
-// The files of a plan, read without shelfbeam's own code.
+// Reads the files of a plan without shelfbeam's code.
 
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -35,7 +35,7 @@ export function readNpy(path) {
 
 export const readJson = (path) => JSON.parse(readFileSync(path, "utf8"));
 
-/** What `plan` wrote in a folder, and the matrices that `export` made of its signal.h5. */
+/** The files of `plan` in a folder, and the matrices that `export` makes from its signal.h5. */
 export function readPlan(folder) {
   return {
     folder,
@@ -48,17 +48,17 @@ export function readPlan(folder) {
   };
 }
 
-/** The units of a plan among those of its matrix. */
+/** The columns of a plan's units in its matrix. */
 export const columnsOf = ({ placement }, units) => placement.selected.map((id) => units.indexOf(id));
 
-/** How many labels get what they need. */
+/** The number of reached labels. */
 export const metBy = ({ labels }, signals) =>
   labels.filter(({ requirement }, k) => signals[k] >= Number(requirement) * (1 - 1e-9)).length;
 
 export const verdictOf = ({ missed, undecided }, id) =>
   missed.includes(id) ? "missed" : undecided.includes(id) ? "undecided" : "reached";
 
-/** What every label gets from a set of columns: the rule of docs/formats/placement.md, written once more. */
+/** The signal at every label from a set of columns: an independent implementation of docs/formats/placement.md. */
 export function received({ mean, placement }, on) {
   const cooperative = placement.model === "cooperative";
   return Array.from({ length: mean.rows }, (_, label) => {

@@ -1,5 +1,5 @@
-// large_report STORE FOLDER: the report of a large store with signals that are made up from distance and
-// angle, as a simulation would take hours here. Prints what the page must show, as JSON.
+// large_report STORE FOLDER: writes the report of a large store whose signals are computed from distance and
+// angle, because a simulation would take hours here. Prints the numbers that the page must show, as JSON.
 
 #include <cmath>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace shelfbeam;
 
-constexpr std::size_t kept_candidates = 4;  // one in so many
+constexpr std::size_t kept_candidates = 4;  // one of this number
 constexpr double farthest = 32;             // m
 
 SignalMatrix made_up(const Scene& scene) {
@@ -25,7 +25,7 @@ SignalMatrix made_up(const Scene& scene) {
   for (const Label& label : scene.labels)
     for (const Transceiver& t : scene.transceivers) {
       const Vec3 way = t.position - label.position;
-      const double r = std::sqrt(length_squared(way)), noise = to_unit(philox({at++, 0, 0, 0}, 3)[0]);
+      const double r = std::sqrt(length_squared(way)), noise = to_uniform(philox({at++, 0, 0, 0}, 3)[0]);
       const double direct = std::max(0.0, dot(way, label.normal) / r) * way.z / r / (r * r);
       const double reflected = r > farthest ? 0 : 0.03 * std::exp(-r / 4) * (0.7 + 0.6 * noise);
       const double mean = r > farthest ? 0 : direct + reflected;

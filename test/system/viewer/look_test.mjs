@@ -1,4 +1,4 @@
-// Layers, keyboard, narrow and dark screens, and browsers that lack something.
+// Tests layers, keyboard, narrow and dark screens, and browsers without scripts or WebGL.
 
 import { check, equal, says } from "./check.mjs";
 import { drawn, reached, testReport } from "./report.mjs";
@@ -18,7 +18,7 @@ testReport("levels are layers, each drawn at once", { of: "grocery" }, async (pa
   }
 });
 
-/** What names the control that has the focus. */
+/** The name of the control with the focus. */
 const focused = (page) =>
   page.evaluate(() => {
     const { tagName, name, type, dataset, textContent } = document.activeElement;
@@ -46,7 +46,7 @@ testReport("everything can be done by keyboard", { of: "grocery" }, async (page,
   const before = await place();
   await page.press("ArrowLeft");
   check((await place()) !== before, "the arrow key does not turn the store");
-  // A label by search.
+  // Select a label by search.
   await page.focus("input[value=units][type=radio]");
   await page.press("ArrowRight");
   const wanted = plan.labels[123].id;
@@ -56,7 +56,7 @@ testReport("everything can be done by keyboard", { of: "grocery" }, async (page,
   for (let k = 0; k < 5 && !(await focused(page)).startsWith("label"); ++k) await page.press("Tab");
   await page.press("Enter");
   equal(await page.text(".v3-card h3"), wanted, "label chosen by keyboard");
-  // A unit off by Space; the focus stays where it is.
+  // Space switches a unit off; the focus stays.
   await page.focus("input[value=labels][type=radio]");
   await page.press("ArrowLeft");
   await page.focus(".v3-search li input");
@@ -102,9 +102,9 @@ testReport("it follows dark and light", { of: "grocery", dark: true }, async (pa
   check(light[0] > 200 && dark[0] < 60, `background ${dark} and ${light}`);
 });
 
-// What a browser may lack, what the page then says, and how that is arranged.
+// Features that a browser may lack, the text of the page then, and the way to simulate this.
 const lacking = [
-  ["scripts", "needs JavaScript", "Emulation.setScriptExecutionDisabled", { value: true }],
+  ["scripts", "requires JavaScript", "Emulation.setScriptExecutionDisabled", { value: true }],
   ["WebGL", "cannot be shown in this browser", "Page.addScriptToEvaluateOnNewDocument", {
     source: "HTMLCanvasElement.prototype.getContext = () => null;",
   }],

@@ -1,10 +1,10 @@
-// Clicks on labels and transceivers in the picture.
+// Tests clicks on labels and transceivers in the picture.
 
 import { check, equal, near, says } from "./check.mjs";
 import { columnsOf } from "./files.mjs";
 import { factorOf, idsOf, testReport } from "./report.mjs";
 
-/** Clicks the mark of a label or unit that can be hit, after some that are passed over; returns its index. */
+/** Skips some marks of labels or units, clicks the next one that is clickable, and returns its index. */
 async function clickMark(page, kind, skip = 0) {
   await page.evaluate(() => document.querySelector(".v3-stage").scrollIntoView({ block: "center" }));
   await page.settle();
@@ -65,6 +65,6 @@ testReport("a click on a transceiver shows its reach", { of: "grocery" }, async 
   const row = plan.chosen.find((unit) => unit.id === id);
   equal(parseInt(await page.text(".v3-card [data-fact=alone]")), Number(row.reaches_alone), "labels reached alone");
   equal(parseInt(await page.text(".v3-card [data-fact=decides]")), Number(row.needed_by), "labels lost");
-  says(await page.text(".v3-legend"), `all, alone: ${row.reaches_alone}`);
+  says(await page.text(".v3-legend"), `reached alone: ${row.reaches_alone}`);
   await picture(page, "unit");
 });

@@ -1,4 +1,4 @@
-// What the 3-D view has read from the page and counted, for up to 40,000 labels.
+// Tests the numbers that the 3-D view has read from the page and counted, for up to 40,000 labels.
 
 import { statSync } from "node:fs";
 import { join } from "node:path";
@@ -16,7 +16,7 @@ testReport("a report is one file that asks for nothing", { of: "grocery" }, asyn
   fails(asksForNothing, "a request");
 });
 
-/** What the 3-D view has counted of labels and units. */
+/** The counts of labels and units in the 3-D view. */
 const coverageOf = (page) =>
   page.run(({ model: { coverage, store } }) => {
     const labels = [...store.labels.ids.keys()];
@@ -32,7 +32,7 @@ const coverageOf = (page) =>
     };
   });
 
-/** What has been counted is what the files of the plan say. */
+/** Compares the counts with the files of the plan. */
 function coverageIs(shown, { labels, chosen, placement }) {
   equal(shown.labels, labels.map(({ id }) => id), "ids of labels");
   labels.forEach((row, label) => {
@@ -67,7 +67,7 @@ function entriesAre(shown, { labels, mean, error, direct }, rounding) {
       const signal = mean.values[place];
       check(shown.mean[at] === signal, `mean of ${id}`);
       near(shown.error[at], error.values[place], 1.1 * rounding, `standard error of ${id}`);
-      // Noise of faint entries may put the share outside of 0 to 1; negative ones have none.
+      // Noise of weak entries may move the share outside of 0 to 1; negative entries have no share.
       const share = signal > 0 ? Math.min(Math.max(direct.values[place] / signal, 0), 1) : 0;
       check(Math.abs(shown.direct[at] - share) < 0.6 / 65535, `direct share of ${id}`);
     }
@@ -92,10 +92,10 @@ test("40,000 labels", async ({ makeLargePlan, open, picture }) => {
   coverageIs(await coverageOf(page), plan);
   const told = await page.text("#viewer > .note");
   const rounding =
-    "signals are rounded to N % of what a label needs(, and the N smallest of N are left out)?: " +
-    "each unit that is switched may put a label's signal off by N % of its need";
+    "are rounded to N % of a label's requirement(, and the N smallest of N are omitted)?: " +
+    "each switched unit causes an error of at most N % ";
   const pattern = new RegExp(rounding.replaceAll("N", "[\\d,.]+").replaceAll(" %", "\u00a0%"));
-  check(pattern.test(told), `what is rounded is not told: ${told}`);
+  check(pattern.test(told), `the rounding is not described: ${told}`);
   const signals = await page.evaluate("document.querySelector('#viewer-signals').textContent.length");
   check(signals <= 20e6, "signals exceed 20 MB");
   equal((await drawn(page)).labels, "40000", "labels drawn");

@@ -1,4 +1,4 @@
-// The plans whose reports are tested, made by the program.
+// Makes the plans whose reports are tested with the program.
 
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, writeFileSync } from "node:fs";
@@ -35,7 +35,7 @@ export function makePlans(shelfbeam, work) {
   return { ...plans, certified: certify(shelfbeam, plans.grocery, join(work, "certified")) };
 }
 
-/** A plan with a certificate that has every verdict, as if fresh samples had said so. */
+/** A plan with a certificate that has every verdict, as if from independent samples. */
 function certify(shelfbeam, { folder: original, labels, placement }, folder) {
   cpSync(original, folder, { recursive: true });
   const ids = labels.map(({ id }) => id);
@@ -56,7 +56,7 @@ function certify(shelfbeam, { folder: original, labels, placement }, folder) {
   return readPlan(folder);
 }
 
-/** What reflectances might do to a plan: numbers of their own wherever the page shows one. */
+/** A made-up effect of reflectances on a plan, with a different number at every position of the page. */
 function madeUpSensitivity(ids) {
   const least = (margin, label) => ({ smallest_margin: margin, standard_error: 0.01, label: ids[label] });
   const step = (margin, label, change, mean, short) => ({
@@ -77,7 +77,7 @@ function madeUpSensitivity(ids) {
   };
 }
 
-/** A hypermarket, and what its report must show. */
+/** A hypermarket, and the numbers that its report must show. */
 export function makeLargePlan(shelfbeam, largeReport, work) {
   const folder = join(work, "large");
   mkdirSync(folder);

@@ -1,4 +1,4 @@
-// Reports in the browser, and what many tests ask of their 3-D view.
+// Opens reports in the browser, with common queries of their 3-D view.
 
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -9,10 +9,10 @@ import { test } from "./check.mjs";
 export const urlOf = ({ folder }) => pathToFileURL(join(folder, "report.html")).href;
 
 export const reportsIn = (browser, pictures) => ({
-  /** The report of a plan; with a hash, the view of that link. */
+  /** Opens the report of a plan; with a hash, the view of that link. */
   open: (plan, { hash = "", ...options } = {}) => browser.page(urlOf(plan) + hash, options),
 
-  /** Keeps a picture of the 3-D view and its controls. */
+  /** Saves a picture of the 3-D view and its controls. */
   async picture(page, name) {
     const clip = await page.evaluate(() => {
       const { y, height } = document.querySelector("#viewer").getBoundingClientRect();
@@ -22,7 +22,7 @@ export const reportsIn = (browser, pictures) => ({
   },
 });
 
-/** A test of the report of one of the plans: its name and how it is opened, then what to do with both. */
+/** Defines a test of the report of a plan: the plan's name, the options of opening it, and the test function. */
 export const testReport = (what, { of, ...options }, run) =>
   test(what, async (given) => run(await given.open(given.plans[of], options), given.plans[of], given));
 
@@ -31,11 +31,11 @@ export const idsOf = (page) =>
 
 export const factorOf = (page) => page.run((view) => view.model.store.unit.factor);
 
-/** How many labels are reached, as the page says. */
+/** The number of reached labels on the page. */
 export const reached = async (page) =>
   Number((await page.text("[data-fact=reached]")).split(" of ")[0].replace(/,/g, ""));
 
-/** What the canvas tells of what it has drawn. */
+/** The canvas's description of its picture. */
 export const drawn = (page) => page.evaluate(() => ({ ...document.querySelector(".v3-canvas").dataset }));
 
 export const pressButton = (page, name) =>

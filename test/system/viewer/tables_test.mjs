@@ -1,4 +1,4 @@
-// The answer, the tables and the facts of the page, without its 3-D view.
+// Tests the result, the tables and the facts of the page without its 3-D view.
 
 import { check, equal, fails, says } from "./check.mjs";
 import { metBy, verdictOf } from "./files.mjs";
@@ -20,14 +20,14 @@ const tablesOf = (page) =>
     };
   });
 
-/** Half a unit of the last digit that is shown: "12.50" stands for 12.495 to 12.505. */
+/** Half a unit of the last displayed digit: "12.50" stands for 12.495 to 12.505. */
 function shows(cell, value, what) {
   const digits = cell.replace(/[,+]/g, "").replace("−", "-").replace(/ .*/, "");
   const half = 0.5001 * 10 ** -(digits.split(".")[1] ?? "").length;
   check(digits !== "" && Math.abs(digits - value) <= half, `${what}: the page has '${cell}', the files ${value}`);
 }
 
-/** Cells, in order or by name, are what the files say; numbers to the last digit that is shown. */
+/** Compares cells, in order or by name, with the files; numbers to the last displayed digit. */
 function cellsAre(cells, expected, what) {
   for (const [name, value] of Object.entries(expected))
     if (typeof value === "number") shows(cells[name], value, `${what}, ${name}`);
@@ -36,7 +36,7 @@ function cellsAre(cells, expected, what) {
 
 const place = ({ x, y, z }) => [x, y, z].map(Number);
 
-/** The page does not have the numbers of any of these changed plans. */
+/** Expects that the page has the numbers of none of these changed plans. */
 function noneIs(compare, found, plan, changes) {
   for (const change of changes)
     fails(() => compare(found, { ...plan, placement: { ...plan.placement, ...change } }), JSON.stringify(change));
@@ -48,16 +48,16 @@ function answerIs({ cards, facts, factor, units, weakest }, plan) {
   const needed = Math.ceil(placement.count_lower_bound - 1e-6);
   const byMargin = [...labels].sort((a, b) => a.margin_db - b.margin_db);
   cellsAre(cards, {
-    Transceivers: count, "At least needed": certificate?.count_lower_bound ?? needed,
+    Transceivers: count, "Lower bound": certificate?.count_lower_bound ?? needed,
     "Labels reached": certificate?.reached ?? metBy(plan, labels.map(({ signal }) => Number(signal))),
-    "Least margin": Number(byMargin[0].margin_db),
+    "Smallest margin": Number(byMargin[0].margin_db),
   }, "cards");
   equal(units.length, chosen.length, "rows of units");
   chosen.forEach((row, k) => {
     const counts = [row.reaches_alone, row.strongest_for, row.needed_by];
     cellsAre(units[k], [String(k + 1), row.id, ...place(row), ...counts], row.id);
   });
-  equal(weakest.length, 20, "labels with the least margin");
+  equal(weakest.length, 20, "labels with the smallest margin");
   weakest.forEach((cells, k) => {
     const row = labels.find(({ id }) => id === cells[0]);
     const [margin, signal, needs] = [row.margin_db, row.signal / factor, row.requirement / factor];
@@ -66,21 +66,21 @@ function answerIs({ cards, facts, factor, units, weakest }, plan) {
     equal(cells[4].replace(/^[0-9]+: /, ""), row.strongest, `strongest for ${row.id}`);
     cellsAre(cells, [row.id, Number(margin), signal, needs, , , ...place(row), row.type, verdict], row.id);
   });
-  const { Placement: found, "Certificate on fresh samples": fresh } = facts;
+  const { Placement: found, "Certificate from independent samples": fresh } = facts;
   const gap = (100 * (count - needed)) / count;
   cellsAre(found, {
-    Transceivers: count, "At least needed": needed, "Gap of the number": gap, Time: seconds, Solver: solver,
+    Transceivers: count, "Lower bound on the count": needed, "Gap of the count": gap, Time: seconds, Solver: solver,
   }, "facts");
-  const [, redundant] = /\(([\d.]+)/.exec(found["Labels reached by two or more units, each alone (redundant)"]);
+  const [, redundant] = /\(([\d.]+)/.exec(found["Labels that two or more units reach alone (redundant)"]);
   shows(redundant, 100 * placement.redundant_share, "redundant share");
   equal(fresh === undefined, certificate === undefined, "certificate");
 }
 
-function certificateIs({ answer, facts: { "Certificate on fresh samples": fresh } }, { placement, labels }) {
+function certificateIs({ answer, facts: { "Certificate from independent samples": fresh } }, { placement, labels }) {
   const { confidence, reached, missed, undecided, count_lower_bound, open, ...of } = placement.certificate;
   cellsAre(fresh, {
-    "Joint confidence": 100 * confidence, "Labels reached": reached, "At least needed": count_lower_bound,
-    "That rests on": of.bound_labels, Rounds: of.rounds, Time: of.seconds, "It ended because": open,
+    "Joint confidence": 100 * confidence, "Labels reached": reached, "Lower bound on the count": count_lower_bound,
+    "Proven from": of.bound_labels, Rounds: of.rounds, Time: of.seconds, "Verification ended because": open,
   }, "certificate");
   for (const [name, ids] of [["Missed", missed], ["Undecided", undecided]]) {
     const [count, ranges] = fresh[name].split(": ");
@@ -89,7 +89,7 @@ function certificateIs({ answer, facts: { "Certificate on fresh samples": fresh 
   }
   says(
     answer, `${placement.count} transceivers reach ${reached} of ${labels.length} labels`,
-    `at least ${count_lower_bound} `, `with joint confidence ${100 * confidence} %`,
+    `at least ${count_lower_bound} `, `with ${100 * confidence} % confidence`,
     `${missed.length} labels are missed`, `${undecided.length} labels are undecided`, open,
   );
 }
@@ -131,9 +131,9 @@ function sectionsAre({ answer, sensitivity, curve }, { placement, labels }) {
   says(
     answer,
     `${met} of ${labels.length} labels are reached with all reflectances at the low end`,
-    `${missed.length} missed, ${undecided.length} undecided, with joint confidence ${100 * of.confidence} %`,
-    `the weakest gets ${smallest_margin} to ${of.high.smallest_margin.toPrecision(3)} of its requirement`,
-    `'${of.materials[0].name}' matters most`,
+    `${missed.length} missed, ${undecided.length} undecided), with ${100 * of.confidence} % confidence`,
+    `${smallest_margin} to ${of.high.smallest_margin.toPrecision(3)} times its requirement`,
+    `'${of.materials[0].name}'`,
   );
   equal(curve.length, placement.curve.length, "points of the curve");
   placement.curve.forEach(({ units, at_least, at_most }, k) => {

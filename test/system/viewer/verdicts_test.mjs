@@ -1,4 +1,4 @@
-// The verdicts of a certificate in the 3-D view.
+// Tests the verdicts of a certificate in the 3-D view.
 
 import { equal, says } from "./check.mjs";
 import { verdictOf } from "./files.mjs";
@@ -7,27 +7,27 @@ import { testReport } from "./report.mjs";
 const verdictsOf = (page) => page.run(({ model }) => model.store.labels.ids.map((_, label) => model.verdict(label)));
 const selectLabel = (page, label) => page.run((view, index) => view.model.select({ kind: "label", index }), label);
 
-// What makes of the plan something that was not certified.
+// Changes after which the plan is no longer the certified one.
 const changes = {
   "a unit less": (view) => view.model.switchUnit(view.model.store.units.selected[0], false),
-  "other thresholds": (view) => {
+  "other requirements": (view) => {
     view.model.state.requirements[0] *= 2;
     view.model.recount();
   },
 };
 
-testReport("verdicts are shown while the plan is as it was made", { of: "certified" }, async (page, plan, given) => {
+testReport("verdicts are shown for the original plan", { of: "certified" }, async (page, plan, given) => {
   const { labels, placement: { certificate } } = plan;
   const { reached, missed, undecided } = certificate;
   const { open, picture } = given;
   const expected = labels.map(({ id }) => verdictOf(certificate, id));
   equal(await verdictsOf(page), expected, "verdicts");
   const counts = `${reached} reached, ${missed.length} missed, ${undecided.length} undecided.`;
-  says(await page.text(".v3-head"), `with joint confidence 97.5 %: ${counts}`);
+  says(await page.text(".v3-head"), `97.5 % confidence: ${counts}`);
   await page.evaluate(() => document.querySelector("input[name=v3-colour][value=certificate]").click());
   await page.settle();
   const legend = [`reached: ${reached}`, `missed: ${missed.length}`, `undecided: ${undecided.length}`];
-  says(await page.text(".v3-legend"), "joint confidence 97.5 %", ...legend);
+  says(await page.text(".v3-legend"), "97.5 % confidence", ...legend);
   await picture(page, "certificate");
   const inCard = async (verdict) => equal(await page.text(".v3-card [data-fact=verdict]"), verdict, "in the card");
   for (const verdict of ["missed", "undecided", "reached"]) {
@@ -37,9 +37,9 @@ testReport("verdicts are shown while the plan is as it was made", { of: "certifi
   for (const [what, change] of Object.entries(changes)) {
     await page.run(change);
     equal(await verdictsOf(page), expected.map(() => null), `verdicts with ${what}`);
-    await inCard("known of the plan only");
-    says(await page.text(".v3-legend"), `not of what is on now:without a verdict: ${labels.length}`);
-    says(await page.text(".v3-head"), "The certificate does not cover that.");
+    await inCard("for the original plan only");
+    says(await page.text(".v3-legend"), `no verdict: ${labels.length}`);
+    says(await page.text(".v3-head"), "The certificate does not cover these changes.");
     await picture(page, "certificate-changed");
     await page.run((view) => view.restore(null));
     equal(await verdictsOf(page), expected, "verdicts after reset");

@@ -1,7 +1,7 @@
 // node viewer_test.mjs SHELFBEAM LARGE_REPORT WORK_FOLDER
 //
-// The 3-D view of reports in Chromium: what it shows is compared with the files of the plan, what it recounts with a
-// count of its own. Ends with 77 where there is no browser, and with an error in continuous integration (CI is set).
+// Tests the 3-D view of reports in Chromium: compares its display with the files of the plan, and its recounts with an
+// independent count. Without a browser, exits with 77, or with an error in continuous integration (CI is set).
 
 import { spawnSync } from "node:child_process";
 import { mkdirSync, rmSync } from "node:fs";

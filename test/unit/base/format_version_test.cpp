@@ -9,10 +9,8 @@ namespace {
 
 TEST(FormatVersion, OfTheProgramAloneIsAccepted) {
   EXPECT_NO_THROW(expect_format_version("a.file", 3, 3));
-  test::expect_input_error([] { expect_format_version("a.file", 4, 3); },
-                           "a.file: is of format version 4, this program reads 3; use a newer version");
-  test::expect_input_error([] { expect_format_version("a.file", 2, 3); },
-                           "use the version of shelfbeam that wrote it");
+  test::expect_input_error([] { expect_format_version("a.file", 4, 3); }, "a.file: ", "4", "newer");
+  test::expect_input_error([] { expect_format_version("a.file", 2, 3); }, "a.file: ", "2", "wrote it");
 }
 
 }  // namespace

@@ -44,22 +44,22 @@ TEST(Json, ErrorsNameFileAndPath) {
   EXPECT_EQ(labels.where(), place);
   EXPECT_EQ(root.where(), "store.json");
   const JsonCursor spacing = labels["spacing"];
-  expect_input_error([&] { labels["depth"]; }, place + ": has no 'depth'");
-  expect_input_error([&] { spacing.positive(); }, place + ".spacing: is -1", "greater than 0");
-  expect_input_error([&] { spacing.non_negative(); }, place + ".spacing", "negative");
-  expect_input_error([&] { spacing.number(0, 1); }, place + ".spacing", "outside 0 to 1");
-  expect_input_error([&] { spacing.integer(0, 5); }, place + ".spacing", "outside");
-  expect_input_error([&] { parse("[0.5]").elements()[0].integer(0, 5); }, "store.json: [0]", "whole number");
-  expect_input_error([&] { spacing.text(); }, place + ".spacing: is a number", "a text is expected");
-  expect_input_error([&] { spacing.boolean(); }, "is a number");
-  expect_input_error([&] { spacing.elements(); }, "is a number");
-  expect_input_error([&] { spacing["x"]; }, "is a number");
-  expect_input_error([&] { spacing.members(); }, "is a number");
-  expect_input_error([&] { labels["at"].numbers(); }, place + ".at[1]: is a text");
+  expect_input_error([&] { labels["depth"]; }, place, "'depth'");
+  expect_input_error([&] { spacing.positive(); }, place + ".spacing: ", "-1");
+  expect_input_error([&] { spacing.non_negative(); }, place + ".spacing: ", "-1");
+  expect_input_error([&] { spacing.number(0, 1); }, place + ".spacing: ", "-1", "0 to 1");
+  expect_input_error([&] { spacing.integer(0, 5); }, place + ".spacing: ", "-1", "0 to 5");
+  expect_input_error([&] { parse("[0.5]").elements()[0].integer(0, 5); }, "store.json: [0]: ", "0.5");
+  expect_input_error([&] { spacing.text(); }, place + ".spacing: ");
+  expect_input_error([&] { spacing.boolean(); }, place + ".spacing: ");
+  expect_input_error([&] { spacing.elements(); }, place + ".spacing: ");
+  expect_input_error([&] { spacing["x"]; }, place + ".spacing: ");
+  expect_input_error([&] { spacing.members(); }, place + ".spacing: ");
+  expect_input_error([&] { labels["at"].numbers(); }, place + ".at[1]: ");
   expect_input_error([&] { labels["at"].numbers(3); }, place + ".at");
-  expect_input_error([&] { parse("[1, 2]").numbers(3); }, "has 2 numbers", "3 are expected");
-  expect_input_error([&] { root["name"].text(); }, "store.json: name: is null");
-  expect_input_error([&] { labels["face"].choice({"front", "back"}); }, ".face", "did you mean 'front'?");
+  expect_input_error([&] { parse("[1, 2]").numbers(3); }, "store.json: ", "2", "3");
+  expect_input_error([&] { root["name"].text(); }, "store.json: name: ");
+  expect_input_error([&] { labels["face"].choice({"front", "back"}); }, place + ".face: ", "'front'");
   expect_input_error([&] { labels.fail("is odd", "make it even"); }, place + ": is odd; make it even");
 }
 
@@ -69,21 +69,20 @@ TEST(Json, UnknownKeysNameTheNearest) {
       [&] {
         root.expect_keys({"roughness", "reflectance"});
       },
-      "'reflectanse'", "did you mean 'reflectance'?");
-  expect_input_error([&] { root.expect_keys({"x", "y"}); }, "'reflectanse'", "known: x, y");
+      "'reflectanse'", "'reflectance'");
+  expect_input_error([&] { root.expect_keys({"x", "y"}); }, "'reflectanse'", "x, y");
 }
 
 TEST(Json, KeysStandOnce) {
-  expect_input_error([] { parse(R"({ "a": { "b": 1, "c": 2, "b": 3 } })"); },
-                     "store.json: a.b: stands twice");
+  expect_input_error([] { parse(R"({ "a": { "b": 1, "c": 2, "b": 3 } })"); }, "store.json: a.b: ");
   expect_input_error([] { parse(R"([ 1, [], { "a": [ {}, { "b": [2], "b": 3 } ] } ])"); },
-                     "store.json: [2].a[1].b: stands twice");
+                     "store.json: [2].a[1].b: ");
   EXPECT_NO_THROW(parse(R"({ "a": { "b": 1 }, "b": [ { "b": 1 }, { "b": 2 } ] })"));
 }
 
 TEST(Json, WhatIsNoJsonIsToldWithItsPlace) {
-  expect_input_error([] { parse("{\n  \"a\": ,\n}"); }, "store.json: is not valid JSON", "line 2");
-  expect_input_error([] { parse("[1,\n 1e999]"); }, "store.json: has a number beyond", "1e999", "line 2");
+  expect_input_error([] { parse("{\n  \"a\": ,\n}"); }, "store.json: ", "line 2");
+  expect_input_error([] { parse("[1,\n 1e999]"); }, "store.json: ", "1e999", "line 2");
   for (const char* text : {"", "{", "[1, 2", "{} {}", "nul", "{'a': 1}", "[1e999]"})
     expect_input_error([&] { parse(text); }, "store.json");
 }
@@ -91,9 +90,8 @@ TEST(Json, WhatIsNoJsonIsToldWithItsPlace) {
 TEST(Json, ReadsFiles) {
   const test::TempFolder folder;
   EXPECT_EQ(JsonCursor::parse_file(folder.write("a.json", "[4]")).elements()[0].number(), 4);
-  expect_input_error([&] { JsonCursor::parse_file(folder / "b.json"); }, (folder / "b.json").string(),
-                     "cannot be read");
-  expect_input_error([&] { JsonCursor::parse_file(folder.path()); }, "is a folder");
+  expect_input_error([&] { JsonCursor::parse_file(folder / "b.json"); }, (folder / "b.json").string());
+  expect_input_error([&] { JsonCursor::parse_file(folder.path()); }, folder.path().string());
 }
 
 }  // namespace

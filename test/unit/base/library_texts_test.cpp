@@ -10,7 +10,7 @@
 namespace shelfbeam {
 namespace {
 
-// A text in which a flag stands; styles (var(--ink)) and other programs' flags are none of ours.
+// Whether a text contains a flag; styles (var(--ink)) and flags of other programs are not ours.
 bool words_a_flag(const std::string& line) {
   static const std::regex flag(R"re("([^"]*[^"(\w])?--[a-z][a-z-]+)re");
   return std::regex_search(line, flag) && line.find("h5repack") == std::string::npos;

@@ -26,8 +26,7 @@ TEST(Names, AreReadAndWritten) {
 TEST(Names, AreChoicesOfJson) {
   const JsonCursor fruits = JsonCursor::parse(R"(["pear", "peer"])", "fruits.json");
   EXPECT_EQ(fruits.element(0).choice<Fruit>(), Fruit::pear);
-  test::expect_input_error([&] { fruits.element(1).choice<Fruit>(); }, "fruits.json: [1]",
-                           "did you mean 'pear'?");
+  test::expect_input_error([&] { fruits.element(1).choice<Fruit>(); }, "fruits.json: [1]", "'pear'");
   const std::span<const Named<Fruit>> first(names_of<Fruit>.data(), 1);
   test::expect_input_error([&] { fruits.element(0).choice<Fruit>(first); }, "'pear'");
 }

@@ -11,7 +11,7 @@
 namespace shelfbeam {
 namespace {
 
-// Values of the reference implementation (xxhsum -H2 and -H3, version 0.8).
+// Values from the reference implementation (xxhsum -H2 and -H3, version 0.8).
 TEST(Provenance, HashesAreXxh3) {
   EXPECT_EQ(content_hash(""), "99aa06d3014798d86001c324468d497f");
   EXPECT_EQ(content_hash("a"), "a96faf705af16834e6c632b61e964e1f");

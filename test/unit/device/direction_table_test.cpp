@@ -31,8 +31,8 @@ const std::vector<detail::SineSegment> segments{
     {0, pi / 2, 1, 1}, {0, pi, 0, 3},       {0, 0.01, 2, 0},   {0, 0.01, 0, 2}, {1.5, 1.50001, 1, 5},
     {3.1, pi, 1, 0},   {0.3, 0.4, 1e-9, 4}, {0, 1e-6, 1, 0.5}, {0, pi, 1, 0},   {2, 3, 0, 1e-12}};
 
-// Relative errors: 1e-12, of the inverse also the rounding of theta, 1e-15 of the share's width. Control: an
-// integral that is 1e-4 off is seen.
+// Relative errors: 1e-12, and for the inverse also the rounding of theta, 1e-15 of the share's width. The
+// control is an integral that is 1e-4 off.
 TEST(SineSegment, IntegratesAndInvertsExactly) {
   for (const auto& s : segments) {
     const double total = s.integral();
@@ -73,14 +73,14 @@ TEST(DirectionTable, IsZeroOutsideItsThetas) {
   EXPECT_EQ(test::value_at(ring, 60.1, 0), 0);
 }
 
-// Angles of a subnormal width must not turn into NaN.
+// Angle intervals of subnormal width must not give NaN.
 TEST(DirectionTable, SurvivesAnglesThatHardlyDiffer) {
   const DirectionTable table({0, 1e-320, 1}, {0}, {1, 3, 1});
   EXPECT_NEAR(table.integral(), 2 * pi * (3 - std::cos(1.0) - 2 * std::sin(1.0)), 1e-12);
   EXPECT_TRUE(table.sample(0.5, 0.5));
 }
 
-// A smooth floodlight at steps of 5 degrees; y is squeezed, and leans.
+// A smooth floodlight at steps of 5 degrees, narrower in y and tilted.
 detail::TypeB floodlight() {
   detail::TypeB result;
   for (int v = -90; v <= 90; v += 5) result.vertical.push_back(v);
@@ -113,9 +113,9 @@ Difference difference(const detail::TypeB& source, const DirectionTable& table) 
   return result;
 }
 
-// Of the peak, 1. Interpolating over the 5 degrees of the file loses 0.03 (an eighth of the squared step
-// times 1/100 per square degree); resampling at 1 degree adds 0.0066 at the kinks that this leaves,
-// and 2.7e-4 of the flux, as measured. Controls: H counted the other way round, and H and V exchanged.
+// Errors relative to the peak, 1. Interpolating over the file's 5 degrees loses 0.03 (an eighth of the
+// squared step times 1/100 per square degree). Resampling at 1 degree adds 0.0066 at the resulting kinks, and
+// 2.7e-4 of the flux, as measured. Controls: the opposite sense of H, and H and V exchanged.
 TEST(TypeB, ResamplingStaysWithinItsError) {
   const detail::TypeB source = floodlight();
   EXPECT_EQ(source.step(), 1);

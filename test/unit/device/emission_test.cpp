@@ -29,7 +29,7 @@ TEST(Emission, SinTwoThetaIsSampledByTheFormulasOfThePaper) {
   EXPECT_NEAR(std::acos(drawn->direction.z), theta, 1e-14);
   EXPECT_NEAR(std::atan2(drawn->direction.y, drawn->direction.x), 2 * pi * 0.4, 1e-14);
   EXPECT_NEAR(drawn->pdf, 3 * std::sin(2 * theta) / (4 * pi), 1e-14);
-  EXPECT_FALSE(sample(SinTwoTheta{2}, 0, 0.4));  // the axis, where nothing is emitted
+  EXPECT_FALSE(sample(SinTwoTheta{2}, 0, 0.4));  // on the axis, in which nothing is emitted
 }
 
 // Near the axis the sine must not be computed from the rounded cosine: at order 1e8 it would keep 4 digits.
@@ -46,19 +46,19 @@ TEST(Emission, NothingLeavesBackwards) {
                                        GeneralizedLambertian{7.05, 0.1}, EmissionTable{test::axial_table()},
                                        EmissionTable{test::lopsided_table()}};
   for (const Emission& profile : downward) EXPECT_EQ(intensity(profile, normalized({0.3, 0.2, -1})), 0);
-  // ... unless a table says so.
+  // A table may emit backwards.
   EXPECT_GT(intensity(EmissionTable{test::axial_table()}, {std::sin(radians(93)), 0, std::cos(radians(93))}),
             0);
 }
 
-// Against the mean of 100,000 azimuths, which a linear interpolation between planes errs from by less than
-// 1e-8.
+// Compares with the mean of 100,000 azimuths, which differs from a linear interpolation between planes by
+// less than 1e-8.
 TEST(Emission, MeanIntensityIsTheAverageOverPhi) {
   for (const Emission& profile :
        {Emission(SinTwoTheta{1.5}), Emission(GeneralizedLambertian{7.05, 0.1}),
         Emission(IsotropicHemisphere{0.3}), Emission(EmissionTable{test::axial_table()}),
         Emission(EmissionTable{test::lopsided_table()})})
-    for (const double theta : {1e-9, 0.2, 1.0, 1.5, 3.0}) {  // on the axis itself a direction has no phi
+    for (const double theta : {1e-9, 0.2, 1.0, 1.5, 3.0}) {  // on the axis a direction has no phi
       double sum = 0;
       constexpr int azimuths = 100'000;
       for (int k = 0; k < azimuths; ++k) {
@@ -68,7 +68,7 @@ TEST(Emission, MeanIntensityIsTheAverageOverPhi) {
       }
       EXPECT_NEAR(mean_intensity(profile, theta), sum / azimuths, 1e-8) << theta;
     }
-  // The control: the planes differ by far more.
+  // Control: the planes differ by far more.
   const Emission lopsided = EmissionTable{test::lopsided_table()};
   EXPECT_GT(std::abs(intensity(lopsided, {std::sin(1.0), 0, std::cos(1.0)}) - mean_intensity(lopsided, 1)),
             1e-3);

@@ -16,7 +16,7 @@
 namespace shelfbeam {
 namespace {
 
-// Digits of k mirrored at the point: the van der Corput sequence; bases 2 and 3 make Halton's.
+// The digits of k mirrored at the radix point: the van der Corput sequence; bases 2 and 3 give Halton's.
 double radical_inverse(std::uint32_t k, std::uint32_t base) {
   double result = 0, digit = 1.0 / base;
   for (; k > 0; k /= base, digit /= base) result += digit * (k % base);
@@ -26,8 +26,8 @@ double radical_inverse(std::uint32_t k, std::uint32_t base) {
 constexpr int shifts = 16;
 constexpr std::uint32_t points = 40000;
 
-/// The integral over the sphere by Halton's sequence in (cos theta, phi), shifted at random: mean and
-/// standard error over the shifts. Knows nothing of the profile but its values.
+/// The integral over the sphere by Halton's sequence in (cos theta, phi), randomly shifted: mean and standard
+/// error over the shifts. It uses only values of the profile.
 template <class Value>
 std::pair<double, double> quasi_random_integral(const Value& value) {
   static const auto halton = [] {
@@ -41,8 +41,8 @@ std::pair<double, double> quasi_random_integral(const Value& value) {
     const auto u = philox({shift, 0, 0, 0}, 5);
     double sum = 0;
     for (const auto& [a, b] : halton) {
-      const double z = 2 * std::fmod(a + to_unit(u[0]), 1.0) - 1,
-                   phi = 2 * pi * std::fmod(b + to_unit(u[1]), 1.0);
+      const double z = 2 * std::fmod(a + to_uniform(u[0]), 1.0) - 1,
+                   phi = 2 * pi * std::fmod(b + to_uniform(u[1]), 1.0);
       const double across = std::sqrt(1 - z * z);
       sum += value(Vec3{across * std::cos(phi), across * std::sin(phi), z});
     }
@@ -61,13 +61,13 @@ struct Integrals {
     names.push_back(name);
     claimed.push_back(claim);
     found.push_back(mean);
-    errors.push_back(std::max(error, 1e-12 * mean));  // rounding, where the points integrate exactly
+    errors.push_back(std::max(error, 1e-12 * mean));  // rounding, if the points integrate exactly
   }
   ZTest test() const { return z_test(claimed, found, errors, 1e-3, shifts - 1); }
 };
 
 // Joint level 1e-3 (Sidak) over all profiles and responses. The standard errors are below 8e-4 of the
-// integrals (of the narrowest lobe; others far less): any single one that is 1 % wrong is noticed.
+// integrals (of the narrowest lobe; far less for others), so any integral that is 1 % wrong is noticed.
 TEST(Flux, OfEveryProfileIsItsQuasiRandomIntegral) {
   Integrals all;
   for (const auto& [name, e] : test::profiles())

@@ -34,7 +34,7 @@ inline DirectionTable gappy_table() {
   return {all_radians({0, 10, 20, 30, 60, 70, 71, 72, 180}), {0}, {0, 0, 4, 0, 0, 0, 9, 0, 0}};
 }
 
-/// All around, most of it upwards.
+/// Emission in all directions, mostly upwards.
 inline DirectionTable upward_table() {
   return {all_radians({90, 120, 180}), all_radians({0, 120, 360}), {0, 1, 4, 0, 2, 4, 0, 1, 4}};
 }

@@ -41,8 +41,8 @@ TEST(Responsivity, NothingIsHeardFromBehind) {
   }
 }
 
-// pi for the cosine (irradiance in a field of radiance 1), 2 pi / (p + 1) for a power, and with a cut-off at
-// 60 degrees a cosine loses a quarter of it.
+// pi for the cosine (irradiance in a field of radiance 1), 2 pi / (p + 1) for a power; a cut-off at 60
+// degrees removes a quarter of the cosine's integral.
 TEST(Responsivity, IntegralsAreTheClosedForms) {
   EXPECT_DOUBLE_EQ(integral(CosineResponse{}), pi);
   EXPECT_NEAR(integral(CosinePowerResponse{3}), pi / 2, 1e-15);

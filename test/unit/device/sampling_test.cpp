@@ -17,14 +17,14 @@ namespace shelfbeam {
 namespace {
 
 constexpr std::uint32_t draws = 100000;
-constexpr double level = 1e-3;  // of all cases together (Sidak)
+constexpr double level = 1e-3;  // joint level of all cases (Sidak)
 constexpr std::size_t sectors = 8, rings = 128, fine = 8;
 
 struct Case {
   std::string name;
   std::function<std::optional<DirectionSample>(double, double)> sample;
   std::function<double(const Vec3&)> pdf;
-  std::function<double(const Vec3&)> value;  ///< what the density is proportional to
+  std::function<double(const Vec3&)> value;  ///< the density is proportional to this value
 };
 
 Case case_of(const std::string& name, const Emission& e) {
@@ -50,15 +50,15 @@ std::vector<double> counts(const Case& c, const test::DirectionCells& cells, dou
   std::vector<double> result(cells.size());
   for (std::uint32_t k = 0; k < draws; ++k) {
     const auto u = philox({k, 0, 0, 0}, 31);
-    if (const auto drawn = c.sample(std::pow(to_unit(u[0]), bend), to_unit(u[1])))
+    if (const auto drawn = c.sample(std::pow(to_uniform(u[0]), bend), to_uniform(u[1])))
       ++result[cells.cell(drawn->direction)];
   }
   return result;
 }
 
-// Chi-square of 100,000 directions in 128 x 8 cells over the sphere at a joint level of 1e-3; the
-// expectations are midpoint sums good to some 1e-3 of a cell, far below its statistical 10 %. Controls: a
-// density that leans by 8 % to one side, and draws whose u1 is bent by a twelfth.
+// Chi-square test of 100,000 directions in 128 x 8 cells over the sphere at a joint level of 1e-3. The
+// expectations are midpoint sums, exact to about 1e-3 of a cell, far below its statistical 10 %. Controls: a
+// density that is skewed by 8 % to one side, and samples whose u1 is distorted by a twelfth.
 TEST(Sampling, FollowsItsDensity) {
   const test::DirectionCells cells(rings, sectors);
   const auto all = cases();
@@ -77,21 +77,21 @@ TEST(Sampling, FollowsItsDensity) {
   }
 }
 
-// The pdf that comes with a sample is the one that `pdf` gives, bit for bit, and the value over its integral
-// to rounding; so where something is drawn something is emitted or heard.
+// The pdf of a sample is equal to `pdf`, bit for bit, and to the value over its integral within rounding.
+// Every sampled direction therefore has a nonzero value.
 TEST(Sampling, ReturnsTheDensityOfItsDirection) {
   for (const Case& c : cases()) {
     int lost = 0;
     for (std::uint32_t k = 0; k < 20000; ++k) {
       const auto u = philox({k, 1, 0, 0}, 31);
-      const auto drawn = c.sample(to_unit(u[0]), to_unit(u[1]));
+      const auto drawn = c.sample(to_uniform(u[0]), to_uniform(u[1]));
       if (!drawn) {
         ++lost;
         continue;
       }
       ASSERT_GT(drawn->pdf, 0) << c.name;
       ASSERT_EQ(drawn->pdf, c.pdf(drawn->direction)) << c.name;
-      // acos in `response` rounds by 1e-8 rad near the normal, which a slope of 6 per radian passes on.
+      // acos in `response` rounds by 1e-8 rad near the normal, which is amplified by a slope of 6 per radian.
       ASSERT_NEAR(c.value(drawn->direction) / drawn->pdf, 1, 1e-6) << c.name;
       ASSERT_NEAR(length(drawn->direction), 1, 1e-14) << c.name;
     }
@@ -99,7 +99,7 @@ TEST(Sampling, ReturnsTheDensityOfItsDirection) {
   }
 }
 
-// The corners of the unit square and their neighbours, where inversions divide by zero if they can.
+// The corners of the unit square and their neighbours, where inversions may divide by zero.
 TEST(Sampling, SurvivesTheCornersOfTheUnitSquare) {
   const double last = 1 - 0x1p-53;
   for (const Case& c : cases())

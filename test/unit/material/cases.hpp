@@ -15,7 +15,7 @@ namespace shelfbeam::test {
 struct MaterialCase {
   std::string name;
   Material material;
-  Material wrong;  ///< of another roughness or index: what tests must tell from it
+  Material wrong;  ///< of another roughness or index, which tests must reject
 };
 
 inline Vec3 direction_at(double theta_deg, double azimuth = 0.7) {
@@ -23,14 +23,14 @@ inline Vec3 direction_at(double theta_deg, double azimuth = 0.7) {
   return {across * std::cos(azimuth), across * std::sin(azimuth), std::cos(theta)};
 }
 
-/// From the zenith to grazing.
+/// From the zenith to grazing angles.
 inline const std::vector<double> angles_deg{0, 35, 60, 80, 85, 89};
 
 struct Roughness {
   double x, y;
 };
 
-/// Every distribution, masking and sampling.
+/// Every combination of distribution, masking and sampling.
 inline std::vector<Microfacets> all_facets(const std::vector<Roughness>& roughnesses) {
   using enum FacetDistribution;
   std::vector<Microfacets> result;
@@ -61,7 +61,7 @@ inline std::string name_of(const Microfacets& m) {
                      m.sampling == FacetSampling::visible ? "visible" : "all", m.alpha_x, m.alpha_y);
 }
 
-/// Materials with a lobe that is no mirror's, over distributions, maskings, samplings and roughnesses.
+/// Materials with a lobe that is not a mirror's, for all distributions, maskings, samplings and roughnesses.
 inline std::vector<MaterialCase> make_rough_cases() {
   std::vector<MaterialCase> cases{{"lambertian", make_lambertian(0.7), make_plastic(1.5, 0.7)}};
   for (const Microfacets& m : all_facets({{0.05, 0.05}, {0.2, 0.2}, {0.5, 0.5}, {1, 1}, {0.1, 0.4}}))
@@ -86,7 +86,7 @@ inline const std::vector<MaterialCase>& rough_cases() {
   return cases;
 }
 
-/// Directions above every material, and below those whose two sides differ.
+/// Directions above every material, and below materials whose sides differ.
 inline std::vector<Vec3> directions_for(const Material& material) {
   std::vector<Vec3> directions;
   for (const double angle : angles_deg) {

@@ -13,7 +13,7 @@
 namespace shelfbeam {
 namespace {
 
-/// A row of one of the tables of docs/methods/materials.md that begin with a material's name.
+/// A row of a table of docs/methods/materials.md that begins with the name of a material.
 struct Row {
   std::string material;
   double roughness = 0;
@@ -55,8 +55,8 @@ double computed(const Row& row, double angle) {
   return 0;
 }
 
-// The manual's tables are what the program computes: half a unit of their last digit, and the quadrature's
-// error. The control takes the albedos of the next roughness.
+// The manual's tables agree with the program within half a unit of the last digit and the quadrature's error.
+// The control takes the albedos of the next roughness.
 TEST(Documentation, AlbedosAreThoseOfTheProgram) {
   const auto rows = documented_rows();
   ASSERT_GE(rows.size(), 20U);

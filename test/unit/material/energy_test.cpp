@@ -14,23 +14,22 @@ namespace {
 using test::direction_at;
 using test::SphereCells;
 
-double integral_of_eval(const Material& material, const Vec3& known) {
-  const double plane = std::atan2(-known.y, -known.x);
-  return SphereCells(plane, [&](const Vec3& s) { return eval(material, known, s) * std::abs(s.z); })
-      .integral();
+double integral_of_eval(const Material& material, const Vec3& wo) {
+  const double plane = std::atan2(-wo.y, -wo.x);
+  return SphereCells(plane, [&](const Vec3& s) { return eval(material, wo, s) * std::abs(s.z); }).integral();
 }
 
-// Two quadratures that share nothing but `eval`'s inputs: over directions here, over facets in `albedo`. They
-// agree to 5e-4, and to 2e-3 for rough glass (`albedo` meets the edges of total reflection unprepared). The
-// control is a kernel 1 % too bright, where that is twice the tolerance.
+// Two quadratures that share only the inputs of `eval`: over directions here, over facets in `albedo`. They
+// agree to 5e-4, and to 2e-3 for rough glass (`albedo` does not split at the edges of total reflection). The
+// control is a kernel that is 1 % too bright, where this is twice the tolerance.
 TEST(Energy, OfAllDirectionsIsTheAlbedo) {
   int controls = 0;
   for (const auto& [name, material, wrong] : test::rough_cases())
-    for (const Vec3& known : test::directions_for(material)) {
-      SCOPED_TRACE(fmt::format("{} at {:.1f} degrees", name, std::acos(known.z) * 180 / pi));
+    for (const Vec3& wo : test::directions_for(material)) {
+      SCOPED_TRACE(fmt::format("{} at {:.1f} degrees", name, std::acos(wo.z) * 180 / pi));
       const double error = std::holds_alternative<Dielectric>(material) ? 2e-3 : 5e-4;
-      const double specular = specular_reflectance(material, known);
-      const double integral = integral_of_eval(material, known), total = albedo(material, known);
+      const double specular = specular_reflectance(material, wo);
+      const double integral = integral_of_eval(material, wo), total = albedo(material, wo);
       EXPECT_NEAR(integral + specular, total, error);
       EXPECT_LE(total, 1);
       EXPECT_GE(total, 0);
@@ -41,7 +40,7 @@ TEST(Energy, OfAllDirectionsIsTheAlbedo) {
   EXPECT_GT(controls, 300);
 }
 
-// The brightest materials there are: ideal metal, plastic over a white base, glass. Quadrature errs by 1e-4.
+// The brightest materials: ideal metal, plastic over a white base, glass. Quadrature errs by 1e-4.
 TEST(Energy, IsNeverGained) {
   using enum FacetDistribution;
   for (const Microfacets& m : test::all_facets({{0.01, 0.01}, {0.05, 0.05}, {0.2, 0.2}, {1, 1}, {0.05, 1}}))
@@ -71,8 +70,8 @@ TEST(Energy, IsKeptByGlassAndIdealMirrors) {
   }
 }
 
-// f_hat(a, b) = f_hat(b, a): rounding only, also at grazing angles. The control leaves the indices out, or
-// takes the cosines in.
+// f_hat(a, b) = f_hat(b, a) within rounding, also at grazing angles. The controls omit the indices, or
+// include the cosines.
 TEST(Reciprocity, HoldsInBasicRadiance) {
   for (const auto& [name, material, wrong] : test::rough_cases()) {
     SCOPED_TRACE(name);
@@ -85,8 +84,8 @@ TEST(Reciprocity, HoldsInBasicRadiance) {
         const double across = std::sqrt(1 - z * z);
         return Vec3{across * std::cos(phi), across * std::sin(phi), side < 0.5 ? z : -z};
       };
-      const Vec3 a = direction(to_unit(u[0]), 6 * to_unit(u[1]), to_unit(u[2] << 8));
-      const Vec3 b = direction(to_unit(u[2]), 6 * to_unit(u[3]), to_unit(u[3] << 8));
+      const Vec3 a = direction(to_uniform(u[0]), 6 * to_uniform(u[1]), to_uniform(u[2] << 8));
+      const Vec3 b = direction(to_uniform(u[2]), 6 * to_uniform(u[3]), to_uniform(u[3] << 8));
       const double ab = eval(material, a, b), ba = eval(material, b, a);
       EXPECT_NEAR(ab / index2(b), ba / index2(a), 1e-7 * (ab + ba));
       if (ab <= 0) continue;

@@ -29,7 +29,7 @@ TEST(Dielectric, RefractsBySnellsLaw) {
     EXPECT_LE(in->direction.x * w.x + in->direction.y * w.y, 0);
     EXPECT_EQ(in->weight, 1);
     EXPECT_NEAR(in->pdf, 1 - fresnel_dielectric(w.z, 1.5), 1e-12);
-    // And back by the way it came.
+    // The reversed direction leads back.
     const auto out = sample(glass, in->direction, 0.999999, 0, 0);
     ASSERT_TRUE(out);
     EXPECT_NEAR(length(out->direction - w), 0, 1e-7);
@@ -49,11 +49,11 @@ TEST(Dielectric, ReflectsTotallyFromInside) {
     EXPECT_EQ(drawn->weight, 1);
   }
   EXPECT_TRUE(sample(glass, -inside, 0.5, 0.5, 0.5)->direction.z <
-              0);  // control: from outside it goes through
+              0);  // control: from outside it is transmitted
 }
 
-// From roughness 0.001 rough glass is smooth glass: all light goes on, the share F of it back (z-test at
-// 1e-4, error 0.2 %; the facets turn F by less).
+// At roughness 0.001 rough glass behaves like smooth glass: all light continues, the share F of it reflected
+// (z-test at 1e-4, error 0.2 %; the facets change F by less).
 TEST(Dielectric, OfFineRoughnessIsSmooth) {
   const Material glass = make_dielectric(1.5, make_microfacets(FacetDistribution::ggx, 0.001, 0.001));
   std::vector<double> shares, expected, wrong, errors;
@@ -63,7 +63,7 @@ TEST(Dielectric, OfFineRoughnessIsSmooth) {
     Moments back;
     for (std::uint32_t k = 0; k < 40000; ++k) {
       const auto u = philox({k, 0, 0, 0}, 8);
-      const auto drawn = sample(glass, w, to_unit(u[0]), to_unit(u[1]), to_unit(u[2]));
+      const auto drawn = sample(glass, w, to_uniform(u[0]), to_uniform(u[1]), to_uniform(u[2]));
       back.add(drawn && drawn->direction.z > 0 ? drawn->weight : 0);
     }
     shares.push_back(back.mean());
@@ -85,7 +85,7 @@ TEST(Dielectric, RefusesWhatHasNoMeaning) {
   EXPECT_NO_THROW(make_dielectric(1.5, rough));
 }
 
-// Every internal reflection one by one, to rounding.
+// Sums the internal reflections one by one, to rounding.
 PaneShares pane_by_hand(double cos_i, double n, double thickness, double absorption) {
   const double f = fresnel_dielectric(cos_i, n), cos_t = std::sqrt(1 - (1 - cos_i * cos_i) / (n * n));
   const double once = std::exp(-absorption * thickness / cos_t);
@@ -140,8 +140,8 @@ TEST(ThinDielectric, LetsLightStraightThroughOrMirrorsIt) {
   EXPECT_FALSE(sample(make_thin_dielectric(1, 1, 1e6), direction_at(10), 0.5, 0.5, 0.5));
 }
 
-// A pane is what two smooth boundaries of the solid dielectric are: walks between them, z-test at 1e-4 with a
-// standard error of 0.15 %. The control has a pane of another index.
+// A pane is equivalent to two smooth boundaries of the solid dielectric: compares it with walks between them,
+// z-test at 1e-4 with a standard error of 0.15 %. The control is a pane of another index.
 TEST(ThinDielectric, IsASlabOfTheSolidDielectric) {
   const Material glass = make_dielectric(1.5);
   std::vector<double> through, expected, wrong, errors;
@@ -149,14 +149,14 @@ TEST(ThinDielectric, IsASlabOfTheSolidDielectric) {
     const Vec3 w = direction_at(angle);
     Moments moments;
     for (std::uint32_t k = 0; k < 40000; ++k) {
-      // The lower face is the upper one turned over: seen from inside both look alike.
-      auto next = sample(glass, w, to_unit(philox({k, 0, 0, 0}, 9)[0]), 0, 0);
+      // The lower face is the inverted upper one: seen from inside both are alike.
+      auto next = sample(glass, w, to_uniform(philox({k, 0, 0, 0}, 9)[0]), 0, 0);
       bool upper = true;
       if (next->direction.z < 0)
         for (std::uint32_t face = 1;; ++face) {
           upper = !upper;
           next = sample(glass, {next->direction.x, next->direction.y, -std::abs(next->direction.z)},
-                        to_unit(philox({k, face, 0, 0}, 9)[0]), 0, 0);
+                        to_uniform(philox({k, face, 0, 0}, 9)[0]), 0, 0);
           if (next->direction.z > 0) break;
         }
       moments.add(upper ? 0 : 1);

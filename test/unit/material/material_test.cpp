@@ -87,25 +87,25 @@ TEST(Material, LightAlongTheSurfaceMeetsNothing) {
   }
 }
 
-// Within 1e-9 rad of the surface, and with the extreme random numbers: finite, not negative.
+// Values within 1e-9 rad of the surface, and with extreme random numbers, are finite and not negative.
 TEST(Material, StaysFiniteAtTheHorizon) {
   const double extremes[] = {0, 0x1p-32, 0.5, 1 - 0x1p-32};
   for (const auto& [name, material, wrong] : test::rough_cases())
     for (const double height : {1e-9, 1e-4, 0.02, 1.0})
       for (const double side : {1, -1}) {
         SCOPED_TRACE(fmt::format("{} at {}", name, side * height));
-        const Vec3 known = normalized({0.6, 0.8, side * height});
+        const Vec3 wo = normalized({0.6, 0.8, side * height});
         for (const double u_lobe : extremes)
           for (const double u1 : extremes)
             for (const double u2 : extremes) {
-              const auto drawn = sample(material, known, u_lobe, u1, u2);
+              const auto drawn = sample(material, wo, u_lobe, u1, u2);
               if (!drawn) continue;
               EXPECT_TRUE(is_finite(drawn->direction));
               EXPECT_TRUE(std::isfinite(drawn->weight) && drawn->weight >= 0) << drawn->weight;
               EXPECT_TRUE(std::isfinite(drawn->pdf) && drawn->pdf > 0) << drawn->pdf;
             }
         for (const double other : {1e-9, -1e-9, 0.5, -0.5}) {
-          const double value = eval(material, known, normalized({-0.5, 0.3, other}));
+          const double value = eval(material, wo, normalized({-0.5, 0.3, other}));
           EXPECT_TRUE(std::isfinite(value) && value >= 0) << value;
         }
       }

@@ -19,7 +19,7 @@ Json read_data() {
   return Json::parse(file);
 }
 
-/// What is wrong with an entry; empty when nothing is.
+/// The problem of an entry; empty for a valid entry.
 std::string problem(const Json& entry, const Json& sources) {
   const double value = entry.value("reflectance", -1.0);
   if (!(value > 0 && value < 1)) return "its reflectance is not between 0 and 1";
@@ -78,7 +78,7 @@ TEST(MaterialsData, ProgramKnowsAllReflectances) {
   }
 }
 
-// The facts that the project's research lists.
+// The known values from the project's sources.
 TEST(MaterialsData, HoldsTheKnownValues) {
   const Json data = read_data();
   for (const auto& [name, value] : {std::pair{"plaster", 0.836},
@@ -93,8 +93,8 @@ TEST(MaterialsData, HoldsTheKnownValues) {
     EXPECT_EQ(data["reflectances"][name]["reflectance"], value) << name;
 }
 
-// Two independent measurements of aluminium: optical constants against total reflectance, within 0.03; and
-// absorption against extinction, to its three digits.
+// Two independent measurements of aluminium agree within 0.03: optical constants and total reflectance.
+// Absorption and extinction agree to the three digits of absorption.
 TEST(MaterialsData, OpticalConstantsAgreeWithReflectances) {
   const Json data = read_data(), &indices = data["indices"];
   const auto normal = [&](const char* name) {

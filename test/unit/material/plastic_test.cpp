@@ -26,8 +26,8 @@ double cosine_mean(const Function& f) {
   return sum;
 }
 
-// Internal reflection is computed from the outside by the equality of etendue; here it is integrated from the
-// inside. 0.5963 is the textbook's value for glass.
+// The program derives internal reflection from the outside by the equality of etendue; this test integrates
+// it from the inside. 0.5963 is the textbook value for glass.
 TEST(Plastic, InternalReflectionIsThatOfTheInside) {
   for (const double n : {1.1, 1.5, 2.0}) {
     const double inside = cosine_mean([&](double mu) { return fresnel_dielectric(mu, 1 / n); });
@@ -51,7 +51,7 @@ TEST(Plastic, SmoothCoatIsTheSumOfItsInterreflections) {
     radiosity += arriving * rho;
     arriving *= rho * inside;
   }
-  // Radiosity / pi in the coat; radiance over the square of the index is kept by refraction.
+  // Radiosity / pi in the coat; refraction preserves the radiance over the squared index.
   const double by_hand = radiosity / pi * (1 - fresnel_dielectric(o.z, n)) / (n * n);
   EXPECT_NEAR(plastic.eval(o, i), by_hand, 1e-6);
   EXPECT_GT(std::abs(plastic.eval(o, i) - by_hand * n * n), 0.01);  // control: without the change of index
@@ -65,7 +65,8 @@ TEST(Plastic, WithoutChangeOfIndexIsItsBase) {
   }
 }
 
-// The coat of almost a mirror is the smooth one; 2e-3 for what the facets' spread of 0.1 degrees does.
+// A coat of very low roughness behaves like the smooth coat; 2e-3 allows for the facets' spread of 0.1
+// degrees.
 TEST(Plastic, RoughCoatBecomesTheSmoothOne) {
   const Plastic smooth = make_plastic(1.5, 0.5);
   for (const auto distribution : {FacetDistribution::ggx, FacetDistribution::beckmann}) {

@@ -12,13 +12,13 @@
 
 namespace shelfbeam::test {
 
-/// The sphere of directions cut into cells that know their integral of a function, fine where the function
-/// demands it. Coordinates are theta and v in [-1, 1], azimuth = plane + pi v^5: a lobe at grazing angles is
-/// as narrow as 0.001 rad across its plane of incidence.
+/// The sphere of directions, divided into cells with the integral of a function over each. Cells are small
+/// where the function varies. Coordinates are theta and v in [-1, 1], azimuth = plane + pi v^5: a lobe at
+/// grazing angles is as narrow as 0.001 rad across its plane of incidence.
 class SphereCells {
  public:
-  /// Cells are split until Gauss's rule of 4 x 4 points changes by less than `tolerance` in a cell; `plane`
-  /// is the azimuth near which the function is narrow.
+  /// Splits a cell until Gauss's rule of 4 x 4 points changes by less than `tolerance`; `plane` is the
+  /// azimuth near which the function is narrow.
   template <class Function>
   SphereCells(double plane, const Function& function, double tolerance = 2e-6) : plane_(plane) {
     for (std::size_t i = 0; i < rings; ++i)
@@ -39,7 +39,7 @@ class SphereCells {
   const std::vector<double>& integrals() const { return integrals_; }
   double integral() const { return std::accumulate(integrals_.begin(), integrals_.end(), 0.0); }
 
-  /// Which entry of `integrals` the direction belongs to.
+  /// The index in `integrals` of the direction's cell.
   std::size_t cell_of(const Vec3& d) const {
     const double theta = std::atan2(std::hypot(d.x, d.y), d.z);
     double turn = std::atan2(d.y, d.x) - plane_;

@@ -10,7 +10,7 @@ namespace {
 
 Vec3 random_direction(std::uint32_t k) {
   const auto u = philox({k, 0, 0, 0}, 5);
-  const double z = 2 * to_unit(u[0]) - 1, phi = 2 * pi * to_unit(u[1]), r = std::sqrt(1 - z * z);
+  const double z = 2 * to_uniform(u[0]) - 1, phi = 2 * pi * to_uniform(u[1]), r = std::sqrt(1 - z * z);
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
@@ -44,7 +44,7 @@ TEST(Frame, TurnsThereAndBack) {
 TEST(Frame, OfADeviceLookingDownHasItsXAlongTheRoom) {
   const Frame level = Frame::of_device({0, 0, -1}, 0);
   EXPECT_NEAR(length(level.x - Vec3{1, 0, 0}), 0, 1e-15);
-  // A right-handed turn about an axis that points down takes x to -y.
+  // A right-handed rotation about an axis that points down takes x to -y.
   const Frame rolled = Frame::of_device({0, 0, -1}, radians(90));
   EXPECT_NEAR(length(rolled.x - Vec3{0, -1, 0}), 0, 1e-15);
 }

@@ -22,14 +22,14 @@ TEST(Philox, GivesThePublishedAnswers) {
 }
 
 TEST(Philox, UnitNumbersStayBelowOne) {
-  EXPECT_EQ(to_unit(0), 0);
-  EXPECT_LT(to_unit(0xffffffff), 1);
+  EXPECT_EQ(to_uniform(0), 0);
+  EXPECT_LT(to_uniform(0xffffffff), 1);
   EXPECT_EQ(to_index(0xffffffff, 320), 319U);
   EXPECT_EQ(to_index(0, 320), 0U);
 }
 
-// Chi-square at level 1e-4 over 320 cells and 320,000 draws: keys and counters that differ by one must not
-// show. The control draws with the lowest bit of the index stuck.
+// Chi-square test at level 1e-4 over 320 cells and 320,000 draws: keys and counters that differ by one must
+// not correlate. In the control the lowest bit of the index is fixed.
 TEST(Philox, IndicesAreUniformOverNeighbouringCounters) {
   constexpr std::uint32_t cells = 320, each = 1000, draws = each * cells;
   std::vector<double> counts(cells), stuck(cells), expected(cells, each);

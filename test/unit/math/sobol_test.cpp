@@ -14,7 +14,7 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-// Whether 2^k points have one in each box, for all ways to halve the sides k times.
+// Whether each box contains one of 2^k points, for all ways to halve the sides k times.
 bool fills_every_box(const std::vector<Point>& points) {
   const std::size_t n = points.size();
   for (std::size_t across = 1; across <= n; across *= 2) {
@@ -36,8 +36,8 @@ std::vector<Point> points(std::uint32_t first, std::uint32_t n, const Draw& draw
   return result;
 }
 
-// Exact. The controls are random points, the same net shifted round the square, and 2^k points from
-// elsewhere than a multiple of 2^k.
+// Exact. The controls are random points, the same net shifted cyclically in the square, and 2^k points that
+// do not begin at a multiple of 2^k.
 TEST(ScrambledSobol, HasAPointInEveryElementaryBox) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const ScrambledSobol square(mix_key(seed, 3));
@@ -48,7 +48,7 @@ TEST(ScrambledSobol, HasAPointInEveryElementaryBox) {
 
     const auto random = [&](std::uint32_t k) {
       const auto u = philox({k, 0, 0, 0}, seed);
-      return Point{to_unit(u[0]), to_unit(u[1])};
+      return Point{to_uniform(u[0]), to_uniform(u[1])};
     };
     EXPECT_FALSE(fills_every_box(points(0, 32, random)));
     const auto by = random(1000);
@@ -62,8 +62,8 @@ TEST(ScrambledSobol, HasAPointInEveryElementaryBox) {
 }
 
 // z-tests at 0.1 % over 40,000 keys, of means and mean products of centred coordinates: of one point, of
-// neighbours under one key whose nets must not matter to each other under different keys. Errors of 0.0014
-// and 0.0004. The controls are one key in both places and coordinates that are 0.01 too large.
+// neighbours under one key, and of nets under different keys, which must be independent. Errors of 0.0014 and
+// 0.0004. The controls are one key for both nets, and coordinates that are 0.01 too large.
 TEST(ScrambledSobol, IsUniformAndIndependentOverKeys) {
   constexpr std::uint32_t keys = 40000, most = 6;
   std::vector<double> means, products, same_key;

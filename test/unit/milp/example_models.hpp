@@ -9,7 +9,7 @@
 
 namespace shelfbeam::test {
 
-/// Covering model: rows of 0/1 entries, each to be covered once, unit costs.
+/// Covering model with unit costs: rows of 0/1 entries, each covered at least once.
 inline milp::Model cover(std::size_t columns, const std::vector<std::vector<std::uint32_t>>& rows) {
   milp::Model model;
   model.columns.resize(columns);
@@ -22,13 +22,13 @@ inline milp::Model cover(std::size_t columns, const std::vector<std::vector<std:
   return model;
 }
 
-/// Vertex cover of the triangle: 2, where the LP relaxation gives 1.5.
+/// Vertex cover of the triangle: the optimum is 2, the LP relaxation gives 1.5.
 inline milp::Model triangle() {
   return cover(3, {{0, 1}, {1, 2}, {0, 2}});
 }
 
-/// Cover of the lines of an affine space over three elements, of so many points. 27 points, Fulkerson's A27:
-/// 117 lines, optimum 18. 81 points, A81: 1080 lines, optimum 61 (Ostrowski, Linderoth, Rossi, Smriglio
+/// Cover of the lines of an affine space over three elements with `points` points. 27 points, Fulkerson's
+/// A27: 117 lines, optimum 18. 81 points, A81: 1080 lines, optimum 61 (Ostrowski, Linderoth, Rossi, Smriglio
 /// 2011), which no general solver proves within minutes.
 inline milp::Model steiner(std::uint32_t points) {
   std::vector<std::vector<std::uint32_t>> lines;
@@ -48,7 +48,7 @@ inline milp::Model steiner_81() {
   return steiner(81);
 }
 
-/// Whole-numbered columns in [-2, 3], rows of every sense, costs of either sign; may be infeasible.
+/// Integer columns in [-2, 3], rows of every sense, costs of either sign; may be infeasible.
 inline milp::Model random_model(std::mt19937_64& random) {
   const auto whole = [&](int low, int high) {
     return static_cast<double>(std::uniform_int_distribution<int>(low, high)(random));
@@ -72,7 +72,7 @@ inline milp::Model random_model(std::mt19937_64& random) {
   return model;
 }
 
-/// Least objective by trying everything; infinity where nothing fits. All columns must be whole and bounded.
+/// The minimum objective by enumeration; infinity if infeasible. All columns must be integer and bounded.
 inline double try_everything(const milp::Model& model) {
   std::vector<double> x;
   for (const milp::Column& column : model.columns) x.push_back(column.lower);

@@ -25,8 +25,8 @@ std::string name(const testing::TestParamInfo<Backend>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Every, MilpLpSession, testing::ValuesIn(backends().begin(), backends().end()), name);
 
-/// The Lagrangian bound of any duals: no x within the columns' bounds that meets the rows costs less. Columns
-/// must be bounded.
+/// The Lagrangian bound of any duals: no x within the columns' bounds that satisfies the rows costs less.
+/// Columns must be bounded.
 double dual_objective(const Model& model, const std::vector<double>& y) {
   double sum = 0;
   std::vector<double> reduced;
@@ -45,7 +45,7 @@ void make_continuous(Model& model) {
   for (Column& column : model.columns) column.integer = false;
 }
 
-/// Rows of every sense over columns in [0, 1] or other bounds; feasible or not.
+/// Rows of every sense over columns in [0, 1] or other bounds; may be infeasible.
 Model random_lp(std::mt19937_64& random) {
   const auto real = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);
@@ -80,7 +80,7 @@ void expect_optimum(const Model& model, const LpResult& result) {
   }
 }
 
-/// Duals with the sign that their row allows.
+/// Duals restricted to the sign that their row allows.
 std::vector<double> clipped(const Model& model, std::vector<double> y) {
   for (std::size_t i = 0; i < y.size(); ++i) {
     if (model.rows[i].lower == -infinity) y[i] = std::min(y[i], 0.0);
@@ -89,8 +89,8 @@ std::vector<double> clipped(const Model& model, std::vector<double> y) {
   return y;
 }
 
-// The bound of the duals is the value of the solution: both are optimal, whatever the solver says, after
-// every row that is added.
+// The bound of the duals is equal to the solution's value, so both are optimal, independently of the solver,
+// after every added row.
 TEST_P(MilpLpSession, DualsProveTheOptimum) {
   std::mt19937_64 random(3);
   int solved = 0, infeasible = 0, changed = 0, wrong_sign = 0;
@@ -118,7 +118,7 @@ TEST_P(MilpLpSession, DualsProveTheOptimum) {
       changed += std::abs(result.objective - last) > 1e-3;
       last = result.objective;
 
-      // Negative control: duals of the other sign prove something else.
+      // Negative control: duals of the other sign prove another bound.
       std::vector<double> flipped = result.y;
       for (double& dual : flipped) dual = -dual;
       wrong_sign += std::abs(dual_objective(model, flipped) - result.objective) > 1e-6;
@@ -168,7 +168,7 @@ TEST_P(MilpLpSession, StopsAndGoesOn) {
   const LpResult result = lp->solve(60, {});
   EXPECT_EQ(result.termination, Termination::optimal);
   EXPECT_NEAR(result.objective, 27, 1e-7);
-  // The limit is one of each solve, not of all together.
+  // The limit applies to each solve, not to all together.
   for (int k = 0; k < 50; ++k) EXPECT_EQ(lp->solve(1, {}).termination, Termination::optimal);
 }
 

@@ -20,7 +20,7 @@ struct Format {
 };
 constexpr Format formats[] = {{"model.mps", write_mps}, {"model.lp", write_lp}};
 
-// Ids and numbers that a careless writer or reader would spoil.
+// Ids and numbers that a careless writer or reader would corrupt.
 Model awkward() {
   Model model;
   model.columns = {{1, 0, 1, true, "G1-0-0"},
@@ -42,7 +42,7 @@ Model awkward() {
   return model;
 }
 
-// The rows as the files hold them: two for one with two bounds, none for one without.
+// The rows in the files: two for a row with two bounds, none for a row without.
 std::vector<Row> in_file(const Model& model) {
   std::vector<Row> rows;
   for (const Row& row : model.rows) {

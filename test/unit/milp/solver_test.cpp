@@ -25,7 +25,7 @@ std::string name(const testing::TestParamInfo<Backend>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Every, MilpSolver, testing::ValuesIn(backends().begin(), backends().end()), name);
 
-// Exact data and small numbers: solvers must agree with enumeration up to their relative gap of 1e-6.
+// Data are exact and small, so solvers must agree with enumeration within their relative gap of 1e-6.
 TEST_P(MilpSolver, EqualsEnumerationOnRandomModels) {
   std::mt19937_64 random(7);
   int infeasible = 0;
@@ -42,7 +42,7 @@ TEST_P(MilpSolver, EqualsEnumerationOnRandomModels) {
     ASSERT_EQ(result.termination, Termination::optimal) << k;
     EXPECT_NEAR(result.primal_bound, expected, 1e-6 * std::max(1.0, std::abs(expected))) << k;
     EXPECT_NEAR(result.dual_bound, expected, 1e-5 * std::max(1.0, std::abs(expected))) << k;
-    // Negative control: without its last row a model must have another optimum now and then.
+    // Negative control: some models must have another optimum without their last row.
     Model relaxed = model;
     if (!relaxed.rows.empty()) relaxed.rows.pop_back();
     if (test::try_everything(relaxed) < expected - 1e-3) ++control;
@@ -75,7 +75,7 @@ TEST_P(MilpSolver, SolvesModelsOfEveryKind) {
   EXPECT_EQ(solve(no_rows).solution, (std::vector<double>{0, 1, 1}));
 }
 
-// Absolute tolerances of solvers lie between 1e-5 and 1e-10; costs must be told apart far below and above.
+// Absolute tolerances of solvers are between 1e-5 and 1e-10; costs far below and above must be distinguished.
 TEST_P(MilpSolver, TellsCostsApartInAnyUnit) {
   for (const double unit : {1e-12, 1e-6, 1.0, 1e7, 1e12}) {
     Model model = test::triangle();
@@ -90,7 +90,7 @@ TEST_P(MilpSolver, TellsCostsApartInAnyUnit) {
   }
 }
 
-// A81 cannot be proven in this time; its optimum, 61, must lie between the bounds.
+// A81 cannot be proven in this time; its optimum, 61, must be between the bounds.
 TEST_P(MilpSolver, StopsAtTheTimeLimitWithHonestBounds) {
   for (const double limit : {1.0, 0.0, -1.0, 1e-9}) {
     const test::ProcessorTime spent;

@@ -21,12 +21,12 @@ TEST(MilpVerify, MeasuresEveryKindOfViolation) {
   model.rows = {{1, 4, {{0, 1.0}, {1, 1.0}}, {}}, {-infinity, 100, {{1, 10.0}}, {}}};
   using X = std::vector<double>;
   EXPECT_EQ(violation(model, X{1, 0.5}), 0);
-  EXPECT_DOUBLE_EQ(violation(model, X{1.25, 0}), 0.25);    // not whole
+  EXPECT_DOUBLE_EQ(violation(model, X{1.25, 0}), 0.25);    // not integer
   EXPECT_DOUBLE_EQ(violation(model, X{3, 0}), 0.5);        // above its bound of 2
   EXPECT_DOUBLE_EQ(violation(model, X{2, -1.5}), 0.5);     // below its bound, and the first row
   EXPECT_DOUBLE_EQ(violation(model, X{0, 0}), 1);          // first row
   EXPECT_NEAR(violation(model, X{0, 4.5}), 0.125, 1e-15);  // first row, relative to 4
-  EXPECT_DOUBLE_EQ(violation(model, X{-8, 11}), 8);        // column bound, more than the second row's 0.1
+  EXPECT_DOUBLE_EQ(violation(model, X{-8, 11}), 8);        // column bound, more than the second row (0.1)
   EXPECT_EQ(violation(model, X{1}), infinity);
   EXPECT_EQ(violation(model, X{1, std::numeric_limits<double>::quiet_NaN()}), infinity);
 }
@@ -43,7 +43,7 @@ TEST(MilpVerify, AcceptsWhatIsRight) {
 
 TEST(MilpVerify, RejectsWrongClaims) {
   EXPECT_EQ(judged(Termination::optimal, {1, 0, 0}, 1), Termination::error);          // misses a row
-  EXPECT_EQ(judged(Termination::optimal, {0.5, 0.5, 0.5}, 1.5), Termination::error);  // not whole
+  EXPECT_EQ(judged(Termination::optimal, {0.5, 0.5, 0.5}, 1.5), Termination::error);  // not integer
   EXPECT_EQ(judged(Termination::optimal, {2, 0, 1}, 3), Termination::error);          // beyond a bound
   EXPECT_EQ(judged(Termination::optimal, {1, 1}, 2), Termination::error);             // wrong length
   EXPECT_EQ(judged(Termination::optimal, {}, 2), Termination::error);                 // no solution

@@ -7,28 +7,37 @@
 #include <string>
 #include <vector>
 
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam::test {
 
-/// What is left out of the enumeration, to see that a comparison with it can fail.
-enum class Omission { nothing, last_label, installed, second_objective, tolerance, mounts, apart, failure };
+/// A rule that the enumeration omits, to check that a comparison with it can fail.
+enum class Omission {
+  nothing,
+  last_label,
+  installed,
+  second_objective,
+  tolerance,
+  mounts,
+  conflicts,
+  failure
+};
 
-/// Answers of the paper's models by trying every selection, written from the formulas of chapter 3 with dense
-/// matrices M, l and t, sharing no code with the library.
+/// Solves the paper's models by enumeration, written from the formulas of chapter 3 with dense matrices M, l
+/// and t, and without code of the library.
 struct BruteForce {
   using Columns = std::vector<std::uint32_t>;
 
   bool feasible = false;
-  std::size_t fewest = 0;     ///< least number of transceivers
-  double best_at_fewest = 0;  ///< least second objective among the selections of that many
-  double best_sum = 0;        ///< least sum of transceiver costs and second objective
+  std::size_t fewest = 0;     ///< minimum count
+  double best_at_fewest = 0;  ///< minimum second objective among the selections of that count
+  double best_sum = 0;        ///< minimum sum of transceiver costs and second objective
   Columns at_fewest, of_best_sum;
 
-  BruteForce(const SignalTable& table, const Question& question, Omission omission = Omission::nothing)
+  BruteForce(const SignalTable& table, const PlacementProblem& problem, Omission omission = Omission::nothing)
       : fewest(table.columns() + 1), best_at_fewest(infinite), best_sum(infinite) {
-    for_each_answer(table, question, omission, [&](const Answer& answer) {
+    for_each_answer(table, problem, omission, [&](const Answer& answer) {
       feasible = true;
       const double second = omission == Omission::second_objective ? 0 : answer.second_objective;
       const std::size_t count = answer.columns.size();
@@ -44,15 +53,15 @@ struct BruteForce {
     });
   }
 
-  /// The value that the question minimises.
-  double best(const Question& question) const {
-    if (question.combination == Combination::weighted) return best_sum;
-    return question.objective == Objective::count ? static_cast<double>(fewest) : best_at_fewest;
+  /// The value that the placement problem minimises.
+  double best(const PlacementProblem& problem) const {
+    if (problem.combination == Combination::weighted) return best_sum;
+    return problem.objective == Objective::count ? static_cast<double>(fewest) : best_at_fewest;
   }
 
-  /// What each label gets from the selection that gives it most, whatever becomes of the others. Pairs that
-  /// must be kept apart count only where one of them is installed, as documented.
-  static std::vector<double> most(const SignalTable& table, const Question& question) {
+  /// The signal at each label from the selection that gives it most, regardless of other labels. As
+  /// documented, conflicts count only if one of the pair is installed.
+  static std::vector<double> most(const SignalTable& table, const PlacementProblem& problem) {
     const std::vector<std::vector<double>> signal = dense(table);
     std::uint32_t installed = 0;
     for (std::size_t j = 0; j < table.transceivers.size(); ++j)
@@ -61,29 +70,31 @@ struct BruteForce {
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.transceivers.size()); ++set) {
       if ((set & installed) != installed || !one_at_a_point(table, set)) continue;
       bool excluded = false;
-      for (const auto& [a, b] : table.apart)
+      for (const auto& [a, b] : table.conflicts)
         excluded =
             excluded || ((set >> a & set >> b & 1U) != 0 && ((installed >> a | installed >> b) & 1U) != 0);
       if (excluded) continue;
       for (std::size_t i = 0; i < signal.size(); ++i)
-        result[i] = std::max(result[i], got(question, signal[i], set));
+        result[i] = std::max(result[i], got(problem, signal[i], set));
     }
     return result;
   }
 
-  /// The most labels that selections of at most so many units meet, and the fewest units that do it.
+  /// The maximum number of labels that selections of at most this many units reach, and the minimum count
+  /// that reaches it.
   struct Budget {
     std::size_t reached = 0, units = 0;
   };
-  /// For every number of units up to all; nothing where more are installed.
-  static std::vector<std::optional<Budget>> budgets(const SignalTable& table, const Question& question) {
+  /// For every number of units up to all; nullopt if more are installed.
+  static std::vector<std::optional<Budget>> budgets(const SignalTable& table,
+                                                    const PlacementProblem& problem) {
     const std::vector<std::vector<double>> signal = dense(table);
     std::vector<std::optional<Budget>> best(table.columns() + 1);
     for_each_allowed(table, Omission::nothing, [&](std::uint32_t set, const Columns& columns) {
       const std::size_t count = columns.size();
       std::size_t reached = 0;
       for (std::size_t i = 0; i < table.rows(); ++i)
-        if (got(question, signal[i], set) >= requirement(table.labels[i], question) * (1 - 1e-9)) ++reached;
+        if (got(problem, signal[i], set) >= requirement(table.labels[i], problem) * (1 - 1e-9)) ++reached;
       for (std::size_t k = count; k < best.size(); ++k)
         if (!best[k] || reached > best[k]->reached || (reached == best[k]->reached && count < best[k]->units))
           best[k] = Budget{reached, count};
@@ -91,20 +102,20 @@ struct BruteForce {
     return best;
   }
 
-  /// A selection that meets every label.
+  /// A selection that reaches every label.
   struct Answer {
     Columns columns;
     double second_objective = 0, price = 0;
-    double margin = 0;  ///< the least of what labels receive over their requirement; infinite without labels
+    double margin = 0;  ///< minimum margin over the labels; infinite without labels
   };
-  static std::vector<Answer> answers(const SignalTable& table, const Question& question,
+  static std::vector<Answer> answers(const SignalTable& table, const PlacementProblem& problem,
                                      Omission omission = Omission::nothing) {
     std::vector<Answer> result;
-    for_each_answer(table, question, omission, [&](const Answer& answer) { result.push_back(answer); });
+    for_each_answer(table, problem, omission, [&](const Answer& answer) { result.push_back(answer); });
     return result;
   }
 
-  /// In order: ties are settled by them.
+  /// Sorted ids, which break ties.
   static std::vector<std::string> ids(const SignalTable& table, const Columns& columns) {
     std::vector<std::string> result;
     result.reserve(columns.size());
@@ -116,13 +127,13 @@ struct BruteForce {
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  /// Calls visit(set, columns) for every selection that breaks no rule, whatever it meets.
+  /// Calls visit(set, columns) for every selection that breaks no rule, whether or not it reaches all labels.
   template <class Visit>
   static void for_each_allowed(const SignalTable& table, Omission omission, const Visit& visit) {
     Columns columns;
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
       bool allowed = (omission == Omission::mounts || one_at_a_point(table, set)) &&
-                     (omission == Omission::apart || kept_apart(table, set));
+                     (omission == Omission::conflicts || is_free_of_conflicts(table, set));
       columns.clear();
       for (std::uint32_t j = 0; j < table.columns(); ++j) {
         const bool in = (set >> j & 1U) != 0;
@@ -134,7 +145,7 @@ struct BruteForce {
   }
 
   template <class Visit>
-  static void for_each_answer(const SignalTable& table, const Question& question, Omission omission,
+  static void for_each_answer(const SignalTable& table, const PlacementProblem& problem, Omission omission,
                               const Visit& visit) {
     const std::vector<std::vector<double>> signal = dense(table);
     const double tolerance = omission == Omission::tolerance ? -2e-9 : 1e-9;
@@ -143,45 +154,44 @@ struct BruteForce {
     for_each_allowed(table, omission, [&](std::uint32_t set, const Columns& columns) {
       answer.margin = infinite;
       for (std::size_t i = 0; i < tested; ++i) {
-        const double needed = requirement(table.labels[i], question);
-        const double has = received(question, signal[i], set, omission);
+        const double needed = requirement(table.labels[i], problem);
+        const double has = received(problem, signal[i], set, omission);
         if (has < needed * (1 - tolerance)) return;
         answer.margin = std::min(answer.margin, has / needed);
       }
       answer.columns = columns;
       answer.price = 0;
       for (const std::uint32_t j : columns) answer.price += table.transceivers[j].cost;
-      answer.second_objective = second_objective(table, question, signal, set);
+      answer.second_objective = second_objective(table, problem, signal, set);
       visit(answer);
     });
   }
 
-  // What a label gets from a selection by the definition: where one unit may fail, in the worst failure.
-  static double got(const Question& question, const std::vector<double>& signal, std::uint32_t set) {
+  // The signal at a label from a selection, by definition; if one unit may fail, in the worst failure.
+  static double got(const PlacementProblem& problem, const std::vector<double>& signal, std::uint32_t set) {
     const auto got_without = [&](std::size_t failed) {
       double sum = 0;
       for (std::size_t j = 0; j < signal.size(); ++j)
         if ((set >> j & 1U) != 0 && j != failed)
-          sum =
-              question.model == CommunicationModel::cooperative ? sum + signal[j] : std::max(sum, signal[j]);
+          sum = problem.model == CommunicationModel::cooperative ? sum + signal[j] : std::max(sum, signal[j]);
       return sum;
     };
     double least = got_without(signal.size());
-    for (std::size_t failed = 0; failed < signal.size() && question.redundant; ++failed)
+    for (std::size_t failed = 0; failed < signal.size() && problem.redundant; ++failed)
       if ((set >> failed & 1U) != 0) least = std::min(least, got_without(failed));
     return least;
   }
 
-  static double requirement(const SignalTable::Label& label, const Question& question) {
-    return question.model == CommunicationModel::cooperative ? label.requirement : label.single_requirement;
+  static double requirement(const SignalTable::Label& label, const PlacementProblem& problem) {
+    return problem.model == CommunicationModel::cooperative ? label.requirement : label.single_requirement;
   }
 
-  // Added up in the order of the columns, without the best of them where one may fail: to the last bit what
-  // the contract says, for the order of sums decides near-ties.
-  static double received(const Question& question, const std::vector<double>& signal, std::uint32_t set,
-                         Omission omission) {
-    const bool redundant = question.redundant && omission != Omission::failure;
-    const bool cooperative = question.model == CommunicationModel::cooperative;
+  // The sum in the order of the columns, without the largest signal if one unit may fail: exact to the last
+  // bit as documented, because the order of sums decides near-ties.
+  static double received(const PlacementProblem& problem, const std::vector<double>& signal,
+                         std::uint32_t set, Omission omission) {
+    const bool redundant = problem.redundant && omission != Omission::failure;
+    const bool cooperative = problem.model == CommunicationModel::cooperative;
     double result = 0, largest = 0;
     for (std::size_t j = 0; j < signal.size(); ++j) {
       if ((set >> j & 1U) == 0) continue;
@@ -210,32 +220,32 @@ struct BruteForce {
     return true;
   }
 
-  static bool kept_apart(const SignalTable& table, std::uint32_t set) {
-    return std::none_of(table.apart.begin(), table.apart.end(), [&](const auto& pair) {
+  static bool is_free_of_conflicts(const SignalTable& table, std::uint32_t set) {
+    return std::none_of(table.conflicts.begin(), table.conflicts.end(), [&](const auto& pair) {
       return (set >> pair.first & 1U) != 0 && (set >> pair.second & 1U) != 0;
     });
   }
 
-  static double second_objective(const SignalTable& table, const Question& question,
+  static double second_objective(const SignalTable& table, const PlacementProblem& problem,
                                  const std::vector<std::vector<double>>& signal, std::uint32_t set) {
-    if (question.objective == Objective::count) return 0;
-    const bool cooperative = question.model == CommunicationModel::cooperative;
+    if (problem.objective == Objective::count) return 0;
+    const bool cooperative = problem.model == CommunicationModel::cooperative;
     bool priced = false;
     for (const auto& label : table.labels)
-      priced = priced || (question.objective == Objective::signal ? label.signal_cost : label.link_cost) > 0;
+      priced = priced || (problem.objective == Objective::signal ? label.signal_cost : label.link_cost) > 0;
     double value = 0;
     for (std::size_t i = 0; i < table.labels.size(); ++i) {
       const SignalTable::Label& label = table.labels[i];
-      const double given = question.objective == Objective::signal ? label.signal_cost : label.link_cost;
+      const double given = problem.objective == Objective::signal ? label.signal_cost : label.link_cost;
       const double cost = priced ? given : 1;
-      const double needed = requirement(label, question);
+      const double needed = requirement(label, problem);
       for (std::size_t j = 0; j < table.transceivers.size(); ++j) {
         if ((set >> j & 1U) == 0) continue;
-        if (question.objective == Objective::signal) value += cost * signal[i][j];
-        if (question.objective == Objective::links && (cooperative || signal[i][j] >= needed * (1 - 1e-9)))
+        if (problem.objective == Objective::signal) value += cost * signal[i][j];
+        if (problem.objective == Objective::links && (cooperative || signal[i][j] >= needed * (1 - 1e-9)))
           value += cost;
-        if (question.objective == Objective::effective_links &&
-            signal[i][j] >= question.share * needed * (1 - 1e-9))
+        if (problem.objective == Objective::effective_links &&
+            signal[i][j] >= problem.share * needed * (1 - 1e-9))
           value += cost;
       }
     }

@@ -18,12 +18,12 @@ using test::BruteForce;
 using test::compare_random;
 using test::Omission;
 
-// How often enumeration with one thing left out gives another answer: comparisons with it must be able to
-// fail. What is better because something was left out is rejected by the checker for just that.
+// Counts how often enumeration without one rule has another result, because comparisons with it must be able
+// to fail. The checker must reject a better value that breaks the omitted rule.
 TEST(BruteForce, NoticesWhateverIsLeftOut) {
   struct Case {
     Omission omission;
-    int least;  ///< times in 500
+    int least;  ///< of 500 problems
     bool (*is_reason)(const Check&);
   };
   const auto any = [](const Check&) { return true; };
@@ -33,7 +33,7 @@ TEST(BruteForce, NoticesWhateverIsLeftOut) {
       {Omission::second_objective, 100, any},
       {Omission::tolerance, 10, any},
       {Omission::mounts, 50, [](const Check& c) { return c.unmet.empty() && c.too_close.empty(); }},
-      {Omission::apart, 15, [](const Check& c) { return c.unmet.empty() && c.crowded.empty(); }},
+      {Omission::conflicts, 15, [](const Check& c) { return c.unmet.empty() && c.crowded.empty(); }},
       {Omission::failure, 50, [](const Check& c) { return c.too_close.empty() && c.crowded.empty(); }}};
   for (const Case& one : cases) {
     SCOPED_TRACE(static_cast<int>(one.omission));
@@ -42,16 +42,16 @@ TEST(BruteForce, NoticesWhateverIsLeftOut) {
     int noticed = 0;
     for (int k = 0; k < 500; ++k) {
       const SignalTable table = tables.next();
-      const Question question = tables.next_question();
-      const BruteForce brute(table, question), wrong(table, question, one.omission);
-      const double best = brute.best(question), other = wrong.best(question);
+      const PlacementProblem problem = tables.next_problem();
+      const BruteForce brute(table, problem), wrong(table, problem, one.omission);
+      const double best = brute.best(problem), other = wrong.best(problem);
       const bool differs =
           wrong.feasible != brute.feasible || (brute.feasible && std::abs(best - other) > 2e-6 * best);
       if (!differs) continue;
       ++noticed;
-      const bool is_weighted = question.combination == Combination::weighted;
+      const bool is_weighted = problem.combination == Combination::weighted;
       if (is_of_the_paper) continue;
-      const Check check = check_selection(table, question, is_weighted ? wrong.of_best_sum : wrong.at_fewest);
+      const Check check = check_selection(table, problem, is_weighted ? wrong.of_best_sum : wrong.at_fewest);
       EXPECT_TRUE(!check.met() && one.is_reason(check));
     }
     EXPECT_GT(noticed, one.least);

@@ -14,21 +14,21 @@ namespace {
 
 using Answer = BruteForce::Answer;
 
-double value_of(const Answer& answer, const Question& question) {
-  if (question.combination == Combination::weighted) return answer.price + answer.second_objective;
-  return question.objective == Objective::count ? static_cast<double>(answer.columns.size())
-                                                : answer.second_objective;
+double value_of(const Answer& answer, const PlacementProblem& problem) {
+  if (problem.combination == Combination::weighted) return answer.price + answer.second_objective;
+  return problem.objective == Objective::count ? static_cast<double>(answer.columns.size())
+                                               : answer.second_objective;
 }
 
-// The labels that no selection meets, each with the most it could get; sums of 14 doubles in another order
-// differ by less than 1e-14. There are none where candidates exclude one another, and those that are within
-// 1e-12 of the rule's edge need not be named then.
-void expect_unreachable(const SignalTable& table, const Question& question, const Placement& answer) {
-  const std::vector<double> most = BruteForce::most(table, question);
+// The labels that no selection reaches, each with its maximum signal; sums of 14 doubles in another order
+// differ by less than 1e-14. The list is empty if conflicts are the reason. Labels within 1e-12 of the rule's
+// edge may be missing from it.
+void expect_unreachable(const SignalTable& table, const PlacementProblem& problem, const Placement& answer) {
+  const std::vector<double> most = BruteForce::most(table, problem);
   std::vector<std::uint32_t> expected, named;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
-    const double slack = table.mounts.empty() && !question.redundant ? 0 : 1e-12 * most[i];
-    if (!is_met(most[i] + slack, requirement_of(table.labels[i], question.model))) expected.push_back(i);
+    const double slack = table.mounts.empty() && !problem.redundant ? 0 : 1e-12 * most[i];
+    if (!is_met(most[i] + slack, requirement_of(table.labels[i], problem.model))) expected.push_back(i);
   }
   for (const Unreachable& label : answer.unreachable) {
     named.push_back(label.label);
@@ -37,15 +37,15 @@ void expect_unreachable(const SignalTable& table, const Question& question, cons
   EXPECT_EQ(named, expected);
 }
 
-// Of the best answers that with the largest smallest margin, then the fewest units, then the first by id;
-// where sums of another order leave no doubt which that is.
-void expect_settled(const SignalTable& table, const Question& question, const Placement& answer,
+// Among optimal selections, expects the one with the largest minimum margin, then the smallest count, then
+// the first by id, unless sums in another order leave this in doubt.
+void expect_settled(const SignalTable& table, const PlacementProblem& problem, const Placement& answer,
                     std::vector<Answer> best, Tally& tally) {
-  // What costs no more than the answer, up to 1e-12 of it (the least is proven to 1e-9); the tables of
-  // near-ties have some that are about that far off.
+  // Selections that cost no more than the result, up to 1e-12 of it (the optimum is proven to 1e-9); the
+  // tables of near-ties contain some about that far off.
   const double value = answer.objective_value;
-  std::erase_if(best, [&](const Answer& one) { return value_of(one, question) > value * (1 + 1e-11); });
-  const auto in_doubt = [&](const Answer& one) { return value_of(one, question) > value * (1 + 1e-14); };
+  std::erase_if(best, [&](const Answer& one) { return value_of(one, problem) > value * (1 + 1e-11); });
+  const auto in_doubt = [&](const Answer& one) { return value_of(one, problem) > value * (1 + 1e-14); };
   if (std::any_of(best.begin(), best.end(), in_doubt)) return;
   double widest = 0;
   for (const Answer& one : best) widest = std::max(widest, one.margin);
@@ -64,30 +64,31 @@ void expect_settled(const SignalTable& table, const Question& question, const Pl
 
 }  // namespace
 
-void compare(const SignalTable& table, const Question& question, const Placement& answer, Tally& tally) {
-  std::vector<Answer> best = BruteForce::answers(table, question);
+void compare(const SignalTable& table, const PlacementProblem& problem, const Placement& answer,
+             Tally& tally) {
+  std::vector<Answer> best = BruteForce::answers(table, problem);
   if (best.empty()) {
     EXPECT_EQ(answer.status, Status::infeasible);
     EXPECT_TRUE(answer.selected.empty());
     EXPECT_TRUE(std::isinf(answer.count_lower_bound) && std::isinf(answer.lower_bound));
-    expect_unreachable(table, question, answer);
+    expect_unreachable(table, problem, answer);
     ++tally.infeasible;
     tally.by_exclusion += answer.unreachable.empty();
     return;
   }
   EXPECT_TRUE(answer.unreachable.empty());
   if (answer.has_selection()) {
-    EXPECT_TRUE(check_selection(table, question, answer.selected).met());
+    EXPECT_TRUE(check_selection(table, problem, answer.selected).met());
     EXPECT_TRUE(std::any_of(best.begin(), best.end(),
                             [&](const Answer& one) { return one.columns == answer.selected; }));
   }
   std::size_t fewest = table.columns();
   for (const Answer& one : best) fewest = std::min(fewest, one.columns.size());
   EXPECT_LE(answer.count_lower_bound, static_cast<double>(fewest));
-  const bool is_lexicographic = question.combination == Combination::lexicographic;
+  const bool is_lexicographic = problem.combination == Combination::lexicographic;
   if (is_lexicographic) std::erase_if(best, [&](const Answer& one) { return one.columns.size() > fewest; });
-  double least = value_of(best.front(), question);
-  for (const Answer& one : best) least = std::min(least, value_of(one, question));
+  double least = value_of(best.front(), problem);
+  for (const Answer& one : best) least = std::min(least, value_of(one, problem));
   // Solvers prove optima within a relative gap of 1e-6; sums of up to 140 doubles add less than 1e-13.
   const double rounding = answer.bound_proof == BoundProof::solver ? 2e-6 : 2e-9;
   EXPECT_LE(answer.lower_bound, least * (1 + rounding));
@@ -107,7 +108,7 @@ void compare(const SignalTable& table, const Question& question, const Placement
   }
   if (!answer.ties_settled) return;
   ++tally.settled;
-  expect_settled(table, question, answer, std::move(best), tally);
+  expect_settled(table, problem, answer, std::move(best), tally);
 }
 
 Tally compare_random(std::uint64_t seed, int cases, const RandomTableLimits& limits,
@@ -117,17 +118,17 @@ Tally compare_random(std::uint64_t seed, int cases, const RandomTableLimits& lim
   for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = random.next();
-    const Question question = random.next_question();
-    const Placement answer = place(table, question, options, {.threads = 1});
-    compare(table, question, answer, tally);
+    const PlacementProblem problem = random.next_problem();
+    const Placement answer = place(table, problem, options, {.threads = 1});
+    compare(table, problem, answer, tally);
     if (k % 8 == 0 && answer.ties_settled) {
-      EXPECT_EQ(place(table, question, options, {.threads = 4}).selected, answer.selected);
+      EXPECT_EQ(place(table, problem, options, {.threads = 4}).selected, answer.selected);
     }
   }
   EXPECT_GT(tally.infeasible, cases / 20);
   EXPECT_LT(tally.infeasible, cases * 3 / 4);
-  // A quarter of the tables are made to mislead solvers. One that notices may give up on a case now and then
-  // (`place` then asks the next); it must never claim a wrong optimum.
+  // A quarter of the tables are made to mislead solvers. A solver that notices may sometimes give up (`place`
+  // then uses the next); it must never claim a wrong optimum.
   EXPECT_LE(tally.stopped, cases / 1000);
   EXPECT_GT(tally.settled, tally.optimal * 9 / 10);
   EXPECT_GT(tally.more_than_one, cases / 50);

@@ -10,7 +10,7 @@
 namespace shelfbeam {
 namespace {
 
-/// A dense matrix with just what the paper's notation needs.
+/// A dense matrix with the operations of the paper's notation.
 struct Matrix {
   std::size_t rows, columns;
   std::vector<double> values;
@@ -99,15 +99,15 @@ TEST(PlacementExplicitForm, HasTheSameOptimumAsTheEliminatedOne) {
     SCOPED_TRACE(k);
     test::RandomTables& tables = k < 600 ? plain : with_options;
     const SignalTable table = tables.next();
-    Question question = tables.next_question();
-    question.model = CommunicationModel::cooperative;
-    question.combination = Combination::weighted;
-    if (question.objective == Objective::effective_links) question.objective = Objective::links;
-    const Placement eliminated = place(table, question, {});
+    PlacementProblem problem = tables.next_problem();
+    problem.model = CommunicationModel::cooperative;
+    problem.combination = Combination::weighted;
+    if (problem.objective == Objective::effective_links) problem.objective = Objective::links;
+    const Placement eliminated = place(table, problem, {});
 
     const std::vector<double> none(table.rows(), 0.0);
-    const std::vector<double> cost = label_costs(table, question.objective).cost;
-    const bool links = question.objective == Objective::links;
+    const std::vector<double> cost = label_costs(table, problem.objective).cost;
+    const bool links = problem.objective == Objective::links;
     const auto value = [&](Form form) {
       const auto model = explicit_model(table, links ? cost : none, links ? none : cost, form);
       return milp::backends().front().solve(model, {}, {});
@@ -119,10 +119,10 @@ TEST(PlacementExplicitForm, HasTheSameOptimumAsTheEliminatedOne) {
     }
     ++feasible;
     ASSERT_EQ(result.termination, milp::Termination::optimal);
-    // Both are proven within a relative gap of 1e-6.
+    // Both optima are proven within a relative gap of 1e-6.
     const double tolerance = 2e-6 * std::max(eliminated.objective_value, result.primal_bound);
     EXPECT_NEAR(result.primal_bound, eliminated.objective_value, tolerance);
-    // Negative control: without t_ij = T_j links cost what one likes.
+    // Negative control: without t_ij = T_j links can be chosen freely.
     const double relaxed = value(Form::without_equalities).primal_bound;
     control += std::abs(relaxed - eliminated.objective_value) > 10 * tolerance;
   }

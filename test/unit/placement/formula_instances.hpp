@@ -10,8 +10,8 @@
 
 namespace shelfbeam::test {
 
-/// Unicost set covers that are given by a formula and hard for their size; the non-cooperative question with
-/// requirement 1. What is known of their optima:
+/// Unicost set covers that are given by a formula and hard for their size: non-cooperative problems with
+/// requirement 1. Known optima:
 ///
 /// | instance | rows x columns | optimum | from |
 /// | --- | --- | --- | --- |
@@ -24,7 +24,7 @@ namespace shelfbeam::test {
 /// | colourings(6, 3), (7, 3) | 31 x 20, 63 x 35 | 10, 7 | complementary triples; the Fano plane |
 /// | colourings(10, 4), CLR10 | 511 x 210 | 25 | best published |
 
-/// Labels that any one of some columns meets.
+/// Each label is reached by any one of its columns.
 inline SignalTable cover_table(const std::vector<std::vector<std::uint32_t>>& rows, std::size_t columns) {
   std::vector<std::vector<double>> matrix;
   for (const auto& row : rows) {
@@ -34,8 +34,7 @@ inline SignalTable cover_table(const std::vector<std::vector<std::uint32_t>>& ro
   return make_table(matrix, columns);
 }
 
-/// Columns: the points of the affine space over three elements; rows: its lines, three points that add up to
-/// 0.
+/// Columns: the points of the affine space over three elements. Rows: its lines, three points whose sum is 0.
 inline SignalTable affine_lines(int dimension) {
   std::uint32_t points = 1;
   for (int k = 0; k < dimension; ++k) points *= 3;
@@ -71,8 +70,9 @@ inline SignalTable cube_cycles(std::uint32_t dimension) {
   return cover_table(cycles, edges);
 }
 
-/// Grossman and Wool's CLR: columns are the sets of `size` out of `points`, rows the colourings of the points
-/// in two colours (both used, up to their exchange); a set is in a row where all its points have one colour.
+/// Grossman and Wool's CLR: columns are the sets of `size` of the `points` points, rows the colourings of the
+/// points in two colours (both used, without regard to their exchange). A set is in a row if all its points
+/// have one colour.
 inline SignalTable colourings(std::uint32_t points, int size) {
   std::vector<std::uint32_t> sets;
   for (std::uint32_t set = 0; set < (std::uint32_t{1} << points); ++set)

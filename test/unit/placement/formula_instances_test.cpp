@@ -12,14 +12,14 @@
 namespace shelfbeam {
 namespace {
 
-constexpr Question alone{.model = CommunicationModel::non_cooperative};
+constexpr PlacementProblem alone{.model = CommunicationModel::non_cooperative};
 
 struct Size {
   std::string name;
   SignalTable table;
   std::size_t rows, columns;
   std::size_t row_degree;     ///< 0: differs
-  std::size_t column_degree;  ///< the same for all columns
+  std::size_t column_degree;  ///< equal for all columns
 };
 
 TEST(FormulaInstances, HaveTheKnownSizesAndDegrees) {
@@ -57,7 +57,7 @@ TEST(FormulaInstances, HaveTheKnownOptima) {
   }
 }
 
-// Nothing to reduce in them, and their LP bounds are what symmetry says: columns over row degree.
+// The instances cannot be reduced, and their LP bounds follow from symmetry: columns over row degree.
 TEST(FormulaInstances, AreNeitherReducedNorBoundedWell) {
   const std::pair<SignalTable, double> known[] = {{test::affine_lines(4), 27}, {test::cube_cycles(6), 48}};
   for (const auto& [table, bound] : known) {

@@ -81,7 +81,7 @@ TEST(Placement, ProvesThatOptionsExcludeOneAnother) {
       EXPECT_TRUE(found.unreachable.empty());
       EXPECT_TRUE(found.selected.empty());
       EXPECT_EQ(found.solver.find(backend.name), 0U) << "who proved it is told";
-      // Greedy proves nothing, and without time nobody does.
+      // Greedy proves nothing, and without time no solver does.
       found = place(table, {model}, {.solver = SolverChoice::greedy});
       EXPECT_EQ(found.status, Status::stopped);
       EXPECT_TRUE(found.selected.empty());
@@ -93,18 +93,18 @@ TEST(Placement, ProvesThatOptionsExcludeOneAnother) {
     }
 }
 
-// Greedy takes the cheap unit 0; with unit 1 in its place as many labels are left over, so it stays there.
+// Greedy takes the cheap unit 0. With unit 1 instead, as many labels are missed, so it stays.
 TEST(Placement, SearchesWhereGreedyIsStuck) {
   SignalTable table = test::make_table({{1, 0, 1}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}}, 3);
   table.transceivers[1].cost = 4;
   table.transceivers[2].cost = 3;
   table.mounts = {{0, 1}};
-  const Question question{alone, Objective::count, Combination::weighted};
-  const Placement greedy = place(table, question, {.solver = SolverChoice::greedy});
+  const PlacementProblem problem{alone, Objective::count, Combination::weighted};
+  const Placement greedy = place(table, problem, {.solver = SolverChoice::greedy});
   EXPECT_EQ(greedy.status, Status::stopped);
   EXPECT_TRUE(greedy.selected.empty());
   EXPECT_TRUE(std::isinf(greedy.gap()));
-  const Placement found = place(table, question, {});
+  const Placement found = place(table, problem, {});
   EXPECT_EQ(found.status, Status::optimal);
   EXPECT_EQ(found.selected, (Columns{1, 2}));
   EXPECT_EQ(found.objective_value, 7);
@@ -124,7 +124,7 @@ TEST(Placement, SaysWhoAnswered) {
   EXPECT_EQ(greedy.status, Status::feasible);
 }
 
-// As long as the sink has slept at least, and no longer than it took as seen from here.
+// At least the time that the sink slept, and at most the time measured here.
 TEST(Placement, SaysForHowLong) {
   class Sleeper : public ProgressSink {
    public:
@@ -146,7 +146,7 @@ TEST(Placement, RejectsWhatItCannotAnswer) {
   SignalTable table = test::make_table({{1, 1}}, 2);
   test::expect_input_error([&] { place(table, {}, {.backend = "cplex"}); }, "cplex");
   table.labels[0].requirement = 0;
-  test::expect_input_error([&] { place(table, {}, {}); }, "L0", "set one for all labels");
+  test::expect_input_error([&] { place(table, {}, {}); }, "label L0: ");
 }
 
 TEST(Placement, TellsWhenLinksCountedOne) {
@@ -157,12 +157,12 @@ TEST(Placement, TellsWhenLinksCountedOne) {
   EXPECT_FALSE(place(table, {alone, Objective::links}, {}).unit_costs);
 }
 
-void expect_stopped(const SignalTable& table, const Placement& found, double least_count) {
+void expect_stopped(const SignalTable& table, const Placement& found, double trivial_count_bound) {
   EXPECT_EQ(found.status, Status::stopped);
   EXPECT_TRUE(check_selection(table, {coop}, found.selected).met());
   EXPECT_GT(found.lower_bound, 0);
   EXPECT_LT(found.lower_bound, found.objective_value);
-  EXPECT_GE(found.count_lower_bound, least_count);
+  EXPECT_GE(found.count_lower_bound, trivial_count_bound);
   EXPECT_GT(found.gap(), 0);
 }
 
@@ -179,7 +179,7 @@ TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
     }
 }
 
-// Each label needs 4 units at 0.25; the linear program says 8.
+// Each label needs 4 units at 0.25; the linear program proves 8.
 TEST(Placement, StopsAtTheStepLimitWithWhatItHas) {
   const SignalTable table = test::dense_table(40, 30);
   for (const milp::Backend& backend : milp::backends()) {
@@ -192,22 +192,22 @@ TEST(Placement, StopsAtTheStepLimitWithWhatItHas) {
   }
 }
 
-// Rows of three units out of many: what reductions leave is left to the MIP, which the search alone does not
-// ask. It says so, and its bound is its own.
+// Rows of three units out of many. The MIP would solve the reduced problem, but the search alone does not use
+// it. It reports this, and its bound is its own.
 TEST(Placement, SearchLeavesNothingToAMip) {
   const SignalTable table = test::cube_cycles(5);
-  const Question question{alone};
-  const Placement with_mip = place(table, question, {.step_limit = 100});
+  const PlacementProblem problem{alone};
+  const Placement with_mip = place(table, problem, {.step_limit = 100});
   EXPECT_EQ(with_mip.bound_proof, BoundProof::solver) << "negative control";
-  const Placement search = place(table, question, {.solver = SolverChoice::search, .step_limit = 100});
-  EXPECT_TRUE(check_selection(table, question, search.selected).met());
+  const Placement search = place(table, problem, {.solver = SolverChoice::search, .step_limit = 100});
+  EXPECT_TRUE(check_selection(table, problem, search.selected).met());
   EXPECT_NE(search.bound_proof, BoundProof::solver);
   EXPECT_EQ(search.status, Status::stopped);
   EXPECT_GT(search.count_lower_bound, 1);
   EXPECT_EQ(search.solver.find("search"), 0U);
 }
 
-// Greedy is stuck, so the search has nothing to begin with.
+// Greedy finds no feasible selection, so the search has no start.
 TEST(Placement, SearchSaysWhereItHasNoStart) {
   SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
   table.mounts = {{0, 1}};

@@ -26,7 +26,7 @@ TEST(PlacementSearch, EqualsEnumerationWithoutAMip) {
   EXPECT_EQ(tally.count(BoundProof::solver), 0);
 }
 
-// Trees on several threads find one or another selection first; the answer must not show it.
+// On several threads, trees find selections in varying order; the result must not depend on it.
 TEST(PlacementSearchSlow, IsTheSameForAnyNumberOfThreadsWhereTiesAreLeftOpen) {
   test::RandomTables random(11);
   int open = 0;
@@ -44,7 +44,7 @@ TEST(PlacementSearchSlow, IsTheSameForAnyNumberOfThreadsWhereTiesAreLeftOpen) {
   EXPECT_GT(open, 0);
 }
 
-// Costs that differ by more digits than a number has: what the search cannot tell, it does not claim.
+// Costs whose ratio exceeds the precision of a number: the search must not claim what it cannot distinguish.
 TEST(PlacementSearch, IsNotMisledByOnePrice) {
   test::RandomTables random(16, {.transceivers = 9});
   Tally tally;
@@ -52,10 +52,10 @@ TEST(PlacementSearch, IsNotMisledByOnePrice) {
     SignalTable table = random.next();
     for (auto& unit : table.transceivers)
       if (random.chance(0.2)) unit.cost = std::pow(10.0, random.whole(5, 18));
-    Question question = random.next_question();
-    question.combination = Combination::weighted;
+    PlacementProblem problem = random.next_problem();
+    problem.combination = Combination::weighted;
     SCOPED_TRACE(testing::Message() << "case " << k);
-    compare(table, question, place(table, question, {.step_limit = 10000}, {.threads = 1}), tally);
+    compare(table, problem, place(table, problem, {.step_limit = 10000}, {.threads = 1}), tally);
   }
   EXPECT_GT(tally.optimal, 100);
 }
@@ -68,19 +68,19 @@ TEST(PlacementSearch, StopsWithValidBoundsAtAnyTime) {
   for (int k = 0; k < 300 && !HasFailure(); ++k) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = random.next();
-    const Question question = random.next_question();
+    const PlacementProblem problem = random.next_problem();
     for (const double limit : {0.0, 1e-6, 1e-4, 1e300}) {
       const Placement answer =
-          limit > 1 ? place(table, question, {.time_limit_s = limit}, {.threads = 1, .cancel = &token})
-                    : place(table, question, {.time_limit_s = limit}, {.threads = 1});
+          limit > 1 ? place(table, problem, {.time_limit_s = limit}, {.threads = 1, .cancel = &token})
+                    : place(table, problem, {.time_limit_s = limit}, {.threads = 1});
       if (answer.status == Status::stopped && !answer.has_selection()) continue;
-      compare(table, question, answer, tally);
+      compare(table, problem, answer, tally);
     }
   }
   EXPECT_GT(tally.stopped, 100);
 }
 
-// What places of the search are used for is a matter of size, and these tables are small.
+// Table sizes determine the methods of the search, and these tables are small.
 Tally run_with(std::uint64_t seed, int cases, const test::RandomTableLimits& tables,
                detail::SearchLimits limits) {
   limits.step_limit = 20000;
@@ -90,18 +90,18 @@ Tally run_with(std::uint64_t seed, int cases, const test::RandomTableLimits& tab
   for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = random.next();
-    const Question question = random.next_question();
-    const auto greedy = greedy_selection(table, question);
-    if (!check_selection(table, question, greedy).met()) continue;
-    compare(table, question,
-            detail::search_placement(table, question, greedy, {backends}, 0, 1, {.threads = 1}, limits),
+    const PlacementProblem problem = random.next_problem();
+    const auto greedy = greedy_selection(table, problem);
+    if (!check_selection(table, problem, greedy).met()) continue;
+    compare(table, problem,
+            detail::search_placement(table, problem, greedy, {backends}, 0, 1, {.threads = 1}, limits),
             tally);
   }
   return tally;
 }
 
 TEST(PlacementSearch, EqualsEnumerationWithoutTrees) {
-  const detail::SearchLimits without_trees{.most_units_of_trees = 0, .small_answer = 0};
+  const detail::SearchLimits without_trees{.max_units_of_trees = 0, .small_answer = 0};
   for (const std::uint64_t seed : {21U, 22U}) {
     const Tally tally =
         run_with(seed, 300, seed == 21 ? test::RandomTableLimits{.transceivers = 11} : test::beyond_the_paper,
@@ -114,13 +114,13 @@ TEST(PlacementSearch, EqualsEnumerationWithoutTrees) {
   }
 }
 
-// Neither the matrix nor a solver of whole models is needed for a valid answer.
+// A valid placement requires neither the dense matrix nor a solver of whole models.
 TEST(PlacementSearch, IsValidWithoutWhatLargeTablesHaveNoRoomFor) {
-  const detail::SearchLimits nothing{.most_units_of_trees = 0,
-                                     .most_places_of_trees = 0,
-                                     .most_places_of_local_search = 0,
+  const detail::SearchLimits nothing{.max_units_of_trees = 0,
+                                     .max_cells_of_trees = 0,
+                                     .max_cells_of_local_search = 0,
                                      .small_answer = 0,
-                                     .most_mip_entries = 0};
+                                     .max_mip_entries = 0};
   const Tally tally = run_with(23, 300, test::beyond_the_paper, nothing);
   EXPECT_GT(tally.optimal, 50);
   EXPECT_GT(tally.stopped, 20);
@@ -138,7 +138,7 @@ milp::Result fails(const milp::Model&, const milp::SolveOptions&, const RunContr
   return {};
 }
 
-// A solver that errs is found out, or does no harm; one that fails is followed by the next.
+// A wrong solver is detected or harmless; after a failing solver, the next is used.
 TEST(PlacementSearch, SurvivesSolversThatFailAndLie) {
   test::RandomTables random(24, {.transceivers = 10});
   Tally tally;
@@ -150,33 +150,33 @@ TEST(PlacementSearch, SurvivesSolversThatFailAndLie) {
     bad.solve = k % 2 == 0 ? lies : fails;
     const milp::Backend both[] = {bad, milp::backends().back()};
     const SignalTable table = random.next();
-    const Question question = random.next_question();
-    const auto greedy = greedy_selection(table, question);
-    if (!check_selection(table, question, greedy).met()) continue;
+    const PlacementProblem problem = random.next_problem();
+    const auto greedy = greedy_selection(table, problem);
+    if (!check_selection(table, problem, greedy).met()) continue;
     const Placement answer = detail::search_placement(
-        table, question, greedy, {both}, 0, 1, {.threads = 1},
-        {.most_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
-    compare(table, question, answer, tally);
+        table, problem, greedy, {both}, 0, 1, {.threads = 1},
+        {.max_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
+    compare(table, problem, answer, tally);
     by_the_next += answer.solver.find(milp::backends().back().name) != std::string::npos;
   }
   EXPECT_GT(tally.optimal, 60);
   EXPECT_GT(by_the_next, 8);
 }
 
-// Prices that solvers cannot tell apart: their proof counts, to their gap.
+// Costs that solvers cannot distinguish: their proof is valid within their gap.
 TEST(PlacementSearch, BelievesASolverWithinItsGap) {
   test::RandomTables random(25, {.labels = 30, .transceivers = 20, .borderline = false});
   int proven = 0;
   for (int k = 0; k < 40; ++k) {
     SignalTable table = random.next();
     for (auto& unit : table.transceivers) unit.cost = 1 + 1e-8 * random.real(0, 1), unit.installed = false;
-    const Question question{coop, Objective::count, Combination::weighted};
-    const auto greedy = greedy_selection(table, question);
-    if (!check_selection(table, question, greedy).met() || greedy.empty()) continue;
+    const PlacementProblem problem{coop, Objective::count, Combination::weighted};
+    const auto greedy = greedy_selection(table, problem);
+    if (!check_selection(table, problem, greedy).met() || greedy.empty()) continue;
     const auto backends = milp::backends();
     const Placement answer = detail::search_placement(
-        table, question, greedy, {backends}, 0, 1, {},
-        {.most_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
+        table, problem, greedy, {backends}, 0, 1, {},
+        {.max_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
     EXPECT_EQ(answer.status, Status::optimal);
     EXPECT_LT(answer.gap(), 1e-6);
     proven += answer.bound_proof == BoundProof::solver;
@@ -184,28 +184,28 @@ TEST(PlacementSearch, BelievesASolverWithinItsGap) {
   EXPECT_GT(proven, 3);
 }
 
-// What costs more is no tie, by however little.
+// A higher cost is not a tie, however small the difference.
 TEST(PlacementSearch, PrefersTheCheaperOfTwoThatAreNearlyAlike) {
   SignalTable table = test::make_table({{1, 2}}, 2);
   table.transceivers[1].cost = 1 + 5e-10;
-  const Question question{coop, Objective::count, Combination::weighted};
-  const Placement answer = place(table, question, {});
+  const PlacementProblem problem{coop, Objective::count, Combination::weighted};
+  const Placement answer = place(table, problem, {});
   EXPECT_EQ(answer.selected, std::vector<std::uint32_t>{0});
   EXPECT_EQ(answer.lower_bound, 1);
   table.transceivers[1].cost = 1;
-  EXPECT_EQ(place(table, question, {}).selected, std::vector<std::uint32_t>{1}) << "the wider margin";
+  EXPECT_EQ(place(table, problem, {}).selected, std::vector<std::uint32_t>{1}) << "the wider margin";
   table.entries[1].signal = 1;
   table.transceivers[0].id = "T2";
-  EXPECT_EQ(place(table, question, {}).selected, std::vector<std::uint32_t>{1}) << "the first by id";
+  EXPECT_EQ(place(table, problem, {}).selected, std::vector<std::uint32_t>{1}) << "the first by id";
 }
 
-// The greedy method takes the unit that reaches most, and that excludes all others.
+// Greedy takes the unit that reaches most labels and is in conflict with all others.
 TEST(PlacementSearch, FindsASelectionWhereTheGreedyMethodGetsStuck) {
   std::vector<std::vector<double>> matrix(40, std::vector<double>(6, 0.0));
   for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i][i % 4] = matrix[i][4] = 1;
   matrix[0][4] = 0;
   SignalTable table = test::make_table(matrix, 6);
-  table.apart = {{0, 4}, {1, 4}, {2, 4}, {3, 4}};
+  table.conflicts = {{0, 4}, {1, 4}, {2, 4}, {3, 4}};
   for (const auto model : {coop, alone}) {
     const auto greedy = greedy_selection(table, {model});
     ASSERT_FALSE(check_selection(table, {model}, greedy).met());
@@ -216,23 +216,23 @@ TEST(PlacementSearch, FindsASelectionWhereTheGreedyMethodGetsStuck) {
     EXPECT_EQ(answer.count(), 4U);
     EXPECT_EQ(answer.status, Status::optimal);
   }
-  table.apart.emplace_back(0, 1);
+  table.conflicts.emplace_back(0, 1);
   EXPECT_FALSE(detail::first_selection(table, {coop}, {}, 10, 1, {}));
   EXPECT_EQ(place(table, {coop}, {}).status, Status::infeasible);
 }
 
-// A proof takes longer than five minutes.
+// A proof would take more than five minutes.
 TEST(PlacementSearchSlow, ComesNearTheBestKnownOfWhatItDoesNotProve) {
   const struct {
     SignalTable table;
     std::uint64_t steps;
-    std::size_t best, found, least_bound;
+    std::size_t best, found, min_bound;
   } known[] = {{test::colourings(10, 4), 100, 25, 25, 1}, {test::affine_lines(4), 1000, 61, 62, 27}};
-  for (const auto& [table, steps, best, count, least_bound] : known) {
+  for (const auto& [table, steps, best, count, min_bound] : known) {
     const Placement found = place(table, {alone}, {.step_limit = steps});
     EXPECT_TRUE(check_selection(table, {alone}, found.selected).met());
     EXPECT_LE(found.count(), count);
-    EXPECT_GE(found.count_lower_bound, least_bound);
+    EXPECT_GE(found.count_lower_bound, min_bound);
     EXPECT_LE(found.count_lower_bound, best);
   }
 }

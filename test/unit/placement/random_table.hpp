@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam::test {
@@ -33,14 +33,14 @@ struct RandomTableLimits {
   int transceivers = 14;
   bool borderline = true;  ///< with signals so near the requirement that only the exact rule decides
   bool mounts = false;     ///< with mounting points that have one to four options
-  bool apart = false;      ///< with pairs that must not be chosen together
-  bool redundant = false;  ///< three in four questions let a unit fail; signals are somewhat stronger
+  bool conflicts = false;  ///< with pairs that must not be chosen together
+  bool redundant = false;  ///< in three of four problems a unit may fail; signals are slightly stronger
 };
 
-/// Small tables of very different kinds: dense and sparse, real and quantised (many exact ties and sums that
-/// are exactly the requirement), entries far above the requirement, entries a few 1e-11 to
-/// 1e-5 off it (where the rule's tolerance decides, and solvers' tolerances mislead), signals in any unit;
-/// with and without costs, installed units, rows that nobody reaches, no labels or no transceivers at all.
+/// Small tables of many kinds: dense and sparse, real and quantised (many exact ties, and sums equal to the
+/// requirement), entries far above the requirement, entries 1e-11 to 1e-5 from it (where the rule's tolerance
+/// decides, and solvers' tolerances mislead), signals in any unit of measure; with and without costs,
+/// installed units, unreachable rows, and without labels or transceivers.
 class RandomTables {
  public:
   explicit RandomTables(std::uint64_t seed, RandomTableLimits limits = {}) : random_(seed), limits_(limits) {}
@@ -57,7 +57,7 @@ class RandomTables {
     SignalTable table = make_table(matrix, n);
     add_costs(table);
     if (limits_.mounts) add_mounts(table);
-    if (limits_.apart) add_pairs(table);
+    if (limits_.conflicts) add_pairs(table);
     if (limits_.redundant)
       for (auto& label : table.labels)
         if (chance(0.7)) label.requirement *= 0.5, label.single_requirement *= 0.5;
@@ -66,14 +66,14 @@ class RandomTables {
     return table;
   }
 
-  Question next_question() {
-    Question question;
-    question.model = chance(0.5) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative;
-    question.objective = static_cast<Objective>(whole(0, 3));
-    question.combination = chance(0.5) ? Combination::lexicographic : Combination::weighted;
-    question.share = chance(0.5) ? 1.0 : real(0.1, 1.5);
-    if (limits_.redundant) question.redundant = chance(0.75);
-    return question;
+  PlacementProblem next_problem() {
+    PlacementProblem problem;
+    problem.model = chance(0.5) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative;
+    problem.objective = static_cast<Objective>(whole(0, 3));
+    problem.combination = chance(0.5) ? Combination::lexicographic : Combination::weighted;
+    problem.share = chance(0.5) ? 1.0 : real(0.1, 1.5);
+    if (limits_.redundant) problem.redundant = chance(0.75);
+    return problem;
   }
 
   bool chance(double probability) { return real(0, 1) < probability; }
@@ -110,7 +110,7 @@ class RandomTables {
     }
   }
 
-  // Any columns may share a point; one of them at most is installed.
+  // Any columns may share a point; at most one of them is installed.
   void add_mounts(SignalTable& table) {
     std::vector<std::uint32_t> columns(table.columns());
     std::iota(columns.begin(), columns.end(), 0U);
@@ -138,7 +138,7 @@ class RandomTables {
     for (std::uint32_t a = 0; a < n; ++a)
       for (std::uint32_t b = a + 1; b < n; ++b)
         if (chance(density) && !(table.transceivers[a].installed && table.transceivers[b].installed))
-          table.apart.emplace_back(a, b);
+          table.conflicts.emplace_back(a, b);
   }
 
   static void scale(SignalTable& table, double unit) {
@@ -150,7 +150,7 @@ class RandomTables {
   RandomTableLimits limits_;
 };
 
-/// Signals that are worth an eighth of the requirement on average: big ones are not proven at once.
+/// Signals of an eighth of the requirement on average; large tables are not proven immediately.
 inline SignalTable dense_table(std::size_t labels, std::size_t units) {
   RandomTables random(5);
   std::vector<std::vector<double>> matrix(labels, std::vector<double>(units));
@@ -159,8 +159,8 @@ inline SignalTable dense_table(std::size_t labels, std::size_t units) {
   return make_table(matrix, units);
 }
 
-/// Labels and units scattered over a square: signals fall with the distance, with some noise on them. Few
-/// units do, and very many selections of as many nearly do.
+/// Labels and units scattered over a square. Signals fall with the distance, with some noise. Few units
+/// suffice, and very many selections of the same count nearly do.
 inline SignalTable scattered_table(RandomTables& random, std::size_t labels, std::size_t units,
                                    double strength = 0.06) {
   std::vector<std::vector<double>> matrix(labels, std::vector<double>(units));

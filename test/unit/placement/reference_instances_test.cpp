@@ -14,7 +14,7 @@ constexpr auto alone = CommunicationModel::non_cooperative;
 
 const std::filesystem::path instances = SHELFBEAM_SOURCE_DIR "/test/data/instances";
 
-// 300 x 150; both optima are known to be 5.
+// 300 x 150; both optima are 5.
 void prove_thesis_size(const milp::Backend& backend) {
   const SignalTable table = read_signal_table(instances / "thesis_s1_e0.txt.gz");
   ASSERT_EQ(table.rows(), 300U);

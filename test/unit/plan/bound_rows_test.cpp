@@ -9,28 +9,27 @@
 namespace shelfbeam {
 namespace {
 
-// The rows that are found need as many units as all of them, and no fewer rows are claimed to need more.
-TEST(DecisiveRows, NeedAsMuchAsAll) {
+// The rows found need as many units as all rows, and are not claimed to need more.
+TEST(CoreRows, NeedAsMuchAsAll) {
   test::RandomTables random(3, {.labels = 60, .transceivers = 14, .borderline = false, .redundant = true});
   const PlaceOptions by_steps{.step_limit = 1 << 20, .settles_ties = false};
   int sufficient = 0, fewer = 0;
   for (int k = 0; k < 150; ++k) {
     const SignalTable table = random.next();
-    Question question;
-    question.model =
+    PlacementProblem problem;
+    problem.model =
         random.chance(0.5) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative;
-    question.redundant = random.chance(0.3);
-    const Placement all = place(table, question, by_steps);
+    problem.redundant = random.chance(0.3);
+    const Placement all = place(table, problem, by_steps);
     if (all.status != Status::optimal || all.count() < 2) continue;
-    const DecisiveRows decisive = decisive_rows(table, question, all.count(), by_steps, {});
+    const CoreRows decisive = core_rows(table, problem, all.count(), by_steps, {});
     EXPECT_TRUE(decisive.suffice);
     EXPECT_TRUE(std::is_sorted(decisive.rows.begin(), decisive.rows.end()));
     EXPECT_EQ(std::adjacent_find(decisive.rows.begin(), decisive.rows.end()), decisive.rows.end());
-    const Placement some = place(table_of_rows(table, decisive.rows), question, by_steps);
+    const Placement some = place(table_of_rows(table, decisive.rows), problem, by_steps);
     EXPECT_EQ(some.count(), all.count());
-    EXPECT_FALSE(decisive_rows(table, question, all.count() + 1, by_steps, {}).suffice)
-        << "more is not to be had";
-    const DecisiveRows hurried = decisive_rows(table, question, all.count(), {.time_limit_s = 0}, {});
+    EXPECT_FALSE(core_rows(table, problem, all.count() + 1, by_steps, {}).suffice) << "more is not to be had";
+    const CoreRows hurried = core_rows(table, problem, all.count(), {.time_limit_s = 0}, {});
     EXPECT_TRUE(std::is_sorted(hurried.rows.begin(), hurried.rows.end()));
     EXPECT_FALSE(hurried.suffice) << "nothing was asked";
     ++sufficient;

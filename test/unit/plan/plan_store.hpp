@@ -9,8 +9,8 @@
 
 namespace shelfbeam::test {
 
-/// A room of 6 x 5 x 3 m with a gondola of some 16 labels and `across` x 3 units, as quick to simulate as a
-/// store can be.
+/// A room of 6 x 5 x 3 m with a gondola of about 16 labels and `across` x 3 units, which is very quick to
+/// simulate.
 struct PlanStore {
   double threshold = 0.02;
   int across = 4;

@@ -1,4 +1,4 @@
-// Fresh batches and the limits that are made of them.
+// Tests independent batches and the confidence limits from them.
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/plan/fresh_sums.hpp"
 #include "shelfbeam/plan/refine.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
+#include "shelfbeam/plan/validation_estimates.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
@@ -31,17 +31,17 @@ const SumRule each = [](std::size_t, std::span<const double> signals, std::span<
   std::copy(signals.begin(), signals.end(), sums.begin());
 };
 
-// 64 batches of which one gives nearly all of the spread decide nothing: the lower limit is the part in
-// closed form, the upper one that of rare sums. Without that batch they decide.
-TEST(FreshSums, DecideNothingWhereOneBatchMakesTheSpread) {
+// 64 batches, of which one causes nearly all of the spread, decide nothing: the lower limit is the analytic
+// part, the upper one the limit of rare sums. Without that batch they decide.
+TEST(ValidationEstimates, DecideNothingWhereOneBatchMakesTheSpread) {
   const auto sum_of = [](double largest) {
-    FreshSum sum;
+    ValidationEstimate sum;
     sum.known = 0.5;
     for (int b = 0; b < 64; ++b) sum.sampled.add(b == 20 ? largest : 1 + 0.01 * (b % 5));
     sum.hits = 64;
     return sum;
   };
-  const FreshSum skewed = sum_of(3), tame = sum_of(1);
+  const ValidationEstimate skewed = sum_of(3), tame = sum_of(1);
   EXPECT_TRUE(skewed.is_rare());
   EXPECT_EQ(skewed.lower(0.01), 0.5);
   EXPECT_GT(skewed.rare_upper(0.01, 3, 1), 3);
@@ -49,22 +49,25 @@ TEST(FreshSums, DecideNothingWhereOneBatchMakesTheSpread) {
   EXPECT_GT(tame.lower(0.01), 1.5);
 }
 
-// The same batches as a simulation's: the same means and errors, but for single precision.
-TEST(FreshSums, AreThoseOfASimulation) {
+// The batches of a simulation give the same means and errors, within single precision.
+TEST(ValidationEstimates, AreThoseOfASimulation) {
   const Scene scene = test::PlanStore().scene();
   const std::size_t n = scene.transceivers.size();
   for (const EstimatorKind estimator : {EstimatorKind::uniform, EstimatorKind::reuse}) {
     const SimulationOptions options = options_of(estimator);
     const SignalMatrix matrix = simulate(scene, options).matrix;
-    const FreshSums fresh = fresh_sums(scene, options, matrix.labels[0].batches, n, each, {.threads = 1});
-    const FreshSums parallel = fresh_sums(scene, options, matrix.labels[0].batches, n, each, {.threads = 3});
+    const ValidationEstimates fresh =
+        validation_estimates(scene, options, matrix.labels[0].batches, n, each, {.threads = 1});
+    const ValidationEstimates parallel =
+        validation_estimates(scene, options, matrix.labels[0].batches, n, each, {.threads = 3});
     std::size_t other_seed = 0;
     SimulationOptions other = options;
     other.seed = 6;
-    const FreshSums different = fresh_sums(scene, other, matrix.labels[0].batches, n, each, {});
+    const ValidationEstimates different =
+        validation_estimates(scene, other, matrix.labels[0].batches, n, each, {});
     for (std::size_t i = 0; i < matrix.rows(); ++i)
       for (std::size_t j = 0; j < n; ++j) {
-        const FreshSum& sum = fresh.of(i)[j];
+        const ValidationEstimate& sum = fresh.of(i)[j];
         const auto mean = static_cast<double>(matrix.mean[matrix.at(i, j)]);
         EXPECT_NEAR(sum.mean(), mean, 1e-6 * mean);
         EXPECT_NEAR(sum.sampled.standard_error(), static_cast<double>(matrix.standard_error[matrix.at(i, j)]),
@@ -77,8 +80,8 @@ TEST(FreshSums, AreThoseOfASimulation) {
   }
 }
 
-// The spread of a sum is that of its batches, not what independent parts would have.
-TEST(FreshSums, KnowTheSpreadOfSums) {
+// The spread of a sum is that of its batches, not that of independent parts.
+TEST(ValidationEstimates, KnowTheSpreadOfSums) {
   const Scene scene = test::PlanStore().scene();
   const std::size_t n = scene.transceivers.size();
   const SumRule sum_and_double = [](std::size_t, std::span<const double> signals, std::span<double> sums) {
@@ -86,8 +89,8 @@ TEST(FreshSums, KnowTheSpreadOfSums) {
     sums[1] = signals[0] + signals[0];
   };
   const SimulationOptions options = options_of(EstimatorKind::uniform);
-  const FreshSums sums = fresh_sums(scene, options, 32, 2, sum_and_double, {});
-  const FreshSums parts = fresh_sums(scene, options, 32, n, each, {});
+  const ValidationEstimates sums = validation_estimates(scene, options, 32, 2, sum_and_double, {});
+  const ValidationEstimates parts = validation_estimates(scene, options, 32, n, each, {});
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
     double mean = 0;
     for (std::size_t j = 0; j < n; ++j) mean += parts.of(i)[j].mean();
@@ -100,12 +103,12 @@ TEST(FreshSums, KnowTheSpreadOfSums) {
   }
 }
 
-TEST(FreshSum, LimitsAreStudents) {
-  FreshSum sum;
+TEST(ValidationEstimate, LimitsAreStudents) {
+  ValidationEstimate sum;
   sum.known = 3;
   for (const double value : {1.0, 2.0, 3.0, 4.0}) sum.sampled.add(value), ++sum.hits;
-  // Of no skewness. t of 3 degrees of freedom exceeds 2.3534 with a chance of 5 %; the error is sqrt(5 / 3 /
-  // 4).
+  // Without skewness. t of 3 degrees of freedom exceeds 2.3534 with a probability of 5 %; the error is sqrt(5
+  // / 3 / 4).
   const double half = 2.353363 * std::sqrt(5.0 / 12);
   EXPECT_NEAR(sum.upper(0.05), 5.5 + half, 1e-5);
   EXPECT_NEAR(sum.lower(0.05), 5.5 - half, 1e-5);
@@ -114,17 +117,17 @@ TEST(FreshSum, LimitsAreStudents) {
   EXPECT_TRUE(sum.is_rare());
 }
 
-// Means of 64 exponential values (skewness 2): with a chance of 1e-4 the upper limit may be too low, so 4 are
-// expected of 40,000 and 20 have a chance below 1e-7. Student's limit, the control, is some 20 times too
-// sure of itself. The lower limit of the mirrored values is as far out.
-TEST(FreshSum, LimitsHoldForSkewedBatches) {
+// Means of 64 exponential values (skewness 2): the upper limit may be too low with a probability of 1e-4, so
+// 4 are expected of 40,000, and 20 have a probability below 1e-7. The control, Student's limit, fails about
+// 20 times too often. The lower limit of the mirrored values is equally far off.
+TEST(ValidationEstimate, LimitsHoldForSkewedBatches) {
   std::mt19937_64 random(8);
   std::exponential_distribution<double> draw(1);
   constexpr double level = 1e-4;
   const double t = -student_quantile(level, 63);
   int wrong = 0, of_student = 0;
   for (int k = 0; k < 40000; ++k) {
-    FreshSum sum, mirrored;
+    ValidationEstimate sum, mirrored;
     sum.hits = mirrored.hits = 64;
     for (int b = 0; b < 64; ++b) {
       const double value = draw(random);
@@ -142,18 +145,18 @@ TEST(FreshSum, LimitsHoldForSkewedBatches) {
   EXPECT_GT(of_student, 40);
 }
 
-// Without any hit in B batches the chance of one is below 1 - level^(1/B).
-TEST(FreshSum, LimitsWhatWasNeverHit) {
-  FreshSum sum;
+// Without any hit in B batches, the probability of a hit is below 1 - level^(1/B).
+TEST(ValidationEstimate, LimitsWhatWasNeverHit) {
+  ValidationEstimate sum;
   for (int k = 0; k < 64; ++k) sum.sampled.add(0);
-  EXPECT_NEAR(success_limit(0, 64, 1e-3), 1 - std::pow(1e-3, 1.0 / 64), 1e-12);
+  EXPECT_NEAR(success_probability_upper_limit(0, 64, 1e-3), 1 - std::pow(1e-3, 1.0 / 64), 1e-12);
   EXPECT_NEAR(sum.rare_upper(1e-3, 2.0, 0.1), 2 * (1 - std::pow(1e-3, 1.0 / 64)), 1e-12);
   EXPECT_NEAR(sum.rare_upper(1e-3, 0, 0.1), 0.4 * (1 - std::pow(1e-3, 1.0 / 64)), 1e-12)
       << "where nothing was ever hit, a hit may still give several requirements";
   EXPECT_EQ(sum.upper(1e-3), 0) << "Student's limit says nothing here";
-  EXPECT_EQ(success_limit(64, 64, 0.01), 1);
-  // With p at the limit, 3 or fewer of 20 have a chance of `level`: 0.05 at 0.3438 (tables).
-  EXPECT_NEAR(success_limit(3, 20, 0.05), 0.34366, 1e-4);
+  EXPECT_EQ(success_probability_upper_limit(64, 64, 0.01), 1);
+  // With p at the limit, at most 3 of 20 have a probability of `level`: 0.05 at 0.3438 (tables).
+  EXPECT_NEAR(success_probability_upper_limit(3, 20, 0.05), 0.34366, 1e-4);
 }
 
 TEST(SubScene, KeepsTheSignalsOfWhatItHas) {
@@ -169,7 +172,7 @@ TEST(SubScene, KeepsTheSignalsOfWhatItHas) {
   const SignalMatrix some = simulate(part, options).matrix;
   const std::uint32_t rows[] = {4, 1}, columns[] = {7, 2, 9};
   int swapped = 0;
-  // Seven times the errors of both: a chance of 1e-11 for each of six.
+  // Seven times the errors of both: a probability of 1e-11 for each of six.
   for (std::size_t i = 0; i < 2; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t a = whole.at(rows[i], columns[j]), b = some.at(i, j);
@@ -180,7 +183,7 @@ TEST(SubScene, KeepsTheSignalsOfWhatItHas) {
   EXPECT_GT(swapped, 3) << "the wrong column is told from the right one";
 }
 
-// Old and new batches count by their samples.
+// Old and new batches are weighted by their samples.
 TEST(Refine, JoinsBatches) {
   const Scene scene = test::PlanStore().scene();
   const SimulationOptions options = options_of(EstimatorKind::uniform);
@@ -188,9 +191,9 @@ TEST(Refine, JoinsBatches) {
   const SignalMatrix before = matrix;
   SimulationOptions afresh = options;
   afresh.seed = 77;
-  for (const FreshRow& row : fresh_rows(scene, {2, 5}, {afresh, 64})) join(row, matrix);
-  const FreshSums fresh =
-      fresh_sums(sub_scene(scene, std::vector<std::uint32_t>{2, 5}), afresh, 64, matrix.columns(), each, {});
+  for (const ValidationRow& row : validation_rows(scene, {2, 5}, {afresh, 64})) join(row, matrix);
+  const ValidationEstimates fresh = validation_estimates(sub_scene(scene, std::vector<std::uint32_t>{2, 5}),
+                                                         afresh, 64, matrix.columns(), each, {});
   EXPECT_EQ(matrix.labels[2].batches, before.labels[2].batches + 64);
   EXPECT_EQ(matrix.labels[2].samples, 3 * before.labels[2].samples);
   EXPECT_EQ(matrix.labels[3].batches, before.labels[3].batches);
@@ -203,15 +206,15 @@ TEST(Refine, JoinsBatches) {
   }
 }
 
-// The part with more samples decides, and that with more spread: few batches that are skewed do not outlast
-// many that are not, unless the whole error is theirs.
+// The part with more samples decides, and the part with more spread: a few skewed batches do not dominate
+// many others, unless the whole error is theirs.
 TEST(Refine, FlagsEntriesThatTheLargerPartFlags) {
   const Scene scene = test::PlanStore().scene();
   SignalMatrix matrix = simulate(scene, options_of(EstimatorKind::uniform)).matrix;
   std::fill(matrix.flags.begin(), matrix.flags.end(), std::uint8_t{0});
   matrix.flags[matrix.at(2, 0)] = matrix.flags[matrix.at(3, 0)] = 1;
   const std::size_t n = matrix.columns();
-  FreshRow fresh{
+  ValidationRow fresh{
       2, std::vector<double>(n, 1.0), std::vector<double>(n, 0.1), std::vector<std::uint8_t>(n), 64, 64};
   fresh.flags[1] = 1;
   struct Part {
@@ -240,7 +243,7 @@ TEST(Refine, FlagsFreshBatchesAsASimulation) {
   const Scene scene = test::PlanStore().scene();
   const SimulationOptions options = options_of(EstimatorKind::uniform);
   const SignalMatrix matrix = simulate(scene, options).matrix;
-  const FreshRow row = fresh_rows(scene, {2}, {options, matrix.labels[2].batches}).front();
+  const ValidationRow row = validation_rows(scene, {2}, {options, matrix.labels[2].batches}).front();
   const auto first = matrix.flags.begin() + static_cast<std::ptrdiff_t>(matrix.at(2, 0));
   EXPECT_EQ(row.flags,
             std::vector<std::uint8_t>(first, first + static_cast<std::ptrdiff_t>(matrix.columns())));
@@ -259,9 +262,9 @@ TEST(Refine, CanBeTakenBack) {
   matrix.flags[matrix.at(5, 1)] = 1;
   const SignalMatrix was = matrix;
   options.seed = 77;
-  const std::vector<FreshRow> fresh = fresh_rows(scene, {2, 5}, {options, 64});
+  const std::vector<ValidationRow> fresh = validation_rows(scene, {2, 5}, {options, 64});
   RowsBefore before(matrix, fresh);
-  for (const FreshRow& row : fresh) join(row, matrix);
+  for (const ValidationRow& row : fresh) join(row, matrix);
   EXPECT_NE(matrix.mean, was.mean);
   matrix.flags[matrix.at(2, 0)] ^= 1;
   EXPECT_TRUE(matrix.by_bounce.empty());

@@ -1,4 +1,4 @@
-// What ranges of reflectances do to a placement, against what light in simple rooms must do.
+// Compares the effect of reflectance ranges on a placement with the exact light in simple rooms.
 
 #include "shelfbeam/plan/sensitivity.hpp"
 
@@ -31,11 +31,11 @@ std::vector<float> signals_of(const Scene& scene, const SimulationOptions& optio
   return simulate(scene, options).matrix.mean;
 }
 
-Sensitivity of(const Scene& scene, const SimulationOptions& simulation, const Question& question = {},
+Sensitivity of(const Scene& scene, const SimulationOptions& simulation, const PlacementProblem& problem = {},
                double assumed_error = 0.1, std::uint64_t seed = 11, unsigned threads = 0) {
   SimulationOptions fresh = simulation;
   fresh.seed = seed;
-  return reflectance_sensitivity(scene, question, signals_of(scene, simulation), {assumed_error, 0.99},
+  return reflectance_sensitivity(scene, problem, signals_of(scene, simulation), {assumed_error, 0.99},
                                  {fresh, 64}, {.threads = threads});
 }
 
@@ -45,7 +45,7 @@ Scene plan_scene(double low, double high) {
   return scene;
 }
 
-// A sphere of albedo rho and area A adds rho^k Phi / A by bounce k, wherever on its wall.
+// A sphere of albedo rho and area A adds rho^k Phi / A at bounce k, everywhere on its wall.
 struct Sphere {
   double rho = 0.6, lower = 0.3, upper = 0.8;
 
@@ -64,7 +64,7 @@ struct Sphere {
     return room;
   }
 
-  // Of a signal, in requirements.
+  // The change of a signal, as a multiple of the requirement.
   double change(double to, bool once) const {
     const test::BareScene all = room();
     const auto reflected = [&](double albedo) { return once ? albedo : albedo / (1 - albedo); };
@@ -73,8 +73,8 @@ struct Sphere {
   }
 };
 
-// A chance of some 1e-4 each to lie five errors off (64 batches), four changes. The control is a change 5 %
-// off.
+// Each of four changes has a probability of about 1e-4 to be five errors off (64 batches). The control is a
+// change 5 % off.
 TEST(Sensitivity, ChangesAreThoseOfASphere) {
   const Sphere sphere;
   const Scene scene = sphere.room().scene;
@@ -93,13 +93,13 @@ TEST(Sensitivity, ChangesAreThoseOfASphere) {
   }
 }
 
-// Of one bounce, light is as much as surfaces reflect: with the same random numbers, to rounding.
+// The light of one bounce is proportional to the reflectance: with the same random numbers, within rounding.
 TEST(Sensitivity, OneBounceScalesWithTheReflectance) {
   const Sensitivity found = of(plan_scene(0.3, 0.9), connections(1));
   const ReflectanceStep &less = found.materials[0].at_lower, &more = found.materials[0].at_upper;
   EXPECT_LT(less.mean_change, -0.05);
   EXPECT_NEAR(less.mean_change, -more.mean_change, 1e-5);
-  // With many bounces it is not.
+  // With many bounces it is not proportional.
   const Sensitivity many = of(plan_scene(0.3, 0.9), connections(PathRules::no_limit));
   EXPECT_GT(many.materials[0].at_upper.mean_change, -1.5 * many.materials[0].at_lower.mean_change);
 }
@@ -116,7 +116,7 @@ TEST(Sensitivity, DirectLightKnowsNoReflectance) {
   EXPECT_EQ(found.low.missed, found.high.missed);
 }
 
-// Floor, walls and shelves apart, for both estimators.
+// Separate materials for floor, walls and shelves, for both estimators.
 Scene three_materials() {
   Scene scene = plan_scene(0.4, 0.8);
   scene.materials.push_back({"floor", Lambertian{0.5}, std::array{0.2, 0.8}});
@@ -159,7 +159,7 @@ TEST(Sensitivity, MoreReflectionIsMoreLight) {
   }
 }
 
-// Independent random numbers would give a difference the errors of both signals.
+// With independent random numbers the error of a difference would combine those of both signals.
 TEST(Sensitivity, DifferencesAreKnownBetterThanSignals) {
   const Sensitivity found = of(three_materials(), connections(PathRules::no_limit));
   for (const MaterialSensitivity& one : found.materials) {
@@ -186,16 +186,16 @@ TEST(Sensitivity, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-// Without a range both ends are as given, and all questions mean the same signal as the verdicts do.
+// Without a range, both ends are the given value, and every problem uses the same signal as the verdicts.
 TEST(Sensitivity, CountsWhatTheQuestionCounts) {
   const Scene scene = plan_scene(0.6, 0.6);
   std::vector<double> ratios;
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative})
     for (const bool survives : {false, true}) {
-      Question question;
-      question.model = model;
-      question.redundant = survives;
-      const Sensitivity found = of(scene, connections(PathRules::no_limit), question);
+      PlacementProblem problem;
+      problem.model = model;
+      problem.redundant = survives;
+      const Sensitivity found = of(scene, connections(PathRules::no_limit), problem);
       EXPECT_NEAR(found.as_given.ratio, found.low.least.ratio, 1e-5 * found.low.least.ratio);
       EXPECT_EQ(found.as_given.label, found.low.least.label);
       EXPECT_NEAR(found.as_given.standard_error, found.low.least.standard_error,
@@ -206,7 +206,7 @@ TEST(Sensitivity, CountsWhatTheQuestionCounts) {
   for (std::size_t k = 1; k < ratios.size(); ++k) EXPECT_LT(ratios[k], 0.999 * ratios[0]);
 }
 
-// The requirement lies between what the weakest label gets at both ends.
+// The requirement is between the signals of the weakest label at both ends.
 TEST(Sensitivity, SaysWhichLabelsFall) {
   const SimulationOptions options = connections(PathRules::no_limit);
   Scene scene = plan_scene(0.4, 0.7);
@@ -244,7 +244,7 @@ TEST(Sensitivity, AssumesRangesThatNobodyTold) {
   EXPECT_EQ(exact.low.least.ratio, exact.high.least.ratio);
 }
 
-// Labels a and a+1, a+2 ... are at the same place.
+// Labels a, a+1, a+2 ... share one position.
 void repeat_labels(Scene& scene, std::size_t count) {
   const std::size_t places = scene.labels.size();
   while (scene.labels.size() < count) {
@@ -256,29 +256,29 @@ void repeat_labels(Scene& scene, std::size_t count) {
 
 TEST(Sensitivity, WatchesTheLabelsNearestToMissing) {
   Scene scene = plan_scene(0.6, 0.6);
-  repeat_labels(scene, least_watched_labels + 16);
+  repeat_labels(scene, min_watched_labels + 16);
   const Sensitivity found = of(scene, connections(2, 20));
-  EXPECT_EQ(found.watched, least_watched_labels);
+  EXPECT_EQ(found.watched, min_watched_labels);
   const MaterialSensitivity& one = found.materials[0];
-  // The weakest label of a step is in the numbering of the whole scene.
+  // The weakest label of a step has its index in the whole scene.
   const std::string &low = scene.labels[found.low.least.label].id,
                     &step = scene.labels[one.at_lower.least.label].id;
   EXPECT_EQ(low.substr(0, low.find('+')), step.substr(0, step.find('+')));
 }
 
-// Where light at the high end is more than most labels have at the low end, most may have the least of all
-// with one material low. Of many materials no more labels are watched than there is time for.
+// If the light at the high end exceeds that of most labels at the low end, most labels may be the weakest
+// when one material is low. With many materials, only as many labels are watched as time allows.
 TEST(Sensitivity, WatchesAllLabelsThatMayHaveTheLeast) {
-  constexpr std::size_t labels = 2 * least_watched_labels;
+  constexpr std::size_t labels = 2 * min_watched_labels;
   Scene scene = plan_scene(0.05, 0.95);
   repeat_labels(scene, labels);
   const Sensitivity wide = of(scene, connections(2, 20));
   ASSERT_GT(wide.high.least.ratio, 1);
-  EXPECT_GT(wide.watched, least_watched_labels);
+  EXPECT_GT(wide.watched, min_watched_labels);
   Scene three = three_materials();
   three.materials[0].reflectance_range = {0.05, 0.95};
   repeat_labels(three, labels);
-  EXPECT_EQ(of(three, connections(2, 20)).watched, least_watched_labels);
+  EXPECT_EQ(of(three, connections(2, 20)).watched, min_watched_labels);
 }
 
 PlanOptions without_certificate() {
@@ -304,7 +304,7 @@ TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {
   EXPECT_EQ(plan.curve.points.back().at_least, scene.labels.size());
 }
 
-// Asks for an end when a material is begun with.
+// Cancels when the work on a material begins.
 struct CancelAtMaterial : ProgressSink {
   void report(std::string_view task, double, std::string_view detail) override {
     if (task == "sensitivity" && detail == "paper") token.request();

@@ -6,7 +6,7 @@
 
 namespace shelfbeam::test {
 
-/// Rows of fields of a CSV text (RFC 4180).
+/// The rows of fields of a CSV text (RFC 4180).
 inline std::vector<std::vector<std::string>> read_csv(std::string_view text) {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> row(1);

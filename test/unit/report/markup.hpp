@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-// A strict reader of the markup that reports are written in: XML rules, and HTML's elements without an end.
+// A strict reader for the markup of reports: XML rules, plus HTML's void elements.
 namespace shelfbeam::test {
 
 struct Element {
@@ -19,7 +19,7 @@ struct Element {
 struct Markup {
   std::string problem;  ///< empty: well-formed
   std::vector<Element> elements;
-  std::string text;  ///< everything between tags, style sheets left out, entities resolved
+  std::string text;  ///< all text between tags, without style sheets, with entities resolved
 };
 
 inline std::string resolve_entities(std::string_view text, std::string& problem) {
@@ -43,7 +43,7 @@ inline std::string resolve_entities(std::string_view text, std::string& problem)
   return out;
 }
 
-/// The page without what stands in its scripts: all that a reader sees who has none.
+/// The page without its scripts, as a reader without JavaScript sees it.
 inline std::string without_scripts(std::string_view html) {
   std::string result;
   for (std::size_t at = 0; at < html.size();) {

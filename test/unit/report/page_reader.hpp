@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 
-// Reads what PageData wrote, as the page's script does.
+// Reads the output of PageData, as the page's script does.
 namespace shelfbeam::test {
 
 inline std::string from_base64(std::string_view text) {

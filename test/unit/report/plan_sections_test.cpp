@@ -1,4 +1,4 @@
-// The sections that a plan has only where it was asked for them.
+// Tests the sections of a plan that are written only on request.
 
 #include <string>
 
@@ -46,8 +46,8 @@ TEST(PlanSections, TellWhatReflectancesDo) {
   EXPECT_EQ(fault(html), "");
   const std::string text = read_markup(html).text;
   const auto cells = pieces(html);
-  for (const char* piece : {"922 of 926 labels are reached with", "10\u00A0% to both sides, by assumption",
-                            "what they reflect: glass", "256 labels with the least margins",
+  for (const char* piece : {"922 of 926 labels are reached with", "10\u00A0% to both sides is assumed",
+                            "their reflectance: glass", "256 labels with the smallest margins",
                             "3 labels missed at the low end", "1 label undecided at the low end"})
     EXPECT_NE(text.find(piece), std::string::npos) << piece;
   for (const std::string& cell :
@@ -71,7 +71,7 @@ TEST(PlanSections, TellThatAPlanHolds) {
   EXPECT_FALSE(pieces(html).contains("+0.0\u00A0%"));
 }
 
-// A label in the dark has no margin in decibels; a bar has to end somewhere.
+// A label without light has no margin in decibels, but its bar must end.
 TEST(PlanSections, DrawMarginsOfNothing) {
   Supermarket s;
   s.plan.sensitivity = made_up();
@@ -91,13 +91,13 @@ TEST(PlanSections, TellWhatFewerReach) {
   EXPECT_TRUE(cells.contains("97.2\u00A0%"));
   EXPECT_TRUE(cells.contains("100.0\u00A0%"));
   EXPECT_NE(html.find("45 transceivers: at least 97.2"), std::string::npos);
-  EXPECT_EQ(html.find("stopped early: more time"), std::string::npos);
+  EXPECT_EQ(html.find("stopped early; more time"), std::string::npos);
   s.plan.curve.points.resize(1);
   s.plan.curve.is_complete = false;
   html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
-  EXPECT_NE(html.find("stopped early: more time"), std::string::npos);
-  EXPECT_EQ(html.find("Labels that fewer transceivers reach"), std::string::npos) << "one point is no curve";
+  EXPECT_NE(html.find("stopped early; more time"), std::string::npos);
+  EXPECT_EQ(html.find("Labels reached by fewer transceivers"), std::string::npos) << "one point is no curve";
 }
 
 }  // namespace

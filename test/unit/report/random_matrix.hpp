@@ -8,10 +8,11 @@
 
 namespace shelfbeam::test {
 
-/// A matrix with entries in [0, 1), a third of them zero, direct below the mean and requirements around 1.
+/// A matrix with entries in [0, 1), a third of them zero, direct light below the mean, and requirements
+/// around 1.
 inline SignalMatrix random_matrix(std::uint32_t rows, std::uint32_t columns, std::uint32_t trial) {
   const auto draw = [trial](std::uint32_t i, std::uint32_t j, std::size_t k) {
-    return to_unit(philox({i, j, trial, 0}, 11)[k]);
+    return to_uniform(philox({i, j, trial, 0}, 11)[k]);
   };
   SignalMatrix matrix;
   for (std::uint32_t i = 0; i < rows; ++i)

@@ -14,8 +14,8 @@
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-// A store with a signal matrix made up from distance, angle and line of sight: good enough to look at, and
-// known without a simulation.
+// A store with a signal matrix computed from distance, angle and line of sight: realistic, and known without
+// a simulation.
 namespace shelfbeam::sample_store {
 
 inline Gondola gondola(const std::string& id, Vec2 at, double length, double depth,
@@ -85,7 +85,7 @@ inline Store kiosk() {
   return store;
 }
 
-// Does the segment from a to b pass through an upright box over the fixture's bounding rectangle?
+// Whether the segment from a to b passes through an upright box over the fixture's bounding rectangle.
 inline bool blocks(const FixtureOutline& fixture, const Vec3& a, const Vec3& b) {
   Vec3 low{1e9, 1e9, 0}, high{-1e9, -1e9, fixture.height};
   for (const auto& [x, y] : fixture.footprint) {
@@ -130,7 +130,7 @@ inline SignalMatrix matrix_of(const Scene& scene) {
       const bool seen = std::none_of(scene.fixtures.begin(), scene.fixtures.end(),
                                      [&](const auto& f) { return blocks(f, label.position, t.position); });
       const double direct = seen ? cos_label * 2 * cos_axis * std::sqrt(1 - cos_axis * cos_axis) / r2 : 0;
-      const double noise = to_unit(philox({at++, 0, 0, 0}, 7)[0]);
+      const double noise = to_uniform(philox({at++, 0, 0, 0}, 7)[0]);
       const double reflected = r > 14 ? 0 : 0.02 * std::exp(-r / 5) * (0.8 + 0.4 * noise) * (seen ? 1 : 0.4);
       matrix.mean.push_back(static_cast<float>(direct + reflected));
       matrix.direct.push_back(static_cast<float>(direct));

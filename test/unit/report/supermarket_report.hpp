@@ -19,7 +19,7 @@ struct Supermarket {
   ReportInput input{scene, matrix, plan};
 };
 
-// A certificate with every verdict: each 50th label is missed, each 50th undecided.
+// A certificate with every verdict: every 50th label is missed, every 50th undecided.
 inline void certify(Supermarket& s) {
   Certificate& certificate = s.plan.certificate.emplace();
   certificate.confidence = 0.95;
@@ -34,11 +34,11 @@ inline void certify(Supermarket& s) {
   certificate.bound_labels = 37;
   certificate.rounds = 3;
   certificate.seconds = 12.5;
-  certificate.open = "to decide the rest would take about 700 s";
+  certificate.open = "deciding the rest would take about 700 s";
 }
 
-// Well-formed, nothing fetched, every reference within the page resolves, ids are unique. What the script of
-// the page asks for is tested in a browser.
+// A problem of the page. It must be well-formed and self-contained, with valid references and unique ids. The
+// requests of the page's script are tested in a browser.
 inline std::string fault(const std::string& page) {
   const std::string html = without_scripts(page);
   const Markup markup = read_markup(html);
@@ -56,12 +56,12 @@ inline std::string fault(const std::string& page) {
   return {};
 }
 
-// The report as it is without scripts.
+// The report without scripts.
 inline std::string static_report(const ReportInput& input) {
   return without_scripts(report_html(input));
 }
 
-// Tables and facts as text, so that "8" is only found where it stands alone.
+// Tables and facts as separate texts, so that "8" does not match a part of another number.
 inline std::multiset<std::string> pieces(const std::string& html) {
   std::multiset<std::string> result;
   const std::string text = read_markup(without_scripts(html)).text;

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Usage: check_schema.py SCHEMA FILE...
 
-Prints "ok" or "bad: <why>" for each file, one line each: whether it is JSON (comments allowed) that fits the schema.
-The system's Python is meant, for which scripts/install-dependencies installs jsonschema.
+Prints a line per file: "ok" if it is JSON (comments allowed) that conforms to the schema, otherwise "bad: <why>".
+Runs with the system's Python, for which scripts/install-dependencies installs jsonschema.
 """
 
 import json

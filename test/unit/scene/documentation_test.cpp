@@ -34,13 +34,13 @@ TEST(Documentation, ExampleOfTheStoreFileIsAccepted) {
   EXPECT_EQ(ids[29], "A1-back-3-5");
   EXPECT_EQ(ids.back(), "poster");
   EXPECT_EQ(scene.type_of(scene.labels[0]).requirement(), 0.025);
-  // 7 x 5 of the grid less the two at (4, 4) and (4, 5), and the one listed, which is installed.
+  // 7 x 5 of the grid without the two at (4, 4) and (4, 5), plus the listed one, which is installed.
   ASSERT_EQ(scene.transceivers.size(), 7u * 5 - 2 + 1);
   EXPECT_TRUE(scene.transceivers.back().installed);
   EXPECT_EQ(scene.transceivers.back().id, "till");
 }
 
-// The types of a fragment, in the example of the store file.
+// The example store file with the types of a fragment.
 Store with_types(const std::string& fragment) {
   Json store = Json::parse(fenced_blocks("store.md", "jsonc")[0], nullptr, true, true);
   const Json types = Json::parse(fragment, nullptr, true, true);

@@ -19,7 +19,7 @@ const std::filesystem::path profiles = SHELFBEAM_SOURCE_DIR "/data/photometry";
 TransceiverType read(const Json& emission, const std::filesystem::path& folder) {
   Json store = test::sample_store();
   store["transceiver_types"]["down"]["emission"] = emission;
-  store["label_types"]["deep"]["threshold"] = 1;  // it heard `down`
+  store["label_types"]["deep"]["threshold"] = 1;  // it had a range for `down`
   return test::read_text(store.dump(), folder).transceiver_types.at(0);
 }
 
@@ -55,15 +55,14 @@ TEST(EmissionReader, ErrorsOfAFileNameItAndTheLine) {
   folder.write("cut.ies", text.substr(0, text.size() / 2));
   expect_input_error(
       [&] { read(file("ies", "cut.ies", 1), folder.path()); },
-      "store.json: transceiver_types.down.emission.file: " + (folder / "cut.ies").string() + ": line ",
-      "the file ends where");
+      "store.json: transceiver_types.down.emission.file: " + (folder / "cut.ies").string() + ": line ");
   expect_input_error([&] { read(file("eulumdat", "batwing.ies", 1), profiles); },
                      (profiles / "batwing.ies").string() + ": line ");
 }
 
 TEST(EmissionReader, RefusesAFluxThatMakesTooMuchIntensity) {
   expect_input_error([&] { read(file("ies", "narrow-aisle.ies", 1e9), profiles); },
-                     "transceiver_types.down.emission.flux: makes an intensity of", "W/sr with this profile");
+                     "transceiver_types.down.emission.flux: ", "W/sr");
 }
 
 TEST(EmissionReader, TablesMayLeaveOutTheAxis) {

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 #include "unit/scene/solids.hpp"
@@ -42,8 +42,7 @@ TEST(Thesis, HasTheCountsOfTheErrata) {
     EXPECT_EQ(std::get<Lambertian>(named.material).reflectance, 0.7) << named.name;
 }
 
-// A scene's labels, candidates and parts, with x mirrored about x = 10 if asked for; sorted, in units of 0.1
-// um.
+// A scene's labels, candidates and parts, optionally mirrored about x = 10; sorted, in units of 0.1 um.
 using Shape = std::vector<long>;
 std::vector<Shape> shapes(const Scene& scene, bool mirrored) {
   const auto rounded = [](double value) { return std::lround(value * 1e7); };
@@ -92,8 +91,8 @@ TEST(Grocery, LooksLikeOne) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
-// Glass doors and a lid, meshes in two formats, profiles in two, more than one way to aim a unit at a
-// mounting point, a requirement as a range, an installed unit and a place to keep free.
+// Glass doors and a lid, meshes in two formats, profiles in two, several orientations at a mounting point, a
+// requirement as a range, an installed unit and an area without units.
 TEST(Chiller, HasWhatTheOthersHaveNot) {
   const Store store = read_store(examples / "chiller" / "store.json");
   const Scene scene = make_scene(store);
@@ -110,7 +109,7 @@ TEST(Chiller, HasWhatTheOthersHaveNot) {
   for (const TransceiverType& type : scene.transceiver_types)
     EXPECT_EQ(type.file, type.name == "ring" ? "batwing.ies" : "narrow-aisle.ldt");
   std::map<std::uint32_t, int> options;
-  for (const std::uint32_t place : places_of(positions_of(scene.transceivers)).of) ++options[place];
+  for (const std::uint32_t place : distinct_positions(positions_of(scene.transceivers)).of) ++options[place];
   EXPECT_TRUE(std::any_of(options.begin(), options.end(), [](const auto& o) { return o.second >= 3; }));
   EXPECT_EQ(std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
                           [](const Transceiver& unit) { return unit.installed; }),
@@ -146,7 +145,7 @@ TEST(Markets, HaveTheirCountsAndNoWarnings) {
   }
 }
 
-// What lies between two points of the floor, or around some.
+// The area between two points of the floor, or around some points.
 struct Extent {
   std::array<double, 2> low{1e9, 1e9}, high{-1e9, -1e9};
   void include(double x, double y) {
@@ -158,7 +157,8 @@ struct Extent {
   }
 };
 
-// Customers pass before every label. All fixtures stand along x or y, so their extents are what they cover.
+// There is an aisle in front of every label. All fixtures are parallel to x or y, so they cover their
+// extents.
 TEST(Markets, LabelsFaceAisles) {
   for (const Market& market : markets) {
     const Scene scene = example(market.name);
@@ -170,7 +170,7 @@ TEST(Markets, LabelsFaceAisles) {
       for (const Label& label : scene.labels) {
         Extent way;
         const double level = std::hypot(label.normal.x, label.normal.y);
-        for (const double off : {0.1, width})  // a door stands 6 cm before the boards
+        for (const double off : {0.1, width})  // a door is 6 cm in front of the boards
           way.include(label.position.x + off * label.normal.x / level,
                       label.position.y + off * label.normal.y / level);
         if (way.low[0] < 0 || way.low[1] < 0 || way.high[0] > scene.room->x || way.high[1] > scene.room->y ||

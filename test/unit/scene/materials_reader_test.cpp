@@ -31,7 +31,7 @@ Kind read(const std::string& material) {
 }
 
 void expect_error(const std::string& material, const std::string& key, const std::string& message) {
-  expect_input_error([&] { with(material); }, "store.json: materials.tile" + key + ": " + message);
+  expect_input_error([&] { with(material); }, "store.json: materials.tile" + key + ": ", message);
 }
 
 TEST(MaterialsReader, ReadsEveryType) {
@@ -47,7 +47,7 @@ TEST(MaterialsReader, ReadsEveryType) {
   EXPECT_EQ((std::array{pane.ior, pane.thickness, pane.absorption_per_m}), (std::array{1.5, 0.006, 2.0}));
 }
 
-// The keys that a material gets when it is written out.
+// The keys of a material in the resolved store.
 TEST(MaterialsReader, FillsInWhatIsLeftOut) {
   const std::string metal = R"({ "type": "conductor", "eta": 0, "k": 1, "roughness": )";
   const std::string rough = R"({ "distribution": "ggx", "masking": "smith", "sampling": "visible" })";
@@ -76,14 +76,12 @@ TEST(MaterialsReader, NamesAreMeantFor940Nm) {
   const std::string plaster = R"({ "type": "lambertian", "reflectance": "plaster" })";
   for (const double near : {920.0, 950.0, 960.0}) EXPECT_NO_THROW(with(plaster, near)) << near;
   for (const double far : {850.0, 919.9, 960.1, 1550.0})
-    expect_input_error([&] { with(plaster, far); },
-                       "materials.tile.reflectance: 'plaster' is known at 940 nm");
+    expect_input_error([&] { with(plaster, far); }, "materials.tile.reflectance: ", "'plaster'", "940 nm");
   EXPECT_NO_THROW(with(R"({ "type": "lambertian", "reflectance": 0.8 })", 850));
-  expect_error(R"({ "type": "lambertian", "reflectance": "plastr" })", ".reflectance",
-               "there is no reflectance 'plastr'; did you mean 'plaster'?");
+  expect_error(R"({ "type": "lambertian", "reflectance": "plastr" })", ".reflectance", "'plaster'");
 }
 
-// The names that an editor offers are those that the program knows.
+// The names in the schema, which an editor offers, are those that the program knows.
 TEST(MaterialsReader, SchemaListsTheNames) {
   const Json schema = Json::parse(read_file(SHELFBEAM_SOURCE_DIR "/data/store.schema.json"));
   Json names = Json::array();
@@ -110,7 +108,7 @@ TEST(MaterialsReader, ReadsRangesOfReflectances) {
   for (const char* wrong : {"[0.6, 0.7]", "[0.3, 0.4]", "[0.7, 0.3]", "[-0.1, 0.6]", "[0.4, 1.1]"})
     expect_error(
         std::string(R"({ "type": "lambertian", "reflectance": 0.5, "reflectance_range": )") + wrong + " }",
-        ".reflectance_range", "is from ");
+        ".reflectance_range", "0.5");
 }
 
 }  // namespace

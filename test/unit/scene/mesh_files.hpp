@@ -16,7 +16,7 @@ namespace shelfbeam::test {
 using Corner = std::array<float, 3>;
 using Triangles = std::vector<std::array<Corner, 3>>;
 
-/// A corner block of 1 x 2 x 3: a closed tetrahedron with its outside out.
+/// A corner block of 1 x 2 x 3: a closed tetrahedron that faces outwards.
 inline Triangles tetrahedron() {
   const Corner o{0, 0, 0}, x{1, 0, 0}, y{0, 2, 0}, z{0, 0, 3};
   return {{o, y, x}, {o, x, z}, {o, z, y}, {x, y, z}};
@@ -48,7 +48,7 @@ inline std::string binary_stl(const Triangles& triangles) {
   return bytes;
 }
 
-/// Each triangle with vertices of its own; a colour before the coordinates.
+/// Each triangle has its own vertices; a colour precedes the coordinates.
 inline std::string ply(const Triangles& triangles, bool binary) {
   std::string text = fmt::format(
       "ply\nformat {} 1.0\ncomment made for a test\nelement vertex {}\nproperty uchar red\nproperty float x\n"
@@ -74,7 +74,7 @@ inline std::string obj(const Triangles& triangles) {
   return text;
 }
 
-/// The sample without a room, its only fixture a mesh file.
+/// The sample without a room and with a mesh file as its only fixture.
 inline Json mesh_store(const std::string& file, const Json& materials = {{"*", "white"}}) {
   Json store = sample_store();
   store.erase("room");
@@ -84,7 +84,7 @@ inline Json mesh_store(const std::string& file, const Json& materials = {{"*", "
   return store;
 }
 
-/// The scene of mesh_store, its mesh with this content.
+/// The scene of mesh_store with this mesh file.
 inline Scene read_mesh(const std::string& name, const std::string& content,
                        const Json& materials = {{"*", "white"}}) {
   const TempFolder folder;
@@ -92,7 +92,7 @@ inline Scene read_mesh(const std::string& name, const std::string& content,
   return scene_of(mesh_store(name, materials), folder.path());
 }
 
-/// Of all triangles, m^2.
+/// The area of all triangles, m^2.
 inline double mesh_area(const Scene& scene) {
   double sum = 0;
   for (const auto& [a, b, c] : scene.mesh.triangles) {

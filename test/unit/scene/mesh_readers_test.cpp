@@ -7,7 +7,7 @@
 #include "support/expect_input_error.hpp"
 #include "unit/scene/mesh_files.hpp"
 
-// Areas of small whole numbers and halves, which doubles hold exactly.
+// Areas of small integers and halves, which doubles represent exactly.
 
 namespace shelfbeam {
 namespace {
@@ -42,13 +42,12 @@ TEST(MeshReaders, StarsAreCutAndLargeOnesRefused) {
   const Scene scene = read_mesh("a.obj", star(60));
   EXPECT_EQ(scene.mesh.triangles.size(), 118u);
   EXPECT_NEAR(mesh_area(scene), 120 * 0.5 * 2 * std::sin(std::acos(-1.0) / 60), 1e-12);
-  expect_input_error([] { read_mesh("a.obj", star(10'000)); }, "a face with a dent has 20000 corners");
+  expect_input_error([] { read_mesh("a.obj", star(10'000)); }, "20000 corners");
 }
 
 TEST(MeshReaders, ObjLinesGoOnBehindABackslash) {
   EXPECT_DOUBLE_EQ(mesh_area(read_mesh("a.obj", "v 0 0 \\\n0\nv 2 0 0\nv 0 1 0\nf 1/1/1 2//2 \\\n-1\n")), 1);
-  expect_input_error([] { read_mesh("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n"); },
-                     "fewer than three corners");
+  expect_input_error([] { read_mesh("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n"); }, "three corners");
   expect_input_error([] { read_mesh("a.obj", "\\\n"); }, "fixtures[0].file: ");
 }
 
@@ -59,28 +58,28 @@ TEST(MeshReaders, ObjFacesNameVerticesThatAreThere) {
                        "vertex");
 }
 
-// A name of a material counts without the library of colours that OBJ keeps beside the file.
+// Material names count without the material library that OBJ keeps beside the file.
 TEST(MeshReaders, ObjMaterialsNeedNoLibrary) {
   const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red  brick\nf 1 2 3\n";
   EXPECT_NO_THROW(read_mesh("a.obj", text, {{"red  brick", "white"}}));
   const Json blue = {{"blue", "white"}};
-  expect_input_error([&] { read_mesh("a.obj", text, blue); }, "a.obj': red  brick; add an entry");
+  expect_input_error([&] { read_mesh("a.obj", text, blue); }, "a.obj': red  brick;");
 }
 
-// Found by fuzzing: the library that read these files before ended the program.
+// Found by fuzzing: the previous library for these files ended the program.
 TEST(MeshReaders, PlyVerticesHaveThreeCoordinates) {
   const std::string good = test::ply(test::tetrahedron(), true);
   for (const std::string name : {"x", "y", "z"}) {
     std::string text = good;
     text.replace(text.find("float " + name), 7, "float w");
-    expect_input_error([&] { read_mesh("a.ply", text); }, "a.ply' has vertices without x, y and z");
+    expect_input_error([&] { read_mesh("a.ply", text); }, "a.ply' ", "x, y and z");
   }
   expect_input_error(
       [] { read_mesh("a.ply", "ply\nformat ascii 1.0\nelement nothing 4294967295\nend_header\n"); },
-      "has an element without properties");
+      "without properties");
 }
 
-// A square of 1 m in the modes of glTF.
+// A square of 1 m in a mode of glTF.
 Json square(int mode, const std::string& indices, int count) {
   // (0, 0), (1, 0), (0, 1), (1, 1) as bytes, each of three padded to four, then the indices.
   return Json::parse(R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
@@ -95,7 +94,7 @@ Json square(int mode, const std::string& indices, int count) {
 }
 
 TEST(MeshReaders, GltfListsStripsAndFans) {
-  // 16 bytes end within a group of base64, whose first two bits belong to the last of them.
+  // 16 bytes end within a base64 group, whose first two bits belong to the last byte.
   const Json list = square(4, "AABAgIBAw==", 6), strip = square(5, "AABAgMAAA==", 4),
              fan = square(6, "AABAwIAAA==", 4), points = square(0, "AABAgMAAA==", 4);
   for (const Json& file : {list, strip, fan}) {
@@ -103,7 +102,7 @@ TEST(MeshReaders, GltfListsStripsAndFans) {
     EXPECT_EQ(scene.mesh.triangles.size(), 2u);
     EXPECT_DOUBLE_EQ(mesh_area(scene), 1);
   }
-  expect_input_error([&] { read_mesh("a.gltf", points.dump()); }, "has no triangles");
+  expect_input_error([&] { read_mesh("a.gltf", points.dump()); }, "no triangles");
 }
 
 TEST(MeshReaders, GltfIsNotTrusted) {
@@ -113,28 +112,30 @@ TEST(MeshReaders, GltfIsNotTrusted) {
     file[Json::json_pointer(place)] = wrong;
     expect_input_error([&] { read_mesh("a.gltf", file.dump()); }, "store.json: fixtures[0].file: ", message);
   };
-  refused("/accessors/0/count", 5, "reaches beyond its view");
-  refused("/accessors/0/count", 4e15, "outside");
-  refused("/accessors/0/byteOffset", 14, "reaches beyond its view");
-  refused("/accessors/1/byteOffset", 1, "reaches beyond its view");
+  refused("/accessors/0/count", 5, "accessors[0]: ");
+  refused("/accessors/0/count", 4e15, "accessors[0].count: ");
+  refused("/accessors/0/byteOffset", 14, "accessors[0]: ");
+  refused("/accessors/1/byteOffset", 1, "accessors[1]: ");
   refused("/accessors/0/componentType", 5124, "componentType");
-  refused("/accessors/0/type", "VEC2", "'VEC3' is expected");
-  refused("/accessors/0/bufferView", 2, "is 2, and there are 2 bufferViews");
+  refused("/accessors/0/type", "VEC2", "'VEC3'");
+  refused("/accessors/0/bufferView", 2, "2 bufferViews");
   refused("/accessors/0/sparse", Json::object(), "is sparse");
-  refused("/bufferViews/0/byteStride", 0, "reaches beyond its view");
-  refused("/bufferViews/0/byteOffset", 7, "reaches beyond its buffer");
-  refused("/buffers/0/byteLength", 100, "has 22 bytes where it says 100");
-  refused("/buffers/0/uri", "data:;base64,A*", "is no base64");
-  refused("/nodes/0/children", {0}, "names the node 0 again");
+  refused("/bufferViews/0/byteStride", 0, "accessors[0]: ");
+  refused("/bufferViews/0/byteOffset", 7, "bufferViews[0]: ");
+  refused("/buffers/0/byteLength", 100, "22 bytes");
+  refused("/buffers/0/uri", "data:;base64,A*", "base64");
+  refused("/nodes/0/children", {0}, "node 0 ");
   refused("/nodes/0/mesh", -1, "is -1");
-  refused("/nodes/0/matrix", {1e308, 0, 0, 0, 1e308, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, "beyond all numbers");
-  refused("/nodes/0/matrix", Json::array({1}), "has 1 numbers");
-  refused("/scene", 1, "is 1, and there are 1 scenes");
-  refused("/asset/version", "1.0", "is of version 1.0");
-  refused("/extensionsRequired", {"KHR_draco_mesh_compression"}, "needs 'KHR_draco_mesh_compression'");
+  refused("/nodes/0/matrix", {1e308, 0, 0, 0, 1e308, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, "infinite");
+  refused("/nodes/0/matrix", Json::array({1}), "nodes[0].matrix: ");
+  refused("/scene", 1, "1 scenes");
+  refused("/asset/version", "1.0", "asset: ");
+  refused("/extensionsRequired", {"KHR_draco_mesh_compression"}, "'KHR_draco_mesh_compression'");
+  refused("/extensionsRequired", {"KHR_materials_ior", "EXT_meshopt_compression"},
+          "'EXT_meshopt_compression'");
   Json beyond = good;
   beyond["accessors"][0]["count"] = 3;
-  expect_input_error([&] { read_mesh("a.gltf", beyond.dump()); }, "names the vertex 3 of 3, counted from 0");
+  expect_input_error([&] { read_mesh("a.gltf", beyond.dump()); }, "vertex 3 of 3");
 }
 
 }  // namespace

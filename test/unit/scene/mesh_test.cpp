@@ -12,9 +12,9 @@
 #include "support/temp_folder.hpp"
 #include "unit/scene/mesh_files.hpp"
 
-// Mesh files hold coordinates and node transforms as 32-bit numbers: those here are below 64 m, so a
-// coordinate is known to 4e-6 m and a sum of a few of them to 2e-5 m. The check at that tolerance refuses a
-// wrong axis, order of transforms or scale, each of which moves a vertex by more than 0.1 m.
+// Mesh files store coordinates and node transforms as 32-bit numbers. Coordinates here are below 64 m, so
+// they are exact to 4e-6 m, and a sum of a few of them to 2e-5 m. The check at that tolerance rejects a wrong
+// axis, order of transforms or scale, each of which moves a vertex by more than 0.1 m.
 
 namespace shelfbeam {
 namespace {
@@ -56,7 +56,7 @@ TEST(Mesh, OfTheGroceryCheckout) {
   const double turn = 2 * std::acos(-1.0) / 12;
   const double pole = 12 * 2 * 0.03 * std::sin(turn / 2) * 1.35 + 12 * 0.03 * 0.03 * std::sin(turn);
   EXPECT_NEAR(area["white"], block(0.05, 0.3, 0.4) + block(0.05, 0.25, 0.4) + pole, 1e-5);
-  // y is up in glTF: the counter's 0.6 m from its z = 0 lie towards -y here, and its sign is at 2.2 m.
+  // y is up in glTF: the 0.6 m of the counter from z = 0 extend towards -y here, and its sign is at 2.2 m.
   expect_near(scene.lower, {0, -0.6, 0});
   expect_near(scene.upper, {3.4, 0.7, 2.2});
   ASSERT_EQ(scene.fixtures.size(), 1u);
@@ -71,7 +71,7 @@ TEST(Mesh, IsPutInPlace) {
   store["fixtures"][0].update(Json{{"at", {10, 20, 1}}, {"rotation_deg", 90}, {"scale", 0.5}});
   const Scene scene = test::scene_of(store, folder.path());
   ASSERT_EQ(scene.mesh.triangles.size(), 2u);
-  // (2, 0, 0) becomes (1, 0, 0), turns to (0, 1, 0), and moves; z is up in OBJ.
+  // (2, 0, 0) is scaled to (1, 0, 0), rotated to (0, 1, 0), and moved; z is up in OBJ.
   const auto& p = scene.mesh.vertices;
   const auto& [a, b, c] = scene.mesh.triangles[0];
   expect_near(p[a], {10, 20, 1});
@@ -80,12 +80,12 @@ TEST(Mesh, IsPutInPlace) {
   expect_near(p[scene.mesh.triangles[1][2]], {10, 20, 4});
   store["fixtures"][0]["up"] = "y";
   const Scene upright = test::scene_of(store, folder.path());
-  // (0, 4, 0) points up now, and (0, 0, 6) towards -y before the turn, +x after it.
+  // (0, 4, 0) points up now; (0, 0, 6) points to -y before the rotation and to +x after it.
   expect_near(upright.mesh.vertices[upright.mesh.triangles[0][2]], {10, 20, 3});
   expect_near(upright.mesh.vertices[upright.mesh.triangles[1][2]], {13, 20, 1});
 }
 
-// A glTF file with the triangle (0, 0, 0), (1, 0, 0), (0, 2, 0), its buffer within, and the given nodes.
+// A glTF file with the triangle (0, 0, 0), (1, 0, 0), (0, 2, 0), an embedded buffer, and the given nodes.
 Json gltf(const Json& nodes) {
   Json file = Json::parse(R"({ "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }],
     "materials": [{ "name": "Sheet" }],
@@ -109,14 +109,14 @@ std::vector<Vec3> corners(const Json& file) {
   return result;
 }
 
-// What is y-up in the file, z-up in the scene.
+// Converts y-up coordinates of the file to z-up coordinates of the scene.
 Vec3 upright(double x, double y, double z) {
   return {x, -z, y};
 }
 
 TEST(Mesh, NodesMoveTurnAndScale) {
   const double half = std::sqrt(0.5);
-  // A turn by 90 degrees about x takes y to z and z to -y.
+  // A rotation by 90 degrees about x takes y to z and z to -y.
   const auto p = corners(gltf({{{"mesh", 0},
                                 {"translation", {10, 20, 30}},
                                 {"rotation", {half, 0, 0, half}},
@@ -128,7 +128,8 @@ TEST(Mesh, NodesMoveTurnAndScale) {
 }
 
 TEST(Mesh, NodesAreNested) {
-  // The child is moved by 1 along its own x, then scaled by 2 about its parent, then moved by 5 along y.
+  // The child is moved by 1 along its own x, then scaled by 2 relative to its parent, then moved by 5 along
+  // y.
   const auto p = corners(gltf({{{"children", {1}}, {"scale", {2, 2, 2}}, {"translation", {0, 5, 0}}},
                                {{"mesh", 0}, {"translation", {1, 0, 0}}}}));
   ASSERT_EQ(p.size(), 3u);
@@ -191,8 +192,8 @@ TEST(Mesh, EveryMaterialWithoutAMatchIsListed) {
   const auto read = [&](const Json& materials) {
     return [&folder, materials] { test::scene_of(mesh_store("three.obj", materials), folder.path()); };
   };
-  expect_input_error(read({{"RED*", "steel"}, {"glas", "white"}}), "store.json: fixtures[0].file: nothing in",
-                     "three.obj': glass, red brick, red paint;");
+  expect_input_error(read({{"RED*", "steel"}, {"glas", "white"}}),
+                     "store.json: fixtures[0].file: ", "three.obj': glass, red brick, red paint;");
   expect_input_error(read({{"red?paint", "steel"}}), ": glass, red brick;");
   expect_input_error(read(Json::object()), ": glass, red brick, red paint;");
 }
@@ -211,9 +212,8 @@ TEST(Mesh, SurfacesWithoutAMaterialTakeTheStar) {
   EXPECT_NEAR(area["tile"], 1, 1e-6);
   EXPECT_NEAR(area["steel"], 1, 1e-6);
   const Json neither = {{"D*", "tile"}};
-  expect_input_error([&] { read(neither); },
-                     "mixed.gltf': Sheet, nor the surfaces that name none; add an entry for each");
-  expect_input_error([&] { read({{"Sheet", "tile"}}); }, "mixed.gltf' name no material");
+  expect_input_error([&] { read(neither); }, "mixed.gltf': Sheet, ", "surfaces without");
+  expect_input_error([&] { read({{"Sheet", "tile"}}); }, "surfaces of", "mixed.gltf'");
 }
 
 TEST(Mesh, NamesThatAreNotUtf8DoNoHarm) {
@@ -254,16 +254,15 @@ TEST(Mesh, BrokenFilesAreRefused) {
         test::input_error([&, &file = name] { test::scene_of(mesh_store(file), folder.path()); });
     EXPECT_TRUE(message.starts_with("store.json: fixtures[0].file: ")) << name << ": " << message;
   }
-  expect_input_error([&] { test::scene_of(mesh_store("none.obj"), folder.path()); },
-                     "none.obj' does not exist");
+  expect_input_error([&] { test::scene_of(mesh_store("none.obj"), folder.path()); }, "none.obj' ");
 }
 
 TEST(Mesh, InTheWrongUnitIsFound) {
   const TempFolder folder;
   folder.write("mm.obj", "v 0 0 0\nv 12000 0 0\nv 0 3000 0\nf 1 2 3\n");
   Json store = mesh_store("mm.obj");
-  expect_input_error([&] { test::scene_of(store, folder.path()); },
-                     "store.json: fixtures[0]: reaches 1.2e+04 m from its 'at'; set 'scale'");
+  expect_input_error([&] { test::scene_of(store, folder.path()); }, "store.json: fixtures[0]: ", "1.2e+04 m",
+                     "'scale'");
   store["fixtures"][0]["scale"] = 0.001;
   EXPECT_NEAR(test::scene_of(store, folder.path()).upper.x, 12, single);
 }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 #include "support/expect_input_error.hpp"
@@ -44,9 +44,9 @@ TEST(StoreReader, ReadsMaterialsInTheirOrder) {
   EXPECT_EQ(std::get<Lambertian>(store.materials[1].material).reflectance, 0.5);
 }
 
-// The resolved store says what was read of that which needs no looking up; what is left out has its default.
+// The resolved store contains the values that were read, with defaults for omitted values.
 TEST(StoreReader, ReadsTypesAndFixtures) {
-  using Plain = nlohmann::json;  // the order of keys is no matter
+  using Plain = nlohmann::json;  // the order of keys does not matter
   const Store store = sample();
   const Plain read = Plain::parse(resolved_store_json(store, make_scene(store)));
   Plain given = Plain::parse(sample_store().dump());
@@ -89,7 +89,7 @@ TEST(StoreReader, KnowsWhatFixturesAreByDefault) {
   EXPECT_EQ(gondola.faces, (std::vector{Face::front, Face::back}));
   EXPECT_EQ(gondola.labels->faces, gondola.faces);
   EXPECT_EQ(gondola.labels->tilt_deg, 0);
-  // Labels go by default where the boards are.
+  // By default labels are on the sides with boards.
   const Store one = read_text(changed_store("/fixtures/0", R"({ "type": "gondola", "id": "A", "at": [2, 1],
     "length": 3, "depth": 0.9, "height": 1.8, "material": "steel", "shelves": [1], "faces": ["back"],
     "labels": { "type": "small", "spacing": 0.5 } })")
@@ -101,14 +101,14 @@ TEST(StoreReader, KnowsWhatFixturesAreByDefault) {
 
 TEST(StoreReader, MakesGridsThatIncludeBothEnds) {
   const Scene scene = scene_of(sample_store());
-  // 7 - 1 = 6 m by 5 - 1 = 4 m every 2 m: 4 x 3, less the one that is kept out, and two listed.
+  // 7 - 1 = 6 m by 5 - 1 = 4 m every 2 m: 4 x 3, without the one in the keep-out area, plus two listed.
   ASSERT_EQ(scene.transceivers.size(), 11u + 2);
   EXPECT_EQ(scene.transceivers[0].id, "G1-2-1") << "G1-1-1 at (1, 1) is kept out";
   EXPECT_EQ(scene.transceivers[0].position, (Vec3{3, 1, 2.9}));
   EXPECT_EQ(scene.transceivers[10].id, "G1-4-3");
   EXPECT_EQ(scene.transceivers[10].position, (Vec3{7, 5, 2.9}));
   EXPECT_EQ(scene.type_of(scene.transceivers[10]).name, "down");
-  // Where the spacing does not divide the extent, it gives way.
+  // A spacing that does not divide the extent is adjusted.
   const Scene odd = scene_of(changed_store("/transceivers/grids/0/spacing", "1.7"));
   EXPECT_EQ(odd.transceivers[3].id, "G1-5-1");
   EXPECT_EQ(odd.transceivers[3].position, (Vec3{7, 1, 2.9}));
@@ -140,8 +140,7 @@ TEST(StoreReader, KeepsOutListedUnitsToo) {
   const Scene scene = scene_of(json);
   EXPECT_EQ(scene.transceivers.back().id, "T1") << "T2 at (1, 3) is on the border, which belongs to the area";
   json["transceivers"]["installed"] = {"T2"};
-  expect_input_error([&] { scene_of(json); }, "transceivers.installed[0]: there is no transceiver 'T2'",
-                     "it lies in a 'keep_out' area");
+  expect_input_error([&] { scene_of(json); }, "transceivers.installed[0]: ", "'T2'", "'keep_out'");
 }
 
 TEST(StoreReader, CandidatesMayShareAMountingPoint) {
@@ -152,11 +151,9 @@ TEST(StoreReader, CandidatesMayShareAMountingPoint) {
   json["transceivers"]["installed"] = {"T1", "G2-4-3", "T1"};
   const Scene scene = scene_of(json);
   EXPECT_EQ(scene.transceivers.size(), 2 * 11u + 2);
-  EXPECT_EQ(places_of(positions_of(scene.transceivers)).count, 11u + 2);
+  EXPECT_EQ(distinct_positions(positions_of(scene.transceivers)).count, 11u + 2);
   json["transceivers"]["installed"] = {"G2-4-3", "T1", "G1-4-3"};
-  expect_input_error([&] { scene_of(json); },
-                     "transceivers.installed[2]: 'G1-4-3' is installed at the mounting point of 'G2-4-3'",
-                     "keep one of them");
+  expect_input_error([&] { scene_of(json); }, "transceivers.installed[2]: ", "'G1-4-3'", "'G2-4-3'");
 }
 
 class StoreCsv : public testing::Test {
@@ -202,28 +199,20 @@ TEST_F(StoreCsv, ErrorsNameFileAndLine) {
   };
   const std::string head = "id,x,y,z,nx,ny,nz,type\n";
   const std::vector<Case> cases = {
-      {"", "", "is empty; the first line must be id,x,y,z,nx,ny,nz,type"},
-      {"\n\n", "", "is empty"},
-      {"id,x,y\nL1,1,2\n", ": line 1", "has another header"},
-      {"L1,5,2,1,0,0,2,large\n", ": line 1", "has another header"},
-      {"id;x;y;z;nx;ny;nz;type\n", ": line 1", "has another header"},
-      {head + "L1,5,2,1,0,0,2\n", ": line 2", "has 7 fields; 8 are expected"},
-      {head + "\nL1,5,two,1,0,0,2,large\n", ": line 3, field 3", "is 'two'; a number is expected"},
-      {head + "L1,5,2,1,0,0,nan,large\n", ": line 2, field 7", "is NaN; a finite number"},
-      {head + "L1,5,2,1,0,0,1e999,large\n", ": line 2, field 7", "number is expected"},
-      {head + "L1,5,2,,0,0,1,large\n", ": line 2, field 4", "is empty"},
-      {head + "L1,5,2,1m,0,0,1,large\n", ": line 2, field 4", "is '1m'"},
-      {head + "L1,5,2,1,0,0,0,large\n", ": line 2", "the direction is zero"},
-      {head + "L1,5,2,1,0,0,1,big\n", ": line 2", "there is no label type 'big'"},
+      {"", "", "id,x,y,z,nx,ny,nz,type"},
+      {"L1,5,2,1,0,0,2,large\n", ": line 1", "header"},
+      {head + "L1,5,2,1,0,0,2\n", ": line 2", "7 fields"},
+      {head + "\nL1,5,two,1,0,0,2,large\n", ": line 3, field 3", "'two'"},
+      {head + "L1,5,2,1,0,0,nan,large\n", ": line 2, field 7", "NaN"},
+      {head + "L1,5,2,1,0,0,1e999,large\n", ": line 2, field 7", ""},
+      {head + "L1,5,2,1,0,0,0,large\n", ": line 2", "zero"},
+      {head + "L1,5,2,1,0,0,1,big\n", ": line 2", "'big'"},
       {head + ",5,2,1,0,0,1,large\n", ": line 2, field 1", "is empty"},
       {head + "a\tb,5,2,1,0,0,1,large\n", ": line 2: id", "control character"},
-      {head + "L1,5,2,1e9,0,0,1,large\n", ": line 2", "stay within 10 km"},
-      {head + "L1,5,2,9,0,0,1,large\n", ": line 2", "label 'L1' at (5, 2, 9) is outside the room"},
-      {head + "L1,5,2,1,0,0,1,large\nL1,5,2,2,0,0,1,large\n", ": line 3",
-       "is used twice, first in " + file + ": line 2"},
-      {head + "\"L1,5,2,1,0,0,1,large\n", ": line 2, field 1", "never closed"},
-      {head + "\"L\"1,5,2,1,0,0,1,large\n", ": line 2, field 1", "goes on after its closing quote"},
-      {head + "K\xFChl,5,2,1,0,0,1,large\n", "", "is not UTF-8"},
+      {head + "L1,5,2,1e9,0,0,1,large\n", ": line 2", "10 km"},
+      {head + "L1,5,2,9,0,0,1,large\n", ": line 2", "'L1' at (5, 2, 9)"},
+      {head + "L1,5,2,1,0,0,1,large\nL1,5,2,2,0,0,1,large\n", ": line 3", file + ": line 2"},
+      {head + "K\xFChl,5,2,1,0,0,1,large\n", "", "UTF-8"},
   };
   for (const auto& [text, where, what] : cases) {
     folder.write("labels.csv", text);
@@ -232,38 +221,35 @@ TEST_F(StoreCsv, ErrorsNameFileAndLine) {
   folder.write("labels.csv", labels);
   EXPECT_NO_THROW(scene());
   folder.write("lists/units.csv", "id,x,y,z,ax,ay,az,roll_deg,type\nT1,4,3,2.8,0,1,-1,361,fan\n");
-  expect_input_error([&] { scene(); }, "units.csv: line 2, field 8: is 361");
+  expect_input_error([&] { scene(); }, "units.csv: line 2, field 8: ", "361");
   folder.write("lists/units.csv", "id,x,y,z,ax,ay,az,type\n");
-  expect_input_error([&] { scene(); },
-                     "units.csv: line 1: has another header; the first line must be id,x,y,z,ax");
+  expect_input_error([&] { scene(); }, "units.csv: line 1: ", "id,x,y,z,ax");
 }
 
 TEST(StoreReader, WarnsOfWhatReachesOutside) {
   const Scene scene = scene_of(changed_store("/fixtures/2/max", "[8.5, 0.5, 3]"));
   ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_TRUE(scene.warnings[0].starts_with("store.json: fixtures[2]: fixture 'C' reaches outside the room"));
+  EXPECT_TRUE(scene.warnings[0].starts_with("store.json: fixtures[2]: fixture 'C' "));
   EXPECT_TRUE(scene_of(sample_store()).warnings.empty());
 }
 
 TEST(StoreReader, NeedsLabelsAndSurfaces) {
   auto json = sample_store();
   json["fixtures"] = nlohmann::json::array();
-  json["labels"] = nlohmann::json::array();
-  expect_input_error([&] { scene_of(json); }, "store.json: has no labels");
   json.erase("labels");
-  expect_input_error([&] { scene_of(json); }, "store.json: has no labels");
+  expect_input_error([&] { scene_of(json); }, "store.json: ", "labels");
   json.erase("room");
-  expect_input_error([&] { scene_of(json); }, "store.json: has neither a room nor fixtures");
+  expect_input_error([&] { scene_of(json); }, "store.json: ", "room");
 }
 
 TEST(StoreReader, LimitsWhatAFixtureHolds) {
   auto json = changed_store("/fixtures/0/labels/spacing", "0.001");
   json["fixtures"][0]["length"] = 1000;
-  expect_input_error([&] { scene_of(json); }, "fixtures[0].labels.spacing: makes 3000000 labels");
+  expect_input_error([&] { scene_of(json); }, "fixtures[0].labels.spacing: ", "3000000");
   json["fixtures"][0]["shelves"] = std::vector<double>(51, 1.0);
   for (std::size_t k = 0; k < 51; ++k) json["fixtures"][0]["shelves"][k] = 0.1 * static_cast<double>(k + 1);
   json["fixtures"][0]["height"] = 6;
-  expect_input_error([&] { scene_of(json); }, "fixtures[0].shelves: has 51 boards");
+  expect_input_error([&] { scene_of(json); }, "fixtures[0].shelves: ", "51");
 }
 
 }  // namespace

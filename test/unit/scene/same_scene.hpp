@@ -13,7 +13,7 @@
 
 namespace shelfbeam::test {
 
-/// What a type is made of, doubles as their bits; one line.
+/// The values of a type in one line, doubles as their bits.
 class TypePrint {
  public:
   std::string of(const NamedMaterial& named) {
@@ -67,7 +67,7 @@ class TypePrint {
   std::ostringstream out_;
 };
 
-/// Every bit of a scene that a result can depend on, written out; doubles as their bits.
+/// All values of a scene on which results depend, as text; doubles as their bits.
 inline std::string fingerprint(const Scene& scene) {
   std::ostringstream out;
   const auto bits = [&](double x) { out << std::hex << std::bit_cast<std::uint64_t>(x) << ' '; };
@@ -104,7 +104,7 @@ inline std::string fingerprint(const Scene& scene) {
     out << "\ntransceiver " << unit.id << ' ' << unit.type.value << ' ' << unit.installed << ' ';
     point(unit.position), point(unit.axis), bits(unit.roll_deg);
   }
-  // They name places, which are others where what was generated is listed.
+  // Warnings name positions in the file, which differ if generated items are listed.
   out << "\nwarnings " << std::dec << scene.warnings.size();
   return out.str();
 }

@@ -12,7 +12,7 @@
 #include "unit/scene/sample_store.hpp"
 
 // The published schema and the reader must agree: on the sample with any of the changes of
-// test/data/store_changes.jsonc, on the examples, and on what resolves from them.
+// test/data/store_changes.jsonc, on the examples, and on their resolved stores.
 
 namespace shelfbeam {
 namespace {
@@ -24,9 +24,9 @@ using test::TempFolder;
 
 const std::string photometry = SHELFBEAM_SOURCE_DIR "/data/photometry";
 
-// A change of the sample as changed_store takes it, and what the reader says of it.
+// A change of the sample, as for changed_store.
 struct Change {
-  std::string pointer, value, message;
+  std::string pointer, value;
 
   std::string text() const { return changed_store(pointer, value).dump(); }
 };
@@ -43,9 +43,9 @@ const Json& store_changes() {
 std::vector<Change> changes(const std::string& verdict) {
   std::vector<Change> found;
   for (const auto& [pointer, values] : store_changes().at(verdict).items())
-    for (const Json& value : values) found.push_back({pointer, value.dump(), {}});
+    for (const Json& value : values) found.push_back({pointer, value.dump()});
   for (const Json& pointer : store_changes().at(verdict + " without"))
-    found.push_back({pointer.get<std::string>(), {}, {}});
+    found.push_back({pointer.get<std::string>(), {}});
   return found;
 }
 
@@ -60,7 +60,7 @@ std::string reader_verdict(const std::string& text) {
 
 class Schema : public testing::Test {
  protected:
-  // What the schema says of each text: "ok", or "bad: " and why.
+  // The verdict of the schema on each text: "ok", or "bad: " and the reason.
   std::vector<std::string> verdicts(const std::vector<std::string>& texts) {
     std::vector<std::string> command{"/usr/bin/python3",
                                      SHELFBEAM_SOURCE_DIR "/test/unit/scene/check_schema.py",
@@ -115,7 +115,8 @@ TEST_F(Schema, RejectsWhatTheReaderRejects) {
     EXPECT_TRUE(lines[i].starts_with("bad: ")) << change;
     const std::string message = reader_verdict(change.text());
     EXPECT_TRUE(message.starts_with("store.json: " + parent_place(change.pointer))) << change << message;
-    // Under another type other keys are missing, or too many; so it is in a mesh of other vertices or faces.
+    // Under another type, other keys are missing or superfluous. The same holds for a mesh with other
+    // vertices or faces.
     const std::string key = change.pointer.substr(change.pointer.rfind('/') + 1);
     const bool shows_elsewhere = key == "type" || key == "vertices" || key == "faces" || key == "parts";
     if (!shows_elsewhere && key.find_first_of("0123456789\n") == std::string::npos) {
@@ -142,21 +143,22 @@ TEST_F(Schema, AndReaderRefuseWhatIsNoJson) {
 }
 
 TEST_F(Schema, LeavesSomeErrorsToTheReader) {
+  const Json& cases = store_changes().at("left to the reader");
   std::vector<Change> left;
-  for (const Json& one : store_changes().at("left to the reader"))
-    left.push_back({one[0], one[1].is_null() ? "" : one[1].dump(), one[2]});
+  for (const Json& one : cases) left.push_back({one[0], one[1].is_null() ? "" : one[1].dump()});
   const auto lines = verdicts(left);
   for (std::size_t i = 0; i < left.size(); ++i) {
     EXPECT_EQ(lines[i], "ok") << left[i];
     const std::string message = reader_verdict(left[i].text());
     EXPECT_TRUE(message.starts_with("store.json: ")) << message;
-    EXPECT_NE(message.find(left[i].message), std::string::npos) << left[i] << ": " << message;
+    for (std::size_t part = 2; part < cases[i].size(); ++part)
+      EXPECT_NE(message.find(cases[i][part].get<std::string>()), std::string::npos) << left[i] << message;
   }
-  // Python takes the last of two equal keys.
+  // Python uses the last of two duplicate keys.
   std::string twice = sample_store().dump();
   twice.replace(twice.find("\"name\""), 6, "\"name\":\"first\",\"name\"");
   EXPECT_EQ(verdicts(std::vector<std::string>{twice})[0], "ok");
-  EXPECT_EQ(reader_verdict(twice), "store.json: name: stands twice in its object; remove one of them");
+  EXPECT_TRUE(reader_verdict(twice).starts_with("store.json: name: ")) << reader_verdict(twice);
 }
 
 TEST_F(Schema, AcceptsExamplesAndResolvedStores) {

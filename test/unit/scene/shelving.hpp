@@ -20,7 +20,7 @@ inline Json gondola_store() {
   })");
 }
 
-/// The same with a freezer of 2 x 0.8 x 0.9 m.
+/// The same, plus a freezer of 2 x 0.8 x 0.9 m.
 inline Json freezer_store() {
   Json store = gondola_store();
   store["fixtures"][0] =
@@ -29,7 +29,7 @@ inline Json freezer_store() {
   return store;
 }
 
-/// A point of the store in the coordinates of a fixture at (2, 1): along its length, its depth, up.
+/// A point of the store in the coordinates of a fixture at (2, 1): along its length, along its depth, up.
 inline Vec3 in_fixture(const Vec3& p, double rotation_deg) {
   const double turn = rotation_deg * std::acos(-1.0) / 180, c = std::cos(turn), s = std::sin(turn);
   const double x = p.x - 2, y = p.y - 1;

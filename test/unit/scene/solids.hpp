@@ -11,13 +11,13 @@
 
 namespace shelfbeam::test {
 
-/// The triangles that one box or door of a scene is made of.
+/// The triangles of one box or door of a scene.
 struct Solid {
   Part part;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// The boxes and doors of a scene whose only other triangles are the twelve of its room, if it has one.
+/// The boxes and doors of a scene that has no other triangles but the twelve of its room, if it has one.
 inline std::vector<Solid> solids_of(const Scene& scene) {
   std::vector<Solid> solids;
   std::size_t next = scene.room ? 12 : 0;
@@ -36,8 +36,8 @@ inline std::vector<Solid> solids_of(const Scene& scene, PartKind kind) {
   return solids;
 }
 
-/// Whether every directed edge has exactly one partner that runs the other way: the surface is closed and its
-/// triangles are oriented alike.
+/// Whether every directed edge has exactly one opposite partner: the surface is closed, and its triangles
+/// have one orientation.
 inline bool is_closed(const Solid& solid) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const auto& t : solid.triangles)
@@ -48,7 +48,7 @@ inline bool is_closed(const Solid& solid) {
   });
 }
 
-/// By the divergence theorem: positive where the triangles look outwards.
+/// The volume by the divergence theorem; positive if the triangles face outwards.
 inline double volume(const Solid& solid, const TriangleMesh& mesh) {
   double six = 0;
   for (const auto& [a, b, c] : solid.triangles)
@@ -63,7 +63,7 @@ inline double area(const Solid& solid, const TriangleMesh& mesh) {
   return twice / 2;
 }
 
-/// Area of a polygon, positive where it runs counter-clockwise.
+/// Area of a polygon; positive if it is counter-clockwise.
 inline double signed_area(const std::vector<std::array<double, 2>>& polygon) {
   double twice = 0;
   for (std::size_t k = 0; k < polygon.size(); ++k) {

@@ -17,9 +17,7 @@ using test::Json;
 using test::TempFolder;
 namespace fs = std::filesystem;
 
-constexpr const char* refused =
-    "lies outside the folder of the store file; move it there, or allow files "
-    "outside of it";
+constexpr const char* refused = "outside the folder of the store file";
 
 class References : public testing::Test {
  protected:
@@ -58,16 +56,16 @@ TEST_F(References, OutsideAreRefusedUnlessAllowed) {
   }
 }
 
-// Whether a file is there that must not be read is not told.
+// The message does not reveal whether a forbidden file exists.
 TEST_F(References, OutsideAreRefusedWhetherOrNotTheyExist) {
   expect_input_error([&] { read("../none.obj"); }, refused);
   expect_input_error([&] { read("/etc/passwd"); }, refused);
-  expect_input_error([&] { read(""); }, "fixtures[0].file: names no file");
-  expect_input_error([&] { read(std::string("a\0.obj", 6)); }, "by a text with a zero in it");
+  expect_input_error([&] { read(""); }, "fixtures[0].file: ", "empty");
+  expect_input_error([&] { read(std::string("a\0.obj", 6)); }, "null character");
   expect_input_error([&] { read(std::string(100'000, 'a')); }, "fixtures[0].file: ");
   expect_input_error([&] { read(".."); }, refused);
   expect_input_error([&] { read("../store-2/own.obj"); }, refused);
-  expect_input_error([&] { read("../none.obj", true); }, "none.obj' does not exist");
+  expect_input_error([&] { read("../none.obj", true); }, "none.obj' ", "exist");
 }
 
 TEST_F(References, OfAnyKindAreConfined) {

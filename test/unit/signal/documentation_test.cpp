@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/signal/constraints/apart.hpp"
+#include "shelfbeam/signal/constraints/conflicts.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "support/temp_folder.hpp"
@@ -47,7 +47,7 @@ TEST(Documentation, ExamplesOfTheMatrixFormatsAreRead) {
   EXPECT_EQ(with_ids.labels[0].link_cost, 0.1);
   EXPECT_EQ(with_ids.labels[0].signal_cost, 0.01);
   forbid_pairs(with_ids, folder.write("pairs", csv[4]));
-  EXPECT_EQ(with_ids.apart.size(), 1u);
+  EXPECT_EQ(with_ids.conflicts.size(), 1u);
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ double sum(const SignalTable& table) {
   return total;
 }
 
-// Counts and sums were taken with zcat and awk. The sum of k rounded terms is within k * 2^-53 of its size.
+// Counts and sums were computed with zcat and awk. The sum of k rounded terms is within k * 2^-53 of its
+// size.
 TEST(ReferenceInstances, Thesis) {
   const auto path = instances / "thesis_s1_e0.txt.gz";
   const SignalTable table = read_signal_table(path);

@@ -8,7 +8,7 @@
 
 namespace shelfbeam::test {
 
-/// A matrix with every kind of value in it: zeros, denormals, the largest float, ids that CSV must quote.
+/// A matrix with every kind of value: zeros, denormals, the largest float, ids that CSV must quote.
 inline SignalMatrix small_matrix(std::size_t rows = 7, std::size_t columns = 5) {
   SignalMatrix matrix;
   for (std::size_t i = 0; i < rows; ++i) {

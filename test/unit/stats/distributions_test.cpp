@@ -10,7 +10,7 @@
 namespace shelfbeam {
 namespace {
 
-// Relative tolerance 1e-12: the closed forms and tables have 15 digits, the library about as many.
+// Relative tolerance 1e-12: the closed forms and tables have 15 digits, and the library about as many.
 void expect_close(double value, double reference) {
   EXPECT_NEAR(value / reference, 1, 1e-12) << reference;
 }
@@ -45,7 +45,7 @@ TEST(Distributions, StudentQuantiles) {
     for (const int degrees : {2, 4, 10, 30})
       expect_close(student_cdf(student_quantile(p, degrees), degrees), p);
   EXPECT_EQ(student_quantile(0.9, std::numeric_limits<double>::infinity()), normal_quantile(0.9));
-  // Negative control: even a million degrees of freedom are told from the normal.
+  // Negative control: even a million degrees of freedom differ from the normal distribution.
   EXPECT_GT(student_quantile(0.975, 1e6) / normal_quantile(0.975), 1 + 1e-7);
 }
 
@@ -63,7 +63,7 @@ TEST(Distributions, SidakLevel) {
   EXPECT_DOUBLE_EQ(sidak_level(0.05, 1), 0.05);
   expect_close(sidak_level(0.19, 2), 0.1);
   expect_close(sidak_level(0.271, 3), 0.1);
-  // To first order Bonferroni's, and larger; 1 - pow(1 - level, 1/n) would have lost all but four digits
+  // To first order equal to Bonferroni's, but larger; 1 - pow(1 - level, 1/n) would keep only four digits
   // here.
   const double many = sidak_level(0.01, 1e12);
   expect_close(many, -std::log1p(-0.01) / 1e12);

@@ -14,8 +14,8 @@
 namespace shelfbeam {
 namespace {
 
-// How often a test fails is binomial. With N runs at level p the count is within 4.5 standard deviations,
-// sqrt(N p (1 - p)), of N p but for 7e-6 of all seeds; the seeds here are fixed.
+// The number of failures of a test is binomial. With N runs at level p it is within 4.5 standard deviations,
+// sqrt(N p (1 - p)), of N p for all but 7e-6 of the seeds; the seeds here are fixed.
 bool is_binomial(int failures, int runs, double p) {
   return std::abs(failures - runs * p) <= 4.5 * std::sqrt(runs * p * (1 - p));
 }
@@ -38,7 +38,7 @@ TEST(ZTest, FailsAtItsLevelHoweverManyValues) {
   for (const std::size_t values : {1, 10, 100}) {
     EXPECT_TRUE(is_binomial(z_failures(values, 0.1, 0), 4000, 0.1)) << values;
   }
-  // Negative controls: the check of the rate sees another level, and the test sees one value that is off.
+  // Negative controls: the check of the rate rejects another level, and the test rejects one wrong value.
   EXPECT_FALSE(is_binomial(z_failures(10, 0.13, 0), 4000, 0.1));
   EXPECT_GT(z_failures(100, 0.1, 7), 3900);
 }
@@ -121,7 +121,7 @@ TEST(ChiSquareTest, FailsAtItsLevel) {
 }
 
 TEST(ChiSquareTest, PoolsTheSmallestCellsFirst) {
-  // 1 + 4 reach 5, then 3 cells of their own: (7-5)^2/5 + (8-10)^2/10 + (19-20)^2/20 + (31-30)^2/30.
+  // 1 + 4 are pooled to 5, and 3 cells remain: (7-5)^2/5 + (8-10)^2/10 + (19-20)^2/20 + (31-30)^2/30.
   const std::array<double, 5> counts = {31, 3, 8, 19, 4}, expected = {30, 1, 10, 20, 4};
   const ChiSquareTest test = chi_square_test(counts, expected, 0.05, 3);
   EXPECT_DOUBLE_EQ(test.statistic, 4 / 5.0 + 4 / 10.0 + 1 / 20.0 + 1 / 30.0);

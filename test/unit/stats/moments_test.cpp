@@ -32,7 +32,7 @@ TEST(Moments, OfOneToN) {
     EXPECT_NEAR(moments.mean(), (n + 1) / 2.0, 1e-11 * n);
     EXPECT_NEAR(moments.variance(), n * (n + 1) / 12.0, 1e-11 * n * n);
     EXPECT_NEAR(moments.standard_error(), std::sqrt((n + 1) / 12.0), 1e-11 * n);
-    // Negative control: 1/n instead of 1/(n-1) is out of the tolerance even for the largest n.
+    // Negative control: 1/n instead of 1/(n-1) exceeds the tolerance even for the largest n.
     EXPECT_GT(std::abs(moments.variance() - (n + 1.0) * (n - 1.0) / 12.0), 1e-11 * n * n);
   }
 }
@@ -86,7 +86,7 @@ TEST(Moments, OfLessThanTwoValues) {
 }
 
 double uniform(std::uint32_t seed, std::uint32_t k, std::uint32_t which = 0) {
-  return to_unit(philox({k, which, 0, 0}, seed)[0]);
+  return to_uniform(philox({k, which, 0, 0}, seed)[0]);
 }
 
 TEST(PowerSums, AgreeWithMomentsThatAreUpdatedOneByOne) {
@@ -114,7 +114,7 @@ TEST(PowerSums, TakeRoundingForNoSpreadAndNoSkewness) {
   EXPECT_FALSE(close.is_skewed());
 }
 
-// How often Student's 95 % intervals hold the truth, and how many are flagged.
+// The number of Student's 95 % intervals that contain the truth, and of flagged ones.
 struct Coverage {
   double all = 0, unflagged = 0, flagged = 0;
 };
@@ -141,10 +141,10 @@ Coverage coverage(std::uint32_t n, double truth, const Draw& draw) {
   return found;
 }
 
-// The normal distribution is left alone, and so is the exponential one with 77 values, whose intervals are
-// right; of values that are 1 at a chance of 1/77, whose intervals hold the truth in 63 % of the cases, all
-// runs that have met one or two are flagged (those that have met none have no error at all). 20,000 runs:
-// shares are known to 0.4 %.
+// Normal values are not flagged, and neither are 77 exponential values, whose intervals are correct. For
+// values that are 1 with probability 1/77, the intervals contain the truth in 63 % of the cases: all runs
+// with one or two such values are flagged (runs without any have no error). 20,000 runs: shares are known to
+// 0.4 %.
 TEST(PowerSums, FlagErrorsThatRestOnFewValues) {
   const auto normal = [](std::uint32_t run, std::uint32_t k) {
     return std::sqrt(-2 * std::log(1 - uniform(run, k))) * std::cos(2 * pi * uniform(run, k, 1));

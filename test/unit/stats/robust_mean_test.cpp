@@ -10,8 +10,8 @@
 namespace shelfbeam {
 namespace {
 
-// Normal values about 3 with known errors and a spread of 0.7 beside; of 20,000 values the estimates have
-// standard errors of 0.007 and 0.01.
+// Normal values about 3 with known errors and an additional spread of 0.7. For 20,000 values the estimates
+// have standard errors of 0.007 and 0.01.
 TEST(RobustMean, FindsMeanAndSpread) {
   std::mt19937_64 engine(5);
   std::normal_distribution<double> normal;
@@ -27,7 +27,8 @@ TEST(RobustMean, FindsMeanAndSpread) {
   double square = 0;
   for (const double influence : mean.influences) square += influence * influence;
   EXPECT_NEAR(std::sqrt(square), 0.0067, 0.0007) << "standard error";
-  // Every tenth value is far off: the plain mean moves by 2, this by a few tenths of a standard deviation.
+  // Every tenth value is an outlier: the plain mean moves by 2, the robust mean by a few tenths of a standard
+  // deviation.
   for (std::size_t k = 0; k < values.size(); k += 10) values[k] += 20;
   EXPECT_NEAR(robust_mean(values, errors).value, 3, 0.25);
 }

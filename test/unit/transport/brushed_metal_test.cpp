@@ -1,4 +1,4 @@
-// The first roughness of a surface is the one along its horizontal direction, on level surfaces along x.
+// The first roughness of a surface applies along its horizontal direction, on level surfaces along x.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,8 @@
 namespace shelfbeam {
 namespace {
 
-// What a label hears over one brushed side of a room, to which it and the unit look; all others are black.
+// The signal of a label by way of one brushed side of a room, which label and unit face; all other sides are
+// black.
 SignalMatrix over(const Vec3& side, double alpha_x, double alpha_y, const Vec3& unit, const Vec3& label) {
   Scene scene = test::empty_room({8, 8, 8});
   scene.materials.push_back(
@@ -50,7 +51,7 @@ TEST(BrushedMetal, FirstRoughnessIsHorizontalOnWalls) {
   EXPECT_LT(level.standard_error[0] / level.mean[0], 0.02);
   EXPECT_TRUE(same(level, over_wall(0.5, 0.1, false)));
   EXPECT_FALSE(same(level, over_wall(0.5, 0.1, true)));
-  // The same place over a floor and over a wall.
+  // The same position over a floor and over a wall.
   EXPECT_TRUE(same(level, over_floor(0.1, 0.5, true)));
 }
 

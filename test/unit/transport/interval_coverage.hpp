@@ -12,21 +12,21 @@
 #include "shelfbeam/stats/distributions.hpp"
 #include "shelfbeam/stats/moments.hpp"
 #include "shelfbeam/transport/reuse/reuse.hpp"
+#include "shelfbeam/transport/tally/analytic_direct.hpp"
 #include "shelfbeam/transport/tally/estimator.hpp"
-#include "shelfbeam/transport/tally/known_light.hpp"
 
 namespace shelfbeam::test {
 
-/// Means of entries by another estimator, and their errors. Flagged entries are compared with nothing.
+/// Means and errors of entries by another estimator. Flagged entries are not compared.
 struct Reference {
   std::vector<double> mean, error;  ///< m x n, row by row
-  std::vector<std::uint8_t> flags;  ///< the same; empty: none
+  std::vector<std::uint8_t> flags;  ///< m x n, row by row; empty without flags
 };
 
-/// How often intervals held the reference.
+/// Counts of intervals that contain the reference.
 struct CoverageCount {
   std::uint64_t pairs = 0, held = 0, beyond_3 = 0, beyond_6 = 0;
-  double worst = 0;  ///< difference in standard errors
+  double worst = 0;  ///< largest difference in standard errors
 
   void add(double z, double interval) {
     ++pairs;
@@ -48,10 +48,10 @@ struct CoverageCount {
   }
 };
 
-/// All entries of a class, and those that are not flagged.
+/// The counts of a class: of all entries, and of entries that are not flagged.
 struct ClassCoverage {
   CoverageCount all, unflagged;
-  double of_reference = 0;  ///< of the squared errors the reference's shares, summed up
+  double of_reference = 0;  ///< sum of the reference's shares of the squared errors
 
   ClassCoverage& operator+=(const ClassCoverage& other) {
     all += other.all;
@@ -60,15 +60,15 @@ struct ClassCoverage {
     return *this;
   }
   double flagged() const { return 1 - all.share(unflagged.pairs); }
-  /// Where this is large, few entries decide: all runs are compared with the same reference.
+  /// If this is large, few entries decide, because all runs are compared with the same reference.
   double reference_share() const { return all.pairs > 0 ? of_reference / static_cast<double>(all.pairs) : 0; }
 };
 
-/// By batches of a run, then by class of entry.
+/// By number of batches of a run, then by class of entry.
 using CoverageTable = std::map<std::uint32_t, std::map<std::string, ClassCoverage>>;
 
-/// What an entry is: how high the label is, how far the unit, and what share of the requirement the signal.
-/// Empty where the signal does not matter.
+/// The class of an entry by the label's height, the unit's distance and the signal's share of the
+/// requirement. Empty if the signal does not matter.
 inline std::string class_of(const Scene& scene, std::size_t i, std::size_t j, double mean) {
   const Label& label = scene.labels[i];
   const double share = mean / scene.type_of(label).requirement();
@@ -88,13 +88,13 @@ inline std::string class_of(const Scene& scene, std::size_t i, std::size_t j, do
                                    : "above 1");
 }
 
-/// Runs of so many batches, one after the other, of one estimator.
+/// Successive runs of these numbers of batches of one estimator.
 inline CoverageTable coverage_of(const Scene& scene, const World& world, const Estimator& estimator,
                                  const Reference& reference, const std::vector<std::uint32_t>& lengths,
                                  std::uint32_t batches) {
   const std::size_t n = world.emitters.size();
   const PathRules rules{.strategy = Strategy::nee, .samples_direct = false};
-  const detail::KnownLight known(world, rules, {});
+  const detail::AnalyticDirect known(world, rules, {});
   CoverageTable table;
   for (std::size_t item = 0; item < estimator.items(); ++item) {
     const Estimator::Block& block = estimator.block(item);
@@ -121,7 +121,7 @@ inline CoverageTable coverage_of(const Scene& scene, const World& world, const E
                             j = block.columns[e % block.columns.size()];
           const PowerSums found = sums[k].entry(e);
           const double mean = found.mean() + known.straight(i, j) + known.mirrored(i, j);
-          // Direct light is kept in single precision.
+          // Direct light is stored in single precision.
           const double error = std::hypot(found.standard_error(), reference.error[i * n + j], 1e-6 * mean);
           const double z = (mean - reference.mean[i * n + j]) / error;
           ClassCoverage& count = by_class[classes[e]];

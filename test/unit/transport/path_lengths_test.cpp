@@ -23,7 +23,7 @@ SignalMatrix run(const Scene& scene, SimulationOptions options, std::uint64_t sa
   return simulate(scene, options).matrix;
 }
 
-// A black room but for one wall, which label and unit see.
+// A black room except for one wall, which label and unit face.
 Scene one_wall() {
   Scene scene = test::empty_room({4, 5, 3});
   scene.materials.push_back({"white", make_lambertian(0.8)});
@@ -32,7 +32,7 @@ Scene one_wall() {
   return scene;
 }
 
-// Its single bounces by path length: the integral over the wall, by midpoints.
+// The wall's single bounces by path length: the integral over the wall, by midpoints.
 std::vector<double> over_the_wall(const Scene& scene) {
   std::vector<double> lengths(steps.count, 0.0);
   const Vec3 label = scene.labels[0].position, unit = scene.transceivers[0].position;
@@ -43,7 +43,7 @@ std::vector<double> over_the_wall(const Scene& scene) {
       const Vec3 at{room.x, (a + 0.5) / fine * room.y, (b + 0.5) / fine * room.z};
       const Vec3 in = unit - at, out = label - at;
       const double d1 = length(in), d2 = length(out);
-      const double down = in.z / d1;  // cos theta at the unit, which looks down
+      const double down = in.z / d1;  // cos theta at the unit, which points down
       if (down <= 0) continue;
       const double intensity = 2 * down * std::sqrt(1 - down * down);
       const double cosines = (-in.x / d1) * (-out.x / d2) * (-out.x / d2);  // wall, wall, label
@@ -66,8 +66,8 @@ TEST(PathLengths, OfDirectLightAreTheDistance) {
     EXPECT_EQ(matrix.by_length[k].mean[0], k == step ? matrix.mean[0] : 0) << k;
 }
 
-// Student's t of 31 degrees of freedom exceeds 5 with probability 2e-5, for each of some ten steps. The
-// control, everything a step later, is off by far more.
+// Student's t of 31 degrees of freedom exceeds 5 with probability 2e-5, for each of about ten steps. The
+// control, which shifts everything by one step, is off by far more.
 TEST(PathLengths, OfSingleBouncesAreThoseOfTheIntegral) {
   const Scene scene = one_wall();
   const SignalMatrix matrix = run(scene, {.max_bounces = 1}, 200000);
@@ -89,10 +89,10 @@ TEST(PathLengths, OfSingleBouncesAreThoseOfTheIntegral) {
   EXPECT_GT(farthest_shifted, 50);
 }
 
-// Walks that meet discs know their lengths in another way than connections. 5 standard errors of a difference
-// (chance 5e-6 at 62 degrees of freedom) are allowed in each of some 300 comparisons; steps that hold less
-// than 5 % of the signal are left out, for walks find too few discs there. The sum over all steps is the
-// signal, to single precision.
+// Walks that hit discs compute their lengths differently from connections. 5 standard errors of a difference
+// (probability 5e-6 at 62 degrees of freedom) are allowed in each of about 300 comparisons. Steps with less
+// than 5 % of the signal are omitted, because walks find too few discs there. The sum over all steps is the
+// signal within single precision.
 TEST(PathLengths, AgreeBetweenStrategiesAndAddUp) {
   test::SmallStore store;
   store.peaks = {1, 1};

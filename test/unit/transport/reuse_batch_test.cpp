@@ -1,4 +1,4 @@
-// What a batch of path reuse is, apart from its values being right.
+// Tests properties of a batch of path reuse other than its values.
 
 #include <set>
 #include <vector>
@@ -12,7 +12,8 @@
 namespace shelfbeam {
 namespace {
 
-// With discs and rectangles, so that light comes straight and over surfaces, and a mirror.
+// A store with discs and rectangles, so that light arrives directly and by way of surfaces, and with a
+// mirror.
 Scene store() {
   test::StrategyStore store;
   store.add_glossy();
@@ -58,7 +59,7 @@ TEST(ReuseBatch, GivesEveryEntryOnce) {
   EXPECT_EQ(rows, std::vector<int>(scene.labels.size(), 1));
 }
 
-// Bit for bit, whatever was sampled before and by whichever estimator of the same seed.
+// Equal bit for bit, for any previous samples and any estimator with the same seed.
 TEST(ReuseBatch, FollowsFromSeedItemAndBatchAlone) {
   const Scene scene = store();
   const World world(scene);

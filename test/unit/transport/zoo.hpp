@@ -14,19 +14,19 @@
 
 namespace shelfbeam::test {
 
-/// A small room whose standard errors are put to the test.
+/// A small room for tests of standard errors.
 struct ZooRoom {
   std::string name;
   std::string store;                   ///< text of a store file
-  Strategy reference = Strategy::nee;  ///< of the uniform estimator that converges best there
-  double reflectance = 0;              ///< the largest
+  Strategy reference = Strategy::nee;  ///< strategy of the uniform estimator that converges best there
+  double reflectance = 0;              ///< largest reflectance
   std::uint32_t effort = 4;            ///< walks or particles of the reference, relative to other rooms
   std::string folder = ".";            ///< of the files that the store names
 
   Scene scene() const { return make_scene(parse_store(store, name, folder)); }
 };
 
-/// Puts a store file together.
+/// Builds a store file.
 class ZooStore {
  public:
   using Json = nlohmann::json;
@@ -102,7 +102,7 @@ class ZooStore {
         {{"id", fmt::format("U{}", list.size())}, {"position", at}, {"axis", axis}, {"type", type}});
     return *this;
   }
-  /// A grid of units at a height, looking down.
+  /// A grid of units at a height, facing down.
   ZooStore& grid(int nx, int ny, double z, const std::string& type = "wide") {
     for (int i = 0; i < nx; ++i)
       for (int j = 0; j < ny; ++j)
@@ -117,7 +117,7 @@ class ZooStore {
   Json store_;
 };
 
-/// Rooms that span what stores may be: ceilings from 2.2 to 12 m, labels and units from a centimetre to a
+/// Rooms that span the range of stores: ceilings from 2.2 to 12 m, labels and units from a centimetre to a
 /// metre off a surface, all materials, points and discs, reflectances from 0.02 to 0.99, a corridor, a hall
 /// of 500 m, a box of half a metre.
 inline std::vector<ZooRoom> zoo() {

@@ -1,4 +1,4 @@
-// Whether the standard errors of path reuse can be trusted; bench_coverage examines many more rooms and runs.
+// Tests the standard errors of path reuse; bench_coverage examines many more rooms and runs.
 
 #include "unit/transport/zoo.hpp"
 
@@ -17,8 +17,8 @@ const test::ZooRoom& room(const std::vector<test::ZooRoom>& rooms, const std::st
   return *std::find_if(rooms.begin(), rooms.end(), [&](const auto& one) { return one.name == name; });
 }
 
-// By path reuse itself, with other random numbers: that it has no bias is shown by others (ReuseAgreement,
-// bench_coverage), and the paper's estimator would take minutes for errors as small.
+// The reference is path reuse with other random numbers. Other tests show that it has no bias
+// (ReuseAgreement, bench_coverage); the paper's estimator would take minutes for equally small errors.
 test::Reference reference(const World& world) {
   constexpr std::uint32_t seeds = 4, batches = 616;
   std::vector<PowerSums> sums(world.receivers.size() * world.emitters.size());
@@ -31,7 +31,7 @@ test::Reference reference(const World& world) {
     }
   }
   test::Reference found;
-  const std::vector<double> known = test::known_light(world);
+  const std::vector<double> known = test::analytic_direct(world);
   for (std::size_t e = 0; e < sums.size(); ++e) {
     found.mean.push_back(sums[e].mean() + known[e]);
     found.error.push_back(sums[e].standard_error());
@@ -39,7 +39,7 @@ test::Reference reference(const World& world) {
   return found;
 }
 
-// Runs of 77 batches, 10,087 first rays a label, of entries that are not flagged.
+// Coverage of runs of 77 batches, 10,087 first rays per label, for entries that are not flagged.
 test::CoverageCount coverage(const Scene& scene, const World& world, const test::Reference& known,
                              const SpotRule& rule) {
   constexpr std::uint32_t seeds = 4, batches = 77, runs = 4;
@@ -55,10 +55,9 @@ test::CoverageCount coverage(const Scene& scene, const World& world, const test:
   return count;
 }
 
-// Labels 1 to 20 cm above a floor, and boards at 5 and 10 cm in a shop of 2.2 m: 1,200 to 3,000 pairs, but
-// those of a cluster share their paths, so that shares are known to some 1 %. The control is the rule of one
-// cap for all receivers, 4 m from the unit, by which single rays from units outweigh everything that a
-// label's own find.
+// Labels 1 to 20 cm above a floor, and boards at 5 and 10 cm in a shop of 2.2 m: 1,200 to 3,000 pairs. The
+// pairs of a cluster share their paths, so shares are known to about 1 %. The control is the rule of one cap
+// for all receivers, 4 m from the unit, with which single rays from units outweigh a label's own rays.
 TEST(ZooSlow, IntervalsHoldTheTruthAboveFloors) {
   const auto rooms = test::zoo();
   for (const char* const name : {"labels above the floor", "low shop"}) {
@@ -72,7 +71,7 @@ TEST(ZooSlow, IntervalsHoldTheTruthAboveFloors) {
     EXPECT_LT(right.share(right.beyond_3), 0.012) << name;
     EXPECT_EQ(right.beyond_6, 0U) << name << ", worst " << right.worst;
     const test::CoverageCount wrong =
-        coverage(scene, world, known, {.cap_at = 4, .near = 0, .for_vertices = false});
+        coverage(scene, world, known, {.min_cap_distance = 4, .near = 0, .for_vertices = false});
     EXPECT_GT(wrong.beyond_6, 0U) << name;
     EXPECT_GT(wrong.share(wrong.beyond_3), 0.012) << name;
   }

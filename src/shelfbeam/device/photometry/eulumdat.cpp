@@ -33,7 +33,7 @@ class EulumdatReader {
     const std::size_t gamma_count = extent("the number of intensities in a C-plane");
     skip(17, "the description");  // the distance of gammas, names, sizes, flux fractions
     const double factor = number("the conversion factor");
-    if (!(factor > 0)) lines_.fail(fmt::format("the conversion factor is {}", factor), "it is positive");
+    if (!(factor > 0)) lines_.fail(fmt::format("the conversion factor is {}", factor), "it must be positive");
     skip(1, "the tilt during measurement");
     const std::size_t lamp_sets = extent("the number of sets of lamps", 0);
     skip(6 * lamp_sets, "the sets of lamps");
@@ -42,7 +42,7 @@ class EulumdatReader {
     const std::vector<double> c = angles(c_count, 360, "the C-angle");
     const std::size_t c_line = lines_.line();
     const std::vector<double> gamma = angles(gamma_count, 180, "the gamma angle");
-    if (gamma_count < 2) lines_.fail("there is one gamma angle", "at least two are needed");
+    if (gamma_count < 2) lines_.fail("there is only one gamma angle", "at least two are required");
     std::vector<Plane> planes;
     for (const double angle : stored(symmetry, c, c_line))
       planes.push_back({angle, intensities(angle, gamma_count, factor)});
@@ -51,7 +51,7 @@ class EulumdatReader {
     if (symmetry == 0) {
       if (!detail::go_around(planes))
         lines_.fail(c_line, fmt::format("the C-angles end at {}", c.back()),
-                    "without symmetry they go around the circle");
+                    "without symmetry they must cover the full circle");
       detail::close(planes);
     }
     if (symmetry >= 2) detail::unfold(planes);
@@ -64,24 +64,24 @@ class EulumdatReader {
     for (std::size_t k = 0; k < count; ++k) lines_.next(what);
   }
 
-  /// One number a line; decimals by a point or a comma.
+  /// The number on the next line, with a decimal point or comma.
   double number(std::string_view what) {
     std::string word(lines_.next(what));
     std::replace(word.begin(), word.end(), ',', '.');
     const auto value = detail::finite_number(word);
     if (!value)
-      lines_.fail(fmt::format("'{}' is no number, where {} should be", detail::quoted(word), what),
-                  "each line holds one value: check that none is missing before it");
+      lines_.fail(fmt::format("'{}' is not a number; {} is expected", detail::quoted(word), what),
+                  "check that no line is missing before it");
     return *value;
   }
 
-  /// A count of values that are still to come, a line each.
+  /// A count of values that follow, one per line.
   std::size_t extent(std::string_view what, std::size_t least = 1) {
     const std::size_t count =
         lines_.whole(number(what), least, std::numeric_limits<std::uint32_t>::max(), what);
     if (count > lines_.remaining())
       lines_.fail(fmt::format("{} is {}, but only {} lines follow", what, count, lines_.remaining()),
-                  "fetch the file again: it is truncated, or its counts are wrong");
+                  "check the counts, or download the file again if it is truncated");
     return count;
   }
 
@@ -90,22 +90,22 @@ class EulumdatReader {
     result.reserve(count);
     for (std::size_t k = 0; k < count; ++k) {
       const double angle = detail::snapped(number(what));
-      if (k == 0 && angle != 0) lines_.fail(fmt::format("{} is {}", what, angle), "angles begin at 0");
+      if (k == 0 && angle != 0) lines_.fail(fmt::format("{} is {}", what, angle), "angles must begin at 0");
       if (k > 0 && !(angle > result.back()))
-        lines_.fail(fmt::format("{} {} follows {}", what, angle, result.back()), "angles ascend");
+        lines_.fail(fmt::format("{} {} follows {}", what, angle, result.back()), "angles must ascend");
       if (angle > last)
-        lines_.fail(fmt::format("{} is {}", what, angle), fmt::format("they end at {}", last));
+        lines_.fail(fmt::format("{} is {}", what, angle), fmt::format("the maximum is {}", last));
       result.push_back(angle);
     }
     return result;
   }
 
-  /// The angles of the C-planes that the file has intensities for.
+  /// The angles of the C-planes whose intensities are in the file.
   std::vector<double> stored(std::size_t symmetry, const std::vector<double>& c, std::size_t line) const {
     const auto index_of = [&](double angle) {
       const auto found = std::find(c.begin(), c.end(), angle);
       if (found == c.end())
-        lines_.fail(line, fmt::format("symmetry {} needs a C-plane at {}", symmetry, angle),
+        lines_.fail(line, fmt::format("symmetry {} requires a C-plane at {}", symmetry, angle),
                     "check the C-angles and the symmetry");
       return found - c.begin();
     };
@@ -132,7 +132,7 @@ class EulumdatReader {
     values.reserve(std::min(count, lines_.remaining()));
     for (std::size_t k = 0; k < count; ++k) {
       const double value = number(fmt::format("an intensity of the C-plane {}", std::fmod(c, 360)));
-      if (value < 0) lines_.fail(fmt::format("an intensity is {}", value), "intensities are not negative");
+      if (value < 0) lines_.fail(fmt::format("an intensity is {}", value), "it must not be negative");
       values.push_back(value * factor);
       if (!std::isfinite(values.back()))
         lines_.fail("an intensity is not finite", "check the intensities and the conversion factor");

@@ -20,13 +20,14 @@ using detail::Plane;
 
 [[noreturn]] void bad_range(const PhotometricLines& lines, std::size_t line, const char* what, double first,
                             double last, const char* legal) {
-  lines.fail(line, fmt::format("the {} angles go from {} to {}", what, first, last), legal);
+  lines.fail(line, fmt::format("the {} angles range from {} to {}", what, first, last), legal);
 }
 
 DirectionTable type_c(IesData data, const PhotometricLines& lines) {
   const double low = data.vertical.front(), high = data.vertical.back();
   if (!((low == 0 || low == 90) && (high == 90 || high == 180)))
-    bad_range(lines, data.vertical_line, "vertical", low, high, "type C has 0 to 90, 90 to 180 or 0 to 180");
+    bad_range(lines, data.vertical_line, "vertical", low, high,
+              "type C allows 0 to 90, 90 to 180 or 0 to 180");
   std::vector<Plane>& planes = data.planes;
   const double first = planes.front().phi, last = planes.back().phi;
   if (first == 0 && last == 90) {
@@ -38,12 +39,12 @@ DirectionTable type_c(IesData data, const PhotometricLines& lines) {
     detail::close(planes);
   } else if (!(first == 0 && last == 0)) {
     bad_range(lines, data.horizontal_line, "horizontal", first, last,
-              "type C has 0 alone, 0 to 90, 0 to 180, 90 to 270 or 0 to 360");
+              "type C allows 0 alone, 0 to 90, 0 to 180, 90 to 270 or 0 to 360");
   }
   return detail::table_of_planes(data.vertical, std::move(planes));
 }
 
-/// Puts the mirror image of a row in front of it: its first value stays in the middle.
+/// Prepends the mirror image of a row; its first value becomes the middle.
 void mirror(std::vector<double>& row, double sign) {
   std::vector<double> image(row.rbegin(), row.rend() - 1);
   for (double& value : image) value *= sign;
@@ -52,7 +53,7 @@ void mirror(std::vector<double>& row, double sign) {
 
 DirectionTable type_b(IesData data, const PhotometricLines& lines) {
   const auto legal = [](double first, double last) { return (first == 0 || first == -90) && last == 90; };
-  const char* ranges = "type B has -90 to 90, or 0 to 90 where the other half is the mirror image";
+  const char* ranges = "type B allows -90 to 90, or 0 to 90 with a mirrored other half";
   std::vector<double>& vertical = data.vertical;
   std::vector<Plane>& planes = data.planes;
   if (!legal(vertical.front(), vertical.back()))

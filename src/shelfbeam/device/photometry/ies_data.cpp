@@ -29,8 +29,7 @@ bool is_tilt(std::string_view line) {
   return upper(line.substr(0, 4)) == "TILT" && trim(line.substr(4)).starts_with('=');
 }
 
-/// Reads one file; after each step `lines_` stands behind the record that
-/// errors are about.
+/// Reads one file. After each step, `lines_` is just behind the record to which errors refer.
 class IesReader {
  public:
   explicit IesReader(PhotometricLines& lines) : lines_(lines) {}
@@ -48,15 +47,15 @@ class IesReader {
   }
 
  private:
-  /// Numbers on whole lines: a record may go over several lines, but never ends inside one.
+  /// The numbers of a record. A record may span several lines, but ends at the end of a line.
   std::vector<double> record(std::size_t count, std::string_view what) {
     std::vector<double> values;
     values.reserve(count);
     while (values.size() < count) {
       add_numbers(lines_.next(what), what, values);
       if (values.size() > count)
-        lines_.fail(fmt::format("has more numbers than the {} of {}", count, what),
-                    "check the counts; a comma separates numbers, so decimals need a point");
+        lines_.fail(fmt::format("has more than {} numbers for {}", count, what),
+                    "check the counts; commas separate numbers, so decimals require a point");
     }
     return values;
   }
@@ -68,19 +67,19 @@ class IesReader {
       const std::string_view word = line.substr(0, line.find_first_of(separators));
       const auto value = finite_number(word);
       if (!value)
-        lines_.fail(fmt::format("'{}' is no number, where {} should be", quoted(word), what),
-                    "check that the line is complete and that none is missing before it");
+        lines_.fail(fmt::format("'{}' is not a number; {} is expected", quoted(word), what),
+                    "check that the line is complete and that no line is missing before it");
       values.push_back(*value);
       line.remove_prefix(word.size());
     }
   }
 
-  /// A count of numbers that are still to come: each takes a character.
+  /// A count of numbers that follow. Each takes at least one character, which limits the count.
   std::size_t extent(double value, std::string_view what) const {
     const std::size_t count = lines_.whole(value, 1, std::numeric_limits<std::uint32_t>::max(), what);
     if (count > lines_.characters())
-      lines_.fail(fmt::format("{} is {}, which is more than the file can hold", what, count),
-                  "fetch the file again: it is truncated, or its counts are wrong");
+      lines_.fail(fmt::format("{} is {}, more than the file can contain", what, count),
+                  "check the counts, or download the file again if it is truncated");
     return count;
   }
 
@@ -89,8 +88,8 @@ class IesReader {
     read_edition(line);
     while (!is_tilt(line)) {
       if (lines_.at_end())
-        lines_.fail(0, "has no line TILT=...: it is no IES (LM-63) file, or it is truncated",
-                    "an EULUMDAT file has the type 'eulumdat'");
+        lines_.fail(0, "has no TILT= line, so it is truncated or not an IES (LM-63) file",
+                    "for an EULUMDAT file, use the type 'eulumdat'");
       line = lines_.next("TILT=");
     }
     read_tilt(trim(line.substr(line.find('=') + 1)));
@@ -106,7 +105,7 @@ class IesReader {
       for (const int known : {1986, 1991, 1995, 2002, 2019})
         if (year == fmt::format("{}", known) || year == fmt::format("{:02}", known % 100)) year_ = known;
       if (year_ == 0)
-        lines_.fail(fmt::format("'{}' is no known edition of LM-63", quoted(line)),
+        lines_.fail(fmt::format("'{}' is not a known edition of LM-63", quoted(line)),
                     "known: 1986, 1991, 1995, 2002, 2019");
     }
   }
@@ -116,41 +115,41 @@ class IesReader {
     if (kind == "NONE") return;
     if (kind != "INCLUDE")
       lines_.fail(fmt::format("TILT is '{}'", quoted(value)),
-                  "NONE and INCLUDE are read; factors for the tilt only scale a profile, so write TILT=NONE");
-    // The factors scale all intensities alike, by how the unit is mounted: the shape does not depend on them.
+                  "write TILT=NONE or TILT=INCLUDE; tilt factors only scale a profile, so NONE suffices");
+    // Tilt factors depend on the mounting and scale all intensities equally, so they do not affect the shape.
     lines_.whole(record(1, "the lamp-to-luminaire geometry")[0], 1, 3, "the lamp-to-luminaire geometry");
     const std::size_t count = extent(record(1, "the number of tilt angles")[0], "the number of tilt angles");
     const std::vector<double> angles = record(count, "the tilt angles");
     if (angles.front() < 0 || angles.back() > 180 || !std::is_sorted(angles.begin(), angles.end()))
       lines_.fail("the tilt angles do not ascend within 0 to 180", "check that none is missing");
     for (const double factor : record(count, "the tilt factors"))
-      if (factor < 0) lines_.fail(fmt::format("a tilt factor is {}", factor), "factors are not negative");
+      if (factor < 0) lines_.fail(fmt::format("a tilt factor is {}", factor), "it must not be negative");
   }
 
   void read_lamp() {
     const std::vector<double> lamp = record(10, "the lamp data");
     verticals_ = extent(lamp[3], "the number of vertical angles");
     horizontals_ = extent(lamp[4], "the number of horizontal angles");
-    if (verticals_ < 2) lines_.fail("there is one vertical angle", "at least two are needed");
+    if (verticals_ < 2) lines_.fail("there is only one vertical angle", "at least two are required");
     if (horizontals_ > lines_.characters() / verticals_)
       lines_.fail(
-          fmt::format("{} x {} intensities are more than the file can hold", verticals_, horizontals_),
-          "check the counts; fetch the file again if it is truncated");
+          fmt::format("{} x {} intensities are more than the file can contain", verticals_, horizontals_),
+          "check the counts, or download the file again if it is truncated");
     const std::size_t type = lines_.whole(lamp[5], 1, 3, "the photometric type");
     if (type == 3)
-      lines_.fail("the photometric type is 3 (type A), which is not read", "convert the file to type C");
+      lines_.fail("the photometric type is 3 (type A), which is not supported", "convert the file to type C");
     data_.type = static_cast<IesData::Type>(type);
     lines_.whole(lamp[6], 1, 2, "the type of units");
 
     const std::vector<double> ballast = record(3, "the ballast data");
     const double multiplier = lamp[2];
-    // Later editions have another meaning in the place of the ballast-lamp factor.
+    // Later editions use the field of the ballast-lamp factor for another purpose.
     const double ballast_lamp = year_ <= 1991 ? ballast[1] : 1;
     factor_ = multiplier * ballast[0] * ballast_lamp;
     if (!(multiplier > 0 && ballast[0] > 0 && ballast_lamp > 0))
-      lines_.fail(fmt::format("the multiplier {} or one of the ballast factors {} and {} is not above 0",
+      lines_.fail(fmt::format("the multiplier {} or one of the ballast factors {} and {} is not positive",
                               multiplier, ballast[0], ballast_lamp),
-                  "factors are positive, and 1 where they do not matter");
+                  "factors must be positive; 1 has no effect");
   }
 
   std::vector<double> read_angles(std::string_view what, std::size_t count) {
@@ -158,7 +157,7 @@ class IesReader {
     for (double& angle : angles) angle = snapped(angle);
     for (std::size_t k = 1; k < count; ++k)
       if (!(angles[k] > angles[k - 1]))
-        lines_.fail(fmt::format("the {} {} follows {}", what, angles[k], angles[k - 1]), "angles ascend");
+        lines_.fail(fmt::format("the {} {} follows {}", what, angles[k], angles[k - 1]), "they must ascend");
     return angles;
   }
 
@@ -166,7 +165,7 @@ class IesReader {
     std::vector<double> values =
         record(verticals_, fmt::format("the intensities at horizontal angle {}", horizontal));
     for (double& value : values) {
-      if (value < 0) lines_.fail(fmt::format("an intensity is {}", value), "intensities are not negative");
+      if (value < 0) lines_.fail(fmt::format("an intensity is {}", value), "it must not be negative");
       value *= factor_;
       if (!std::isfinite(value))
         lines_.fail("an intensity is not finite", "check the intensities and the multiplier");
@@ -176,7 +175,7 @@ class IesReader {
 
   PhotometricLines& lines_;
   IesData data_;
-  int year_ = 1986;  ///< the first edition has no tag
+  int year_ = 1986;  ///< the first edition has no version tag
   std::size_t verticals_ = 0, horizontals_ = 0;
   double factor_ = 1;
 };

@@ -8,13 +8,13 @@
 
 namespace shelfbeam::detail {
 
-/// What an LM-63 file holds, as it stands there: symmetries not unfolded.
+/// The content of an LM-63 file, before symmetries are unfolded.
 struct IesData {
   enum class Type { c = 1, b = 2 };
   Type type = Type::c;
   std::vector<double> vertical;  ///< degrees, ascending
   std::vector<Plane> planes;  ///< horizontal angles in degrees, ascending; values in cd, all factors applied
-  std::size_t vertical_line = 0, horizontal_line = 0;  ///< where the angles stand
+  std::size_t vertical_line = 0, horizontal_line = 0;  ///< line numbers of the angles
 };
 
 /// Throws InputError for anything but a complete file of type C or B.

@@ -12,17 +12,17 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr std::size_t longest_text = 64'000'000;  // measured files have some kilobytes
+constexpr std::size_t max_text_bytes = 64'000'000;  // measured files have a few kilobytes
 
-// Beyond these a table is no measurement, and scaling it could overflow.
-constexpr double least_integral = 1e-15, largest_integral = 1e15;
+// A table beyond these limits is not a measurement, and scaling it could overflow.
+constexpr double min_integral = 1e-15, largest_integral = 1e15;
 
 }  // namespace
 
 PhotometricLines::PhotometricLines(std::string_view text, std::string name)
     : name_(std::move(name)), characters_(text.size()) {
-  if (text.size() > longest_text)
-    fail(0, fmt::format("has {} characters: too long for a photometric file", text.size()),
+  if (text.size() > max_text_bytes)
+    fail(0, fmt::format("has {} characters, too many for a photometric file", text.size()),
          "check that it is the right file");
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0')) text.remove_suffix(1);
@@ -49,21 +49,21 @@ std::size_t PhotometricLines::whole(double value, std::size_t low, std::size_t h
 
 std::string_view PhotometricLines::next(std::string_view what) {
   if (at_end())
-    fail(lines_.size(), fmt::format("the file ends where {} should be", what),
-         "fetch the file again: it is truncated, or its counts are wrong");
+    fail(lines_.size(), fmt::format("the file ends where {} is expected", what),
+         "check the counts, or download the file again if it is truncated");
   return lines_[next_++];
 }
 
 void PhotometricLines::expect_end() {
   while (!at_end())
     if (const std::string_view line = next(""); !line.empty() && line != "END")
-      fail(next_, fmt::format("the file goes on after its last intensity with '{}'", quoted(line)),
-           "check its counts; one file holds one luminaire");
+      fail(next_, fmt::format("the file continues after its last intensity with '{}'", quoted(line)),
+           "check its counts; a file contains one luminaire");
 }
 
 DirectionTable PhotometricLines::checked(DirectionTable table) const {
-  if (!(table.integral() >= least_integral))
-    fail(0, "emits nothing: its intensities or its multipliers are zero", "use a file with a profile");
+  if (!(table.integral() >= min_integral))
+    fail(0, "emits nothing: its intensities or multipliers are zero", "use a file with a profile");
   if (table.integral() > largest_integral)
     fail(0, fmt::format("has a flux of {:.3g}", table.integral()), "check its intensities and multipliers");
   return table;

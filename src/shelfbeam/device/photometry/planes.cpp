@@ -20,14 +20,14 @@ Plane between(const Plane& a, const Plane& b, double phi) {
   return plane;
 }
 
-/// Turns the circle so that it begins at 0.
+/// Rotates the circle of planes so that it begins at 0.
 std::vector<Plane> from_zero(std::vector<Plane> planes) {
   if (planes.front().phi == 0) return planes;
   const auto after = std::find_if(planes.begin(), planes.end(), [](const Plane& p) { return p.phi >= 360; });
   std::vector<Plane> turned{after->phi == 360 ? *after : between(*std::prev(after), *after, 360)};
   turned.insert(turned.end(), after->phi == 360 ? std::next(after) : after, planes.end());
   for (Plane& plane : turned) plane.phi -= 360;
-  // The last of these is the plane that the circle began with.
+  // The first original plane is skipped, because its copy 360 degrees later is already the last of `turned`.
   turned.insert(turned.end(), std::next(planes.begin()), after);
   turned.push_back({360, turned.front().values});
   return turned;

@@ -22,13 +22,13 @@ double fresnel_conductor(double cos_i, double eta, double k);
 
 namespace detail {
 
-/// Mirrors `w` about the unit normal `h`.
+/// Mirrors `w` about the unit-length normal `h`.
 constexpr Vec3 reflected(const Vec3& w, const Vec3& h) {
   return h * (2 * dot(w, h)) - w;
 }
 
-/// Snell's law: where light that leaves the boundary along `w` (w . h > 0) came from beyond it; `eta` is the
-/// index there over the index at `w`. Nothing under total internal reflection.
+/// Snell's law: the direction beyond the boundary from which light comes that leaves along `w` (w . h > 0).
+/// `eta` is the index beyond the boundary over the index at `w`. Nothing under total internal reflection.
 inline std::optional<Vec3> refracted(const Vec3& w, const Vec3& h, double eta) {
   const double cos_i = dot(w, h);
   const double sin2_t = (1 - cos_i * cos_i) / (eta * eta);
@@ -39,21 +39,21 @@ inline std::optional<Vec3> refracted(const Vec3& w, const Vec3& h, double eta) {
 /// Throws std::invalid_argument unless low <= value <= high: "ior is 0.9, must be from 1 to 4".
 inline void require_range(std::string_view what, double value, double low, double high) {
   if (!(value >= low && value <= high))
-    throw std::invalid_argument(fmt::format("{} is {}, must be from {} to {}", what, value, low, high));
+    throw std::invalid_argument(fmt::format("{} is {}; it must be from {} to {}", what, value, low, high));
 }
 
-inline constexpr double largest_ior = 4;  ///< germanium; a misplaced decimal point is larger
+inline constexpr double largest_ior = 4;  ///< germanium; detects a misplaced decimal point
 
-/// Draws a mirror image of `known` in a facet that it sees, which reflects fresnel(cosine to its normal).
+/// Samples a facet and mirrors `wo` in it; the facet reflects the share fresnel(cosine to its normal).
 template <class Fresnel>
-std::optional<ScatterSample> sample_reflection(const Microfacets& facets, const Vec3& known, double u1,
+std::optional<ScatterSample> sample_reflection(const Microfacets& facets, const Vec3& wo, double u1,
                                                double u2, const Fresnel& fresnel) {
-  const Vec3 h = facets.sample(known, u1, u2);
-  const Vec3 direction = reflected(known, h);
-  const double cosine = dot(known, h);
+  const Vec3 h = facets.sample(wo, u1, u2);
+  const Vec3 direction = reflected(wo, h);
+  const double cosine = dot(wo, h);
   if (cosine <= 0 || direction.z <= 0) return std::nullopt;
-  return ScatterSample{direction, fresnel(cosine) * facets.weight(known, direction, h),
-                       facets.reflection_pdf(known, h)};
+  return ScatterSample{direction, fresnel(cosine) * facets.weight(wo, direction, h),
+                       facets.reflection_pdf(wo, h)};
 }
 
 }  // namespace detail

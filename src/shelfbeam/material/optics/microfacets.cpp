@@ -11,7 +11,7 @@ namespace shelfbeam {
 
 namespace {
 
-// (alpha tan theta)^2 of a direction, with alpha taken in its azimuth.
+// (alpha tan theta)^2 of a direction, with the alpha of its azimuth.
 double stretched_tan2(const Microfacets& m, const Vec3& w) {
   const double x = m.alpha_x * w.x, y = m.alpha_y * w.y;
   return (x * x + y * y) / (w.z * w.z);
@@ -22,7 +22,7 @@ double smith_beckmann(double a, bool rational) {
   return 2 / (1 + std::erf(a) + std::exp(-a * a) / (a * std::sqrt(pi)));
 }
 
-// Facet with slope `r` times alpha in azimuth `phi` of the stretched space, in which both distributions are
+// Facet with slope `r` times alpha at azimuth `phi` of the stretched space, which makes both distributions
 // isotropic.
 Vec3 facet(const Microfacets& m, double r, double phi) {
   return normalized({m.alpha_x * r * std::cos(phi), m.alpha_y * r * std::sin(phi), 1});
@@ -94,9 +94,9 @@ double Microfacets::weight(const Vec3& w, const Vec3& s, const Vec3& h) const {
 
 double Microfacets::integrate(const Vec3& w, const std::function<double(const Vec3& h)>& value,
                               int slopes) const {
-  // Midpoints in the numbers of (2.33) to (2.36), drawn together where the integrand bends. Slopes: u1 =
-  // step(t), a polynomial whose first three derivatives vanish at both ends; many points lie among the steep
-  // facets. Azimuths: cubic about the facets that `w` sees edge on.
+  // Midpoint rule in the random numbers of (2.33) to (2.36), with more points where the integrand bends.
+  // Slopes: u1 = step(t), a polynomial with zero first three derivatives at both ends, which puts many points
+  // on steep facets. Azimuths: a cubic about the facets that `w` sees edge on.
   const auto step = [](double t) { return t * t * t * t * (35 + t * (-84 + t * (70 - 20 * t))); };
   const int azimuths = slopes / 2;
   const double towards = std::atan2(alpha_y * w.y, alpha_x * w.x);
@@ -126,7 +126,7 @@ Microfacets make_microfacets(FacetDistribution distribution, double alpha_x, dou
   if (distribution != FacetDistribution::ggx && sampling == FacetSampling::visible)
     throw std::invalid_argument("visible normals are only sampled for ggx");
   if (distribution != FacetDistribution::beckmann && masking == Masking::smith_rational)
-    throw std::invalid_argument("the rational masking approximates beckmann; ggx has its exact one");
+    throw std::invalid_argument("the rational masking is only defined for beckmann");
   return {distribution, alpha_x, alpha_y, masking, sampling};
 }
 

@@ -6,18 +6,17 @@
 
 namespace shelfbeam {
 
-/// What a number of units can do: some selection of at most so many meets at least so many labels, and none
-/// meets more than at most so many.
+/// Bounds on the number of labels that at most `units` units can reach.
 struct CurvePoint {
   std::size_t units = 0;
-  std::size_t at_least = 0;  ///< labels
-  std::size_t at_most = 0;   ///< labels, proven
+  std::size_t at_least = 0;  ///< labels; some selection reaches this many
+  std::size_t at_most = 0;   ///< labels; proven upper bound
 };
 
-struct ReachCurve {
-  std::vector<CurvePoint> points;       ///< one for every number of units; neither column falls
-  std::vector<std::uint32_t> selected;  ///< the fewest units seen that meet every label; ascending
-  bool is_complete = true;              ///< no interruption and no limit cut it short
+struct CoverageCurve {
+  std::vector<CurvePoint> points;       ///< one per number of units; neither bound falls
+  std::vector<std::uint32_t> selected;  ///< smallest selection seen that reaches every label; ascending
+  bool is_complete = true;              ///< no interruption or limit cut the curve short
 };
 
 }  // namespace shelfbeam

@@ -5,11 +5,11 @@
 
 #include "shelfbeam/base/names.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam {
 
-// The words for questions and answers on the command line and in placement.json.
+// Names of problem and result values on the command line and in placement.json.
 
 template <>
 inline constexpr auto names_of<CommunicationModel> =

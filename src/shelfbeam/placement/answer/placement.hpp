@@ -7,93 +7,91 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam {
 
 enum class Status {
-  optimal,     ///< proven
-  feasible,    ///< every label is met; nothing is claimed about the rest (greedy)
-  infeasible,  ///< proven: see `unreachable`
-  /// A limit or an interruption came first, the solver failed, or no way was found to begin with: best
-  /// selection, if there is any, and bound so far.
+  optimal,     ///< proven optimal
+  feasible,    ///< every label is reached; no claim of optimality (greedy)
+  infeasible,  ///< proven infeasible: see `unreachable`
+  /// A limit, an interruption or a solver failure came first, or no first selection was found: the incumbent,
+  /// if any, and the bound.
   stopped
 };
 
-/// What stands behind a lower bound.
+/// The proof of a lower bound.
 enum class BoundProof {
-  trivial,  ///< installed units, one more where a label is unmet, the cheapest of so many
-  dual,     ///< multipliers of rows, added up again from the table without the solver that found them
-  log,      ///< the log of an exhaustive search, checked step by step from the table without the search
-  search,   ///< an exhaustive search whose log was too long to be checked
-  solver    ///< the word of a MIP solver
+  trivial,  ///< no search: installed units, one more if they miss a label, costs of the cheapest units
+  dual,     ///< multipliers, summed again from the table, independent of the solver that found them
+  log,      ///< log of a tree search, verified step by step from the table
+  search,   ///< tree search whose log was too long to verify
+  solver    ///< MIP solver, not verified independently
 };
 
 struct Unreachable {
   std::uint32_t label = 0;
   double requirement = 0;
-  double most = 0;  ///< Mounts::most_signal
+  double most = 0;  ///< Mounts::max_signal
 };
 
-/// An answer. Indices refer to the table it was computed from; `selected` is in ascending order and holds
-/// every installed unit. An infeasible question has no selection and infinite values; a stopped one for which
-/// none was found has no selection and an infinite objective_value.
+/// The result of `place`. Indices refer to the table; `selected` is ascending and contains every installed
+/// unit. An infeasible problem has no selection and infinite values. A stopped result without a selection has
+/// an infinite objective_value.
 struct Placement {
-  Question question;
+  PlacementProblem problem;
   Status status = Status::stopped;
   std::vector<std::uint32_t> selected;
-  double count_lower_bound = 0;  ///< proven: no selection that meets every label has fewer units
-  double objective_value = 0;    ///< count; the second objective (lexicographic); or the whole sum (weighted)
-  /// Proven, of objective_value. Lexicographic: of the second objective among the selections with the fewest
-  /// units; while their number is not proven, the cheapest count_lower_bound units.
+  double count_lower_bound = 0;  ///< proven: every feasible selection has at least this many units
+  double objective_value = 0;    ///< count; second objective (lexicographic); or whole sum (weighted)
+  /// Proven lower bound on objective_value. Lexicographic: on the second objective among selections of the
+  /// minimum count; before that count is proven, the cost of the cheapest count_lower_bound units.
   double lower_bound = 0;
-  BoundProof bound_proof = BoundProof::trivial;  ///< of lower_bound, and of count_lower_bound
-  /// Of all placements with this value (up to 1e-12 of it) this has the largest smallest margin, of these the
-  /// fewest units, and its ids, in order, come first among those: the same for any number of threads.
+  BoundProof bound_proof = BoundProof::trivial;  ///< of lower_bound and of count_lower_bound
+  /// Tie rule: among all selections T of this value (within 1e-12 of it), `selected` has the largest minimum
+  /// margin, max_T min_i S_i / (gamma_i tau_i), then the fewest units, then the ids that come first in order.
   bool ties_settled = false;
-  bool unit_costs = false;          ///< no cost was given for the objective, so each link or signal counted 1
+  bool unit_costs = false;          ///< no costs were given for the objective, so each link or signal costs 1
   double min_spacing = 0;           ///< m; SignalTable::min_spacing
-  std::size_t forbidden_pairs = 0;  ///< candidates that must not be chosen together: SignalTable::apart
-  /// Labels that no selection meets. Infeasible without any: each could be met, but not all by one selection,
-  /// because candidates exclude one another (Mounts).
+  std::size_t forbidden_pairs = 0;  ///< number of SignalTable::conflicts
+  /// Labels that no selection reaches. An infeasible problem without any has conflicts that prevent one
+  /// selection from reaching all labels.
   std::vector<Unreachable> unreachable;
-  /// "search", "search with highs 1.10.0" (the back end that solved its linear programs or a MIP), "greedy",
-  /// name and version of the MIP back end, or empty: labels are unreachable, which needs no solver.
+  /// "search", "search with highs 1.10.0" (the back end of its LPs or MIP), "greedy", or name and version of
+  /// the MIP back end. Empty if labels are unreachable, because no solver ran.
   std::string solver;
   double seconds = 0;  ///< wall time
 
   std::size_t count() const { return selected.size(); }
-  /// There is a selection; it may be that of no units, where there are no labels.
+  /// A selection exists; it is empty if there are no labels and no installed units.
   bool has_selection() const { return objective_value < std::numeric_limits<double>::infinity(); }
-  /// (incumbent - bound) / incumbent of the objective value; 0 when proven, infinite without a selection.
+  /// (objective_value - lower_bound) / objective_value; 0 when proven, infinite without a selection.
   double gap() const;
 };
 
 enum class SolverChoice {
-  automatic,  ///< the search, which leaves to a MIP back end what that is better at
-  search,  ///< the search alone: a back end solves its linear programs, whose bounds are added up again, but
-           ///< no part of the answer or of its proof is a MIP solver's
-  mip,     ///< a MIP back end alone
-  greedy   ///< the paper's heuristic, with bounds that need no search
+  automatic,  ///< the whole schedule, with a MIP back end for the cases that suit it
+  search,     ///< no MIP: selection and proof depend on no solver (LP bounds are summed again)
+  mip,        ///< a MIP back end alone
+  greedy      ///< the paper's greedy method, with bounds that need no search
 };
 
 struct PlaceOptions {
   SolverChoice solver = SolverChoice::automatic;
-  std::string backend = {};  ///< MIP back end by name; empty: the preferred one, the next where it fails
+  std::string backend = {};  ///< MIP back end by name; empty: the preferred one, then the next if it fails
   double time_limit_s = 60;
-  /// Instead of the time: each part of the search ends after so many steps, which are moves of a local
-  /// search, nodes of a tree or of a MIP. With one thread the answer is the same on every machine, busy or
-  /// not.
+  /// Replaces the time limit: each stage of the search ends after this many steps (moves of a local search,
+  /// nodes of a tree or of a MIP). With one thread the result is then the same on every machine.
   std::optional<std::uint64_t> step_limit = {};
-  /// Of the local search, which alone draws random numbers; no proven value depends on it.
+  /// Seed of the local search, the only user of random numbers. Proven values do not depend on it.
   std::uint64_t seed = 1;
-  bool settles_ties = true;  ///< false: any placement of the best value will do
+  bool settles_ties = true;  ///< false: any selection of the best value is accepted
 };
 
-/// Answers the question for a table. Every returned selection has passed the checker (checker.hpp). Costs
-/// must be finite and not negative. Throws InputError when a label has no requirement or the back end is
+/// Solves the placement problem for a table. Every returned selection has passed the checker (checker.hpp).
+/// Costs must be finite and not negative. Throws InputError if a label has no requirement or the back end is
 /// unknown.
-Placement place(const SignalTable& table, const Question& question, const PlaceOptions& options,
+Placement place(const SignalTable& table, const PlacementProblem& problem, const PlaceOptions& options,
                 const RunControl& control = {});
 
 }  // namespace shelfbeam

@@ -9,12 +9,12 @@ namespace shelfbeam {
 std::vector<ScenarioMargin> scenario_margins(const SignalTable& table, const Placement& placement) {
   std::vector<ScenarioMargin> margins;
   if (table.scenarios.empty() || !placement.has_selection()) return margins;
-  const std::vector<double> signal = check_selection(table, placement.question, placement.selected).signal;
+  const std::vector<double> signal = check_selection(table, placement.problem, placement.selected).signal;
   for (std::size_t k = 0; k < table.scenarios.size(); ++k) {
     const SignalTable::Scenario& scenario = table.scenarios[k];
     ScenarioMargin least{k, std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = scenario.first; i < scenario.first + scenario.labels; ++i) {
-      const double margin = signal[i] / requirement_of(table.labels[i], placement.question.model);
+      const double margin = signal[i] / requirement_of(table.labels[i], placement.problem.model);
       if (margin < least.smallest_margin) least = {k, margin, static_cast<std::uint32_t>(i)};
     }
     margins.push_back(least);
@@ -22,9 +22,9 @@ std::vector<ScenarioMargin> scenario_margins(const SignalTable& table, const Pla
   return margins;
 }
 
-std::vector<Critical> critical_units(const SignalTable& table, const Question& question,
+std::vector<Critical> critical_units(const SignalTable& table, const PlacementProblem& problem,
                                      const std::vector<std::uint32_t>& selected) {
-  Question nothing_fails = question;
+  PlacementProblem nothing_fails = problem;
   nothing_fails.redundant = false;
   std::vector<std::size_t> place(table.columns(), 0);
   std::vector<bool> working(table.columns(), false);
@@ -36,7 +36,7 @@ std::vector<Critical> critical_units(const SignalTable& table, const Question& q
   }
   std::vector<SignalEntry> heard;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
-    const double requirement = requirement_of(table.labels[i], question.model);
+    const double requirement = requirement_of(table.labels[i], problem.model);
     heard.clear();
     for (const SignalEntry& entry : table.row(i))
       if (working[entry.transceiver]) heard.push_back(entry);

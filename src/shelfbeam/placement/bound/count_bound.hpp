@@ -6,23 +6,28 @@
 
 namespace shelfbeam::detail {
 
-/// The fewest units of an answer, bounded from below.
+/// A proven lower bound on the count.
 struct CountBound {
-  std::size_t count = 0;  ///< no answer has fewer units
-  LpBound relaxation;     ///< of the count, whatever it is
-  bool complete = false;  ///< none of the linear programs of at most k units ended with the time
+  std::size_t count = 0;  ///< no feasible selection has fewer units
+  LpBound relaxation;     ///< of the count without a limit
+  bool complete = false;  ///< the time limit ended no LP
 };
 
-/// The LP bound of the count, rounded up to k; then, as long as the LP bound of the answers of at most k
-/// units exceeds k, which says that there are none, or `needs_more` shows it by cases, k + 1.
-CountBound count_bound(const SignalTable& table, const Question& question, const milp::Backend& backend,
-                       double time_limit_s, const RunControl& control);
+/// The LP bound on the count, rounded up to k. While the LP bound for selections of at most k units exceeds
+/// k, which proves that there are none, or `prove_count_exceeds` proves it, k becomes k + 1.
+CountBound count_bound(const SignalTable& table, const PlacementProblem& problem,
+                       const milp::Backend& backend, double time_limit_s, const RunControl& control);
 
-/// Whether all answers have more than `most` units, shown by cases where `open`, the LP bound of the answers
-/// of at most so many, falls short of it by little: either some unit gives a label the share t or more, or
-/// none does; each case has its own LP bound, and is divided again where that is not enough. Ends after some
-/// cases, with the time or when cancelled; false where nothing was shown.
-bool needs_more(const SignalTable& table, const Question& question, const milp::Backend& backend,
-                std::size_t most, const LpBound& open, double time_limit_s, const RunControl& control);
+/// Proves by cases that every feasible selection has more than `most` units, if `open`, the LP bound for at
+/// most that many, falls short by at most a half. Either some unit contributes the share t or more to label
+/// i, or none does:
+///
+///   sum_{j: a_ij >= t} T_j >= 1      or      T_j = 0 for every j with a_ij >= t.
+///
+/// Each case has its own LP bound and is divided again if required. Ends after 64 cases, at the time limit or
+/// when cancelled; false if nothing was proven.
+bool prove_count_exceeds(const SignalTable& table, const PlacementProblem& problem,
+                         const milp::Backend& backend, std::size_t most, const LpBound& open,
+                         double time_limit_s, const RunControl& control);
 
 }  // namespace shelfbeam::detail

@@ -14,7 +14,7 @@ namespace shelfbeam::detail {
 
 namespace {
 
-// A label, and the columns that give it a share or more.
+// A label and the columns that contribute at least the share t to it.
 struct Split {
   BoundRow row;
   std::vector<std::uint32_t> strong;
@@ -22,19 +22,19 @@ struct Split {
 
 class Cases {
  public:
-  Cases(const SignalTable& table, const Question& question, const milp::Backend& backend, std::size_t most,
-        double time_limit_s, const RunControl& control)
+  Cases(const SignalTable& table, const PlacementProblem& problem, const milp::Backend& backend,
+        std::size_t most, double time_limit_s, const RunControl& control)
       : table_(table),
-        question_(question),
+        problem_(problem),
         backend_(backend),
         most_(most),
         enough_(static_cast<double>(most) + 1e-6),
         deadline_(time_limit_s),
         control_(control),
-        cover_(table, question, most),
+        cover_(table, problem, most),
         ones_(table.columns(), 1.0) {}
 
-  // Whether no answer is left among those that `open` bounds, which lack `without`.
+  // True if no selection without the columns `without` remains; `open` is the LP bound of these selections.
   bool close(const LpBound& open, const std::vector<std::uint32_t>& without) {
     if (open.dual.bound >= enough_) return true;
     if (open.x.empty()) return false;
@@ -49,10 +49,10 @@ class Cases {
   }
 
  private:
-  static constexpr int most_cases = 64;
+  static constexpr int max_cases = 64;
   static constexpr double deepest = 5;  // levels
 
-  // Whether some label cannot be met without these columns.
+  // True if some label cannot be reached without these columns.
   bool is_empty(const LpBound& open, const std::vector<std::uint32_t>& without) const {
     constexpr double rounding = 1e-9;
     std::vector<bool> is_out(table_.columns(), false);
@@ -67,21 +67,21 @@ class Cases {
   bool close_case(const LpBound& open, std::vector<BoundRow> rows,
                   const std::vector<std::uint32_t>& without) {
     const double left = deadline_.seconds_left();
-    if (left <= 0 || control_.cancelled() || ++cases_ > most_cases) return false;
+    if (left <= 0 || control_.cancelled() || ++cases_ > max_cases) return false;
     control_.report("bound", -1, fmt::format("at most {} units, case {}", most_, cases_));
-    const LpBound bound = lp_bound(table_, question_, ones_, backend_,
+    const LpBound bound = lp_bound(table_, problem_, ones_, backend_,
                                    {.time_limit_s = left,
                                     .enough = enough_,
                                     .answers = {.most = most_, .without = without},
                                     .rows = std::move(rows)},
                                    {control_.threads, control_.cancel});
     if (bound.dual.bound >= enough_) return true;
-    // Given up where it would take more than `deepest` further levels at this pace.
+    // Gives up if more than `deepest` further levels would be required at this pace.
     const double gained = bound.dual.bound - open.dual.bound, lacking = enough_ - bound.dual.bound;
     return bound.complete && lacking <= deepest * gained && close(bound, without);
   }
 
-  // Of the labels with multipliers, one whose strong columns have about half a unit in the LP.
+  // The label with the largest multipliers for which some t satisfies 0.5 <= sum_{j: a_ij >= t} x_j <= 0.8.
   std::optional<Split> best_split(const LpBound& open) const {
     std::vector<double> weight(table_.rows(), 0.0);
     for (std::size_t k = 0; k < open.rows.size(); ++k) weight[open.rows[k].label] += open.y[k];
@@ -98,7 +98,7 @@ class Cases {
   }
 
   std::optional<Split> halved(std::uint32_t label, const std::vector<double>& x) const {
-    constexpr double least_part = 0.5, most_part = 0.8;
+    constexpr double min_part = 0.5, max_part = 0.8;
     struct Term {
       double a = 0;
       std::uint32_t column = 0;
@@ -109,11 +109,11 @@ class Cases {
               [](const Term& s, const Term& t) { return s.a != t.a ? s.a > t.a : s.column < t.column; });
     double sum = 0;
     std::size_t count = 0;
-    while (count < terms.size() && sum < least_part) {
+    while (count < terms.size() && sum < min_part) {
       const double a = terms[count].a;
       while (count < terms.size() && terms[count].a == a) sum += x[terms[count++].column];
     }
-    if (!(sum >= least_part && sum <= most_part)) return std::nullopt;
+    if (!(sum >= min_part && sum <= max_part)) return std::nullopt;
     Split split;
     split.row.label = label;
     split.row.strongest = terms[count - 1].a;
@@ -122,7 +122,7 @@ class Cases {
   }
 
   const SignalTable& table_;
-  const Question& question_;
+  const PlacementProblem& problem_;
   const milp::Backend& backend_;
   std::size_t most_;
   double enough_;
@@ -135,11 +135,12 @@ class Cases {
 
 }  // namespace
 
-bool needs_more(const SignalTable& table, const Question& question, const milp::Backend& backend,
-                std::size_t most, const LpBound& open, double time_limit_s, const RunControl& control) {
-  constexpr double most_lacking = 0.5;
-  if (open.dual.bound < static_cast<double>(most) - most_lacking) return false;
-  return Cases(table, question, backend, most, time_limit_s, control).close(open, {});
+bool prove_count_exceeds(const SignalTable& table, const PlacementProblem& problem,
+                         const milp::Backend& backend, std::size_t most, const LpBound& open,
+                         double time_limit_s, const RunControl& control) {
+  constexpr double max_lacking = 0.5;
+  if (open.dual.bound < static_cast<double>(most) - max_lacking) return false;
+  return Cases(table, problem, backend, most, time_limit_s, control).close(open, {});
 }
 
 }  // namespace shelfbeam::detail

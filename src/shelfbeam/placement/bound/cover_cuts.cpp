@@ -10,9 +10,9 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr double least_violation = 1e-3;
-constexpr double least_lack = 1e-3;  // BoundRowReader says nothing below
-constexpr double least_x = 1e-9;
+constexpr double min_violation = 1e-3;
+constexpr double min_lack = 1e-3;  // BoundRowReader returns no row below
+constexpr double min_x = 1e-9;
 
 struct Cut {
   BoundRow row;
@@ -28,7 +28,7 @@ struct Term {
 std::vector<Term> terms_of(std::uint32_t label, const CoverRows& cover, std::span<const double> x) {
   std::vector<Term> terms;
   cover.for_entries(label, [&](std::uint32_t j, double a) {
-    if (x[j] > least_x) terms.push_back({j, a, x[j]});
+    if (x[j] > min_x) terms.push_back({j, a, x[j]});
   });
   return terms;
 }
@@ -42,7 +42,7 @@ Cut best_cover(std::uint32_t label, const CoverRows& cover, std::span<const doub
   double lacking = cover.bound();
   for (std::size_t k = 0; k < terms.size(); ++k) {
     lacking -= terms[k].a;
-    if (lacking < 2 * least_lack) break;
+    if (lacking < 2 * min_lack) break;
     double sum = 0;
     for (std::size_t l = k + 1; l < terms.size(); ++l)
       sum += std::min(1.0, terms[l].a / lacking) * terms[l].x;
@@ -56,13 +56,13 @@ Cut best_cover(std::uint32_t label, const CoverRows& cover, std::span<const doub
 }
 
 Cut best_share(std::uint32_t label, const CoverRows& cover, std::span<const double> x,
-               std::size_t most_units) {
+               std::size_t max_units) {
   constexpr int shares = 24;
   const std::vector<Term> terms = terms_of(label, cover, x);
-  const auto units = static_cast<double>(most_units);
+  const auto units = static_cast<double>(max_units);
   Cut best{{label, {}, 0}, 0};
   for (int k = 1; k <= shares; ++k) {
-    // What all units together give below the share grows evenly up to nearly everything.
+    // s K, the contribution of all units below the share, grows evenly up to nearly the whole bound.
     const double below = cover.bound() * k / (shares + 0.25);
     const double share = below / units;
     const double lacking = cover.bound() - below;
@@ -77,13 +77,13 @@ Cut best_share(std::uint32_t label, const CoverRows& cover, std::span<const doub
 }
 
 template <class Separate>
-std::vector<BoundRow> most_violated(std::span<const std::uint32_t> labels, std::size_t most,
-                                    Separate separate) {
+std::vector<BoundRow> max_violated(std::span<const std::uint32_t> labels, std::size_t most,
+                                   Separate separate) {
   std::vector<Cut> cuts(labels.size());
-  for_parts(labels.size(), [&](std::size_t first, std::size_t last) {
+  parallel_for_ranges(labels.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) cuts[k] = separate(labels[k]);
   });
-  std::erase_if(cuts, [](const Cut& cut) { return cut.violation < least_violation; });
+  std::erase_if(cuts, [](const Cut& cut) { return cut.violation < min_violation; });
   std::stable_sort(cuts.begin(), cuts.end(),
                    [](const Cut& a, const Cut& b) { return a.violation > b.violation; });
   cuts.resize(std::min(cuts.size(), most));
@@ -95,20 +95,20 @@ std::vector<BoundRow> most_violated(std::span<const std::uint32_t> labels, std::
 
 }  // namespace
 
-std::vector<BoundRow> cover_cuts(const SignalTable& table, const Question& question,
+std::vector<BoundRow> cover_cuts(const SignalTable& table, const PlacementProblem& problem,
                                  std::span<const std::uint32_t> labels, std::span<const double> x,
                                  std::size_t most) {
-  const CoverRows cover(table, question);
-  return most_violated(labels, most, [&](std::uint32_t label) { return best_cover(label, cover, x); });
+  const CoverRows cover(table, problem);
+  return max_violated(labels, most, [&](std::uint32_t label) { return best_cover(label, cover, x); });
 }
 
-std::vector<BoundRow> share_cuts(const SignalTable& table, const Question& question, std::size_t most_units,
-                                 std::span<const std::uint32_t> labels, std::span<const double> x,
-                                 std::size_t most) {
-  if (most_units == 0) return {};
-  const CoverRows cover(table, question, most_units);
-  return most_violated(labels, most,
-                       [&](std::uint32_t label) { return best_share(label, cover, x, most_units); });
+std::vector<BoundRow> share_cuts(const SignalTable& table, const PlacementProblem& problem,
+                                 std::size_t max_units, std::span<const std::uint32_t> labels,
+                                 std::span<const double> x, std::size_t most) {
+  if (max_units == 0) return {};
+  const CoverRows cover(table, problem, max_units);
+  return max_violated(labels, most,
+                      [&](std::uint32_t label) { return best_share(label, cover, x, max_units); });
 }
 
 }  // namespace shelfbeam::detail

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A mounting point that no unit is installed at, or a column with a point of its own.
+/// A mounting point without an installed unit, or a column with a mounting point of its own.
 struct Point {
   std::vector<std::uint32_t> options;
-  double least = infinite;  ///< r_j of its best option
+  double least = infinite;  ///< smallest r_j of its options
 };
 
 Point make_point(std::vector<std::uint32_t> options, const std::vector<double>& reduced_cost) {
@@ -23,8 +23,8 @@ Point make_point(std::vector<std::uint32_t> options, const std::vector<double>& 
   return {std::move(options), least};
 }
 
-/// The units that may be chosen: points without an installed unit. Adds the installed ones to the bound and
-/// rules out the other options of their points.
+/// The mounting points without an installed unit. Adds the installed units to the bound and excludes the
+/// other options of their points.
 std::vector<Point> free_points(const SignalTable& table, const std::vector<std::uint32_t>& without,
                                DualBound& dual) {
   std::vector<Point> points;
@@ -55,7 +55,7 @@ std::vector<Point> free_points(const SignalTable& table, const std::vector<std::
   return points;
 }
 
-/// Adds the points that are taken to the bound; `if_chosen` becomes what a column adds to it.
+/// Adds the taken points to the bound and sets `if_chosen` to the increase that each column causes.
 void take_points(std::vector<Point> points, std::size_t least, std::size_t most, DualBound& dual) {
   std::stable_sort(points.begin(), points.end(),
                    [](const Point& a, const Point& b) { return a.least < b.least; });
@@ -69,7 +69,7 @@ void take_points(std::vector<Point> points, std::size_t least, std::size_t most,
     const Point& point = points[k];
     const bool is_taken = k < taken;
     if (is_taken) dual.bound += point.least;
-    // Where a further unit would be one too many, or one more than is needed, it replaces the last.
+    // If the count is at its maximum, or at a minimum that forces units, a further unit replaces the last.
     const bool replaces = taken == most || (taken == least && negative < least);
     for (const std::uint32_t j : point.options) {
       const double r = dual.reduced_cost[j];
@@ -83,12 +83,13 @@ void take_points(std::vector<Point> points, std::size_t least, std::size_t most,
 
 }  // namespace
 
-DualBound dual_bound(const SignalTable& table, const Question& question, std::span<const BoundRow> rows,
-                     std::span<const double> y, std::span<const double> cost, const AnswerSet& answers) {
+DualBound dual_bound(const SignalTable& table, const PlacementProblem& problem,
+                     std::span<const BoundRow> rows, std::span<const double> y, std::span<const double> cost,
+                     const AnswerSet& answers) {
   const std::size_t n = table.columns();
   DualBound dual{0, std::vector<double>(n, 0.0), {}};
   std::vector<double> weight(n, 0.0);  // sum_i y_i a_ij
-  BoundRowReader reader(table, question, answers.most);
+  BoundRowReader reader(table, problem, answers.most);
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (y[k] > 0 && std::isfinite(y[k]))
       dual.bound += y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });

@@ -20,19 +20,19 @@ constexpr double row_tolerance = 1e-6;
 
 class RowGeneration {
  public:
-  RowGeneration(const SignalTable& table, const Question& question, std::span<const double> cost,
+  RowGeneration(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
                 const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control)
       : deadline_(options.time_limit_s),
         table_(table),
-        question_(question),
+        problem_(problem),
         cost_(cost),
         options_(options),
         control_(control),
-        reader_(table, question, options.answers.most),
-        pricing_(table, question, options.answers.most),
+        reader_(table, problem, options.answers.most),
+        pricing_(table, problem, options.answers.most),
         lp_(load(table, cost, backend, options)),
         is_row_(table.rows(), false) {
-    result_.dual = dual_bound(table, question, {}, {}, cost, options.answers);
+    result_.dual = dual_bound(table, problem, {}, {}, cost, options.answers);
   }
 
   LpBound run() {
@@ -51,8 +51,8 @@ class RowGeneration {
   }
 
  private:
-  // An upper limit alone is left to the inequalities with a share: where it leaves nothing the LP would have
-  // no solution and no multipliers that say so.
+  // A maximum count alone is left to the share cuts: as a row it could make the LP infeasible, which yields
+  // no multipliers.
   static bool limits_count(const LpBoundOptions& options) { return options.answers.least > 0; }
 
   static std::unique_ptr<milp::LpSession> load(const SignalTable& table, std::span<const double> cost,
@@ -107,7 +107,7 @@ class RowGeneration {
       rows.push_back(rows_[k]);
       y.push_back(dual);
     }
-    DualBound dual = dual_bound(table_, question_, rows, y, cost_, options_.answers);
+    DualBound dual = dual_bound(table_, problem_, rows, y, cost_, options_.answers);
     if (dual.bound > result_.dual.bound) {
       result_.dual = std::move(dual);
       result_.rows = std::move(rows);
@@ -117,19 +117,19 @@ class RowGeneration {
     return true;
   }
 
-  // Cuts only once every row is met: they cost more and many would be in vain.
+  // Cuts are added only if no label row is violated: they cost more, and many would be useless.
   std::vector<BoundRow> violated_rows() {
     const std::size_t most = 50 + table_.columns() / 4;
     std::vector<BoundRow> batch;
-    // A row that is in the LP is violated by no more than the solver's tolerance: nothing would come of it.
+    // The LP violates its own rows by at most the solver's tolerance.
     for (const auto& row : pricing_.violated(result_.x, row_tolerance, most, is_row_))
       batch.push_back({row.label});
     result_.complete = batch.empty();
-    if (batch.empty() && options_.cuts && question_.model == CommunicationModel::cooperative) {
-      batch = cover_cuts(table_, question_, result_.labels, result_.x, most);
+    if (batch.empty() && options_.cuts && problem_.model == CommunicationModel::cooperative) {
+      batch = cover_cuts(table_, problem_, result_.labels, result_.x, most);
       if (options_.answers.most < table_.columns())
         for (BoundRow& row :
-             share_cuts(table_, question_, options_.answers.most, result_.labels, result_.x, most))
+             share_cuts(table_, problem_, options_.answers.most, result_.labels, result_.x, most))
           batch.push_back(std::move(row));
     }
     return batch;
@@ -137,14 +137,14 @@ class RowGeneration {
 
   Deadline deadline_;
   const SignalTable& table_;
-  const Question& question_;
+  const PlacementProblem& problem_;
   std::span<const double> cost_;
   const LpBoundOptions& options_;
   const RunControl& control_;
   BoundRowReader reader_;
   RowPricing pricing_;
   std::unique_ptr<milp::LpSession> lp_;
-  std::vector<BoundRow> rows_;  ///< all in the LP
+  std::vector<BoundRow> rows_;  ///< all rows in the LP
   std::vector<bool> is_row_;    ///< per label: its row is in the LP
   LpBound result_;
 };
@@ -159,10 +159,10 @@ std::vector<BoundRow> rows_of(const LpBound& bound) {
   return rows;
 }
 
-LpBound lp_bound(const SignalTable& table, const Question& question, std::span<const double> cost,
+LpBound lp_bound(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
                  const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control) {
   return with_threads(control.threads,
-                      [&] { return RowGeneration(table, question, cost, backend, options, control).run(); });
+                      [&] { return RowGeneration(table, problem, cost, backend, options, control).run(); });
 }
 
 }  // namespace shelfbeam::detail

@@ -14,37 +14,35 @@ namespace shelfbeam::detail {
 
 struct LpBoundOptions {
   double time_limit_s = 60;
-  double enough = std::numeric_limits<double>::infinity();  ///< a bound of this much ends it
-  /// Inequalities beyond the labels' rows, where units cooperate: knapsack covers, and those with a share
-  /// where the number of units is limited.
+  double enough = std::numeric_limits<double>::infinity();  ///< a bound of this size ends the search
+  /// Cuts for cooperative problems: knapsack covers, and share cuts if the count is limited.
   bool cuts = true;
-  AnswerSet answers = {};           ///< bounds these
-  std::vector<BoundRow> rows = {};  ///< to begin with, no label's own row twice; empty: as below
+  AnswerSet answers = {};           ///< the bound holds for these selections
+  std::vector<BoundRow> rows = {};  ///< initial rows, without duplicate label rows; empty: as below
 };
 
-/// The bound of the LP relaxation, and what it was found with.
+/// The LP bound with its rows and multipliers.
 struct LpBound {
-  DualBound dual;                     ///< of `rows` and `y`: all that may be relied on
-  std::vector<BoundRow> rows;         ///< those with a positive multiplier
-  std::vector<double> y;              ///< one a row
-  std::vector<double> x;              ///< solution of the last LP, one a column; empty where none was solved
-  std::vector<std::uint32_t> labels;  ///< whose rows the LP holds, in the order they were added
-  /// No label is violated by `x` by more than 1e-6, and no inequality left out because of the time.
+  DualBound dual;                     ///< of `rows` and `y`; the only proven result
+  std::vector<BoundRow> rows;         ///< rows with a positive multiplier
+  std::vector<double> y;              ///< multipliers, one per row
+  std::vector<double> x;              ///< solution of the last LP, one per column; empty if none was solved
+  std::vector<std::uint32_t> labels;  ///< labels whose rows are in the LP, in order of addition
+  /// `x` violates no label row by more than 1e-6, and the time limit omitted no cut.
   bool complete = false;
-  std::size_t rounds = 0;  ///< LPs that were solved
+  std::size_t rounds = 0;  ///< LPs solved
 };
 
-/// The rows of all its labels, and its other inequalities with multipliers: what a linear program like it
-/// begins with.
+/// The label rows of its LP and its cuts with multipliers, as initial rows of a similar LP.
 std::vector<BoundRow> rows_of(const LpBound& bound);
 
-/// Bounds min c T over the answers by its LP relaxation, rows generated: begins with the label that is worst
-/// off at every strongest unit, solves, adds the most violated labels, of those with the same strongest unit
-/// only one a round, and ends when no row is violated, with the time or when cancelled. Every round has a
-/// bound; the best is returned, at least that of y = 0. `cost` may be of any sign.
+/// The LP relaxation of min c T over the selections, by row generation. Starts with the label of smallest
+/// total sum_j a_ij per strongest unit; each round solves the LP and adds the most violated labels, one per
+/// strongest unit. Ends when no row is violated, at the time limit or when cancelled. Every round gives a
+/// dual bound; the best is returned, at least that of y = 0. `cost` may have any sign.
 ///
 /// Every round scans the table once on `control.threads` threads; the result does not depend on their number.
-LpBound lp_bound(const SignalTable& table, const Question& question, std::span<const double> cost,
+LpBound lp_bound(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
                  const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control);
 
 }  // namespace shelfbeam::detail

@@ -11,20 +11,20 @@
 
 namespace shelfbeam::detail {
 
-/// Finds labels whose rows a fractional selection violates, spread over the shop: labels with the same
-/// strongest unit are neighbours, and one of them is enough at a time.
+/// Finds label rows that a fractional selection violates, spread over the shop: labels with the same
+/// strongest unit are neighbours, and one of them per round is enough.
 class RowPricing {
  public:
-  /// For answers of at most so many units.
-  RowPricing(const SignalTable& table, const Question& question, std::size_t most_units)
+  /// For selections of at most `max_units` units.
+  RowPricing(const SignalTable& table, const PlacementProblem& problem, std::size_t max_units)
       : rows_(table.rows()),
         columns_(table.columns()),
-        cover_(table, question, most_units),
+        cover_(table, problem, max_units),
         strongest_(rows_, static_cast<std::uint32_t>(columns_)),
         total_(rows_, 0.0) {
-    for_parts(rows_, [&](std::size_t first, std::size_t last) {
+    parallel_for_ranges(rows_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        // By the signal itself: where one unit is enough, a_ij is 1 for many.
+        // Compared by signal, because a_ij is 1 for many units if one unit is enough.
         double largest = 0;
         for (const SignalEntry& entry : table.row(i)) {
           if (entry.signal <= largest) continue;
@@ -36,7 +36,7 @@ class RowPricing {
     });
   }
 
-  /// For every strongest unit the label that could get least, in ascending order.
+  /// For every strongest unit, the label with the smallest sum_j a_ij, ascending.
   std::vector<std::uint32_t> hardest() const {
     constexpr std::uint32_t none = ~std::uint32_t{0};
     std::vector<std::uint32_t> best(columns_ + 1, none);
@@ -53,13 +53,13 @@ class RowPricing {
     double by = 0;
     std::uint32_t label = 0;
   };
-  /// The labels that `x` violates by more than `tolerance`, the worst of every strongest unit, worst first,
-  /// at most so many; `known` (one a label) are left out. One scan of the table on the threads of the present
-  /// arena.
+  /// The labels that `x` violates by more than `tolerance`: the most violated per strongest unit, in
+  /// descending order, at most `most`, without `known` labels. Scans the table once on the threads of the
+  /// current arena.
   std::vector<Violated> violated(std::span<const double> x, double tolerance, std::size_t most,
                                  const std::vector<bool>& known) const {
     std::vector<double> lacking(rows_);
-    for_parts(rows_, [&](std::size_t first, std::size_t last) {
+    parallel_for_ranges(rows_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         lacking[i] = cover_.bound();
         cover_.for_entries(i, [&](std::uint32_t j, double a) { lacking[i] -= a * x[j]; });
@@ -80,7 +80,7 @@ class RowPricing {
   std::size_t rows_;
   std::size_t columns_;
   CoverRows cover_;
-  std::vector<std::uint32_t> strongest_;  ///< per label; columns_ where nothing reaches it
+  std::vector<std::uint32_t> strongest_;  ///< per label; columns_ if no unit reaches it
   std::vector<double> total_;             ///< per label: sum_j a_ij
 };
 

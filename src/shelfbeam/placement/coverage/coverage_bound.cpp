@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/coverage/reach_bound.hpp"
+#include "shelfbeam/placement/coverage/coverage_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +15,19 @@ float rounded_up(double value) {
 
 }  // namespace
 
-ReachBound::ReachBound(const SignalTable& table, const Question& question, std::size_t most_units)
-    : mounts_(table), installed_(table.columns(), false), redundant_(question.redundant) {
+CoverageBound::CoverageBound(const SignalTable& table, const PlacementProblem& problem, std::size_t max_units)
+    : mounts_(table), installed_(table.columns(), false), redundant_(problem.redundant) {
   for (std::size_t j = 0; j < table.columns(); ++j)
     if (table.transceivers[j].installed) installed_[j] = true, ++installed_count_;
-  const bool cooperative = question.model == CommunicationModel::cooperative;
+  const bool cooperative = problem.model == CommunicationModel::cooperative;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const auto row = table.row(i);
-    const double requirement = requirement_of(table.labels[i], question.model);
-    if (!is_met(mounts_.most_signal(row, question) * (1 + 1e-12), requirement)) continue;
-    // What the shares of a met label add up to; as for CoverModel's rows where one of k units may fail.
+    const double requirement = requirement_of(table.labels[i], problem.model);
+    if (!is_met(mounts_.max_signal(row, problem) * (1 + 1e-12), requirement)) continue;
+    // R_i: the shares of a reached label add up to at least this.
     double together = 1;
     if (redundant_) {
-      const auto units = static_cast<double>(std::max<std::size_t>(2, std::min(most_units, row.size())));
+      const auto units = static_cast<double>(std::max<std::size_t>(2, std::min(max_units, row.size())));
       together = cooperative ? units / (units - 1) : 2;
     }
     const double enough = requirement * (1 - 2 * met_tolerance);
@@ -38,23 +38,23 @@ ReachBound::ReachBound(const SignalTable& table, const Question& question, std::
       entries_.push_back({entry.transceiver, rounded_up(share)});
     }
     row_begin_.push_back(entries_.size());
-    together_.push_back(together);
+    min_share_sum_.push_back(together);
   }
-  const std::vector<double> ones(together_.size(), 1.0);
-  for (const double left_out : {0.0, 0.3, 0.6, 0.95})
-    if (left_out == 0 || cooperative) kinds_.push_back({left_out, ones});
-  best_.assign(most_units + 1, static_cast<double>(together_.size()));
+  const std::vector<double> ones(min_share_sum_.size(), 1.0);
+  for (const double omitted : {0.0, 0.3, 0.6, 0.95})
+    if (omitted == 0 || cooperative) kinds_.push_back({omitted, ones});
+  best_.assign(max_units + 1, static_cast<double>(min_share_sum_.size()));
 }
 
-std::size_t ReachBound::labels(std::size_t units) const {
-  const std::size_t all = together_.size();
+std::size_t CoverageBound::labels(std::size_t units) const {
+  const std::size_t all = min_share_sum_.size();
   if (units < (redundant_ ? 2U : 1U)) return 0;
-  // Sums of m terms are off by less than m 1e-16 of themselves.
+  // The relative error of sums of m terms is below 1e-16 m.
   return std::min(all, static_cast<std::size_t>(std::floor(best_[units] * (1 + 1e-9) + 1e-9)));
 }
 
-// The best candidate of every mounting point, best first; installed units are not among them.
-std::vector<ReachBound::Candidate> ReachBound::best_candidates(const std::vector<double>& value) const {
+// The best candidate of every mounting point, without installed units, in descending order.
+std::vector<CoverageBound::Candidate> CoverageBound::best_candidates(const std::vector<double>& value) const {
   std::vector<Candidate> candidates;
   for (std::uint32_t j = 0; j < value.size(); ++j) {
     if (installed_[j] || !mounts_.available(j)) continue;
@@ -69,20 +69,25 @@ std::vector<ReachBound::Candidate> ReachBound::best_candidates(const std::vector
   return candidates;
 }
 
-// b_ij. With at most k units, sum_j (a_ij - d) T_j >= R_i - k d; dividing by the right-hand side, which is
-// above 0, and clipping gives shares that add up to 1 where the label is met.
-inline double ReachBound::lifted(const Kind& kind, std::size_t units, std::size_t label,
-                                 const Entry& entry) const {
-  const double less = kind.left_out / static_cast<double>(units);
-  return std::clamp((static_cast<double>(entry.share) - less) / (together_[label] - kind.left_out), 0.0, 1.0);
+// b_ij of the coverage bound, with R_i in `min_share_sum_` and k d in `omitted`:
+//
+//   b_ij = min(1, max(0, a_ij - d) / (R_i - k d)).
+//
+// At most k units of a reached label satisfy sum_j (a_ij - d) T_j >= R_i - k d > 0, so the b_ij add up to at
+// least 1.
+inline double CoverageBound::lifted(const Kind& kind, std::size_t units, std::size_t label,
+                                    const Entry& entry) const {
+  const double less = kind.omitted / static_cast<double>(units);
+  return std::clamp((static_cast<double>(entry.share) - less) / (min_share_sum_[label] - kind.omitted), 0.0,
+                    1.0);
 }
 
-// Takes the bounds of the multipliers for all numbers of units for which they hold; returns the one for
-// `units` and the units that it counts.
-double ReachBound::evaluate(const Kind& kind, std::size_t units, std::vector<bool>& counted) {
+// Updates the bounds of all numbers of units for which the multipliers are valid: all if d = 0, otherwise up
+// to `units`. Returns the bound for `units` and the units counted in it.
+double CoverageBound::evaluate(const Kind& kind, std::size_t units, std::vector<bool>& counted) {
   std::vector<double> value(installed_.size(), 0.0);
   double sum = 0;
-  for (std::size_t i = 0; i < together_.size(); ++i) {
+  for (std::size_t i = 0; i < min_share_sum_.size(); ++i) {
     const double y = kind.multiplier[i];
     sum += 1 - y;
     if (y == 0) continue;
@@ -93,7 +98,7 @@ double ReachBound::evaluate(const Kind& kind, std::size_t units, std::vector<boo
   for (std::size_t j = 0; j < value.size(); ++j)
     if (installed_[j]) sum += value[j];
   const std::vector<Candidate> candidates = best_candidates(value);
-  const std::size_t last = kind.left_out == 0 ? best_.size() - 1 : units;
+  const std::size_t last = kind.omitted == 0 ? best_.size() - 1 : units;
   double wanted = sum;
   for (std::size_t k = installed_count_; k <= last; ++k) {
     const std::size_t next = k - installed_count_;
@@ -107,16 +112,16 @@ double ReachBound::evaluate(const Kind& kind, std::size_t units, std::vector<boo
   return wanted;
 }
 
-void ReachBound::improve(std::size_t units, std::size_t reached, std::size_t steps, const RunControl& control,
-                         Clock::time_point until) {
+void CoverageBound::improve(std::size_t units, std::size_t reached, std::size_t steps,
+                            const RunControl& control, Clock::time_point until) {
   if (units == 0) return;
   const std::size_t each = (steps + kinds_.size() - 1) / kinds_.size();
   for (Kind& kind : kinds_)
     if (labels(units) > reached) improve(kind, units, reached, each, control, until);
 }
 
-void ReachBound::improve(Kind& kind, std::size_t units, std::size_t reached, std::size_t steps,
-                         const RunControl& control, Clock::time_point until) {
+void CoverageBound::improve(Kind& kind, std::size_t units, std::size_t reached, std::size_t steps,
+                            const RunControl& control, Clock::time_point until) {
   std::vector<double>& multiplier = kind.multiplier;
   double length = 1;
   double least = std::numeric_limits<double>::infinity();
@@ -140,8 +145,10 @@ void ReachBound::improve(Kind& kind, std::size_t units, std::size_t reached, std
       least = value;
       best_multiplier = multiplier;
     }
-    // A subgradient: what the counted units give to a label beyond its share. Polyak's step towards what is
-    // known to be possible.
+    // Subgradient step with Polyak's length towards the best known selection:
+    //
+    //   e_i = (sum of b_ij over the counted units) - 1,
+    //   y_i <- y_i - length max(1/2, bound - reached) e_i / sum_i e_i^2, kept in [0, 1].
     double norm = 0;
     for (std::size_t i = 0; i < excess.size(); ++i) {
       excess[i] = -1;
@@ -150,7 +157,7 @@ void ReachBound::improve(Kind& kind, std::size_t units, std::size_t reached, std
       const bool stays = (multiplier[i] >= 1 && excess[i] < 0) || (multiplier[i] <= 0 && excess[i] > 0);
       if (!stays) norm += excess[i] * excess[i];
     }
-    if (norm == 0) return;  // nothing is better for this number of units
+    if (norm == 0) return;  // optimal multipliers for this number of units
     const double move = length * std::max(0.5, value - static_cast<double>(reached)) / norm;
     for (std::size_t i = 0; i < excess.size(); ++i)
       multiplier[i] = std::clamp(multiplier[i] - move * excess[i], 0.0, 1.0);

@@ -6,35 +6,35 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam {
 
-/// Proven bounds of how many labels a number of units can reach: no selection of at most k units, installed
-/// ones included, meets more. For any multipliers y_i in [0, 1]
+/// Proven upper bounds on the number of labels that at most k units, installed units included, can reach. For
+/// any multipliers y_i in [0, 1]
 ///
-///   reached <= sum_i (1 - y_i) + the largest sum over k units of c_j,  c_j = sum_i y_i b_ij
+///   reached <= sum_i (1 - y_i) + sum of the k largest c_j,   c_j = sum_i y_i b_ij,
 ///
-/// where a label that is met by k units has sum_j b_ij T_j >= 1 (docs/methods/placement.md). Every y gives a
-/// bound; subgradient steps look for good ones. Whatever they find, bounds are sums in double precision over
-/// entries that were rounded up.
-class ReachBound {
+/// where every reached label satisfies sum_j b_ij T_j >= 1 (docs/methods/placement.md, "Max coverage"). Every
+/// y gives a bound; subgradient steps search for good ones. Bounds are sums in double precision over entries
+/// that are rounded up, so they hold whatever the steps do.
+class CoverageBound {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// For selections of at most `most_units`, no fewer than are installed.
-  ReachBound(const SignalTable& table, const Question& question, std::size_t most_units);
+  /// For selections of at most `max_units` units, at least the number installed.
+  CoverageBound(const SignalTable& table, const PlacementProblem& problem, std::size_t max_units);
 
-  /// At most so many labels are reached by `units` <= most_units; does not fall with `units`.
+  /// Upper bound on the labels that `units` <= max_units can reach; does not decrease with `units`.
   std::size_t labels(std::size_t units) const;
 
-  /// Takes about so many steps towards a better bound for `units`, from where the last ones ended; ends
-  /// early where it is down to `reached`, which is known to be possible, and where `until` comes.
+  /// Takes about `steps` subgradient steps for `units`, starting from the multipliers of the last ones. Ends
+  /// early if the bound falls to `reached`, which is known to be possible, or at `until`.
   void improve(std::size_t units, std::size_t reached, std::size_t steps, const RunControl& control,
                Clock::time_point until = Clock::time_point::max());
 
-  /// What one step has to look at.
+  /// Matrix entries that one step examines.
   std::size_t entries() const { return entries_.size(); }
 
  private:
@@ -47,9 +47,9 @@ class ReachBound {
     double value = 0;
   };
 
-  /// Bounds are of several kinds, by how much of each share is left out (docs/methods/placement.md).
+  /// Bounds of several kinds, by the part d of every share that is omitted.
   struct Kind {
-    double left_out = 0;  ///< k d
+    double omitted = 0;  ///< k d
     std::vector<double> multiplier;
   };
 
@@ -63,9 +63,9 @@ class ReachBound {
   std::vector<bool> installed_;
   std::size_t installed_count_ = 0;
   bool redundant_;
-  std::vector<std::size_t> row_begin_ = {0};  ///< of the labels that can be met at all
+  std::vector<std::size_t> row_begin_ = {0};  ///< of the labels that can be reached at all
   std::vector<Entry> entries_;
-  std::vector<double> together_;  ///< what the shares of a met label add up to at least
+  std::vector<double> min_share_sum_;  ///< R_i, lower bound on the shares of a reached label
   std::vector<Kind> kinds_;
   std::vector<double> best_;  ///< per number of units
 };

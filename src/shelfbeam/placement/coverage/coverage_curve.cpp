@@ -1,17 +1,17 @@
-#include "shelfbeam/placement/coverage/curve.hpp"
+#include "shelfbeam/placement/coverage/coverage_curve.hpp"
 
 #include <algorithm>
 
 #include "shelfbeam/base/deadline.hpp"
-#include "shelfbeam/placement/coverage/reach_bound.hpp"
-#include "shelfbeam/placement/coverage/reach_search.hpp"
+#include "shelfbeam/placement/coverage/coverage_bound.hpp"
+#include "shelfbeam/placement/coverage/coverage_search.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-// Entries looked at, so that answers do not depend on the machine.
+// Work in entries examined, so that results do not depend on the machine.
 constexpr std::size_t search_work = 8'000'000'000;
 constexpr std::size_t bound_work = 10'000'000'000;
 
@@ -19,15 +19,15 @@ using Clock = std::chrono::steady_clock;
 
 class Curve {
  public:
-  Curve(const SignalTable& table, const Question& question, const std::vector<std::uint32_t>& selected,
+  Curve(const SignalTable& table, const PlacementProblem& problem, const std::vector<std::uint32_t>& selected,
         const RunControl& control, Clock::time_point until)
-      : table_(table), question_(question), control_(control), until_(until), search_(table, question) {
+      : table_(table), problem_(problem), control_(control), until_(until), search_(table, problem) {
     curve_.selected = selected;
     const std::size_t first = std::max<std::size_t>(1, search_.count());
     for (std::size_t k = first; k <= selected.size(); ++k) curve_.points.push_back({k, 0, table.rows()});
   }
 
-  ReachCurve run(const std::vector<std::uint32_t>& selected) {
+  CoverageCurve run(const std::vector<std::uint32_t>& selected) {
     if (points_.empty()) return curve_;
     offer(selected);
     look_forwards();
@@ -42,17 +42,17 @@ class Curve {
  private:
   bool is_over() const { return control_.cancelled() || Clock::now() >= until_; }
 
-  // What a search reaches is told by the checker.
+  // The checker counts the labels that a selection reaches.
   void offer(const std::vector<std::uint32_t>& selected) {
-    const Check check = check_selection(table_, question_, selected);
+    const Check check = check_selection(table_, problem_, selected);
     if (!check.allowed() || selected.size() > points_.back().units) return;
     const std::size_t place = std::max(selected.size(), points_.front().units) - points_.front().units;
     points_[place].at_least = std::max(points_[place].at_least, table_.rows() - check.unmet.size());
     if (check.unmet.empty() && selected.size() < curve_.selected.size()) curve_.selected = selected;
   }
 
-  // One number of units after the other, each from the selection before, and exchanges as long as the share
-  // of the work lasts.
+  // Counts in ascending order, each search starting from the previous selection with an equal share of the
+  // work.
   void look_forwards() {
     const std::size_t work = search_work / points_.size();
     for (const CurvePoint& point : points_) {
@@ -70,7 +70,7 @@ class Curve {
   }
 
   void bound() {
-    ReachBound bound(table_, question_, points_.back().units);
+    CoverageBound bound(table_, problem_, points_.back().units);
     const std::size_t all_steps = bound_work / (2 * bound.entries() + 1);
     const std::size_t steps = std::min<std::size_t>(300, 1 + all_steps / points_.size());
     for (const CurvePoint& point : points_) {
@@ -82,30 +82,31 @@ class Curve {
   }
 
   const SignalTable& table_;
-  const Question& question_;
+  const PlacementProblem& problem_;
   const RunControl& control_;
   Clock::time_point until_;
-  detail::ReachSearch search_;
-  ReachCurve curve_;
+  detail::CoverageSearch search_;
+  CoverageCurve curve_;
   std::vector<CurvePoint>& points_ = curve_.points;
 };
 
 }  // namespace
 
-ReachCurve reach_curve(const SignalTable& table, const Question& question,
-                       const std::vector<std::uint32_t>& selected, const RunControl& control,
-                       Clock::time_point until) {
-  return Curve(table, question, selected, control, until).run(selected);
+CoverageCurve coverage_curve(const SignalTable& table, const PlacementProblem& problem,
+                             const std::vector<std::uint32_t>& selected, const RunControl& control,
+                             Clock::time_point until) {
+  return Curve(table, problem, selected, control, until).run(selected);
 }
 
-void agree(Placement& placement, ReachCurve& curve, const SignalTable& table, bool selection_stays) {
-  const Question& question = placement.question;
-  const bool is_lexicographic = question.combination == Combination::lexicographic;
-  const bool only_counts = is_lexicographic && question.objective == Objective::count;
+void reconcile_bounds(Placement& placement, CoverageCurve& curve, const SignalTable& table,
+                      bool selection_stays) {
+  const PlacementProblem& problem = placement.problem;
+  const bool is_lexicographic = problem.combination == Combination::lexicographic;
+  const bool only_counts = is_lexicographic && problem.objective == Objective::count;
   if (is_lexicographic && !selection_stays && curve.selected.size() < placement.count()) {
     placement.selected = curve.selected;
     placement.objective_value = only_counts ? static_cast<double>(placement.count())
-                                            : check_selection(table, question, curve.selected).objective;
+                                            : check_selection(table, problem, curve.selected).objective;
     placement.ties_settled = false;
     std::erase_if(curve.points, [&](const CurvePoint& point) { return point.units > placement.count(); });
   }
@@ -124,13 +125,13 @@ void agree(Placement& placement, ReachCurve& curve, const SignalTable& table, bo
       point.at_most = std::min(point.at_most, table.rows() - 1);
 }
 
-ReachCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
-                     const RunControl& control, bool selection_stays) {
+CoverageCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
+                        const RunControl& control, bool selection_stays) {
   const Clock::time_point start = Clock::now();
   const double seconds = std::max(time_limit_s - placement.seconds, 0.1 * time_limit_s);
-  ReachCurve curve =
-      reach_curve(table, placement.question, placement.selected, control, Deadline(seconds).end());
-  agree(placement, curve, table, selection_stays);
+  CoverageCurve curve =
+      coverage_curve(table, placement.problem, placement.selected, control, Deadline(seconds).end());
+  reconcile_bounds(placement, curve, table, selection_stays);
   placement.seconds += std::chrono::duration<double>(Clock::now() - start).count();
   return curve;
 }

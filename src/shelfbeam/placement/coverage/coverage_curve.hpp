@@ -5,28 +5,29 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/answer/reach_curve.hpp"
 
 namespace shelfbeam {
 
-/// A point for every number of units from the installed ones (at least 1) to those of `selected`, which meets
-/// every label. The first column comes from the greedy method forwards and from the selection backwards, the
-/// second from ReachBound. Large tables get fewer steps, so that 20 million entries take about a minute; it
-/// ends early, with wider points, where `until` comes.
-ReachCurve reach_curve(
-    const SignalTable& table, const Question& question, const std::vector<std::uint32_t>& selected,
+/// A point for every number of units from the installed ones (at least 1) to the size of `selected`, which
+/// reaches every label. Lower bounds come from the greedy method forwards and from the selection backwards,
+/// upper bounds from CoverageBound. Large tables get fewer steps: 20 million entries take about a minute. At
+/// `until` it ends early, with wider bounds.
+CoverageCurve coverage_curve(
+    const SignalTable& table, const PlacementProblem& problem, const std::vector<std::uint32_t>& selected,
     const RunControl& control = {},
     std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max());
 
-/// Lets a placement and the curve that began with its selection take over what the other knows: fewer units
-/// that meet every label (lexicographic questions, where the selection need not stay), a higher bound of
-/// their number, and that fewer than this bound miss a label.
-void agree(Placement& placement, ReachCurve& curve, const SignalTable& table, bool selection_stays = false);
+/// Makes a placement and its curve consistent: takes over a smaller feasible selection (lexicographic
+/// problems, unless `selection_stays`) and a higher count bound, and lowers `at_most` for counts below that
+/// bound, which miss a label.
+void reconcile_bounds(Placement& placement, CoverageCurve& curve, const SignalTable& table,
+                      bool selection_stays = false);
 
-/// The curve of a placement that has a selection, made in what this has left of the limit, but in a tenth of
-/// it at least; both agree then, and the placement's seconds have grown.
-ReachCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
-                     const RunControl& control = {}, bool selection_stays = false);
+/// The curve of a placement with a selection, within the remainder of the time limit, at least a tenth of it.
+/// Placement and curve are consistent afterwards, and the placement's `seconds` include the curve.
+CoverageCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
+                        const RunControl& control = {}, bool selection_stays = false);
 
 }  // namespace shelfbeam

@@ -17,35 +17,38 @@
 
 namespace shelfbeam::detail {
 
-/// The most labels that at most `units` units reach, as a MIP: the rows of CoverModel with a variable u_i
-/// that pays for label i when it is missed; u_i costs more than all units together, so that the fewest labels
-/// are missed first and fewest units are used second.
-class ReachModel {
+/// Max coverage as a MIP: the rows of CoverModel, with a variable u_i that fills row i if label i is missed,
+///
+///   min sum_j T_j + (n + 1) sum_i u_i   subject to those rows and sum_j T_j <= k.
+///
+/// u_i costs more than all units together, so missed labels are minimised first and units second.
+class CoverageModel {
  public:
-  /// False where the model would be too large to be solved to the end.
-  static bool fits(const SignalTable& table, const Question& question) {
+  /// False if the model is too large to be solved to optimality.
+  static bool fits(const SignalTable& table, const PlacementProblem& problem) {
     std::size_t entries = table.entries.size();
-    if (fails_by_rows(question))
+    if (fails_by_rows(problem))
       for (std::size_t i = 0; i < table.rows(); ++i) entries += table.row(i).size() * table.row(i).size();
-    return entries <= most_entries;
+    return entries <= max_entries;
   }
 
-  ReachModel(const SignalTable& table, const Question& question, std::size_t units)
-      : table_(table), question_(question), units_(units) {
-    question_.objective = Objective::count;
-    question_.combination = Combination::lexicographic;
-    model_ = model_without_failures(table, question_);
-    // A label that needs one unit or none is missed by as much as its row lacks; the others wholly or not.
-    const bool whole = question.redundant || question.model == CommunicationModel::cooperative;
+  CoverageModel(const SignalTable& table, const PlacementProblem& problem, std::size_t units)
+      : table_(table), problem_(problem), units_(units) {
+    problem_.objective = Objective::count;
+    problem_.combination = Combination::lexicographic;
+    model_ = model_without_failures(table, problem_);
+    // Without unit failure, u_i is binary by itself in non-cooperative rows; otherwise it is declared
+    // integer.
+    const bool whole = problem.redundant || problem.model == CommunicationModel::cooperative;
     const auto price = static_cast<double>(table.columns() + 1);
     for (std::size_t i = 0; i < table.rows(); ++i)
       model_.columns.push_back({price, 0, 1, whole, "missed_" + table.labels[i].id});
     for (std::size_t i = 0; i < table.rows(); ++i) {
       const auto missed = static_cast<std::uint32_t>(table.columns() + i);
       milp::Row& row = model_.rows[i];
-      if (question.model == CommunicationModel::cooperative) row = relaxed(std::move(row));
-      row.entries.push_back({missed, question.redundant && !fails_by_rows(question) ? 2.0 : 1.0});
-      if (!fails_by_rows(question)) continue;
+      if (problem.model == CommunicationModel::cooperative) row = relaxed(std::move(row));
+      row.entries.push_back({missed, problem.redundant && !fails_by_rows(problem) ? 2.0 : 1.0});
+      if (!fails_by_rows(problem)) continue;
       for (const SignalEntry& entry : table.row(i)) {
         model_.rows.push_back(relaxed(failure_row(table, i, entry.transceiver)));
         model_.rows.back().entries.push_back({missed, 1.0});
@@ -57,36 +60,37 @@ class ReachModel {
   }
 
   struct Outcome {
-    std::optional<std::vector<std::uint32_t>> selected;  ///< allowed, of at most `units` units
-    std::size_t most_reached = 0;                        ///< no selection reaches more
-    bool failed = false;  ///< the solver failed or contradicted itself; `most_reached` can still be relied on
+    std::optional<std::vector<std::uint32_t>> selected;  ///< without conflicts, at most `units` units
+    std::size_t max_reached = 0;                         ///< no selection reaches more
+    bool failed = false;  ///< the solver failed or contradicted itself; `max_reached` still holds
   };
   Outcome solve(const SolveFunction& solve, double time_limit_s, const RunControl& control) {
     const Deadline deadline(time_limit_s);
     Outcome outcome;
-    outcome.most_reached = table_.rows();
+    outcome.max_reached = table_.rows();
     const auto price = static_cast<double>(table_.columns() + 1);
     while (!deadline.has_passed() && !control.cancelled()) {
       const milp::Result result = solve(model_, {.time_limit_s = deadline.seconds_left()}, control);
       const bool empty_handed = result.solution.empty() && !model_.columns.empty();
       const bool wrong =
           !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;
-      // Nothing is infeasible here: the installed units alone are a selection.
+      // The model is always feasible: the installed units alone are a selection.
       if (wrong || result.termination == milp::Termination::error ||
           result.termination == milp::Termination::infeasible) {
         outcome.failed = true;
         break;
       }
-      // The value is count + price missed, and count <= units < price.
+      // The dual bound d of count + price missed, with count <= units < price, proves missed >= (d - units) /
+      // price.
       const double missed = std::ceil((result.dual_bound - static_cast<double>(units_)) / price - 1e-6);
       if (missed > 0)
-        outcome.most_reached = std::min(
-            outcome.most_reached, table_.rows() - std::min(table_.rows(), static_cast<std::size_t>(missed)));
+        outcome.max_reached = std::min(
+            outcome.max_reached, table_.rows() - std::min(table_.rows(), static_cast<std::size_t>(missed)));
       if (empty_handed) break;
       std::vector<std::uint32_t> selected;
       for (std::uint32_t j = 0; j < table_.columns(); ++j)
         if (result.solution[j] > 0.5) selected.push_back(j);
-      const Check check = check_selection(table_, question_, selected);
+      const Check check = check_selection(table_, problem_, selected);
       if (!check.allowed() || selected.size() > units_) {
         outcome.failed = true;
         break;
@@ -105,14 +109,13 @@ class ReachModel {
   }
 
  private:
-  static constexpr std::size_t most_entries = 400'000;
+  static constexpr std::size_t max_entries = 400'000;
 
-  static bool fails_by_rows(const Question& question) {
-    return question.redundant && question.model == CommunicationModel::cooperative;
+  static bool fails_by_rows(const PlacementProblem& problem) {
+    return problem.redundant && problem.model == CommunicationModel::cooperative;
   }
 
-  // As CoverModel's cut: the selection leaves the label unmet, so it is missed or one of the others is
-  // chosen.
+  // As CoverModel's cut: the selection misses the label, so u_i = 1 or another unit is chosen.
   void cut_off(const std::vector<std::uint32_t>& selected, std::size_t unmet_label) {
     milp::Row cut{1.0, milp::infinity, {}, "cut"};
     for (std::uint32_t j = 0; j < table_.columns(); ++j)
@@ -122,7 +125,7 @@ class ReachModel {
   }
 
   const SignalTable& table_;
-  Question question_;
+  PlacementProblem problem_;
   std::size_t units_;
   milp::Model model_;
 };

@@ -1,51 +1,51 @@
-#include "shelfbeam/placement/coverage/reach_search.hpp"
+#include "shelfbeam/placement/coverage/coverage_search.hpp"
 
 namespace shelfbeam::detail {
 
-ReachSearch::ReachSearch(const SignalTable& table, const Question& question)
+CoverageSearch::CoverageSearch(const SignalTable& table, const PlacementProblem& problem)
     : table_(table),
-      question_(question),
+      problem_(problem),
       mounts_(table),
       chosen_(table.columns(), false),
-      excluded_by_(table.columns(), 0),
+      blocked_by_(table.columns(), 0),
       shares_(table.rows()) {
   for (const SignalTable::Label& label : table.labels)
-    requirement_.push_back(requirement_of(label, question.model));
+    requirement_.push_back(requirement_of(label, problem.model));
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     if (table.transceivers[j].installed) choose(j, true);
   look();
 }
 
-void ReachSearch::start(const std::vector<std::uint32_t>& selected) {
+void CoverageSearch::start(const std::vector<std::uint32_t>& selected) {
   for (std::uint32_t j = 0; j < chosen_.size(); ++j)
     if (chosen_[j]) choose(j, false);
   for (const std::uint32_t j : selected) choose(j, true);
   look();
 }
 
-void ReachSearch::choose(std::uint32_t column, bool chosen) {
+void CoverageSearch::choose(std::uint32_t column, bool chosen) {
   chosen_[column] = chosen;
   count_ += chosen ? 1 : std::size_t(-1);
-  mounts_.for_each_excluded(column, [&](std::uint32_t other) { excluded_by_[other] += chosen ? 1U : ~0U; });
+  mounts_.for_each_conflict(column, [&](std::uint32_t other) { blocked_by_[other] += chosen ? 1U : ~0U; });
 }
 
-// Computes what every label has from the chosen units.
-void ReachSearch::look() {
+// Recomputes the shares of every label from the chosen units.
+void CoverageSearch::look() {
   reached_ = 0;
   lacks_ = 0;
   for (std::size_t i = 0; i < shares_.size(); ++i) {
     shares_[i] = {};
     for (const SignalEntry& entry : table_.row(i))
       if (chosen_[entry.transceiver]) shares_[i].add(entry.transceiver, share(i, entry));
-    const double lack = detail::lacking(shares_[i].sum, shares_[i].largest, question_);
+    const double lack = detail::lacking(shares_[i].sum, shares_[i].largest, problem_);
     reached_ += lack == 0 ? 1 : 0;
     lacks_ += lack;
   }
   work_ += table_.entries.size();
 }
 
-// What every column would add to the selection, less one unit; and what that is without an addition.
-ReachSearch::Gains ReachSearch::gains(std::optional<std::uint32_t> without) {
+// Gains of every column for the selection, or for the selection without one unit.
+CoverageSearch::Gains CoverageSearch::gains(std::optional<std::uint32_t> without) {
   Gains result{std::vector<std::size_t>(chosen_.size(), 0), std::vector<double>(chosen_.size(), 0.0)};
   for (std::size_t i = 0; i < shares_.size(); ++i) {
     const auto row = table_.row(i);
@@ -59,7 +59,7 @@ ReachSearch::Gains ReachSearch::gains(std::optional<std::uint32_t> without) {
         largest = shares_[i].largest_without(*without);
       }
     }
-    const double lack = detail::lacking(sum, largest, question_);
+    const double lack = detail::lacking(sum, largest, problem_);
     result.lacks += lack;
     if (lack == 0) {
       ++result.reached;
@@ -68,7 +68,7 @@ ReachSearch::Gains ReachSearch::gains(std::optional<std::uint32_t> without) {
     work_ += row.size();
     for (const SignalEntry& entry : row) {
       const double part = share(i, entry);
-      const double left = detail::lacking(sum + part, std::max(largest, part), question_);
+      const double left = detail::lacking(sum + part, std::max(largest, part), problem_);
       result.lacking[entry.transceiver] += lack - left;
       if (left == 0) ++result.labels[entry.transceiver];
     }
@@ -76,13 +76,14 @@ ReachSearch::Gains ReachSearch::gains(std::optional<std::uint32_t> without) {
   return result;
 }
 
-std::optional<ReachSearch::Choice> ReachSearch::best(const Gains& gains, std::optional<std::uint32_t> without,
-                                                     Aim aim) const {
+std::optional<CoverageSearch::Choice> CoverageSearch::best(const Gains& gains,
+                                                           std::optional<std::uint32_t> without,
+                                                           Aim aim) const {
   std::vector<bool> freed(chosen_.size(), false);
-  if (without) mounts_.for_each_excluded(*without, [&](std::uint32_t j) { freed[j] = excluded_by_[j] == 1; });
+  if (without) mounts_.for_each_conflict(*without, [&](std::uint32_t j) { freed[j] = blocked_by_[j] == 1; });
   std::optional<Choice> best;
   for (std::uint32_t j = 0; j < chosen_.size(); ++j) {
-    if (chosen_[j] || (excluded_by_[j] > 0 && !freed[j]) || gains.lacking[j] <= 0) continue;
+    if (chosen_[j] || (blocked_by_[j] > 0 && !freed[j]) || gains.lacking[j] <= 0) continue;
     const Choice one{j, gains.labels[j], gains.lacking[j]};
     const bool better =
         !best || (aim == Aim::labels && one.labels != best->labels ? one.labels > best->labels
@@ -92,16 +93,16 @@ std::optional<ReachSearch::Choice> ReachSearch::best(const Gains& gains, std::op
   return best;
 }
 
-bool ReachSearch::drop() {
+bool CoverageSearch::drop() {
   std::vector<std::size_t> missed(chosen_.size(), 0);
   std::vector<double> lost(chosen_.size(), 0.0);
   for (std::size_t i = 0; i < shares_.size(); ++i) {
-    const double before = detail::lacking(shares_[i].sum, shares_[i].largest, question_);
+    const double before = detail::lacking(shares_[i].sum, shares_[i].largest, problem_);
     for (const SignalEntry& entry : table_.row(i)) {
       const std::uint32_t j = entry.transceiver;
       if (!chosen_[j]) continue;
       const double after = detail::lacking(std::max(0.0, shares_[i].sum - share(i, entry)),
-                                           shares_[i].largest_without(j), question_);
+                                           shares_[i].largest_without(j), problem_);
       lost[j] += after - before;
       if (before == 0 && after > 0) ++missed[j];
     }
@@ -118,15 +119,15 @@ bool ReachSearch::drop() {
   return true;
 }
 
-// Another unit in the place of this one, where that reaches more labels, or as many with less lacking.
-bool ReachSearch::exchange(std::uint32_t out) {
-  constexpr double least_help = 1e-9;  // keeps rounding from exchanging to and fro
+// Exchanges `out` for the best other unit if that reaches more labels, or equally many with less lack.
+bool CoverageSearch::exchange(std::uint32_t out) {
+  constexpr double min_help = 1e-9;  // keeps rounding from causing endless exchanges
   const Gains without = gains(out);
   const auto choice = best(without, out, Aim::labels);
   if (!choice) return false;
   const std::size_t then = without.reached + choice->labels;
   const bool better =
-      then > reached_ || (then == reached_ && without.lacks - choice->lacking < lacks_ - least_help);
+      then > reached_ || (then == reached_ && without.lacks - choice->lacking < lacks_ - min_help);
   if (!better) return false;
   const std::vector<std::uint32_t> before = selected();
   const std::size_t reached_before = reached_;
@@ -135,12 +136,12 @@ bool ReachSearch::exchange(std::uint32_t out) {
   choose(choice->column, true);
   look();
   if (reached_ > reached_before || (reached_ == reached_before && lacks_ < lacks_before)) return true;
-  start(before);  // rounding had it better than it is
+  start(before);  // an improvement only by rounding
   return false;
 }
 
-void ReachSearch::improve(std::size_t most_units, std::size_t work, const RunControl& control,
-                          std::chrono::steady_clock::time_point until) {
+void CoverageSearch::improve(std::size_t max_units, std::size_t work, const RunControl& control,
+                             std::chrono::steady_clock::time_point until) {
   const std::size_t end = work_ + work;
   const auto goes_on = [&] {
     return work_ < end && !control.cancelled() && std::chrono::steady_clock::now() < until;
@@ -148,14 +149,14 @@ void ReachSearch::improve(std::size_t most_units, std::size_t work, const RunCon
   bool better = true;
   while (better && goes_on()) {
     better = false;
-    while (count_ < most_units && goes_on()) {
+    while (count_ < max_units && goes_on()) {
       const std::size_t before = reached_;
       const std::vector<std::uint32_t> kept = selected();
-      const auto choice = best(gains({}), {}, count_ + 1 == most_units ? Aim::labels : Aim::what_is_lacking);
+      const auto choice = best(gains({}), {}, count_ + 1 == max_units ? Aim::labels : Aim::what_is_lacking);
       if (!choice) break;
       choose(choice->column, true);
       look();
-      if (count_ == most_units && reached_ == before) {
+      if (count_ == max_units && reached_ == before) {
         start(kept);
         break;
       }
@@ -172,7 +173,7 @@ void ReachSearch::improve(std::size_t most_units, std::size_t work, const RunCon
   }
 }
 
-std::vector<std::uint32_t> ReachSearch::selected() const {
+std::vector<std::uint32_t> CoverageSearch::selected() const {
   std::vector<std::uint32_t> result;
   for (std::uint32_t j = 0; j < chosen_.size(); ++j)
     if (chosen_[j]) result.push_back(j);

@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/coverage/budget.hpp"
+#include "shelfbeam/placement/coverage/max_coverage.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,25 +9,25 @@
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/solver.hpp"
-#include "shelfbeam/placement/coverage/reach_bound.hpp"
-#include "shelfbeam/placement/coverage/reach_model.hpp"
-#include "shelfbeam/placement/coverage/reach_search.hpp"
+#include "shelfbeam/placement/coverage/coverage_bound.hpp"
+#include "shelfbeam/placement/coverage/coverage_model.hpp"
+#include "shelfbeam/placement/coverage/coverage_search.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-using detail::ReachModel;
+using detail::CoverageModel;
 using Clock = std::chrono::steady_clock;
 
-// Entries looked at, so that answers do not depend on the machine: about ten seconds each.
+// Work in entries examined, so that results do not depend on the machine: about ten seconds each.
 constexpr std::size_t search_work = 2'000'000'000;
 constexpr std::size_t bound_work = 4'000'000'000;
 
-/// Takes a selection that is better than the one so far.
-void offer(Reach& reach, const SignalTable& table, const std::vector<std::uint32_t>& selected) {
-  Check check = check_selection(table, reach.question, selected);
+/// Accepts a selection that is better than the incumbent.
+void offer(MaxCoverage& reach, const SignalTable& table, const std::vector<std::uint32_t>& selected) {
+  Check check = check_selection(table, reach.problem, selected);
   const std::size_t reached = table.rows() - check.unmet.size();
   const bool better =
       reached > reach.reached || (reached == reach.reached && selected.size() < reach.selected.size());
@@ -39,40 +39,40 @@ void offer(Reach& reach, const SignalTable& table, const std::vector<std::uint32
 
 }  // namespace
 
-Reach reach_most(const SignalTable& table, const Question& question, std::size_t units,
-                 const PlaceOptions& options, const RunControl& control) {
+MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
+                              const PlaceOptions& options, const RunControl& control) {
   const auto start = Clock::now();
   constexpr double endless_s = 1e8;
   const double limit_s = options.step_limit ? endless_s : options.time_limit_s;
-  check_question(table, question);
+  check_problem(table, problem);
   const auto backends = milp::wanted_backends(options.backend);
 
-  Reach reach;
-  reach.question = question;
+  MaxCoverage reach;
+  reach.problem = problem;
   reach.at_most = units;
   reach.solver = "greedy";
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     if (table.transceivers[j].installed) reach.selected.push_back(j);
   if (reach.selected.size() > units)
     throw InputError("number of units",
-                     fmt::format("is {}, and {} units are installed already", units, reach.selected.size()),
-                     "allow at least these", Setting::units);
+                     fmt::format("is {}, but {} units are installed already", units, reach.selected.size()),
+                     "allow at least these units", Setting::units);
   units = std::min(units, table.columns());
-  reach.missed = check_selection(table, question, reach.selected).unmet;
+  reach.missed = check_selection(table, problem, reach.selected).unmet;
   reach.reached = table.rows() - reach.missed.size();
 
   const bool may_ask = options.solver == SolverChoice::automatic || options.solver == SolverChoice::mip;
-  const bool fits = ReachModel::fits(table, question);
+  const bool fits = CoverageModel::fits(table, problem);
   const bool is_asked = may_ask && fits;
   reach.too_large = may_ask && !fits;
   const Deadline search_end((is_asked ? 0.3 : 0.5) * limit_s), bound_end((is_asked ? 0.5 : 1) * limit_s),
       end(limit_s);
 
-  detail::ReachSearch search(table, question);
+  detail::CoverageSearch search(table, problem);
   search.improve(units, search_work, control, search_end.end());
   offer(reach, table, search.selected());
 
-  ReachBound bound(table, question, units);
+  CoverageBound bound(table, problem, units);
   const auto lower_to = [&](std::size_t most, BoundProof proof) {
     if (most >= reach.upper_bound) return;
     reach.upper_bound = most;
@@ -85,11 +85,11 @@ Reach reach_most(const SignalTable& table, const Question& question, std::size_t
 
   if (is_asked)
     for (const milp::Backend& backend : backends) {
-      ReachModel model(table, question, units);
+      CoverageModel model(table, problem, units);
       const auto outcome =
           model.solve(limited(backend.solve, options.step_limit), end.seconds_left(), control);
       reach.solver = fmt::format("{} {}", backend.name, backend.version);
-      lower_to(outcome.most_reached, BoundProof::solver);
+      lower_to(outcome.max_reached, BoundProof::solver);
       if (outcome.selected) offer(reach, table, *outcome.selected);
       if (!outcome.failed) break;
     }

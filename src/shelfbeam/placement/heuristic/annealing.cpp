@@ -18,28 +18,31 @@ namespace {
 
 constexpr std::size_t rows_at_first = 256;
 
-// In requirements of a label. Of the exchanges some 6 % are accepted at the hot end, 3 % at the cold one.
+// Temperatures, as shares of a requirement. About 6 % of the moves are accepted at the hot end, 3 % at the
+// cold end. Within a cooling of the given number of moves, u rises from 0 to 1 and
+//
+//   temperature = hot (cold / hot)^u.
 constexpr double hot = 0.03, cold = 0.015;
 constexpr std::uint64_t longest_cooling = 2'000'000, shortest_cooling = 2'500, coolings = 4;
 
 class Annealing {
  public:
-  Annealing(const SearchProblem& problem, const SearchMatrix& all, const std::vector<std::uint32_t>& start,
+  Annealing(const SearchInstance& instance, const SearchMatrix& all, const std::vector<std::uint32_t>& start,
             std::uint32_t seed)
-      : problem_(problem),
+      : instance_(instance),
         all_(all),
-        rows_(all, receiving(problem.question)),
+        rows_(all, receiving(instance.problem)),
         in_(all.columns(), false),
         random_(seed) {
     for (const std::uint32_t j : start) {
       in_[j] = true;
-      (problem.available[j] ? free_ : fixed_).push_back(j);
+      (instance.available[j] ? free_ : fixed_).push_back(j);
     }
     for (std::uint32_t j = 0; j < all.columns(); ++j)
-      if (problem.available[j]) candidates_.push_back(j);
+      if (instance.available[j]) candidates_.push_back(j);
     similar_.emplace(all, candidates_);
-    if (margin_of(problem.table, problem.question, all, start, memory_).is_met) fewest_ = start.size();
-    rows_.take_hardest_for(start, rows_at_first);
+    if (margin_of(instance.table, instance.problem, all, start, memory_).is_met) fewest_ = start.size();
+    rows_.add_hardest(start, rows_at_first);
     recount();
   }
 
@@ -50,11 +53,11 @@ class Annealing {
       if (move % between_looks == 0) {
         if (effort.is_over(control)) return;
         control.report("annealing", -1, fmt::format("{} moves", move));
-        recount();  // sums that were added to and taken from drift
+        recount();  // sums updated by differences drift
       }
       while (lack_ <= 0 && !has_failed_ && meets_all()) {
         if (free_.empty() || effort.is_over(control)) return;
-        drop_least();
+        drop_weakest();
       }
       if (free_.empty() || free_.size() == candidates_.size()) return;
       const double part = static_cast<double>(move % cooling) / static_cast<double>(cooling);
@@ -74,7 +77,8 @@ class Annealing {
 
   static constexpr float demand = 1 - static_cast<float>(search_tolerance);
 
-  // Rows that only pad lack nothing.
+  // Padding rows lack nothing. The total lack is L(T) = sum_i max(0, demand - sum_j a_ij T_j) over active
+  // rows.
   void recount() {
     held_.assign(rows_.padded(), 0.0F);
     std::fill(held_.begin() + static_cast<std::ptrdiff_t>(rows_.size()), held_.end(), 1.0F);
@@ -88,13 +92,13 @@ class Annealing {
     return SearchKernels::lack_after(held_.data(), out, in, demand, held_.size());
   }
 
-  void drop_least() {
+  void drop_weakest() {
     std::size_t least = 0;
-    float least_lack = std::numeric_limits<float>::infinity();
+    float min_lack = std::numeric_limits<float>::infinity();
     for (std::size_t k = 0; k < free_.size(); ++k) {
       const float lack = lack_after(rows_.column(free_[k]), nothing_.data());
-      if (lack >= least_lack) continue;
-      least_lack = lack;
+      if (lack >= min_lack) continue;
+      min_lack = lack;
       least = k;
     }
     in_[free_[least]] = false;
@@ -103,13 +107,13 @@ class Annealing {
     recount();
   }
 
-  // Keeps the selection if it meets all labels; else takes rows that it leaves unmet. One whose sums only
-  // single precision takes for met has failed, until an exchange makes another of it.
+  // Keeps the selection if it reaches all labels; otherwise adds rows that it misses. If no row is new, only
+  // single precision accepts the selection: it has failed until an exchange changes it.
   bool meets_all() {
     const std::vector<std::uint32_t> selected = selection();
     Margin margin;
-    while (!(margin = margin_of(problem_.table, problem_.question, all_, selected, memory_)).is_met) {
-      if (!rows_.learn(std::span(memory_).first(all_.rows()), margin.label)) {
+    while (!(margin = margin_of(instance_.table, instance_.problem, all_, selected, memory_)).is_met) {
+      if (!rows_.add_missed(std::span(memory_).first(all_.rows()), margin.label)) {
         has_failed_ = true;
         return false;
       }
@@ -125,9 +129,9 @@ class Annealing {
 
   std::uint32_t bits() { return static_cast<std::uint32_t>(random_()); }
   std::size_t index(std::size_t n) { return to_index(bits(), static_cast<std::uint32_t>(n)); }
-  double unit() { return to_unit(bits()); }
+  double unit() { return to_uniform(bits()); }
 
-  // Near ones most of the time, which keep what all others do in place, and now and then anything.
+  // The candidate to exchange for `out`: mostly a similar one, which leaves the rest in place, sometimes any.
   std::uint32_t another_for(std::uint32_t out) {
     constexpr double any = 0.1, nearest = 0.4;
     constexpr std::size_t nearest_count = 8;
@@ -138,10 +142,11 @@ class Annealing {
   }
 
   bool is_excluded(std::uint32_t in, std::uint32_t out) const {
-    return std::any_of(problem_.excludes[in].begin(), problem_.excludes[in].end(),
+    return std::any_of(instance_.excludes[in].begin(), instance_.excludes[in].end(),
                        [&](std::uint32_t other) { return other != out && in_[other]; });
   }
 
+  // A random exchange, accepted with probability min(1, exp((L(before) - L(after)) / temperature)).
   void exchange(double temperature) {
     std::uint32_t& place = free_[index(free_.size())];
     const std::uint32_t out = place, in = another_for(out);
@@ -157,15 +162,15 @@ class Annealing {
     if (lack_ <= 0) recount();
   }
 
-  const SearchProblem& problem_;
+  const SearchInstance& instance_;
   const SearchMatrix& all_;
   ActiveRows rows_;
   std::vector<bool> in_;
   std::vector<std::uint32_t> fixed_, free_, candidates_;
   std::optional<SimilarColumns> similar_;
   std::vector<float> held_, nothing_, memory_;
-  float lack_ = 0;           ///< what all active rows lack
-  bool has_failed_ = false;  ///< the selection, on all rows, though none of them is new
+  float lack_ = 0;           ///< L(T), total lack of the active rows
+  bool has_failed_ = false;  ///< misses a label on all rows, although none of them is new
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   std::optional<std::vector<std::uint32_t>> best_;
   std::mt19937 random_;
@@ -173,15 +178,16 @@ class Annealing {
 
 }  // namespace
 
-bool can_anneal(const Question& question) {
-  return question.combination == Combination::lexicographic && receiving(question) == Receiving::sum;
+bool can_anneal(const PlacementProblem& problem) {
+  return problem.combination == Combination::lexicographic && receiving(problem) == Receiving::sum;
 }
 
-std::optional<Selection> anneal(const SearchProblem& problem, const SearchMatrix& all, const Selection& start,
-                                const Effort& effort, std::uint32_t seed, const RunControl& control) {
-  if (!can_anneal(problem.question)) return std::nullopt;
+std::optional<Selection> anneal(const SearchInstance& instance, const SearchMatrix& all,
+                                const Selection& start, const Effort& effort, std::uint32_t seed,
+                                const RunControl& control) {
+  if (!can_anneal(instance.problem)) return std::nullopt;
   return best_of_walks(seed, effort, control,
-                       [&](std::uint32_t own_seed) { return Annealing(problem, all, start, own_seed); });
+                       [&](std::uint32_t own_seed) { return Annealing(instance, all, start, own_seed); });
 }
 
 }  // namespace shelfbeam::detail

@@ -10,12 +10,12 @@ namespace shelfbeam::detail {
 
 namespace {
 
-// Rows and columns of what is left, numbered from 0.
+// Rows and columns of the remainder of the reductions, numbered from 0.
 struct SparseCover {
   std::vector<std::vector<std::uint32_t>> columns_of, rows_of;
-  std::vector<std::uint32_t> column;  ///< of the table
+  std::vector<std::uint32_t> column;  ///< number in the table
 
-  SparseCover(const SignalTable& table, const Question& question, const Reduction& reduction) {
+  SparseCover(const SignalTable& table, const PlacementProblem& problem, const Reduction& reduction) {
     std::vector<std::uint32_t> place(table.columns(), none);
     for (const CoverPart& part : reduction.parts) {
       if (part.labels.empty()) continue;
@@ -29,7 +29,7 @@ struct SparseCover {
       for (const std::uint32_t i : part.labels) {
         const auto row = static_cast<std::uint32_t>(columns_of.size());
         auto& columns = columns_of.emplace_back();
-        const double requirement = requirement_of(table.labels[i], question.model);
+        const double requirement = requirement_of(table.labels[i], problem.model);
         for (const SignalEntry& entry : table.row(i)) {
           const std::uint32_t c = place[entry.transceiver];
           if (c == none || !is_met(entry.signal, requirement)) continue;
@@ -79,9 +79,9 @@ class CoverWalk {
           best_ = chosen_;
         }
         if (chosen_.empty()) return;
-        remove(least_useful(SparseCover::none));
+        remove(min_useful(SparseCover::none));
       }
-      if (chosen_.size() + 1 >= fewest_ && !chosen_.empty()) remove(least_useful(last));
+      if (chosen_.size() + 1 >= fewest_ && !chosen_.empty()) remove(min_useful(last));
       if (open_.empty()) continue;
       last = best_for(open_[random_() % open_.size()], false);
       if (last != SparseCover::none) add(last);
@@ -106,8 +106,8 @@ class CoverWalk {
     return best;
   }
 
-  // What came in last stays for a move, unless it is alone.
-  std::uint32_t least_useful(std::uint32_t last) const {
+  // The column added last stays for a move, unless it is the only one.
+  std::uint32_t min_useful(std::uint32_t last) const {
     std::uint32_t best = SparseCover::none;
     for (const std::uint32_t c : chosen_) {
       if (c == last && chosen_.size() > 1) continue;
@@ -118,8 +118,10 @@ class CoverWalk {
     return best;
   }
 
-  // The score of a column outside is the weight of the open rows that it would reach, of one inside the
-  // weight of the rows that it reaches alone.
+  // With row weights w_i and `times_` = number of chosen columns that reach row i,
+  //
+  //   score_j = sum of w_i over the open rows that j would reach  (j outside the selection),
+  //   score_j = sum of w_i over the rows that only j reaches      (j in the selection).
   void add(std::uint32_t c) {
     in_[c] = true;
     chosen_.push_back(c);
@@ -169,7 +171,7 @@ class CoverWalk {
   std::size_t fewest_;
   std::vector<bool> in_;
   std::vector<std::int64_t> score_;
-  std::vector<std::uint64_t> touched_;  ///< the move in which it came or went last
+  std::vector<std::uint64_t> touched_;  ///< last move that added or removed the column
   std::vector<std::int64_t> weight_;
   std::vector<std::uint32_t> times_;  ///< by row: chosen columns that reach it
   std::vector<std::uint32_t> open_, place_;
@@ -181,17 +183,17 @@ class CoverWalk {
 
 }  // namespace
 
-bool is_plain_cover(const SignalTable& table, const Question& question) {
-  return question.model == CommunicationModel::non_cooperative && !question.redundant &&
-         question.combination == Combination::lexicographic && table.mounts.empty() && table.apart.empty();
+bool is_plain_cover(const SignalTable& table, const PlacementProblem& problem) {
+  return problem.model == CommunicationModel::non_cooperative && !problem.redundant &&
+         problem.combination == Combination::lexicographic && table.mounts.empty() && table.conflicts.empty();
 }
 
-std::optional<Selection> cover_search(const SignalTable& table, const Question& question,
+std::optional<Selection> cover_search(const SignalTable& table, const PlacementProblem& problem,
                                       const Reduction& reduction, const Selection& start,
                                       const Effort& effort, std::uint32_t seed, const RunControl& control) {
-  if (!is_plain_cover(table, question)) return std::nullopt;
+  if (!is_plain_cover(table, problem)) return std::nullopt;
   if (reduction.infeasible || start.size() <= reduction.forced.size()) return std::nullopt;
-  const SparseCover cover(table, question, reduction);
+  const SparseCover cover(table, problem, reduction);
   const auto columns = best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
     return CoverWalk(cover, start.size() - reduction.forced.size(), own_seed);
   });

@@ -13,13 +13,13 @@ namespace {
 
 class Greedy {
  public:
-  Greedy(const SignalTable& table, const Question& question)
+  Greedy(const SignalTable& table, const PlacementProblem& problem)
       : table_(table),
-        question_(question),
-        cost_(greedy_costs(table, question)),
+        problem_(problem),
+        cost_(greedy_costs(table, problem)),
         mounts_(table),
         chosen_(table.columns(), false),
-        excluded_by_(table.columns(), 0) {
+        blocked_by_(table.columns(), 0) {
     for (std::uint32_t j = 0; j < table.columns(); ++j)
       if (table.transceivers[j].installed) choose(j);
     look_at_every_label();
@@ -32,7 +32,7 @@ class Greedy {
       auto best = static_cast<std::uint32_t>(table_.columns());
       double best_ratio = std::numeric_limits<double>::infinity();
       for (std::uint32_t j = 0; j < table_.columns(); ++j) {
-        if (chosen_[j] || excluded_by_[j] > 0 || gain[j] <= 0) continue;
+        if (chosen_[j] || blocked_by_[j] > 0 || gain[j] <= 0) continue;
         const double ratio = cost_[j] / gain[j];
         if (best == table_.columns() || ratio < best_ratio) {
           best = j;
@@ -51,20 +51,20 @@ class Greedy {
   }
 
  private:
-  /// A column that one chosen unit alone excludes, in the place of that unit.
+  /// Exchange of a chosen unit for a column that only this unit blocks.
   struct Exchange {
     std::uint32_t out = 0, in = 0;
-    double lacking = 0;  ///< what that adds to what all labels lack
+    double lacking = 0;  ///< change of the total lack
   };
 
   void choose(std::uint32_t column) {
     chosen_[column] = true;
-    mounts_.for_each_excluded(column, [&](std::uint32_t other) { ++excluded_by_[other]; });
+    mounts_.for_each_conflict(column, [&](std::uint32_t other) { ++blocked_by_[other]; });
   }
 
   void drop(std::uint32_t column) {
     chosen_[column] = false;
-    mounts_.for_each_excluded(column, [&](std::uint32_t other) { --excluded_by_[other]; });
+    mounts_.for_each_conflict(column, [&](std::uint32_t other) { --blocked_by_[other]; });
   }
 
   void look_at_every_label() {
@@ -73,29 +73,29 @@ class Greedy {
   }
 
   double share(const SignalEntry& entry, double requirement) const {
-    return detail::share_of(entry.signal, requirement, question_);
+    return detail::share_of(entry.signal, requirement, problem_);
   }
 
-  double lacking(double sum, double largest) const { return detail::lacking(sum, largest, question_); }
+  double lacking(double sum, double largest) const { return detail::lacking(sum, largest, problem_); }
 
   std::vector<Exchange> exchanges() const {
     std::vector<Exchange> result;
     for (std::uint32_t j = 0; j < table_.columns(); ++j) {
       if (!chosen_[j] || table_.transceivers[j].installed) continue;
-      mounts_.for_each_excluded(j, [&](std::uint32_t other) {
-        if (!chosen_[other] && excluded_by_[other] == 1) result.push_back({j, other, 0});
+      mounts_.for_each_conflict(j, [&](std::uint32_t other) {
+        if (!chosen_[other] && blocked_by_[other] == 1) result.push_back({j, other, 0});
       });
     }
     return result;
   }
 
-  // Makes the exchange that helps most; false where none helps.
+  // Makes the exchange that reduces the total lack most; false if none reduces it.
   bool exchange() {
-    constexpr double least_help = 1e-9;  // keeps rounding from exchanging to and fro
+    constexpr double min_help = 1e-9;  // keeps rounding from causing endless exchanges
     std::vector<Exchange> all = exchanges();
     std::vector<double> part(table_.columns(), 0.0);
     for (std::size_t i = 0; i < table_.rows(); ++i) {
-      const double requirement = requirement_of(table_.labels[i], question_.model);
+      const double requirement = requirement_of(table_.labels[i], problem_.model);
       detail::LabelShares now;
       for (const SignalEntry& entry : table_.row(i)) {
         part[entry.transceiver] = share(entry, requirement);
@@ -110,25 +110,25 @@ class Greedy {
     }
     const auto best = std::min_element(
         all.begin(), all.end(), [](const Exchange& a, const Exchange& b) { return a.lacking < b.lacking; });
-    if (best == all.end() || best->lacking > -least_help) return false;
+    if (best == all.end() || best->lacking > -min_help) return false;
     drop(best->out);
     choose(best->in);
     look_at_every_label();
     return true;
   }
 
-  // The gain of every column; drops the labels that are met by now.
+  // The gain of every column (greedy.hpp); removes labels that are reached by now.
   std::vector<double> gains() {
     std::vector<double> gain(table_.columns(), 0.0);
     std::erase_if(unmet_, [&](std::size_t i) {
-      const double requirement = requirement_of(table_.labels[i], question_.model);
-      const double received = received_signal(table_, i, chosen_, question_);
+      const double requirement = requirement_of(table_.labels[i], problem_.model);
+      const double received = received_signal(table_, i, chosen_, problem_);
       if (is_met(received, requirement)) return true;
       const double lacking =
-          question_.model == CommunicationModel::cooperative ? 1 - received / requirement : 1;
-      // A unit that becomes the strongest adds a signal that may fail, but saves the one that was strongest.
+          problem_.model == CommunicationModel::cooperative ? 1 - received / requirement : 1;
+      // A new strongest unit adds a signal that may fail, but restores that of the previous strongest unit.
       double largest = std::numeric_limits<double>::infinity();
-      if (question_.redundant) {
+      if (problem_.redundant) {
         largest = 0;
         for (const SignalEntry& entry : table_.row(i))
           if (chosen_[entry.transceiver]) largest = std::max(largest, share(entry, requirement));
@@ -143,25 +143,25 @@ class Greedy {
   }
 
   const SignalTable& table_;
-  const Question& question_;
+  const PlacementProblem& problem_;
   std::vector<double> cost_;
   Mounts mounts_;
   std::vector<bool> chosen_;
-  std::vector<std::uint32_t> excluded_by_;  ///< how many of the chosen units exclude each column
+  std::vector<std::uint32_t> blocked_by_;  ///< per column: chosen units in conflict with it
   std::vector<std::size_t> unmet_;
 };
 
 }  // namespace
 
-std::vector<double> greedy_costs(const SignalTable& table, const Question& question) {
-  std::vector<double> cost = objective_coefficients(table, question);
+std::vector<double> greedy_costs(const SignalTable& table, const PlacementProblem& problem) {
+  std::vector<double> cost = objective_coefficients(table, problem);
   for (std::size_t j = 0; j < cost.size(); ++j)
-    cost[j] += question.combination == Combination::lexicographic ? 1.0 : table.transceivers[j].cost;
+    cost[j] += problem.combination == Combination::lexicographic ? 1.0 : table.transceivers[j].cost;
   return cost;
 }
 
-std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const Question& question) {
-  return Greedy(table, question).run();
+std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const PlacementProblem& problem) {
+  return Greedy(table, problem).run();
 }
 
 }  // namespace shelfbeam

@@ -3,29 +3,34 @@
 #include <cstdint>
 #include <vector>
 
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam {
 
-/// A selection found greedily after the installed units; ascending. It meets every label where that is
-/// possible and no candidates exclude one another. What a chosen unit excludes cannot be chosen; where labels
-/// are left over therefore, a unit is exchanged for one that it alone excludes as long as what all labels
-/// lack together becomes less by it, and the steps go on. Still, some may be left: the caller checks.
+/// A greedy selection that starts from the installed units; ascending. Each step adds the candidate with the
+/// minimum cost per gain, ties to the lowest index:
 ///
-/// The cost c(S_j) of a unit is 1 (lexicographic) or c_j^T (weighted) plus its coefficient in the second
-/// objective, links included. Each step takes the least cost per gain, ties to the lowest index:
-/// - non-cooperative: gain = labels newly reached (algorithm 1). Costs at most H(m) times the least cost.
-/// - cooperative: gain = sum_i min(r_i, M_ij / gamma_i tau_i) over the unmet labels, where r_i = 1 - S_i /
-///   gamma_i tau_i is what label i still lacks (Wolsey, Combinatorica 2, 1982). Costs at most 1 + ln(G / g)
-///   times the least cost, G the gain of all candidates together, g what was lacking before the last step.
-/// Redundant questions: a label lacks a second unit that reaches it alone (non-cooperative; a step gains one
-/// at each label, the guarantee is the same); cooperative, with a_ij = min(1, M_ij / gamma_i tau_i) and b_i
-/// the largest of them chosen, gain = sum_i min(a_ij, r_i + max(0, a_ij - b_i)), where r_i is what label i
-/// lacks when its strongest unit fails. This is positive for any unit that an unmet label hears; no
-/// guarantee. All guarantees need candidates that do not exclude one another.
-std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const Question& question);
+///   j = argmin c(S_j) / gain_j,   c(S_j) = 1 + coefficient of T_j        (lexicographic)
+///                                 c(S_j) = c_j^T + coefficient of T_j    (weighted)
+///
+/// with the coefficients of the second objective, links included, and a_ij = min(1, M_ij / (gamma_i tau_i)):
+/// - non-cooperative (algorithm 1): gain_j = number of labels newly reached. The sum of c(S_j) is at most
+///   H(m) times the minimum (Chvatal 1979).
+/// - cooperative: gain_j = sum_i min(r_i, a_ij) over missed labels, r_i = 1 - S_i / (gamma_i tau_i). At most
+///   1 + ln(G / g) times the minimum, G the gain of all candidates together, g the lack before the last step
+///   (Wolsey, Combinatorica 2, 1982).
+/// - non-cooperative, unit failure: gain_j = number of labels that j reaches and fewer than two chosen units
+///   reach. H(m) again.
+/// - cooperative, unit failure: with b_i the largest chosen a_ij and r_i the lack after the failure of the
+///   strongest unit, gain_j = sum_i min(a_ij, r_i + max(0, a_ij - b_i)) over missed labels. It is positive
+///   for any unit with a signal at a missed label. No guarantee.
+///
+/// If conflicts block all candidates, a unit is exchanged for a candidate that only this unit blocks, as long
+/// as that reduces the total lack. Conflicts void the guarantees, and labels may stay missed: the caller
+/// checks.
+std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const PlacementProblem& problem);
 
-/// c(S_j) as above.
-std::vector<double> greedy_costs(const SignalTable& table, const Question& question);
+/// c(S_j) of every column.
+std::vector<double> greedy_costs(const SignalTable& table, const PlacementProblem& problem);
 
 }  // namespace shelfbeam

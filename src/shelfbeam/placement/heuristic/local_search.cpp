@@ -16,28 +16,28 @@ namespace shelfbeam::detail {
 namespace {
 
 constexpr std::size_t rows_at_first = 256;
-// More candidates for a row are worse, not only slower: the best of all is too often the same.
-constexpr std::size_t most_supporters = 24;
+// More candidates per row would make results worse, not only slower: the same few would win too often.
+constexpr std::size_t max_supporters = 24;
 
 class Walk {
  public:
-  Walk(const SearchProblem& problem, const SearchMatrix& all, const std::vector<std::uint32_t>& start,
+  Walk(const SearchInstance& instance, const SearchMatrix& all, const std::vector<std::uint32_t>& start,
        std::uint32_t seed)
-      : problem_(problem),
+      : instance_(instance),
         all_(all),
-        rule_(receiving(problem.question)),
+        rule_(receiving(instance.problem)),
         rows_(all, rule_),
         demand_(rule_ == Receiving::second_best ? 2.0F : 1.0F),
         price_(all.columns(), 1.0),
-        is_free_(problem.available),
+        is_free_(instance.available),
         in_(all.columns(), false),
         touched_(all.columns(), 0),
         random_(seed) {
-    if (problem.question.combination == Combination::weighted)
-      for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(problem.cost[j]);
+    if (instance.problem.combination == Combination::weighted)
+      for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(instance.cost[j]);
     for (const std::uint32_t j : start) in_[j] = true;
-    if (margin_of(problem.table, problem.question, all, start, memory_).is_met) best_cost_ = cost();
-    rows_.take_hardest_for(start, rows_at_first);
+    if (margin_of(instance.table, instance.problem, all, start, memory_).is_met) best_cost_ = cost();
+    rows_.add_hardest(start, rows_at_first);
     follow_rows();
   }
 
@@ -47,12 +47,12 @@ class Walk {
       if (move % between_looks == 0) {
         if (effort.is_over(control)) return;
         control.report("local search", -1, fmt::format("{} moves", move));
-        recount();  // sums that were added to and taken from drift
+        recount();  // sums updated by differences drift
       }
       now_ = move;
       while (meets_rows()) {
         if (effort.is_over(control)) return;
-        if (!try_on_all()) continue;  // more is asked for
+        if (!try_on_all()) continue;  // rows were added
         if (!remove_cheapest()) return;
       }
       if (!exchange()) return;
@@ -62,7 +62,7 @@ class Walk {
   Found best() const { return {best_, best_cost_}; }
 
  private:
-  // Prices may be zero: such units are worth taking whatever they give.
+  // Value per price; a unit of price zero comes first, whatever it contributes.
   static double ratio(double value, double price) { return price > 0 ? value / price : value * 1e30; }
 
   double cost() const {
@@ -72,7 +72,7 @@ class Walk {
     return sum;
   }
 
-  // Weights and supporters of rows that have come in.
+  // Sets weights and supporters of new rows.
   void follow_rows() {
     weight_.resize(rows_.padded(), 0.0F);
     for (std::size_t r = supporters_.size(); r < rows_.size(); ++r) {
@@ -80,7 +80,7 @@ class Walk {
       std::vector<std::uint32_t> columns;
       for (std::uint32_t j = 0; j < in_.size(); ++j)
         if (is_free_[j] && rows_.used_of(row, j) > 0) columns.push_back(j);
-      const std::size_t count = std::min(most_supporters, columns.size());
+      const std::size_t count = std::min(max_supporters, columns.size());
       std::partial_sort(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(count), columns.end(),
                         [&](std::uint32_t a, std::uint32_t b) {
                           const float x = all_.column(a)[row], y = all_.column(b)[row];
@@ -120,10 +120,10 @@ class Walk {
     return result;
   }
 
-  // Keeps the selection if it meets all labels; else takes the rows that it leaves unmet.
+  // Keeps the selection if it reaches all labels; otherwise adds rows that it misses.
   bool try_on_all() {
     const std::vector<std::uint32_t> selected = selection();
-    const Margin margin = margin_of(problem_.table, problem_.question, all_, selected, memory_);
+    const Margin margin = margin_of(instance_.table, instance_.problem, all_, selected, memory_);
     if (margin.is_met) {
       if (const double price = cost(); price < best_cost_) {
         best_ = selected;
@@ -131,7 +131,7 @@ class Walk {
       }
       return true;
     }
-    if (!rows_.learn(std::span(memory_).first(all_.rows()), margin.label)) rows_.ask_more_of(margin.label);
+    if (!rows_.add_missed(std::span(memory_).first(all_.rows()), margin.label)) rows_.tighten(margin.label);
     follow_rows();
     return false;
   }
@@ -164,7 +164,15 @@ class Walk {
     return true;
   }
 
-  // The most useful column for some unmet row comes in, then the least useful go until it pays.
+  // For a random missed row, adds the supporter j with the largest worth per price,
+  //
+  //   worth_j = sum_i w_i min(a_ij, max(0, demand - held_i)),
+  //
+  // less the losses of chosen units in conflict with j. Then removes the units with the least loss per price,
+  //
+  //   loss_j = sum_i w_i max(0, a_ij - max(0, held_i - demand)),
+  //
+  // until the selection costs less than the incumbent. Rows missed afterwards gain weight 1.
   bool exchange() {
     const std::uint32_t row = unmet_[random_() % unmet_.size()];
     std::uint32_t in = none;
@@ -173,7 +181,7 @@ class Walk {
       if (in_[j] || (touched_[j] > 0 && touched_[j] + 1 >= now_) || price_[j] >= best_cost_) continue;
       double gained = static_cast<double>(
           SearchKernels::worth(rows_.column(j), weight_.data(), held_.data(), demand_, rows_.padded()));
-      for (const std::uint32_t other : problem_.excludes[j])
+      for (const std::uint32_t other : instance_.excludes[j])
         if (in_[other]) gained -= lost_with(other);
       const double worth = ratio(gained, price_[j]);
       if (in == none || worth > most || (worth == most && touched_[j] < touched_[in])) {
@@ -185,7 +193,7 @@ class Walk {
       in_[in] = true;
       touched_[in] = now_;
       bool replaces = false;
-      for (const std::uint32_t other : problem_.excludes[in]) {
+      for (const std::uint32_t other : instance_.excludes[in]) {
         if (!in_[other]) continue;
         replaces = true;
         in_[other] = false;
@@ -206,17 +214,17 @@ class Walk {
 
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  const SearchProblem& problem_;
+  const SearchInstance& instance_;
   const SearchMatrix& all_;
   Receiving rule_;
   ActiveRows rows_;
   float demand_;
   std::vector<double> price_;
   std::vector<bool> is_free_, in_;
-  std::vector<std::uint64_t> touched_;  ///< the move in which it came or went last
+  std::vector<std::uint64_t> touched_;  ///< last move that added or removed the column
   std::mt19937 random_;
   std::uint64_t now_ = 0;
-  std::vector<std::vector<std::uint32_t>> supporters_;  ///< by row: the free columns that give it most
+  std::vector<std::vector<std::uint32_t>> supporters_;  ///< by row: the free columns with the largest signals
   std::vector<float> weight_, held_, largest_, memory_;
   std::vector<std::uint32_t> unmet_;
   std::optional<std::vector<std::uint32_t>> best_;
@@ -225,11 +233,11 @@ class Walk {
 
 }  // namespace
 
-std::optional<Selection> local_search(const SearchProblem& problem, const SearchMatrix& all,
+std::optional<Selection> local_search(const SearchInstance& instance, const SearchMatrix& all,
                                       const Selection& start, const Effort& effort, std::uint32_t seed,
                                       const RunControl& control) {
   return best_of_walks(seed, effort, control,
-                       [&](std::uint32_t own_seed) { return Walk(problem, all, start, own_seed); });
+                       [&](std::uint32_t own_seed) { return Walk(instance, all, start, own_seed); });
 }
 
 }  // namespace shelfbeam::detail

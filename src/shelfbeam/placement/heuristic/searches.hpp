@@ -3,43 +3,39 @@
 #include <cstdint>
 #include <optional>
 
-#include "shelfbeam/placement/kernels/search_problem.hpp"
+#include "shelfbeam/placement/kernels/search_instance.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
-// Searches for a better selection. Walks begin with `seed` and those that follow. Nothing where none was
-// found.
+// Heuristic searches for a better selection; nullopt if none is found. Walks use `seed` and the following
+// seeds.
 namespace shelfbeam::detail {
 
-/// A better selection than `start`: one of fewer units (lexicographic) or of less cost (weighted), or any
-/// that meets every label where `start` does not, by exchanges with weights on rows that stay unmet (as in
-/// weighting searches for set covering, Gao et al. 2015), on the rows that have been unmet so far. Whatever
-/// is returned has passed the contract's rule on all rows.
-std::optional<Selection> local_search(const SearchProblem& problem, const SearchMatrix& all,
+/// A selection better than `start` (fewer units, or less cost if weighted), or any feasible selection if
+/// `start` is infeasible. Weighted exchanges as for set covering (Gao and others 2015), on a growing set of
+/// rows. Results have passed received_signal on all rows.
+std::optional<Selection> local_search(const SearchInstance& instance, const SearchMatrix& all,
                                       const Selection& start, const Effort& effort, std::uint32_t seed,
                                       const RunControl& control);
 
-/// Whether `anneal` takes this question: the fewest units (lexicographic), signals that add up, and no unit
-/// may fail.
-bool can_anneal(const Question& question);
+/// Whether `anneal` applies: lexicographic, signals add up, no unit failure.
+bool can_anneal(const PlacementProblem& problem);
 
-/// A selection of fewer units than `start` that meets every label, or any that does where `start` does not
-/// but has enough units: simulated annealing (Kirkpatrick, Gelatt and Vecchi, Science 220, 1983) of what the
-/// labels lack in all, for a number of units that falls by one whenever a selection passes the contract's
-/// rule. A move exchanges one unit for another, mostly for one whose signals are like its own, and costs one
-/// scan of the rows that were ever unmet.
-std::optional<Selection> anneal(const SearchProblem& problem, const SearchMatrix& all, const Selection& start,
-                                const Effort& effort, std::uint32_t seed, const RunControl& control);
+/// A feasible selection with fewer units than `start`, or with at most as many if `start` is infeasible:
+/// simulated annealing (Kirkpatrick, Gelatt and Vecchi, Science 220, 1983) of the total lack L(T) at a fixed
+/// count, which falls by one whenever a selection passes received_signal. A move exchanges one unit, mostly
+/// for one with similar signals, and costs one scan of the active rows.
+std::optional<Selection> anneal(const SearchInstance& instance, const SearchMatrix& all,
+                                const Selection& start, const Effort& effort, std::uint32_t seed,
+                                const RunControl& control);
 
-/// Whether `cover_search` takes this question: the fewest units (lexicographic), each label reached by one,
-/// and no candidates that exclude one another.
-bool is_plain_cover(const SignalTable& table, const Question& question);
+/// Whether `cover_search` applies: lexicographic, non-cooperative, no unit failure, no conflicts.
+bool is_plain_cover(const SignalTable& table, const PlacementProblem& problem);
 
-/// A selection of fewer units than `start`, which meets every label, by a search for set covering with
-/// weights on rows (Gao and others, Engineering Applications of Artificial Intelligence 38, 2015), on what
-/// `reduction` (of the number of units) leaves. A move costs what its columns reach and not a scan of the
-/// matrix.
-std::optional<Selection> cover_search(const SignalTable& table, const Question& question,
+/// A selection with fewer units than the feasible `start`: row-weighting search for set covering (Gao and
+/// others, Eur. J. Oper. Res. 246, 2015) on the remainder of `reduction`, which is for the count. Moves need
+/// no scan of the matrix.
+std::optional<Selection> cover_search(const SignalTable& table, const PlacementProblem& problem,
                                       const Reduction& reduction, const Selection& start,
                                       const Effort& effort, std::uint32_t seed, const RunControl& control);
 

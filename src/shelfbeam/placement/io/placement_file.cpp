@@ -28,9 +28,9 @@ using detail::Positions;
 using detail::positions;
 
 constexpr int format_version = 1;
-constexpr std::int64_t most_units = std::numeric_limits<std::uint32_t>::max();
+constexpr std::int64_t max_units = std::numeric_limits<std::uint32_t>::max();
 
-// Whole numbers without ".0", as a reader expects of a count.
+// Integers without ".0", as readers expect of counts.
 Json count(double value) {
   return std::isfinite(value) ? Json(std::llround(value)) : Json(nullptr);
 }
@@ -41,14 +41,14 @@ std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const SignalT
   std::vector<bool> seen(table.columns(), false);
   for (const JsonCursor& element : cursor.elements()) {
     selected.push_back(position(element, known, "transceiver"));
-    if (seen[selected.back()]) element.fail(fmt::format("names '{}' again", element.text()), "name it once");
+    if (seen[selected.back()]) element.fail(fmt::format("is a duplicate '{}'", element.text()), "remove it");
     seen[selected.back()] = true;
   }
-  if (const auto crowded = crowded_mounts(table, seen); !crowded.empty()) {
+  if (const auto crowded = shared_mounts(table, seen); !crowded.empty()) {
     std::vector<std::string_view> ids;
     for (const std::uint32_t j : table.mounts[crowded.front()])
       if (seen[j]) ids.push_back(table.transceivers[j].id);
-    cursor.fail(fmt::format("names '{}', which are options of one mounting point", fmt::join(ids, "' and '")),
+    cursor.fail(fmt::format("has '{}', which are options of one mounting point", fmt::join(ids, "' and '")),
                 "keep one of them");
   }
   std::sort(selected.begin(), selected.end());
@@ -66,11 +66,10 @@ std::vector<Unreachable> read_unreachable(const JsonCursor& cursor, const Signal
   return result;
 }
 
-// Share of the labels that two or more of the selected units reach alone: "Redundant" of the paper's
-// Table 3.1.
+// Share of the labels that at least two selected units reach alone: "Redundant" of the paper's Table 3.1.
 double redundant_share(const Placement& placement, const SignalTable& table) {
   if (table.rows() == 0) return 0;
-  const Check check = check_selection(table, placement.question, placement.selected);
+  const Check check = check_selection(table, placement.problem, placement.selected);
   const auto redundant = std::count_if(check.serving.begin(), check.serving.end(),
                                        [](std::uint32_t units) { return units >= 2; });
   return static_cast<double>(redundant) / static_cast<double>(table.rows());
@@ -90,14 +89,14 @@ Json scenarios(const Placement& placement, const SignalTable& table) {
 
 Json first_ids(const std::vector<std::uint32_t>& labels, const SignalTable& table) {
   Json ids = Json::array();
-  for (std::size_t k = 0; k < std::min(labels.size(), most_listed_labels); ++k)
+  for (std::size_t k = 0; k < std::min(labels.size(), max_listed_labels); ++k)
     ids.push_back(table.labels[labels[k]].id);
   return ids;
 }
 
 Json critical(const Placement& placement, const SignalTable& table) {
   Json result = Json::array();
-  for (const Critical& one : critical_units(table, placement.question, placement.selected))
+  for (const Critical& one : critical_units(table, placement.problem, placement.selected))
     result.push_back({{"unit", table.transceivers[one.unit].id},
                       {"count", one.labels.size()},
                       {"labels", first_ids(one.labels, table)}});
@@ -113,20 +112,21 @@ Json curve_points(const std::vector<CurvePoint>& points) {
 
 }  // namespace
 
-Json detail::placement_object(const Placement& placement, const SignalTable& table, const ReachCurve& curve) {
+Json detail::placement_object(const Placement& placement, const SignalTable& table,
+                              const CoverageCurve& curve) {
   Json selected = Json::array();
   for (const std::uint32_t j : placement.selected) selected.push_back(table.transceivers[j].id);
   Json unreachable = Json::array();
   for (const Unreachable& label : placement.unreachable)
     unreachable.push_back(
         {{"label", table.labels[label.label].id}, {"requirement", label.requirement}, {"most", label.most}});
-  const Question& question = placement.question;
+  const PlacementProblem& problem = placement.problem;
   Json file = {{"format", format_version},
-               {"model", to_text(question.model)},
-               {"objective", to_text(question.objective)},
-               {"combination", to_text(question.combination)},
-               {"share", question.share},
-               {"survives_failure", question.redundant},
+               {"model", to_text(problem.model)},
+               {"objective", to_text(problem.objective)},
+               {"combination", to_text(problem.combination)},
+               {"share", problem.share},
+               {"survives_failure", problem.redundant},
                {"min_spacing", placement.min_spacing > 0 ? Json(placement.min_spacing) : Json(nullptr)},
                {"forbidden_pairs", placement.forbidden_pairs},
                {"labels", table.rows()},
@@ -153,16 +153,16 @@ Json detail::placement_object(const Placement& placement, const SignalTable& tab
   return file;
 }
 
-std::string placement_json(const Placement& placement, const SignalTable& table, const ReachCurve& curve) {
+std::string placement_json(const Placement& placement, const SignalTable& table, const CoverageCurve& curve) {
   return detail::file_text(detail::placement_object(placement, table, curve));
 }
 
-std::string reach_json(const Reach& reach, const SignalTable& table) {
+std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
   Json selected = Json::array();
   for (const std::uint32_t j : reach.selected) selected.push_back(table.transceivers[j].id);
   const Json file = {{"format", format_version},
-                     {"model", to_text(reach.question.model)},
-                     {"survives_failure", reach.question.redundant},
+                     {"model", to_text(reach.problem.model)},
+                     {"survives_failure", reach.problem.redundant},
                      {"at_most", reach.at_most},
                      {"selected", selected},
                      {"count", reach.selected.size()},
@@ -180,7 +180,7 @@ std::string reach_json(const Reach& reach, const SignalTable& table) {
 }
 
 Placement detail::read_placement(const JsonCursor& file, const SignalTable& table) {
-  expect_format_version(file.where(), file["format"].integer(0, most_versions), format_version);
+  expect_format_version(file.where(), file["format"].integer(0, max_versions), format_version);
   file.expect_keys({"format",          "model",           "objective",
                     "combination",     "share",           "survives_failure",
                     "selected",        "count",           "count_lower_bound",
@@ -192,12 +192,12 @@ Placement detail::read_placement(const JsonCursor& file, const SignalTable& tabl
                     "forbidden_pairs", "labels",          "curve_complete",
                     "certificate",     "sensitivity"});
   Placement placement;
-  placement.question.model = file["model"].choice<CommunicationModel>();
-  placement.question.objective = file["objective"].choice<Objective>();
+  placement.problem.model = file["model"].choice<CommunicationModel>();
+  placement.problem.objective = file["objective"].choice<Objective>();
   if (const auto found = file.find("combination"))
-    placement.question.combination = found->choice<Combination>();
-  if (const auto found = file.find("share")) placement.question.share = found->positive();
-  if (const auto found = file.find("survives_failure")) placement.question.redundant = found->boolean();
+    placement.problem.combination = found->choice<Combination>();
+  if (const auto found = file.find("share")) placement.problem.share = found->positive();
+  if (const auto found = file.find("survives_failure")) placement.problem.redundant = found->boolean();
   if (const auto found = file.find("min_spacing"); found && !found->is_null())
     placement.min_spacing = found->positive();
   if (const auto found = file.find("forbidden_pairs"))
@@ -227,8 +227,8 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
   return detail::read_placement(JsonCursor::parse_file(path), table);
 }
 
-ReachCurve detail::read_curve(const JsonCursor& file, const SignalTable& table) {
-  ReachCurve curve;
+CoverageCurve detail::read_curve(const JsonCursor& file, const SignalTable& table) {
+  CoverageCurve curve;
   const auto points = file.find("curve");
   if (!points) return curve;
   const auto labels = static_cast<std::int64_t>(table.rows());
@@ -237,7 +237,7 @@ ReachCurve detail::read_curve(const JsonCursor& file, const SignalTable& table) 
     const std::int64_t at_least = element["at_least"].integer(0, labels);
     const std::int64_t before =
         curve.points.empty() ? 0 : static_cast<std::int64_t>(curve.points.back().units);
-    curve.points.push_back({static_cast<std::size_t>(element["units"].integer(before + 1, most_units)),
+    curve.points.push_back({static_cast<std::size_t>(element["units"].integer(before + 1, max_units)),
                             static_cast<std::size_t>(at_least),
                             static_cast<std::size_t>(element["at_most"].integer(at_least, labels))});
   }

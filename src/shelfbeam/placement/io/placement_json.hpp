@@ -11,15 +11,15 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/json.hpp"
+#include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/answer/reach_curve.hpp"
 
-// What the parts of placement.json have in common.
+// Helpers shared by the parts of placement.json.
 namespace shelfbeam::detail {
 
 using Json = nlohmann::ordered_json;
 
-/// null stands for a number without a value.
+/// Infinite and undefined numbers become null.
 inline Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -40,18 +40,18 @@ inline std::uint32_t position(const JsonCursor& cursor, const Positions& known, 
   const std::string id = cursor.text();
   const auto found = known.find(id);
   if (found == known.end())
-    cursor.fail(fmt::format("names '{}', and the matrix has no such {}", id, what),
+    cursor.fail(fmt::format("names '{}', but the matrix has no such {}", id, what),
                 "use the matrix that this placement was computed from");
   return found->second;
 }
 
-/// The object of placement.json, to which a plan adds its own; the curve is left out where there is none.
-Json placement_object(const Placement& placement, const SignalTable& table, const ReachCurve& curve);
+/// The object of placement.json, which a plan extends. A curve without points is omitted.
+Json placement_object(const Placement& placement, const SignalTable& table, const CoverageCurve& curve);
 Placement read_placement(const JsonCursor& file, const SignalTable& table);
-/// Without `selected`; without points where the file has none.
-ReachCurve read_curve(const JsonCursor& file, const SignalTable& table);
+/// The curve without `selected`; without points if the file has no curve.
+CoverageCurve read_curve(const JsonCursor& file, const SignalTable& table);
 
-/// A file's text.
+/// The text of a file.
 inline std::string file_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -33,7 +33,7 @@ void ActiveRows::take(std::span<const std::uint32_t> rows) {
     for (std::size_t r = before; r < rows_.size(); ++r) values_[j * stride_ + r] = used_of(rows_[r], j);
 }
 
-void ActiveRows::take_hardest_for(std::span<const std::uint32_t> selected, std::size_t count) {
+void ActiveRows::add_hardest(std::span<const std::uint32_t> selected, std::size_t count) {
   std::vector<std::pair<float, std::uint32_t>> by_sum;
   for (std::uint32_t i = 0; i < all_.rows(); ++i) {
     if (is_known_[i]) continue;
@@ -41,10 +41,10 @@ void ActiveRows::take_hardest_for(std::span<const std::uint32_t> selected, std::
     for (const std::uint32_t j : selected) sum += used_of(i, j);
     by_sum.emplace_back(sum, i);
   }
-  take_least(by_sum, count);
+  take_weakest(by_sum, count);
 }
 
-void ActiveRows::take_least(std::vector<std::pair<float, std::uint32_t>>& by_received, std::size_t count) {
+void ActiveRows::take_weakest(std::vector<std::pair<float, std::uint32_t>>& by_received, std::size_t count) {
   const auto end = by_received.begin() + static_cast<std::ptrdiff_t>(std::min(count, by_received.size()));
   std::partial_sort(by_received.begin(), end, by_received.end());
   std::vector<std::uint32_t> rows;
@@ -52,18 +52,18 @@ void ActiveRows::take_least(std::vector<std::pair<float, std::uint32_t>>& by_rec
   take(rows);
 }
 
-bool ActiveRows::learn(std::span<const float> received, std::uint32_t label) {
+bool ActiveRows::add_missed(std::span<const float> received, std::uint32_t label) {
   constexpr std::size_t at_once = 32;
   std::vector<std::pair<float, std::uint32_t>> short_of;
   for (std::uint32_t i = 0; i < all_.rows(); ++i)
     if (received[i] < 1 && !is_known_[i]) short_of.emplace_back(received[i], i);
-  // Of no row: met in float arithmetic only.
+  // Single precision accepts every row.
   if (short_of.empty() && !is_known_[label]) short_of.emplace_back(received[label], label);
-  take_least(short_of, at_once);
+  take_weakest(short_of, at_once);
   return !short_of.empty();
 }
 
-void ActiveRows::ask_more_of(std::uint32_t label) {
+void ActiveRows::tighten(std::uint32_t label) {
   constexpr float less = 1 - 1e-4F;
   const auto r = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), label) - rows_.begin());
   for (std::size_t j = 0; j < all_.columns(); ++j) values_[j * stride_ + r] *= less;

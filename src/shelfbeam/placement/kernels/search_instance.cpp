@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/kernels/search_problem.hpp"
+#include "shelfbeam/placement/kernels/search_instance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@ namespace shelfbeam::detail {
 
 namespace {
 
-// Larger ratios are as good as this one, and sums of them stay finite.
+// Ratios are capped here, so that sums stay finite.
 constexpr float largest = 1e6F;
-// The last number below 1: links that fail the rule by less than rounding must not seem to pass.
+// The largest float below 1, for links that fail the rule by less than rounding.
 constexpr float just_short = 1 - std::numeric_limits<float>::epsilon() / 2;
 
 std::vector<std::uint32_t> all_rows(const SignalTable& table) {
@@ -47,17 +47,17 @@ SearchMatrix::SearchMatrix(const SignalTable& table, CommunicationModel model,
 SearchMatrix::SearchMatrix(const SignalTable& table, CommunicationModel model)
     : SearchMatrix(table, model, all_rows(table)) {}
 
-Receiving receiving(const Question& question) {
-  if (question.model == CommunicationModel::cooperative)
-    return question.redundant ? Receiving::sum_without_best : Receiving::sum;
-  return question.redundant ? Receiving::second_best : Receiving::best;
+Receiving receiving(const PlacementProblem& problem) {
+  if (problem.model == CommunicationModel::cooperative)
+    return problem.redundant ? Receiving::sum_without_best : Receiving::sum;
+  return problem.redundant ? Receiving::second_best : Receiving::best;
 }
 
-Margin margin_of(const SignalTable& table, const Question& question, const SearchMatrix& all,
+Margin margin_of(const SignalTable& table, const PlacementProblem& problem, const SearchMatrix& all,
                  std::span<const std::uint32_t> selected, std::vector<float>& received) {
   Margin margin{std::numeric_limits<double>::infinity(), 0, true};
   received.assign(2 * all.padded_rows(), 0.0F);
-  const Receiving rule = receiving(question);
+  const Receiving rule = receiving(problem);
   float* const value = received.data();
   float* const best = received.data() + all.padded_rows();
   for (const std::uint32_t j : selected)
@@ -67,17 +67,17 @@ Margin margin_of(const SignalTable& table, const Question& question, const Searc
   std::vector<bool> chosen(table.columns(), false);
   for (const std::uint32_t j : selected) chosen[j] = true;
   double of_unmet = std::numeric_limits<double>::infinity();
-  // The smallest in truth is among these, and whoever is not met if any is. (Nobody knows among ratios that
-  // were cut off.)
+  // These rows include the smallest margin in double precision, and a missed label if there is any. (Capped
+  // ratios cannot be told apart.)
   const float lowest = least < largest / 10 ? least * (1 + 5 * static_cast<float>(search_tolerance))
                                             : std::numeric_limits<float>::infinity();
   for (std::uint32_t i = 0; i < all.rows(); ++i) {
     if (received[i] > lowest) continue;
-    const double requirement = requirement_of(table.labels[i], question.model);
-    const double signal = received_signal(table, i, chosen, question);
+    const double requirement = requirement_of(table.labels[i], problem.model);
+    const double signal = received_signal(table, i, chosen, problem);
     const double ratio = signal / requirement;
     const bool met = is_met(signal, requirement);
-    // Ratios round: of two that are the same one may be met. The label that is not is to be told.
+    // Of two labels with equal rounded ratios, one may be reached. The missed label is reported.
     if (margin.is_met ? !met || ratio < margin.smallest : !met && ratio < of_unmet) margin.label = i;
     if (!met) of_unmet = std::min(of_unmet, ratio);
     margin.is_met = margin.is_met && met;
@@ -86,12 +86,12 @@ Margin margin_of(const SignalTable& table, const Question& question, const Searc
   return margin;
 }
 
-SearchProblem::SearchProblem(const SignalTable& t, const Question& q)
-    : table(t), question(q), excludes(t.columns()), available(t.columns(), true) {
+SearchInstance::SearchInstance(const SignalTable& t, const PlacementProblem& q)
+    : table(t), problem(q), excludes(t.columns()), available(t.columns(), true) {
   const std::vector<double> coefficients =
       q.combination == Combination::weighted ? first_objective(t, q) : objective_coefficients(t, q);
   const double most = coefficients.empty() ? 0 : *std::max_element(coefficients.begin(), coefficients.end());
-  constexpr double bits = 60;  // of what all columns cost together
+  constexpr double bits = 60;  // of the cost of all columns together
   if (most > 0)
     cost_unit = std::exp2(std::ceil(std::log2(most) + std::log2(static_cast<double>(t.columns()))) - bits);
   for (const double coefficient : coefficients) cost.push_back(std::llround(coefficient / cost_unit));
@@ -101,20 +101,21 @@ SearchProblem::SearchProblem(const SignalTable& t, const Question& q)
   std::stable_sort(by_id.begin(), by_id.end(), [&](std::uint32_t a, std::uint32_t b) {
     return t.transceivers[a].id < t.transceivers[b].id;
   });
-  place_by_id.resize(t.columns());
-  for (std::uint32_t k = 0; k < by_id.size(); ++k) place_by_id[by_id[k]] = k;
+  rank_by_id.resize(t.columns());
+  for (std::uint32_t k = 0; k < by_id.size(); ++k) rank_by_id[by_id[k]] = k;
   const Mounts mounts(t);
   for (std::uint32_t j = 0; j < t.columns(); ++j) {
-    mounts.for_each_excluded(j, [&](std::uint32_t other) { excludes[j].push_back(other); });
+    mounts.for_each_conflict(j, [&](std::uint32_t other) { excludes[j].push_back(other); });
     available[j] = mounts.available(j) && !t.transceivers[j].installed;
     if (t.transceivers[j].installed) installed.push_back(j);
   }
 }
 
-bool SearchProblem::is_first_by_id(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const {
+bool SearchInstance::is_first_by_id(std::span<const std::uint32_t> a,
+                                    std::span<const std::uint32_t> b) const {
   const auto places = [&](std::span<const std::uint32_t> selected) {
     std::vector<std::uint32_t> result;
-    for (const std::uint32_t j : selected) result.push_back(place_by_id[j]);
+    for (const std::uint32_t j : selected) result.push_back(rank_by_id[j]);
     std::sort(result.begin(), result.end());
     return result;
   };

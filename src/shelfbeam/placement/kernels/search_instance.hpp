@@ -6,19 +6,19 @@
 #include <vector>
 
 #include "shelfbeam/placement/kernels/search_kernels.hpp"
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam::detail {
 
-/// M_ij / (gamma_i tau_i) in single precision, column by column, for some rows of a table. A guide: whoever
-/// decides anything by it leaves a margin of `search_tolerance`, or asks the table. Only whether a link alone
-/// reaches a label (non-cooperative) is as the rule has it: at 1 or above.
+/// M_ij / (gamma_i tau_i) in single precision, by column, for some rows of a table. Decisions based on it
+/// require a margin of `search_tolerance` or a check with the table. Only l_ij is exact (non-cooperative):
+/// entries are at least 1 if and only if the link reaches the label.
 class SearchMatrix {
  public:
-  static constexpr std::size_t block = 16;  ///< rows are padded to a multiple, with zeros
+  static constexpr std::size_t block = 16;  ///< row counts are padded with zeros to a multiple
 
   SearchMatrix(const SignalTable& table, CommunicationModel model, std::vector<std::uint32_t> rows);
-  /// Of all rows.
+  /// All rows of the table.
   SearchMatrix(const SignalTable& table, CommunicationModel model);
 
   std::size_t rows() const { return rows_.size(); }
@@ -33,43 +33,41 @@ class SearchMatrix {
   std::vector<float> values_;
 };
 
-/// What float arithmetic may be off, relatively, in sums over a selection.
+/// Relative tolerance for single precision in sums over a selection.
 inline constexpr double search_tolerance = 2e-5;
 
-Receiving receiving(const Question& question);
+Receiving receiving(const PlacementProblem& problem);
 
-/// How well a selection does, by the contract's rule in double precision.
+/// The minimum margin of a selection, in double precision and by the rule of received_signal.
 struct Margin {
-  double smallest = 0;      ///< of what labels receive over what they require; infinite without labels
-  std::uint32_t label = 0;  ///< where that is; where labels are not met, the one that gets least
-  bool is_met = true;       ///< every label is met
+  double smallest = 0;      ///< min_i S_i / (gamma_i tau_i); infinite without labels
+  std::uint32_t label = 0;  ///< label with that margin, among the missed labels if there are any
+  bool is_met = true;       ///< every label is reached
 };
 
-/// `all` holds all rows of the table. `received` is memory to work in.
-Margin margin_of(const SignalTable& table, const Question& question, const SearchMatrix& all,
+/// `all` contains all rows of the table. `received` is a buffer.
+Margin margin_of(const SignalTable& table, const PlacementProblem& problem, const SearchMatrix& all,
                  std::span<const std::uint32_t> selected, std::vector<float>& received);
 
-/// A question as searches over selections see it: costs as whole numbers, so that sums do not depend on their
-/// order and equal costs are equal, and which columns exclude one another.
-struct SearchProblem {
-  SearchProblem(const SignalTable& table, const Question& question);
+/// A placement problem for searches: integer costs, whose sums do not depend on their order, and conflicts.
+struct SearchInstance {
+  SearchInstance(const SignalTable& table, const PlacementProblem& problem);
 
   const SignalTable& table;
-  const Question& question;
-  /// The second objective (lexicographic; zeros for count) or the whole sum (weighted) of a column, in units
-  /// of `cost_unit`, a power of two of which all columns together cost 2^60 at most, whatever they are:
-  /// whole numbers are exact unless they differ by some fifteen digits. Each is off by half a unit at most.
+  const PlacementProblem& problem;
+  /// The second objective (lexicographic; zeros for count) or the whole sum (weighted) of a column, as a
+  /// multiple of `cost_unit`, a power of two for which all columns together cost at most 2^60. Integers are
+  /// exact unless they differ by some fifteen digits. The rounding error is at most half of `cost_unit`.
   std::vector<std::int64_t> cost;
   double cost_unit = 1;
-  bool has_costs = false;                            ///< any is not zero
-  std::vector<std::vector<std::uint32_t>> excludes;  ///< by column
+  bool has_costs = false;                            ///< some cost is not zero
+  std::vector<std::vector<std::uint32_t>> excludes;  ///< by column: the columns in conflict with it
   std::vector<std::uint32_t> installed;
-  std::vector<bool> available;  ///< neither installed nor excluded by what is
+  std::vector<bool> available;  ///< neither installed nor in conflict with an installed unit
 
-  std::vector<std::uint32_t> place_by_id;  ///< of a column among all, in the order of their ids
+  std::vector<std::uint32_t> rank_by_id;  ///< rank of a column in the order of ids
 
-  /// Of two selections of equal size, each ascending: whether the ids of the first, in order, come before
-  /// those of the second, in order.
+  /// Compares two ascending selections of equal size: whether the ids of the first come first in order.
   bool is_first_by_id(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const;
 
   std::int64_t cost_of(std::span<const std::uint32_t> selected) const {

@@ -15,14 +15,14 @@ SHELFBEAM_INLINE inline float larger(float a, float b) {
   return a > b ? a : b;
 }
 
-// One lane after the other would take longer than all else where rows are few.
+// With few rows, summing the lanes one by one would dominate the time.
 SHELFBEAM_INLINE inline float sum_of(const float* lanes) {
   float part[4];
   for (std::size_t k = 0; k < 4; ++k) part[k] = (lanes[k] + lanes[k + 4]) + (lanes[k + 8] + lanes[k + 12]);
   return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-// The sum of term(i) over the rows, a lane for each of `width` rows that follow one another.
+// The sum of term(i) over the rows, with `width` consecutive rows in parallel lanes.
 template <class Term>
 SHELFBEAM_INLINE inline float sum_over(std::size_t rows, const Term& term) {
   alignas(64) float total[width] = {};

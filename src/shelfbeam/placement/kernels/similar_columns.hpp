@@ -7,13 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "shelfbeam/placement/kernels/search_problem.hpp"
+#include "shelfbeam/placement/kernels/search_instance.hpp"
 
 namespace shelfbeam::detail {
 
-/// For a column, those that give labels the most similar signals: the least sum over a sample of rows of
-/// |a_ij - a_il|, signals clipped at 1. In a shop that is who hangs nearby; it needs no positions. Found when
-/// first asked for.
+/// For a column j, the columns l with the smallest distance over a sample of rows,
+///
+///   D(j, l) = sum_i |a_ij - a_il|,   a_ij clipped at 1.
+///
+/// In a shop these are its neighbours; no positions are required. Computed on first use.
 class SimilarColumns {
  public:
   SimilarColumns(const SearchMatrix& all, std::span<const std::uint32_t> candidates)
@@ -48,7 +50,7 @@ class SimilarColumns {
 
  private:
   std::vector<std::uint32_t> candidates_;
-  std::size_t sampled_ = 0;  ///< rows, padded as in a SearchMatrix
+  std::size_t sampled_ = 0;  ///< sampled rows, padded as in a SearchMatrix
   std::vector<float> sample_;
   std::vector<std::vector<std::uint32_t>> similar_;
 };

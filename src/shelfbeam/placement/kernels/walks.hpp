@@ -13,10 +13,10 @@
 
 namespace shelfbeam::detail {
 
-/// Columns of a table, ascending unless it says otherwise.
+/// Columns of a table, ascending unless stated otherwise.
 using Selection = std::vector<std::uint32_t>;
 
-/// How long a search may go on. What it finds can be found again where the steps end it, not the time.
+/// Limits of a search. Results are reproducible if the steps end it, not the time.
 struct Effort {
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();  ///< moves of a walk, nodes of a tree
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
@@ -24,22 +24,22 @@ struct Effort {
   double seconds_left() const {
     return std::chrono::duration<double>(until - std::chrono::steady_clock::now()).count();
   }
-  /// The time ends it, or somebody does.
+  /// The time is up or the run is cancelled.
   bool is_over(const RunControl& control) const {
     return control.cancelled() || std::chrono::steady_clock::now() >= until;
   }
 };
 
-/// Of one local search, side by side: so many seeds it takes.
+/// Walks of one local search that run side by side, each with its own seed.
 inline constexpr std::uint32_t walks_at_once = 2;
 
-/// What a walk over selections has found: the best, ascending, and its cost; infinite where there is none.
+/// The best selection of a walk, ascending, and its cost; infinite if there is none.
 struct Found {
   std::optional<Selection> selected;
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// The cheapest of what the walks of `seed` and the seeds that follow it find, the first of equal ones, on
+/// The cheapest selection of the walks with `seed` and the following seeds, the first of equal ones, on
 /// `control.threads` threads. Only the first walk reports progress.
 template <class MakeWalk>
 std::optional<Selection> best_of_walks(std::uint32_t seed, const Effort& effort, const RunControl& control,

@@ -13,14 +13,13 @@ namespace shelfbeam::detail {
 
 namespace {
 
-// Solvers drop coefficients of about this size without a word. Taking them out here and their sum off the
-// right-hand side is a relaxation: bounds stay valid, and the checker judges selections.
+// Solvers silently drop coefficients of about this size. Removing them here and subtracting their sum from
+// the right-hand side is a relaxation: bounds stay valid, and the checker tests selections.
 constexpr double negligible = 1e-8;
 
-// Solvers compare sums with tolerances of 1e-9 to 1e-7, in presolve to either side, and prune wrongly what
-// lies that near to a row's bound. So coefficients are rounded up to this grid, another relaxation: a
-// selection that the contract allows then reaches 1 exactly, and no sum comes nearer to the bound, half a
-// step lower, than half a step.
+// Solvers compare sums with tolerances of 1e-9 to 1e-7, in presolve to either side, and may prune wrongly
+// within them. Coefficients are therefore rounded up to this grid, another relaxation: a feasible selection
+// attains 1 exactly, and no sum is within half a step of the row's bound.
 constexpr double steps = 1 << 20;
 
 }  // namespace
@@ -35,16 +34,16 @@ milp::Row relaxed(milp::Row row) {
   return row;
 }
 
-CoverModel::CoverModel(const SignalTable& table, const Question& question, const SolveFunction& solve,
+CoverModel::CoverModel(const SignalTable& table, const PlacementProblem& problem, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control)
-    : table_(table), question_(question), solve_(solve), control_(control), deadline_(time_limit_s) {}
+    : table_(table), problem_(problem), solve_(solve), control_(control), deadline_(time_limit_s) {}
 
 void CoverModel::build() {
-  model_ = model_without_failures(table_, question_);
+  model_ = model_without_failures(table_, problem_);
   built_ = true;
-  if (question_.model == CommunicationModel::non_cooperative) return;
+  if (problem_.model == CommunicationModel::non_cooperative) return;
   for (std::size_t i = 0; i < table_.rows(); ++i) model_.rows[i] = relaxed(std::move(model_.rows[i]));
-  if (!question_.redundant) return;
+  if (!problem_.redundant) return;
   for (std::size_t i = 0; i < table_.rows(); ++i) {
     const auto row = table_.row(i);
     const auto strongest =
@@ -54,11 +53,10 @@ void CoverModel::build() {
   }
 }
 
-// Summing the rows (i, j) over the k chosen units that reach label i gives (k - 1) sum_j a_ij T_j >= k, and
-// k / (k - 1) falls with k, so that any upper bound of k will do. The right-hand side follows the grid of the
-// coefficients as in `relaxed`.
+// The rows (i, j) of the k chosen units that reach label i add up to (k - 1) sum_j a_ij T_j >= k. As k / (k -
+// 1) falls with k, any upper bound on k is valid. The right-hand side follows the grid as in `relaxed`.
 void CoverModel::bound_label_rows(std::size_t most) {
-  if (!question_.redundant || question_.model == CommunicationModel::non_cooperative) return;
+  if (!problem_.redundant || problem_.model == CommunicationModel::non_cooperative) return;
   for (std::size_t i = 0; i < table_.rows(); ++i) {
     const auto units = static_cast<double>(std::max<std::size_t>(2, std::min(most, table_.row(i).size())));
     double without = 0;
@@ -76,10 +74,10 @@ bool CoverModel::add_failure(std::size_t label, std::uint32_t failed) {
   return true;
 }
 
-// Adds the rows that such a selection breaks; false where they are all there.
-bool CoverModel::let_fail(const std::vector<std::uint32_t>& selected,
-                          const std::vector<std::uint32_t>& unmet) {
-  if (!question_.redundant || question_.model == CommunicationModel::non_cooperative) return false;
+// Adds the failure rows that the selection violates; false if the model contains them all.
+bool CoverModel::add_failure_rows(const std::vector<std::uint32_t>& selected,
+                                  const std::vector<std::uint32_t>& unmet) {
+  if (!problem_.redundant || problem_.model == CommunicationModel::non_cooperative) return false;
   std::vector<bool> chosen(table_.columns(), false);
   for (const std::uint32_t j : selected) chosen[j] = true;
   bool added = false;
@@ -126,7 +124,8 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
         !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;
     if (count) model_.rows.pop_back();
 
-    // Rows relax the rule and cuts keep every answer, so this is a proof unless an answer is known.
+    // Rows relax the rule and cuts keep every feasible selection, so this is a proof unless a selection is
+    // known.
     if (result.termination == milp::Termination::infeasible && known == milp::infinity) {
       outcome.infeasible = true;
       break;
@@ -141,25 +140,25 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
     std::vector<std::uint32_t> selected;
     for (std::uint32_t j = 0; j < table_.columns(); ++j)
       if (result.solution[j] > 0.5) selected.push_back(j);
-    const Check check = check_selection(table_, question_, selected);
+    const Check check = check_selection(table_, problem_, selected);
     if (check.met()) {
       outcome.selected = std::move(selected);
       outcome.proven = result.termination == milp::Termination::optimal;
       break;
     }
     if (result.termination != milp::Termination::optimal) break;
-    if (check.unmet.empty()) {  // units that exclude one another, against their row
+    if (check.unmet.empty()) {  // a conflict, against the model's row
       outcome.failed = true;
       break;
     }
-    if (!let_fail(selected, check.unmet)) cut_off(selected, check.unmet.front());
+    if (!add_failure_rows(selected, check.unmet)) cut_off(selected, check.unmet.front());
   }
   return outcome;
 }
 
-// The selection leaves the label unmet, and so does every part of it (signals are not negative). It is first
-// extended by the units that are weakest there for as long as the label stays unmet; one of the units outside
-// must then be chosen.
+// The selection misses the label, and so does every part of it (signals are not negative). It is extended by
+// the units with the weakest signals at the label while the label stays missed. Then one of the other units
+// must be chosen.
 void CoverModel::cut_off(const std::vector<std::uint32_t>& selected, std::size_t unmet_label) {
   std::vector<double> signal(table_.columns(), 0.0);
   for (const SignalEntry& entry : table_.row(unmet_label)) signal[entry.transceiver] = entry.signal;
@@ -171,11 +170,11 @@ void CoverModel::cut_off(const std::vector<std::uint32_t>& selected, std::size_t
   std::stable_sort(outside.begin(), outside.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return signal[a] < signal[b]; });
 
-  const double requirement = requirement_of(table_.labels[unmet_label], question_.model);
+  const double requirement = requirement_of(table_.labels[unmet_label], problem_.model);
   auto first = outside.begin();
   for (; first != outside.end(); ++first) {
     chosen[*first] = true;
-    if (is_met(received_signal(table_, unmet_label, chosen, question_), requirement)) break;
+    if (is_met(received_signal(table_, unmet_label, chosen, problem_), requirement)) break;
   }
   milp::Row cut{1.0, milp::infinity, {}, "cut"};
   for (; first != outside.end(); ++first) cut.entries.push_back({*first, 1.0});

@@ -12,46 +12,46 @@
 
 namespace shelfbeam::detail {
 
-/// The row of a label where units cooperate, as solvers get it: entries clipped at 1 and rounded up to a
-/// grid, with a right-hand side of 1 that lies half a step off it. Every selection that meets the label meets
-/// the row. The right-hand side that the row had is not looked at.
+/// The cooperative row of a label for solvers: entries clipped at 1 and rounded up to a grid, right-hand side
+/// 1 less half a step. Every selection that reaches the label satisfies it. The row's own right-hand side is
+/// ignored.
 milp::Row relaxed(milp::Row row);
 
-/// The rows of a question as a solver gets them, with the cuts found so far and the clock.
+/// The rows of a placement problem for a solver, with the cuts found so far and the deadline.
 class CoverModel {
  public:
-  CoverModel(const SignalTable& table, const Question& question, const SolveFunction& solve,
+  CoverModel(const SignalTable& table, const PlacementProblem& problem, const SolveFunction& solve,
              double time_limit_s, const RunControl& control);
 
   struct Outcome {
     std::optional<std::vector<std::uint32_t>> selected;  ///< ascending, accepted by the checker
     double bound = -milp::infinity;                      ///< no selection costs less
     bool proven = false;                                 ///< `selected` is optimal within the solver's gap
-    bool infeasible = false;  ///< no selection meets every label; only where none was known
+    bool infeasible = false;  ///< no feasible selection exists; only if none was known
     bool failed = false;      ///< the solver failed or contradicted what is known
   };
 
-  /// The selection of least cost that meets every label; of exactly `count` units where that is given.
-  /// Precondition: there is one that costs no more than `known`; infinite where none is known. Units that
-  /// cost more alone are left out, so that their costs do not drown the others in the solver's tolerances.
+  /// The feasible selection of minimum cost; of exactly `count` units if given. Precondition: a feasible
+  /// selection costs at most `known`; infinite if none is known. Units that alone cost more are omitted, so
+  /// that their costs do not hide the others within the solver's tolerances.
   Outcome minimise(std::span<const double> cost, double known,
                    std::optional<std::size_t> count = std::nullopt);
 
  private:
   void build();
-  void bound_label_rows(std::size_t most_units);
-  bool let_fail(const std::vector<std::uint32_t>& selected, const std::vector<std::uint32_t>& unmet);
+  void bound_label_rows(std::size_t max_units);
+  bool add_failure_rows(const std::vector<std::uint32_t>& selected, const std::vector<std::uint32_t>& unmet);
   bool add_failure(std::size_t label, std::uint32_t failed);
   void cut_off(const std::vector<std::uint32_t>& selected, std::size_t unmet_label);
 
   const SignalTable& table_;
-  const Question& question_;
+  const PlacementProblem& problem_;
   const SolveFunction& solve_;
   const RunControl& control_;
   Deadline deadline_;
-  milp::Model model_;  ///< built when it is first needed
+  milp::Model model_;  ///< built on first use
   bool built_ = false;
-  /// Redundant, cooperative: the pairs (label, unit) whose rows are in the model.
+  /// Cooperative with unit failure: the pairs (label, unit) with a row in the model.
   std::set<std::pair<std::size_t, std::uint32_t>> failures_;
 };
 

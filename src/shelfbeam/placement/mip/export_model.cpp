@@ -6,24 +6,24 @@
 
 namespace shelfbeam {
 
-std::vector<double> first_objective(const SignalTable& table, const Question& question) {
-  if (question.combination == Combination::lexicographic) return std::vector<double>(table.columns(), 1.0);
-  std::vector<double> cost = objective_coefficients(table, question);
+std::vector<double> first_objective(const SignalTable& table, const PlacementProblem& problem) {
+  if (problem.combination == Combination::lexicographic) return std::vector<double>(table.columns(), 1.0);
+  std::vector<double> cost = objective_coefficients(table, problem);
   for (std::size_t j = 0; j < cost.size(); ++j) cost[j] += table.transceivers[j].cost;
   return cost;
 }
 
-milp::Model model_without_failures(const SignalTable& table, const Question& question) {
-  const bool cooperative = question.model == CommunicationModel::cooperative;
-  const std::vector<double> cost = first_objective(table, question);
+milp::Model model_without_failures(const SignalTable& table, const PlacementProblem& problem) {
+  const bool cooperative = problem.model == CommunicationModel::cooperative;
+  const std::vector<double> cost = first_objective(table, problem);
   milp::Model model;
   for (std::size_t j = 0; j < table.columns(); ++j) {
     const SignalTable::Transceiver& unit = table.transceivers[j];
     model.columns.push_back({cost[j], unit.installed ? 1.0 : 0.0, 1.0, true, unit.id});
   }
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    const double requirement = requirement_of(table.labels[i], question.model);
-    const double units = question.redundant ? 2.0 : 1.0;
+    const double requirement = requirement_of(table.labels[i], problem.model);
+    const double units = problem.redundant ? 2.0 : 1.0;
     milp::Row row{cooperative ? 1 - met_tolerance : units, milp::infinity, {}, table.labels[i].id};
     for (const SignalEntry& entry : table.row(i)) {
       if (cooperative)
@@ -38,7 +38,7 @@ milp::Model model_without_failures(const SignalTable& table, const Question& que
     for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
     model.rows.push_back(std::move(row));
   }
-  for (const auto& [a, b] : table.apart)
+  for (const auto& [a, b] : table.conflicts)
     model.rows.push_back({-milp::infinity,
                           1.0,
                           {{a, 1.0}, {b, 1.0}},
@@ -55,16 +55,16 @@ milp::Row failure_row(const SignalTable& table, std::size_t label, std::uint32_t
   return row;
 }
 
-milp::Model placement_model(const SignalTable& table, const Question& question) {
-  milp::Model model = model_without_failures(table, question);
-  if (!question.redundant || question.model == CommunicationModel::non_cooperative) return model;
+milp::Model placement_model(const SignalTable& table, const PlacementProblem& problem) {
+  milp::Model model = model_without_failures(table, problem);
+  if (!problem.redundant || problem.model == CommunicationModel::non_cooperative) return model;
   std::size_t entries = 0;
   for (std::size_t i = 0; i < table.rows(); ++i) entries += table.row(i).size() * (table.row(i).size() - 1);
   if (entries > largest_model)
     throw InputError("model that survives a failure",
-                     fmt::format("needs {} entries in the model's file, and at most {} are written", entries,
+                     fmt::format("requires {} entries in the model file, but at most {} are written", entries,
                                  largest_model),
-                     "place without a model's file, which adds the rows as it needs them", Setting::failure);
+                     "place without a model file; the search adds rows as required", Setting::failure);
   for (std::size_t i = 0; i < table.rows(); ++i)
     for (const SignalEntry& entry : table.row(i))
       model.rows.push_back(failure_row(table, i, entry.transceiver));

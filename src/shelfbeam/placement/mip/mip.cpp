@@ -13,26 +13,26 @@ namespace shelfbeam {
 
 namespace {
 
-// Where the bound meets the value up to this, relatively, nothing is left to search for (the MIP's own gap).
+// Relative gap at which the search ends (the MIP's own gap).
 constexpr double proof_gap = 1e-6;
 
 bool closes(double bound, double value) {
   return std::isfinite(value) && value - bound <= proof_gap * value;
 }
 
-/// Improves the best selection so far, by the question's own order.
+/// Improves the incumbent in the order of the problem's objectives.
 struct Search {
   const SignalTable& table;
-  const Question& question;
+  const PlacementProblem& problem;
   detail::CoverModel& model;
   std::vector<std::uint32_t> selected = {};
-  double count = milp::infinity;  ///< while there is none
-  double value = milp::infinity;  ///< the second objective (lexicographic), or the whole sum (weighted)
+  double count = milp::infinity;  ///< infinite without a selection
+  double value = milp::infinity;  ///< second objective (lexicographic) or whole sum (weighted)
 
   void offer(const std::optional<std::vector<std::uint32_t>>& candidate) {
     if (!candidate) return;
-    const bool is_weighted = question.combination == Combination::weighted;
-    const Check check = check_selection(table, question, *candidate);
+    const bool is_weighted = problem.combination == Combination::weighted;
+    const Check check = check_selection(table, problem, *candidate);
     const double new_value = check.objective + (is_weighted ? check.transceiver_cost : 0);
     const auto new_count = static_cast<double>(candidate->size());
     const bool better =
@@ -43,24 +43,24 @@ struct Search {
     value = new_value;
   }
 
-  /// Fewest units first; the second objective only once their number is proven, at that number.
-  MipAnswer lexicographic() {
-    MipAnswer answer;
-    const std::vector<double> ones = first_objective(table, question);
+  /// Minimises the count; then, if it is proven, the second objective at that count.
+  MipResult lexicographic() {
+    MipResult answer;
+    const std::vector<double> ones = first_objective(table, problem);
     const auto fewest = model.minimise(ones, count);
     if (fewest.infeasible) return infeasible();
     offer(fewest.selected);
     answer.solver_failed = fewest.failed;
     const double proven_count = std::clamp(CostBounds(table, ones).rounded(fewest.bound),
-                                           static_cast<double>(least_count(table, question)), count);
+                                           static_cast<double>(trivial_count_bound(table, problem)), count);
     answer.placement.count_lower_bound = proven_count;
     const bool is_fewest = std::isfinite(count) && proven_count == count;
-    if (question.objective == Objective::count) {
+    if (problem.objective == Objective::count) {
       set_value(answer.placement, count, proven_count, is_fewest);
       return answer;
     }
 
-    const std::vector<double> cost = objective_coefficients(table, question);
+    const std::vector<double> cost = objective_coefficients(table, problem);
     const CostBounds bounds(table, cost);
     double bound = bounds.cheapest(static_cast<std::size_t>(proven_count));
     bool is_optimal = is_fewest && closes(bound, value);
@@ -75,11 +75,11 @@ struct Search {
     return answer;
   }
 
-  MipAnswer weighted() {
-    MipAnswer answer;
-    const std::vector<double> cost = first_objective(table, question);
+  MipResult weighted() {
+    MipResult answer;
+    const std::vector<double> cost = first_objective(table, problem);
     const CostBounds bounds(table, cost);
-    const std::size_t least = least_count(table, question);
+    const std::size_t least = trivial_count_bound(table, problem);
     double bound = bounds.cheapest(least);
     bool is_optimal = closes(bound, value);
     if (!is_optimal) {
@@ -96,15 +96,15 @@ struct Search {
     return answer;
   }
 
-  static MipAnswer infeasible() {
-    MipAnswer answer;
+  static MipResult infeasible() {
+    MipResult answer;
     answer.placement.status = Status::infeasible;
     answer.placement.count_lower_bound = answer.placement.objective_value = answer.placement.lower_bound =
         milp::infinity;
     return answer;
   }
 
-  // The bound may exceed the value by what is lost in summing, never by more.
+  // The bound may exceed the value only by rounding.
   static void set_value(Placement& placement, double value, double bound, bool is_optimal) {
     placement.objective_value = value;
     placement.lower_bound = std::min(bound, value);
@@ -122,17 +122,17 @@ SolveFunction limited(const SolveFunction& solve, std::optional<std::uint64_t> n
   };
 }
 
-MipAnswer place_by_mip(const SignalTable& table, const Question& question,
+MipResult place_by_mip(const SignalTable& table, const PlacementProblem& problem,
                        const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control) {
-  detail::CoverModel model(table, question, solve, time_limit_s, control);
-  Search search{table, question, model};
+  detail::CoverModel model(table, problem, solve, time_limit_s, control);
+  Search search{table, problem, model};
   search.offer(start);
-  MipAnswer answer =
-      question.combination == Combination::lexicographic ? search.lexicographic() : search.weighted();
-  answer.placement.question = question;
+  MipResult answer =
+      problem.combination == Combination::lexicographic ? search.lexicographic() : search.weighted();
+  answer.placement.problem = problem;
   answer.placement.selected = search.selected;
-  answer.placement.unit_costs = label_costs(table, question.objective).unit;
+  answer.placement.unit_costs = label_costs(table, problem.objective).unit;
   return answer;
 }
 

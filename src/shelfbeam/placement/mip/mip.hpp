@@ -11,28 +11,27 @@
 
 namespace shelfbeam {
 
-/// milp::Backend::solve, or what a test puts in its place.
+/// milp::Backend::solve or a substitute for tests.
 using SolveFunction =
     std::function<milp::Result(const milp::Model&, const milp::SolveOptions&, const RunControl&)>;
 
-/// The same solver with a limit of its nodes, where there is one.
+/// The solver with a node limit, if `nodes` is given.
 SolveFunction limited(const SolveFunction& solve, std::optional<std::uint64_t> nodes);
 
-struct MipAnswer {
-  Placement placement;  ///< all but `solver` and `seconds`
-  bool solver_failed =
-      false;  ///< the solver's answers could not be relied on; bounds and selection still can
+struct MipResult {
+  Placement placement;         ///< without `solver` and `seconds`
+  bool solver_failed = false;  ///< the solver's results were inconsistent; bounds and selection still hold
 };
 
-/// Answers a question with a MIP solver, starting from `start`, a selection that the checker accepts. Where
-/// none is known the answer may be that there is none (candidates exclude one another), or,
-/// stopped, have no selection and an infinite value.
+/// Solves a placement problem with a MIP solver, starting from `start`, a selection that the checker accepts.
+/// Without a start, conflicts may make the problem infeasible, or it may stop without a selection and with an
+/// infinite value.
 ///
 /// Rows are those of placement_model with a_ij = min(1, M_ij / (gamma_i tau_i)), rounded up to multiples of
-/// 2^-20 where units cooperate. A selection that the checker rejects is cut off and the model solved again.
-/// The time limit covers everything; without any time, `solve` may be empty, and the answer is `start` with
-/// the bounds that need no search.
-MipAnswer place_by_mip(const SignalTable& table, const Question& question,
+/// 2^-20 if cooperative. A selection that the checker rejects is cut off, and the model is solved again. The
+/// time limit covers everything. Without time `solve` may be empty, and the result is `start` with the bounds
+/// that need no search.
+MipResult place_by_mip(const SignalTable& table, const PlacementProblem& problem,
                        const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control);
 

@@ -15,13 +15,13 @@ constexpr double solver_tolerance = 1e-6;
 
 }  // namespace
 
-std::size_t least_count(const SignalTable& table, const Question& question) {
+std::size_t trivial_count_bound(const SignalTable& table, const PlacementProblem& problem) {
   std::vector<std::uint32_t> installed;
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     if (table.transceivers[j].installed) installed.push_back(j);
   const std::size_t least =
-      installed.size() + (check_selection(table, question, installed).unmet.empty() ? 0 : 1);
-  return question.redundant && table.rows() > 0 ? std::max<std::size_t>(least, 2) : least;
+      installed.size() + (check_selection(table, problem, installed).unmet.empty() ? 0 : 1);
+  return problem.redundant && table.rows() > 0 ? std::max<std::size_t>(least, 2) : least;
 }
 
 CostBounds::CostBounds(const SignalTable& table, std::span<const double> cost) {

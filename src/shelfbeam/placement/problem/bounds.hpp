@@ -4,30 +4,31 @@
 #include <span>
 #include <vector>
 
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam {
 
-/// No selection that meets every label has fewer units: the installed ones, and one more where they do not
-/// meet everything; two where one may fail.
-std::size_t least_count(const SignalTable& table, const Question& question);
+/// Lower bound on the count without a search: the installed units, one more if they miss a label, and at
+/// least two if a unit may fail.
+std::size_t trivial_count_bound(const SignalTable& table, const PlacementProblem& problem);
 
-/// Bounds that follow from non-negative costs of single units alone; every installed unit is always paid.
+/// Bounds that follow from the costs of single units (not negative). Installed units are always paid for.
 class CostBounds {
  public:
   CostBounds(const SignalTable& table, std::span<const double> cost);
 
-  /// No selection of at least `count` units costs less: the installed ones and the cheapest others.
+  /// Minimum cost of at least `count` units: the installed units and the cheapest others.
   double cheapest(std::size_t count) const;
 
-  /// No selection that costs at least `cost` has fewer units: the installed ones and the dearest others.
+  /// Minimum count of a selection that costs at least `cost`: the installed units and the most expensive
+  /// others.
   std::size_t fewest(double cost) const;
 
-  /// No selection that costs at most `cost`, or 1e-9 of it more, has more units: the installed ones and the
-  /// cheapest others.
+  /// Maximum count of a selection that costs at most `cost` (1 + 1e-9): the installed units and the cheapest
+  /// others.
   std::size_t affordable(double cost) const;
 
-  /// A solver's bound, rounded up where every cost is a whole number (less 1e-6, the solvers' tolerance).
+  /// A solver's dual bound, rounded up (less 1e-6, the solvers' tolerance) if all costs are integers.
   double rounded(double bound) const;
 
  private:

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam::detail {
 
-/// What chosen units are to one label, in shares of its requirement that count 1 at most each (where one unit
-/// must do: 1 or nothing). Good for searching; what is met is for received_signal to say.
+/// Signals of the chosen units at one label as shares of its requirement, each at most 1 (non-cooperative: 1
+/// or 0). For searches only; received_signal decides whether a label is reached.
 struct LabelShares {
   double sum = 0;
   double largest = 0, second = 0;
@@ -30,14 +30,15 @@ struct LabelShares {
 };
 
 /// The share of one entry.
-inline double share_of(double signal, double requirement, const Question& question) {
-  if (question.model == CommunicationModel::cooperative) return std::min(1.0, signal / requirement);
+inline double share_of(double signal, double requirement, const PlacementProblem& problem) {
+  if (problem.model == CommunicationModel::cooperative) return std::min(1.0, signal / requirement);
   return is_met(signal, requirement) ? 1 : 0;
 }
 
-/// What a label lacks that receives such shares; 0 as soon as it is met.
-inline double lacking(double sum, double largest, const Question& question) {
-  if (!question.redundant) return is_met(sum, 1) ? 0 : 1 - sum;
+/// The part of its requirement that a label lacks, given the sum and the largest of its shares; 0 once it is
+/// reached. With unit failure a sum of 2 always suffices, since shares are at most 1.
+inline double lacking(double sum, double largest, const PlacementProblem& problem) {
+  if (!problem.redundant) return is_met(sum, 1) ? 0 : 1 - sum;
   return is_met(sum - largest, 1) ? 0 : 2 - sum;
 }
 

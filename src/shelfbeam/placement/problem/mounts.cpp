@@ -4,8 +4,8 @@
 
 namespace shelfbeam {
 
-double Mounts::most_signal(std::span<const SignalEntry> row, const Question& question) const {
-  std::vector<std::uint32_t> best(shared_.size(), alone);  // indices into the row
+double Mounts::max_signal(std::span<const SignalEntry> row, const PlacementProblem& problem) const {
+  std::vector<std::uint32_t> best(shared_.size(), alone);  // per mounting point: index into the row
   std::vector<bool> chosen(mount_.size(), false);
   for (std::uint32_t k = 0; k < row.size(); ++k) {
     if (!available_[row[k].transceiver]) continue;
@@ -17,10 +17,10 @@ double Mounts::most_signal(std::span<const SignalEntry> row, const Question& que
   }
   for (const std::uint32_t k : best)
     if (k != alone) chosen[row[k].transceiver] = true;
-  return received_signal(row, chosen, question);
+  return received_signal(row, chosen, problem);
 }
 
-std::vector<std::uint32_t> crowded_mounts(const SignalTable& table, const std::vector<bool>& chosen) {
+std::vector<std::uint32_t> shared_mounts(const SignalTable& table, const std::vector<bool>& chosen) {
   std::vector<std::uint32_t> crowded;
   for (std::uint32_t k = 0; k < table.mounts.size(); ++k) {
     const auto units = std::count_if(table.mounts[k].begin(), table.mounts[k].end(),
@@ -30,10 +30,10 @@ std::vector<std::uint32_t> crowded_mounts(const SignalTable& table, const std::v
   return crowded;
 }
 
-std::vector<std::uint32_t> broken_pairs(const SignalTable& table, const std::vector<bool>& chosen) {
+std::vector<std::uint32_t> conflicting_pairs(const SignalTable& table, const std::vector<bool>& chosen) {
   std::vector<std::uint32_t> broken;
-  for (std::uint32_t k = 0; k < table.apart.size(); ++k)
-    if (chosen[table.apart[k].first] && chosen[table.apart[k].second]) broken.push_back(k);
+  for (std::uint32_t k = 0; k < table.conflicts.size(); ++k)
+    if (chosen[table.conflicts[k].first] && chosen[table.conflicts[k].second]) broken.push_back(k);
   return broken;
 }
 

@@ -6,21 +6,21 @@
 #include <utility>
 #include <vector>
 
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam {
 
-/// Which candidates exclude one another: a mounting point holds at most one unit, and some pairs must not be
-/// chosen together. An installed unit stays, so what it excludes is not available.
+/// Conflicts between candidates: a mounting point holds at most one unit, and forbidden pairs must not both
+/// be chosen. Installed units stay, so candidates in conflict with them are not available.
 class Mounts {
  public:
-  explicit Mounts(const SignalTable& table) : Mounts(table.mounts, table.transceivers, table.apart) {}
+  explicit Mounts(const SignalTable& table) : Mounts(table.mounts, table.transceivers, table.conflicts) {}
 
-  /// `shared` as SignalTable::mounts and `apart` as SignalTable::apart; `units` are the columns, each with a
-  /// member `installed`.
+  /// `shared` is SignalTable::mounts, `conflicts` SignalTable::conflicts; `units` are the columns, each with
+  /// a member `installed`.
   template <class Units>
   Mounts(std::vector<std::vector<std::uint32_t>> shared, const Units& units,
-         std::span<const std::pair<std::uint32_t, std::uint32_t>> apart = {})
+         std::span<const std::pair<std::uint32_t, std::uint32_t>> conflicts = {})
       : shared_(std::move(shared)),
         mount_(units.size(), alone),
         available_(units.size(), true),
@@ -33,7 +33,7 @@ class Mounts {
       }
       for (const std::uint32_t j : shared_[k]) available_[j] = !taken || units[j].installed;
     }
-    for (const auto& [a, b] : apart) {
+    for (const auto& [a, b] : conflicts) {
       partners_[a].push_back(b);
       partners_[b].push_back(a);
       if (units[a].installed) available_[b] = false;
@@ -41,28 +41,27 @@ class Mounts {
     }
   }
 
-  /// The options of the column's point, itself among them; empty where it has the point to itself.
+  /// The options of the column's mounting point, including the column; empty if the point is not shared.
   std::span<const std::uint32_t> options(std::uint32_t column) const {
     return mount_[column] == alone ? std::span<const std::uint32_t>() : shared_[mount_[column]];
   }
-  /// The columns that must not be chosen with it, mounting points aside.
+  /// The columns that form a forbidden pair with this column.
   std::span<const std::uint32_t> partners(std::uint32_t column) const { return partners_[column]; }
-  /// Calls `visit` with every column that cannot be chosen with this one; twice where a pair of one mounting
-  /// point is kept apart, too.
+  /// Calls `visit` with every column in conflict with this column; twice with an option of the same mounting
+  /// point that also forms a forbidden pair with it.
   template <class Visit>
-  void for_each_excluded(std::uint32_t column, const Visit& visit) const {
+  void for_each_conflict(std::uint32_t column, const Visit& visit) const {
     for (const std::uint32_t j : options(column))
       if (j != column) visit(j);
     for (const std::uint32_t j : partners(column)) visit(j);
   }
-  /// No installed unit excludes it.
+  /// The column is not in conflict with an installed unit.
   bool available(std::uint32_t column) const { return available_[column]; }
 
-  /// The most that a label could get, as received_signal counts it: from the best option of every point
-  /// together (cooperative), or from the best candidate; of a redundant question without the best of those.
-  /// `row` as SignalTable::row. No selection gives more, but for the rounding of sums; pairs that must be
-  /// kept apart are let pass unless one of them is installed.
-  double most_signal(std::span<const SignalEntry> row, const Question& question) const;
+  /// Upper bound on received_signal for a label with `row` (SignalTable::row), apart from rounding: all
+  /// available units, but only the best option of every mounting point. Forbidden pairs without an installed
+  /// unit are ignored.
+  double max_signal(std::span<const SignalEntry> row, const PlacementProblem& problem) const;
 
  private:
   static constexpr std::uint32_t alone = ~std::uint32_t{0};
@@ -73,10 +72,10 @@ class Mounts {
   std::vector<std::vector<std::uint32_t>> partners_;
 };
 
-/// The points that hold two or more of the chosen columns (indices into SignalTable::mounts), ascending.
-std::vector<std::uint32_t> crowded_mounts(const SignalTable& table, const std::vector<bool>& chosen);
+/// Indices into SignalTable::mounts of the points with two or more chosen columns, ascending.
+std::vector<std::uint32_t> shared_mounts(const SignalTable& table, const std::vector<bool>& chosen);
 
-/// The pairs of which both columns are chosen (indices into SignalTable::apart), ascending.
-std::vector<std::uint32_t> broken_pairs(const SignalTable& table, const std::vector<bool>& chosen);
+/// Indices into SignalTable::conflicts of the pairs with both columns chosen, ascending.
+std::vector<std::uint32_t> conflicting_pairs(const SignalTable& table, const std::vector<bool>& chosen);
 
 }  // namespace shelfbeam

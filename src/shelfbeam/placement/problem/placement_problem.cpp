@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,13 @@
 namespace shelfbeam {
 
 double received_signal(std::span<const SignalEntry> row, const std::vector<bool>& chosen,
-                       const Question& question) {
-  const bool cooperative = question.model == CommunicationModel::cooperative;
+                       const PlacementProblem& problem) {
+  const bool cooperative = problem.model == CommunicationModel::cooperative;
   double result = 0, largest = 0;
   for (const SignalEntry& entry : row) {
     if (!chosen[entry.transceiver]) continue;
-    // Passing on the smaller of two leaves out the largest of all without subtracting it, which could cancel.
-    const double part = question.redundant ? std::min(largest, entry.signal) : entry.signal;
+    // Adding the smaller of the two omits the largest signal without a subtraction that could cancel.
+    const double part = problem.redundant ? std::min(largest, entry.signal) : entry.signal;
     largest = std::max(largest, entry.signal);
     result = cooperative ? result + part : std::max(result, part);
   }
@@ -25,19 +25,19 @@ double received_signal(std::span<const SignalEntry> row, const std::vector<bool>
 }
 
 double received_signal(const SignalTable& table, std::size_t label, const std::vector<bool>& chosen,
-                       const Question& question) {
-  return received_signal(table.row(label), chosen, question);
+                       const PlacementProblem& problem) {
+  return received_signal(table.row(label), chosen, problem);
 }
 
-void check_question(const SignalTable& table, const Question& question) {
+void check_problem(const SignalTable& table, const PlacementProblem& problem) {
   for (const SignalTable::Label& label : table.labels) {
-    const double requirement = requirement_of(label, question.model);
+    const double requirement = requirement_of(label, problem.model);
     if (!(requirement > 0) || !std::isfinite(requirement))
-      throw InputError("label " + label.id, "has no requirement that a signal could meet",
+      throw InputError("label " + label.id, "has no finite requirement greater than 0",
                        "set one for all labels", Setting::requirement);
   }
-  if (!(question.share > 0) || !std::isfinite(question.share))
-    throw InputError("share of effective links", fmt::format("is {}", question.share),
+  if (!(problem.share > 0) || !std::isfinite(problem.share))
+    throw InputError("share of effective links", fmt::format("is {}", problem.share),
                      "use a number greater than 0, such as 1", Setting::share);
 }
 
@@ -51,20 +51,20 @@ LabelCosts label_costs(const SignalTable& table, Objective objective) {
   return result;
 }
 
-std::vector<double> objective_coefficients(const SignalTable& table, const Question& question) {
+std::vector<double> objective_coefficients(const SignalTable& table, const PlacementProblem& problem) {
   std::vector<double> result(table.columns(), 0.0);
-  if (question.objective == Objective::count) return result;
-  const std::vector<double> cost = label_costs(table, question.objective).cost;
-  const bool cooperative = question.model == CommunicationModel::cooperative;
-  if (question.objective == Objective::links && cooperative) {
+  if (problem.objective == Objective::count) return result;
+  const std::vector<double> cost = label_costs(table, problem.objective).cost;
+  const bool cooperative = problem.model == CommunicationModel::cooperative;
+  if (problem.objective == Objective::links && cooperative) {
     std::fill(result.begin(), result.end(), std::accumulate(cost.begin(), cost.end(), 0.0));
     return result;
   }
-  const double share = words_of(question.objective).has_share ? question.share : 1.0;
+  const double share = words_of(problem.objective).has_share ? problem.share : 1.0;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    const double least = share * requirement_of(table.labels[i], question.model);
+    const double least = share * requirement_of(table.labels[i], problem.model);
     for (const SignalEntry& entry : table.row(i)) {
-      if (question.objective == Objective::signal)
+      if (problem.objective == Objective::signal)
         result[entry.transceiver] += cost[i] * entry.signal;
       else if (is_met(entry.signal, least))
         result[entry.transceiver] += cost[i];

@@ -10,37 +10,38 @@
 
 namespace shelfbeam {
 
-/// How signals of several transceivers act on one label (3.2).
+/// How the signals of several transceivers act on one label (3.2).
 enum class CommunicationModel {
-  cooperative,     ///< they add up (3.5), (3.6)
-  non_cooperative  ///< one of them alone must reach it (3.1), (3.2)
+  cooperative,     ///< signals add up (3.5), (3.6)
+  non_cooperative  ///< one transceiver alone must reach the label (3.1), (3.2)
 };
 
-/// What is minimised beside the number (or cost) of transceivers.
+/// The quantity that is minimised besides the count (or cost) of transceivers.
 enum class Objective {
-  count,  ///< nothing
+  count,  ///< none
   links,  ///< non-cooperative: sum c_i^E l_ij T_j (3.3); cooperative: sum c_i^E t_ij, t_ij = T_j (3.13)
   effective_links,  ///< sum c_i^E [M_ij >= s gamma_i tau_i] T_j
   signal            ///< sum delta_i M_ij T_j (3.10, 3.14)
 };
 
-/// How an objective is spoken of.
+/// Names of an objective on the command line, in files and in sentences.
 struct ObjectiveWords {
   Objective value;
   std::string_view name;               ///< on the command line and in files
-  std::string_view help;               ///< what it adds up
+  std::string_view help;               ///< the summed quantity
   std::string_view sum;                ///< "the least sum over links"
   std::string_view fewest = "fewest";  ///< "fewest transceivers, then fewest links"
-  bool has_share = false;              ///< whether Question::share plays a part
+  bool has_share = false;              ///< PlacementProblem::share applies
 };
 inline constexpr std::array objective_words = {
-    ObjectiveWords{Objective::count, "count", "nothing", "transceivers"},
+    ObjectiveWords{Objective::count, "count", "none (default)", "transceivers"},
     ObjectiveWords{Objective::links, "links", "links at their costs", "links"},
     ObjectiveWords{Objective::effective_links, "effective-links",
-                   "links that carry a share of the requirement alone", "effective links", "fewest", true},
+                   "links whose signal alone is a given share of the requirement", "effective links",
+                   "fewest", true},
     ObjectiveWords{Objective::signal, "signal", "signals at their costs", "signal", "least"}};
 
-/// Precondition: the table holds it.
+/// Precondition: `objective_words` contains the objective.
 constexpr const ObjectiveWords& words_of(Objective objective) {
   std::size_t k = 0;
   while (objective_words[k].value != objective) ++k;
@@ -48,53 +49,58 @@ constexpr const ObjectiveWords& words_of(Objective objective) {
 }
 
 enum class Combination {
-  lexicographic,  ///< fewest transceivers first, then the objective among those (3.4)
-  weighted        ///< sum c_j^T T_j plus the objective, in one sum (3.3), (3.10), (3.14)
+  lexicographic,  ///< minimum count first, then the objective among selections of that count (3.4)
+  weighted        ///< sum c_j^T T_j + objective, one sum (3.3), (3.10), (3.14)
 };
 
-/// A label is met when S >= gamma tau (1 - met_tolerance): the same rule everywhere, for reach too.
+/// A label is reached if S >= gamma tau (1 - met_tolerance). Solvers, checker, report and l_ij apply this
+/// rule.
 inline constexpr double met_tolerance = 1e-9;
 
 inline bool is_met(double signal, double requirement) {
   return signal >= requirement * (1 - met_tolerance);
 }
 
-/// The question that a placement answers.
-struct Question {
+/// A placement problem: the rules and objective for a signal table.
+struct PlacementProblem {
   CommunicationModel model = CommunicationModel::cooperative;
   Objective objective = Objective::count;
   Combination combination = Combination::lexicographic;
-  double share = 1;        ///< s of effective links
-  bool redundant = false;  ///< every label stays met when any one chosen unit fails, installed ones included
+  double share = 1;        ///< s of effective-links
+  bool redundant = false;  ///< labels stay reached if any one chosen or installed unit fails
 };
 
-/// gamma tau as the question's model tests it: for one unit alone where units do not cooperate.
+/// gamma tau: for the sum of signals (cooperative) or for one unit alone (non-cooperative).
 inline double requirement_of(const SignalTable::Label& label, CommunicationModel model) {
   return model == CommunicationModel::cooperative ? label.requirement : label.single_requirement;
 }
 
-/// What a label receives from the chosen columns as the question counts it: S_i (3.5), or the largest single
-/// signal; of a redundant question what remains when the unit with the largest signal fails, which is the
-/// worst that one failure does. The only place that knows this rule. Summed in the order of the row, so that
-/// everybody agrees to the last bit on what is met; more chosen columns never give less, rounding included.
+/// S_i, the signal of a label from the chosen columns: sum_j M_ij T_j (3.5) or the largest M_ij with T_j = 1.
+/// With unit failure the strongest unit, the worst single failure, is omitted:
+///
+///   sum_j M_ij T_j - max_j M_ij T_j      or      the second largest M_ij with T_j = 1.
+///
+/// Only this function implements the rule. Terms are summed in the order of the row, so results are
+/// bit-identical everywhere, and a larger selection never has a smaller S_i, rounding included.
 double received_signal(std::span<const SignalEntry> row, const std::vector<bool>& chosen,
-                       const Question& question);
+                       const PlacementProblem& problem);
 double received_signal(const SignalTable& table, std::size_t label, const std::vector<bool>& chosen,
-                       const Question& question);
+                       const PlacementProblem& problem);
 
-/// Throws InputError for a label without a positive requirement and for a share that is not positive.
-void check_question(const SignalTable& table, const Question& question);
+/// Throws InputError for a requirement or a share that is not positive and finite.
+void check_problem(const SignalTable& table, const PlacementProblem& problem);
 
-/// c^E (links) or delta (signal) of every label. Where no label has a positive one, every link and signal
-/// counts 1: a question about links is never empty because nobody priced them.
+/// c^E (links) or delta (signal) of every label. If no label has a positive cost, every link or signal costs
+/// 1, so that the objective is never empty.
 struct LabelCosts {
   std::vector<double> cost;  ///< per label; zeros for Objective::count
-  bool unit = false;         ///< the ones were put in because no costs were given
+  bool unit = false;         ///< no costs were given, so every cost is 1
 };
 LabelCosts label_costs(const SignalTable& table, Objective objective);
 
-/// The coefficient of every T_j in the question's second objective, from the unclipped matrix; the variables
-/// t_ij = T_j of (3.11) are eliminated, so a link costs its transceiver sum_i c_i^E. Zeros for count.
-std::vector<double> objective_coefficients(const SignalTable& table, const Question& question);
+/// The coefficient of every T_j in the second objective, from the unclipped matrix; zeros for count. The
+/// variables t_ij = T_j of (3.11) are eliminated, so a cooperative link objective costs sum_i c_i^E per
+/// transceiver.
+std::vector<double> objective_coefficients(const SignalTable& table, const PlacementProblem& problem);
 
 }  // namespace shelfbeam

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-/// Sets over 0 ... columns - 1, a bit each: rows of a 0/1 matrix.
+/// Sets of columns 0 ... columns - 1, one bit each: the rows of a 0/1 matrix.
 class BitRows {
  public:
   BitRows(std::size_t rows, std::size_t columns) : words_((columns + 63) / 64), bits_(rows * words_, 0) {}
@@ -49,7 +49,7 @@ class BitRows {
   std::vector<std::uint64_t> bits_;
 };
 
-/// The elements of 0 ... n - 1 that `keep` names.
+/// The indices with keep[k].
 std::vector<std::uint32_t> indices(const std::vector<bool>& keep) {
   std::vector<std::uint32_t> result;
   for (std::uint32_t k = 0; k < keep.size(); ++k)
@@ -59,7 +59,7 @@ std::vector<std::uint32_t> indices(const std::vector<bool>& keep) {
 
 class CoverReducer {
  public:
-  CoverReducer(const SignalTable& table, const Question& question, std::span<const double> cost,
+  CoverReducer(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
                const std::vector<bool>& pinned, const std::function<bool()>& stop)
       : table_(table),
         stop_(stop),
@@ -70,7 +70,7 @@ class CoverReducer {
         open_(table.columns(), true),
         forced_(table.columns(), false),
         unmet_(table.rows(), true) {
-    const CoverRows cover(table, question);
+    const CoverRows cover(table, problem);
     for (std::uint32_t i = 0; i < table.rows(); ++i)
       cover.for_entries(i, [&](std::uint32_t j, double) { rows_.add(i, j); });
     for (std::uint32_t k = 0; k < table.mounts.size(); ++k)
@@ -113,7 +113,7 @@ class CoverReducer {
       });
   }
 
-  // A forced option shuts others out, which may leave a label with one column or with none.
+  // A forced option closes others, which may leave a label with one open column or none.
   bool force_columns() {
     bool forced_any = false;
     for (bool changed = true; changed && !infeasible_;) {
@@ -131,8 +131,8 @@ class CoverReducer {
     return forced_any;
   }
 
-  // Smaller labels first: only a smaller one can be part of another. Each is kept with its rarest column, so
-  // a label meets only those that have a column of its own for their rarest.
+  // Rows in order of size: only a smaller row can be contained in another. Each row is filed under its rarest
+  // column, so a row is compared only with rows filed under its own columns.
   void drop_dominated_labels() {
     const std::vector<std::uint32_t> labels = indices(unmet_);
     BitRows rows(labels.size(), table_.columns());
@@ -180,7 +180,7 @@ class CoverReducer {
       for (const std::uint32_t j : columns[k]) reach.add(j, k);
     }
     bool dropped = false;
-    // One after the other, each against those that are left: of equal ones the first stays.
+    // Columns are closed one at a time, compared with open columns, so one of equal columns stays.
     for (auto j = static_cast<std::uint32_t>(table_.columns()); j-- > 0;) {
       if (!open_[j] || pinned_[j]) continue;
       if (j % 64 == 0 && stops()) break;
@@ -242,17 +242,18 @@ class CoverReducer {
   std::vector<bool> pinned_;
   std::vector<std::uint32_t> mount_;  ///< index into SignalTable::mounts, or none
   BitRows rows_;                      ///< per label: the columns that reach it, open or not
-  std::vector<bool> open_;            ///< per column: neither forced nor dropped
+  std::vector<bool> open_;            ///< per column: neither forced nor closed
   std::vector<bool> forced_;
-  std::vector<bool> unmet_;  ///< per label: neither met nor dropped
+  std::vector<bool> unmet_;  ///< per label: neither reached nor dropped
   bool infeasible_ = false;
 };
 
 }  // namespace
 
-Reduction reduce_cover(const SignalTable& table, const Question& question, std::span<const double> cost,
-                       const std::vector<bool>& pinned, const std::function<bool()>& stop) {
-  return CoverReducer(table, question, cost, pinned, stop).run();
+Reduction reduce_cover(const SignalTable& table, const PlacementProblem& problem,
+                       std::span<const double> cost, const std::vector<bool>& pinned,
+                       const std::function<bool()>& stop) {
+  return CoverReducer(table, problem, cost, pinned, stop).run();
 }
 
 }  // namespace shelfbeam::detail

@@ -5,41 +5,44 @@
 #include <span>
 #include <vector>
 
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam::detail {
 
-/// Labels and columns that have nothing to do with those of another part.
+/// An independent part: no label and no mounting point extends over two parts.
 struct CoverPart {
   std::vector<std::uint32_t> labels;   ///< ascending
   std::vector<std::uint32_t> columns;  ///< ascending
 };
 
-/// What is left of a non-cooperative question. Where some selection meets every label, one of least cost
-/// consists of `forced` and, for every part, a selection of least cost among its columns that reaches its
-/// labels, keeps at most one unit a mounting point and heeds what pinned columns ask for, forced ones
-/// among them.
+/// The remainder of a non-cooperative problem. If a feasible selection exists, one of minimum cost consists
+/// of `forced` and, for every part, a selection of minimum cost among its columns that reaches its labels,
+/// has at most one unit per mounting point, and respects the constraints of pinned columns, forced ones
+/// included.
 struct Reduction {
-  bool infeasible = false;            ///< a label is out of reach of all that may be chosen
+  bool infeasible = false;            ///< some label has no open column
   std::vector<std::uint32_t> forced;  ///< installed and forced columns, ascending
-  std::vector<CoverPart> parts;       ///< in the order of their first label, without labels last
+  std::vector<CoverPart> parts;       ///< in the order of their first label, parts without labels last
 };
 
-/// Reduces sum_j l_ij T_j >= 1, until nothing changes any more:
-/// - a label with one column: that is forced, its labels are met, the other options of its point are out;
-/// - a label reached by all columns of another label is met with it, so it is dropped; of equal ones the
+/// Reduces the cover sum_j l_ij T_j >= 1 until nothing changes (docs/methods/placement.md, "Reductions"):
+/// - forced column: the only open column of a label is forced; its labels are dropped, the other options of
+///   its mounting point closed;
+/// - dominated row: a label is dropped if its open columns include those of another label; of equal rows the
 ///   first stays;
-/// - a column is dropped where another one reaches all of its labels, costs no more, and may stand in for it:
-///   has a point of its own or is an option of the same point. So is one that reaches no label any more.
+/// - dominated column: a column is closed if an open column reaches all of its labels, costs no more, and has
+///   a mounting point of its own or shares that of the column. A column that reaches no remaining label is
+///   closed.
 ///
-/// `cost` must not be negative. `pinned` (empty: none; otherwise one a column) are columns with constraints
-/// that this does not know: none of them is dropped or takes the place of another, they are forced only where
-/// a label needs them, and all that are left are in one part. For an objective at the fewest units (every
-/// unit counts 1) `cost` is that objective: a column is then exchanged for another one at no greater value.
+/// `cost` must not be negative. `pinned` (empty: none; otherwise one per column) marks columns with
+/// constraints unknown here: they are neither closed nor used to close others, are forced only if a label
+/// requires them, and those that remain form one part. For an objective at the minimum count, where every
+/// unit counts 1, `cost` is that objective: a column is then exchanged for another at no greater value.
 ///
-/// Where `stop` says so it ends with what it has, which is as valid and only less reduced. Not valid where
-/// labels must be reached twice.
-Reduction reduce_cover(const SignalTable& table, const Question& question, std::span<const double> cost,
-                       const std::vector<bool>& pinned = {}, const std::function<bool()>& stop = {});
+/// If `stop` returns true, the reduction ends early and is still valid. It is not valid if labels must be
+/// reached twice.
+Reduction reduce_cover(const SignalTable& table, const PlacementProblem& problem,
+                       std::span<const double> cost, const std::vector<bool>& pinned = {},
+                       const std::function<bool()>& stop = {});
 
 }  // namespace shelfbeam::detail

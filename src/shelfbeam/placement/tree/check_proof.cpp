@@ -4,26 +4,26 @@
 #include <functional>
 #include <stdexcept>
 
-#include "shelfbeam/placement/kernels/search_problem.hpp"
+#include "shelfbeam/placement/kernels/search_instance.hpp"
 #include "shelfbeam/placement/tree/proof.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
 
-// Sums in double precision are off by far less.
+// Allowance for rounding in sums, far above the actual error.
 constexpr double slack = 1e-10;
-// Sums of another order, or of ratios, decide near-ties of the rule otherwise: so much less is asked for.
+// Allowance for near-ties, which sums of ratios or in another order decide differently.
 constexpr double rounding = 1e-12;
-// What the search takes for met, and lower still: whoever meets the rule has that.
+// The search's target in single precision, or lower: every signal that meets the rule is at least this large.
 constexpr double relaxed = (1 - met_tolerance) * (1 - search_tolerance);
 
 class ProofChecker {
  public:
-  ProofChecker(const SignalTable& table, const Question& question, const Proof& proof,
+  ProofChecker(const SignalTable& table, const PlacementProblem& problem, const Proof& proof,
                const CheckLimits& limits)
-      : table_(table), question_(question), problem_(table, question), proof_(proof), limits_(limits) {
-    is_sum_ = question.model == CommunicationModel::cooperative;
+      : table_(table), problem_(problem), instance_(table, problem), proof_(proof), limits_(limits) {
+    is_sum_ = problem.model == CommunicationModel::cooperative;
     for (const std::uint32_t i : proof.rows) {
       rows_.push_back(dense(known(i), 1 - met_tolerance));
       if (!is_sum_) relaxed_rows_.push_back(dense(i, relaxed));
@@ -40,13 +40,13 @@ class ProofChecker {
 
  private:
   bool holds() {
-    if (proof_.most_cost < 0) return true;  // no selection costs so little
+    if (proof_.max_cost < 0) return true;  // costs are not negative
     chosen_.assign(table_.columns(), false);
-    std::vector<bool> allowed = problem_.available;
-    for (const std::uint32_t j : problem_.installed) take(j);
-    if (problem_.installed.size() > proof_.most_units) return true;
-    // There is nothing to choose beyond all columns.
-    const std::size_t units = std::min(proof_.most_units - problem_.installed.size(), table_.columns());
+    std::vector<bool> allowed = instance_.available;
+    for (const std::uint32_t j : instance_.installed) take(j);
+    if (instance_.installed.size() > proof_.max_units) return true;
+    // A selection never exceeds all columns.
+    const std::size_t units = std::min(proof_.max_units - instance_.installed.size(), table_.columns());
     return node(allowed, units) && at_ == proof_.steps.size();
   }
 
@@ -55,10 +55,11 @@ class ProofChecker {
     return label;
   }
 
-  // What columns give a label: parts of its requirement, or whether they alone give `least` of it.
+  // Contributions of the columns to a label: shares of its requirement, or whether a column alone supplies
+  // `least` of it.
   std::vector<double> dense(std::uint32_t i, double least) const {
     std::vector<double> row(table_.columns(), 0.0);
-    const double requirement = requirement_of(table_.labels[i], question_.model);
+    const double requirement = requirement_of(table_.labels[i], problem_.model);
     for (const SignalEntry& entry : table_.row(i))
       row[entry.transceiver] = is_sum_                               ? entry.signal / requirement
                                : entry.signal >= requirement * least ? 1.0
@@ -67,28 +68,28 @@ class ProofChecker {
   }
 
   bool label_is_met(std::uint32_t i) const {
-    return is_met(received_signal(table_, i, chosen_, question_),
-                  requirement_of(table_.labels[i], question_.model));
+    return is_met(received_signal(table_, i, chosen_, problem_),
+                  requirement_of(table_.labels[i], problem_.model));
   }
 
-  // What the row lacks of `demand` (cooperative), or of the units that must reach it.
+  // The row's lack of `demand` (cooperative), or in units that must reach it.
   double lacking(const std::vector<double>& row, double demand = 1 - met_tolerance - rounding) const {
     double sum = 0, best = 0;
     for (const std::uint32_t j : taken_) {
       sum += row[j];
       best = std::max(best, row[j]);
     }
-    if (is_sum_) return std::max(0.0, demand - (question_.redundant ? sum - best : sum));
-    return std::max(0.0, (question_.redundant ? 2 : 1) - sum);
+    if (is_sum_) return std::max(0.0, demand - (problem_.redundant ? sum - best : sum));
+    return std::max(0.0, (problem_.redundant ? 2 : 1) - sum);
   }
 
   void take(std::uint32_t j) {
     taken_.push_back(j);
     chosen_[j] = true;
-    spent_ += problem_.cost[j];
+    spent_ += instance_.cost[j];
   }
   void give_back() {
-    spent_ -= problem_.cost[taken_.back()];
+    spent_ -= instance_.cost[taken_.back()];
     chosen_[taken_.back()] = false;
     taken_.pop_back();
   }
@@ -116,14 +117,14 @@ class ProofChecker {
     return sums;
   }
 
-  // Reads one node's steps; whether they prove it.
+  // Reads the steps of one node; true if they prove that the node is infeasible.
   bool node(std::vector<bool> allowed, std::size_t units) {
     while (!is_over()) {
       for (std::size_t j = 0; j < allowed.size(); ++j)
-        allowed[j] = allowed[j] && problem_.cost[j] <= proof_.most_cost - spent_;
+        allowed[j] = allowed[j] && instance_.cost[j] <= proof_.max_cost - spent_;
       switch (next()) {
         case Proof::cost_fails:
-          return spent_ > proof_.most_cost || taken_.size() > proof_.most_units;
+          return spent_ > proof_.max_cost || taken_.size() > proof_.max_units;
         case Proof::row_fails:
           if (const std::uint32_t row = known(next()); label_is_met(row)) return false;
           return units == 0;
@@ -168,9 +169,9 @@ class ProofChecker {
     const std::uint32_t id = next();
     const std::vector<float>& weights = proof_.weights.at(id >> 16).at(id & 0xFFFF);
     const auto price = static_cast<double>(std::bit_cast<float>(next()));
-    if (!(price >= 0) || !std::isfinite(price)) throw std::out_of_range("a price is no such number");
-    // By the search's rule, which is below the contract's: what meets the one meets the other, and near-ties
-    // count as they did there.
+    if (!(price >= 0) || !std::isfinite(price)) throw std::out_of_range("a price is out of range");
+    // Uses the search's target, which is below the exact rule: a selection that meets the exact rule meets
+    // it, and near-ties count as in the search.
     const auto& rows = is_sum_ ? rows_ : relaxed_rows_;
     Weighing w{std::vector<double>(table_.columns(), 0.0)};
     std::vector<std::uint32_t> columns;
@@ -178,7 +179,7 @@ class ProofChecker {
       if (allowed[j]) columns.push_back(j);
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const auto weight = static_cast<double>(weights.at(r));
-      if (!(weight >= 0) || !std::isfinite(weight)) throw std::out_of_range("a weight is no such number");
+      if (!(weight >= 0) || !std::isfinite(weight)) throw std::out_of_range("a weight is out of range");
       const double open = lacking(rows[r], relaxed);
       if (open == 0) continue;
       const double shift = is_sum_ ? Proof::shift * open / static_cast<double>(units) : 0;
@@ -187,16 +188,16 @@ class ProofChecker {
       for (const std::uint32_t j : columns)
         w.value[j] += weight * std::min(counted, std::max(0.0, rows[r][j] - shift));
     }
-    for (const std::uint32_t j : columns) w.value[j] -= price * static_cast<double>(problem_.cost[j]);
-    const std::int64_t left = proof_.most_cost - spent_;
+    for (const std::uint32_t j : columns) w.value[j] -= price * static_cast<double>(instance_.cost[j]);
+    const std::int64_t left = proof_.max_cost - spent_;
     w.paid = price > 0 && left > 0 ? price * static_cast<double>(left) : 0;
-    // Such a price proves nothing, and differences of large numbers must not seem to.
+    // Such a price proves nothing, and cancellation could make it appear to.
     if (w.paid > 2 * w.need) throw std::out_of_range("a price is too high");
     return w;
   }
 
   bool every_single_fails(const std::vector<bool>& allowed) {
-    bool is_unmet = false;  // without any
+    bool is_unmet = false;  // by the chosen columns alone
     for (std::uint32_t i = 0; i < table_.rows() && !is_unmet; ++i) is_unmet = !label_is_met(i);
     if (!is_unmet) return false;
     std::vector<double> open;
@@ -221,16 +222,16 @@ class ProofChecker {
     if (units == 0 || label_is_met(label)) return false;
     const std::vector<double> row = dense(label, 1 - met_tolerance);
     const double open = lacking(row);
-    const std::int64_t cost_left = proof_.most_cost - spent_;
+    const std::int64_t cost_left = proof_.max_cost - spent_;
     std::vector<bool> listed(table_.columns(), false);
     std::vector<bool> left = allowed;
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t j = next();
       listed.at(j) = true;
-      // The search may have listed what is too dear by now; such children fail at once.
+      // The search may list columns that have become too expensive; their children fail at once.
       std::vector<bool> below = left;
       below[j] = false;
-      for (const std::uint32_t other : problem_.excludes[j]) below[other] = false;
+      for (const std::uint32_t other : instance_.excludes[j]) below[other] = false;
       if (chosen_[j]) return false;
       take(j);
       const bool is_proven = node(std::move(below), units - 1);
@@ -242,7 +243,7 @@ class ProofChecker {
       if (!allowed[j] || listed[j] || row[j] == 0) continue;
       const double part = !by_cost ? 1 / static_cast<double>(units)
                           : cost_left > 0
-                              ? static_cast<double>(problem_.cost[j]) / static_cast<double>(cost_left)
+                              ? static_cast<double>(instance_.cost[j]) / static_cast<double>(cost_left)
                               : 0;
       if (row[j] >= open * part * (1 - slack)) return false;
     }
@@ -250,8 +251,8 @@ class ProofChecker {
   }
 
   const SignalTable& table_;
-  const Question& question_;
-  SearchProblem problem_;
+  const PlacementProblem& problem_;
+  SearchInstance instance_;
   const Proof& proof_;
   const CheckLimits& limits_;
   bool is_sum_ = true, is_open_ = false, ran_out_ = false;
@@ -265,10 +266,10 @@ class ProofChecker {
 
 }  // namespace
 
-ProofVerdict judge_proof(const SignalTable& table, const Question& question, const Proof& proof,
+ProofVerdict judge_proof(const SignalTable& table, const PlacementProblem& problem, const Proof& proof,
                          const CheckLimits& limits) {
   try {
-    return ProofChecker(table, question, proof, limits).judge();
+    return ProofChecker(table, problem, proof, limits).judge();
   } catch (const std::out_of_range&) {
     return ProofVerdict::refuted;
   }

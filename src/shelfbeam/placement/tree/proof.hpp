@@ -6,49 +6,52 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam::detail {
 
-/// The log of a tree search that found nothing: why there is no selection of at most `most_units` units and
-/// `most_cost` (in the units of a SearchProblem) that meets every label.
+/// The log of a tree search that found nothing: a proof that no feasible selection has at most `max_units`
+/// units and a cost of at most `max_cost` (a multiple of SearchInstance::cost_unit).
 ///
-/// A node is a set of chosen columns (installed ones at the root) and a set of allowed ones; b is how many
-/// may still be chosen, C what they may cost. For each label, lacking is what its rule asks for less what it
-/// receives; one more unit gives it a_ij at most. `steps` holds the nodes in the order of a depth-first walk,
-/// each a tag with its arguments:
+/// A node has a set of chosen columns (at the root the installed units) and a set A of allowed columns; b is
+/// the number of columns that may still be added, C their maximum cost. Label i lacks r_i, and one more
+/// column j contributes at most g_ij (docs/methods/placement.md, "Tree search"). `steps` contains the nodes
+/// in depth-first order, each as a tag with arguments:
 struct Proof {
   enum Tag : std::uint32_t {
-    open,  ///< not examined: proves nothing
-    /// row: it is unmet, and b = 0.
+    open,  ///< not examined, proves nothing
+    /// Argument: row. The row is violated and b = 0.
     row_fails,
-    /// weights, price: no b allowed columns are worth enough. With s_i = `shift` lacking_i / b (0 where links
-    /// are counted) and d_i = lacking_i - b s_i: sum_i w_i d_i > price C + the b largest sum_i w_i min(d_i,
-    /// max(0, a_ij - s_i)) - price c_j among allowed columns (none negative). It is no answer because b
-    /// columns that give lacking_i together give d_i beyond s_i each.
+    /// Arguments: weights, price. Surrogate bound: with s_i = `shift` r_i / b for sum rules (otherwise 0) and
+    /// d_i = r_i - b s_i,
+    ///
+    ///   sum_i w_i d_i > p C + sum of the b largest positive v_j - p c_j in A,
+    ///   v_j = sum_i w_i min(d_i, max(0, g_ij - s_i)).
+    ///
+    /// Valid because b columns that together supply r_i supply at least d_i beyond s_i each.
     sum_fails,
-    /// weights, price: columns with which that would hold are no longer allowed; the same node goes on.
+    /// Arguments: weights, price. Columns that the same inequality rules out leave A; the node continues.
     filter,
-    /// Every allowed column leaves some label unmet, so do the chosen ones alone, and b = 1.
+    /// b = 1, and neither the chosen columns alone nor with any one allowed column reach every label.
     single_fails,
-    /// The chosen columns cost too much.
+    /// The chosen columns cost more than `max_cost`.
     cost_fails,
-    /// row, by_cost, count, then that many columns, each followed by the child that takes it; it is not
-    /// allowed in later children. Pigeonhole: a selection that meets the row has a column with
-    /// a_ij >= lacking_i / b, and, with costs, one with a_ij >= lacking_i c_j / C. All of these that are
-    /// allowed are listed.
+    /// Arguments: row, by_cost, count, then `count` columns, each followed by its child; each column is
+    /// forbidden in later children. Pigeonhole: a selection that satisfies the row has a column with g_ij >=
+    /// r_i / b and, with costs, a column with g_ij >= r_i c_j / C. All allowed columns of this kind are
+    /// listed.
     branch
   };
 
-  /// Where units add up, what each gives of its even share is not counted: whoever gives more then stands
-  /// out, and the bound is sharper than without.
+  /// Part of each column's even share r_i / b that is not counted (sum rules), so that columns that
+  /// contribute more stand out. This tightens the bound.
   static constexpr double shift = 0.3;
 
-  std::size_t most_units = 0;
-  std::int64_t most_cost = 0;
+  std::size_t max_units = 0;
+  std::int64_t max_cost = 0;
   bool is_complete = false;
-  std::vector<std::uint32_t> rows;  ///< of the table, to which weights refer
-  /// By the upper and lower half of their number.
+  std::vector<std::uint32_t> rows;  ///< of the table; weights refer to these rows
+  /// Indexed by the upper and lower half of the weights' number.
   std::vector<std::vector<std::vector<float>>> weights;
   std::vector<std::uint32_t> steps;  ///< prices as the bits of a float
 };
@@ -60,13 +63,13 @@ struct CheckLimits {
 
 enum class ProofVerdict {
   holds,
-  left_open,   ///< the search has not logged all that it did
-  unfinished,  ///< the limits came first
+  left_open,   ///< the log has open nodes or is incomplete
+  unfinished,  ///< a limit came first
   refuted
 };
 
-/// Examines a proof in double precision from the table alone: nothing of the search is used but the proof.
-ProofVerdict judge_proof(const SignalTable& table, const Question& question, const Proof& proof,
+/// Verifies a proof in double precision from the table alone, using nothing of the search but the proof.
+ProofVerdict judge_proof(const SignalTable& table, const PlacementProblem& problem, const Proof& proof,
                          const CheckLimits& limits = {});
 
 }  // namespace shelfbeam::detail

@@ -12,15 +12,17 @@
 
 namespace shelfbeam::detail {
 
-/// Multiplicative steps of the weights of rows. With U the `count` columns of largest gain and
+/// Multiplicative steps towards row weights w with a large surrogate bound (surrogate.hpp). With B the
+/// `count` columns of the largest gain v_j,
 ///
-///   served_i = sum_{j in U} min(d_i, what j gives that counts) / d_i
+///   served_i = sum_{j in B} min(d_i, max(0, g_ij - s_i)) / d_i,
+///   w_i <- w_i exp(0.4 (1 - served_i)),   1 - served_i clipped to [-2, 1].
 ///
-/// a step is w_i <- w_i exp(0.4 (1 - served_i)), the exponent in [-0.8, 0.4], and a common factor that makes
-/// the largest weight of a row that lacks something 1: rows that the best columns serve ill count more.
+/// A common factor then sets the largest weight of a row with a lack to 1. Rows that the best columns serve
+/// badly gain weight.
 class RowWeights {
  public:
-  /// `column(k)` has gain[k]; weights do not fall below `least`. The weights in `rows` are not looked at.
+  /// `column(k)` has gain[k]; weights do not fall below `least`. Rows::weight is not used.
   template <class Column>
   void step(Receiving rule, const SearchKernels::Rows& rows, std::span<const float> gain, std::size_t count,
             const Column& column, float least, std::span<float> weight) {
@@ -34,7 +36,7 @@ class RowWeights {
     for (auto k = order_.begin(); k != best; ++k) SearchKernels::load(rule, column(*k), rows, load_.data());
 
     constexpr float rate = 0.4F;
-    constexpr float most = 1e20F;  // rows that lack nothing would gain for ever
+    constexpr float most = 1e20F;  // rows without a lack would grow without limit
     float largest = 0;
     for (std::size_t i = 0; i < weight.size(); ++i) {
       weight[i] *= std::exp(rate * std::clamp(1 - load_[i], -2.0F, 1.0F));

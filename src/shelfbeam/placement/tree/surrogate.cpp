@@ -18,11 +18,11 @@ constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
 
 void SurrogateTest::score(TreeNode& node, std::size_t units, std::int64_t spent) {
   const std::size_t rows = node.value.size();
-  const std::int64_t most_cost = run_.most_cost();  // once: other threads lower it
-  node.by_cost = run_.problem.question.combination == Combination::weighted && run_.problem.has_costs &&
-                 most_cost > spent && most_cost < no_limit;
+  const std::int64_t max_cost = run_.max_cost();  // read once: other threads lower it
+  node.by_cost = run_.instance.problem.combination == Combination::weighted && run_.instance.has_costs &&
+                 max_cost > spent && max_cost < no_limit;
   const double divisor =
-      static_cast<double>(node.by_cost ? most_cost - spent : static_cast<std::int64_t>(units)) *
+      static_cast<double>(node.by_cost ? max_cost - spent : static_cast<std::int64_t>(units)) *
       (1 + search_tolerance);
   for (std::size_t i = 0; i < rows; ++i)
     node.share[i] = static_cast<float>(static_cast<double>(node.lacking[i]) / divisor);
@@ -39,7 +39,7 @@ void SurrogateTest::score(TreeNode& node, std::size_t units, std::int64_t spent)
   run_.count_work((node.allowed.size() + 4) * rows);
   for (std::size_t c = 0; c < node.allowed.size(); ++c) {
     const std::uint32_t j = node.allowed[c];
-    const float scale = node.by_cost ? static_cast<float>(run_.problem.cost[j]) : 1.0F;
+    const float scale = node.by_cost ? static_cast<float>(run_.instance.cost[j]) : 1.0F;
     node.gain[c] =
         SearchKernels::gain(run_.rule, node.window->column(j), scale, of_node, node.supporters.data());
   }
@@ -50,12 +50,12 @@ SearchKernels::Rows SurrogateTest::rows_of(const TreeNode& node) const {
           node.shift.data(),   run_.target(),      node.value.size()};
 }
 
-// The sums of the b and of the b - 1 largest positive v_j - p c_j.
+// Sums of the b and of the b - 1 largest positive v_j - p c_j.
 std::pair<double, double> SurrogateTest::largest_sums(const TreeNode& node, std::size_t units, double price) {
   top_.assign(units, 0.0);
   for (std::size_t c = 0; c < node.gain.size(); ++c) {
     double value = static_cast<double>(node.gain[c]);
-    if (price > 0) value -= price * static_cast<double>(run_.problem.cost[node.allowed[c]]);
+    if (price > 0) value -= price * static_cast<double>(run_.instance.cost[node.allowed[c]]);
     if (value <= top_.back()) continue;
     std::size_t place = units - 1;
     for (; place > 0 && top_[place - 1] < value; --place) top_[place] = top_[place - 1];
@@ -71,8 +71,8 @@ Surrogate SurrogateTest::of(const TreeNode& node, std::size_t units, std::int64_
   result.need =
       static_cast<double>(SearchKernels::need(node.counted.data(), node.weight.data(), node.value.size()));
   std::tie(result.most, result.without_one) = largest_sums(node, units, 0);
-  const std::int64_t left = run_.most_cost() - spent;
-  if (!run_.problem.has_costs || left <= 0 || run_.most_cost() == no_limit) return result;
+  const std::int64_t left = run_.max_cost() - spent;
+  if (!run_.instance.has_costs || left <= 0 || run_.max_cost() == no_limit) return result;
   for (const double part : {0.3, 0.5, 0.7, 0.8, 0.9, 0.96}) {
     const auto price = static_cast<float>(part * result.need / static_cast<double>(left));
     const double paid = static_cast<double>(price) * static_cast<double>(left);
@@ -89,7 +89,7 @@ std::size_t SurrogateTest::filter(TreeNode& node, const Surrogate& surrogate) co
   std::size_t kept = 0;
   for (std::size_t c = 0; c < node.allowed.size(); ++c) {
     const std::uint32_t j = node.allowed[c];
-    if (surrogate.rules_out(static_cast<double>(node.gain[c]), static_cast<double>(run_.problem.cost[j])))
+    if (surrogate.rules_out(static_cast<double>(node.gain[c]), static_cast<double>(run_.instance.cost[j])))
       continue;
     node.allowed[kept] = j;
     node.gain[kept++] = node.gain[c];

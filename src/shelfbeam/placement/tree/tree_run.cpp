@@ -7,28 +7,28 @@
 
 namespace shelfbeam::detail {
 
-TreeRun::TreeRun(const SearchProblem& p, const SearchMatrix& a, const SearchMatrix& m, const TreeGoal& g,
+TreeRun::TreeRun(const SearchInstance& p, const SearchMatrix& a, const SearchMatrix& m, const TreeGoal& g,
                  const TreeSearch::Limits& l, const RunControl& control)
-    : problem(p),
+    : instance(p),
       all(a),
       matrix(m),
       goal(g),
       limits(l),
-      rule(receiving(p.question)),
+      rule(receiving(p.problem)),
       control_(control),
       is_searched_(a.rows(), false),
-      most_work_(l.work > 0 ? l.work : std::numeric_limits<std::uint64_t>::max()),
-      most_cost_(g.most_cost),
+      max_work_(l.work > 0 ? l.work : std::numeric_limits<std::uint64_t>::max()),
+      max_cost_(g.max_cost),
       widest_(g.start) {
   if (goal.kind == TreeGoal::Kind::widest) {
     std::vector<float> memory;
-    margin_ = margin_of(problem.table, problem.question, all, goal.start, memory).smallest;
+    margin_ = margin_of(instance.table, instance.problem, all, goal.start, memory).smallest;
   }
   for (std::size_t i = 0; i < matrix.rows(); ++i) is_searched_[matrix.row(i)] = true;
 }
 
 TreeRun::TreeRun(const TreeRun& whole, std::uint64_t shares)
-    : problem(whole.problem),
+    : instance(whole.instance),
       all(whole.all),
       matrix(whole.matrix),
       goal(whole.goal),
@@ -36,12 +36,12 @@ TreeRun::TreeRun(const TreeRun& whole, std::uint64_t shares)
       rule(whole.rule),
       control_(whole.control_),
       is_searched_(whole.is_searched_),
-      most_work_((whole.most_work_ - std::min(whole.most_work_, whole.work())) / shares),
+      max_work_((whole.max_work_ - std::min(whole.max_work_, whole.work())) / shares),
       nodes_before_(whole.nodes()),
       misses_before_(whole.misses_),
       misses_(whole.misses_.load()),
       logged_(whole.logged_.load()),
-      most_cost_(whole.most_cost()),
+      max_cost_(whole.max_cost()),
       margin_(whole.margin_.load()),
       widest_(whole.widest_),
       found_(whole.found_any()),
@@ -60,13 +60,13 @@ void TreeRun::join(const TreeRun& part) {
 bool TreeRun::ends() {
   constexpr std::uint64_t between_looks = 64;
   const std::uint64_t node = nodes_.fetch_add(1, std::memory_order_relaxed);
-  if (work() >= most_work_) cut_.store(true, std::memory_order_relaxed);
+  if (work() >= max_work_) cut_.store(true, std::memory_order_relaxed);
   if (node % between_looks == 0) {
     if (node >= limits.effort.steps || misses_rows() || limits.effort.is_over(control_))
       cut_.store(true, std::memory_order_relaxed);
     if (const std::unique_lock lock(reporting_, std::try_to_lock); lock.owns_lock() && control_.progress)
       control_.report("tree search", -1,
-                      fmt::format("{} nodes, {} units", nodes_before_ + node, goal.most_units));
+                      fmt::format("{} nodes, {} units", nodes_before_ + node, goal.max_units));
   }
   return was_cut() || found_any();
 }
@@ -79,12 +79,12 @@ double TreeRun::exact_target() const {
 }
 
 float TreeRun::target() const {
-  constexpr double largest = 1e5;  // a matrix holds no more than ten times that
+  constexpr double largest = 1e5;  // matrix entries are capped at ten times that
   return static_cast<float>(std::min(exact_target(), largest) * (1 - search_tolerance));
 }
 
 Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float>& memory) {
-  const Margin margin = margin_of(problem.table, problem.question, all, selected, memory);
+  const Margin margin = margin_of(instance.table, instance.problem, all, selected, memory);
   count_work(all.padded_rows() * selected.size());
   if (!margin.is_met) return margin;
   const std::lock_guard lock(mutex_);
@@ -97,18 +97,18 @@ Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float
       found_.store(true, std::memory_order_relaxed);
       break;
     case TreeGoal::Kind::cheapest: {
-      const std::int64_t cost = problem.cost_of(selected);
-      if (cost > most_cost()) break;
+      const std::int64_t cost = instance.cost_of(selected);
+      if (cost > max_cost()) break;
       best = std::move(sorted);
-      most_cost_.store(cost - 1, std::memory_order_relaxed);
+      max_cost_.store(cost - 1, std::memory_order_relaxed);
       break;
     }
     case TreeGoal::Kind::widest:
-      if (problem.cost_of(selected) > goal.most_cost) break;
+      if (instance.cost_of(selected) > goal.max_cost) break;
       if (const double now = margin_.load(std::memory_order_relaxed);
           margin.smallest < now || (margin.smallest == now && (sorted.size() > widest_.size() ||
                                                                (sorted.size() == widest_.size() &&
-                                                                !problem.is_first_by_id(sorted, widest_)))))
+                                                                !instance.is_first_by_id(sorted, widest_)))))
         break;
       best = widest_ = std::move(sorted);
       margin_.store(margin.smallest, std::memory_order_relaxed);

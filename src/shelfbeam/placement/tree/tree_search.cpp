@@ -15,10 +15,10 @@ constexpr std::size_t rows_at_first = 128;
 
 }  // namespace
 
-TreeSearch::TreeSearch(const SearchProblem& problem, const SearchMatrix& all)
-    : problem_(problem), all_(all), rule_(receiving(problem.question)) {}
+TreeSearch::TreeSearch(const SearchInstance& instance, const SearchMatrix& all)
+    : instance_(instance), all_(all), rule_(receiving(instance.problem)) {}
 
-// The rows that multiplicative weights find hardest for so many units.
+// The rows that multiplicative weights find hardest for `units` units.
 void TreeSearch::choose_rows(std::size_t units) {
   rows_.resize(all_.rows());
   std::iota(rows_.begin(), rows_.end(), 0U);
@@ -30,7 +30,7 @@ void TreeSearch::choose_rows(std::size_t units) {
   const SearchKernels::Rows rows{lacking.data(), weight.data(), nothing.data(), nothing.data(), 1.0F, padded};
   std::vector<std::uint32_t> columns;
   for (std::uint32_t j = 0; j < all_.columns(); ++j)
-    if (problem_.available[j]) columns.push_back(j);
+    if (instance_.available[j]) columns.push_back(j);
   std::vector<float> gain(columns.size()), supporters(padded, 0.0F);
   RowWeights weights;
   constexpr int steps = 60;
@@ -60,31 +60,31 @@ void TreeSearch::begin_with(std::span<const std::uint32_t> rows, std::span<const
     weights_.push_back(static_cast<float>(largest > 0 ? std::max(weight / largest, least) : 1));
 }
 
-TreeAnswer TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const RunControl& control) {
+TreeResult TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const RunControl& control) {
   constexpr std::size_t rows_at_once = 32;
   constexpr float weight_of_new = 0.3F;
-  TreeAnswer answer;
-  if (rows_.empty()) choose_rows(wanted.most_units);
+  TreeResult answer;
+  if (rows_.empty()) choose_rows(wanted.max_units);
   TreeGoal goal = wanted;
   Limits left = limits;
   while (true) {
-    if (!matrix_) matrix_.emplace(problem_.table, problem_.question.model, rows_);
-    TreeRun run(problem_, all_, *matrix_, goal, left, control);
+    if (!matrix_) matrix_.emplace(instance_.table, instance_.problem.model, rows_);
+    TreeRun run(instance_, all_, *matrix_, goal, left, control);
     TreeWalk root(run, weights_, 0);
     with_threads(control.threads, [&] { root.from_root(); });
     std::copy_n(root.weights().begin(), weights_.size(), weights_.begin());
     answer.nodes += run.nodes();
     if (run.best) {
       answer.selected = run.best;
-      if (goal.kind == TreeGoal::Kind::cheapest) goal.most_cost = problem_.cost_of(*run.best) - 1;
+      if (goal.kind == TreeGoal::Kind::cheapest) goal.max_cost = instance_.cost_of(*run.best) - 1;
       if (goal.kind == TreeGoal::Kind::widest) goal.start = *run.best;
     }
     answer.is_complete = run.is_complete() || (goal.kind == TreeGoal::Kind::any && run.best.has_value());
     if (answer.is_complete || !run.misses_rows() || limits.effort.is_over(control) ||
         answer.nodes >= limits.effort.steps) {
       if (limits.wants_proof) {
-        answer.proof.most_units = goal.most_units;
-        answer.proof.most_cost = goal.most_cost;
+        answer.proof.max_units = goal.max_units;
+        answer.proof.max_cost = goal.max_cost;
         answer.proof.rows = rows_;
         root.move_log_to(answer.proof);
         answer.proof.is_complete = answer.is_complete && !run.found_any();

@@ -44,11 +44,11 @@ void ProofLog::give_up() {
 
 TreeWalk::TreeWalk(TreeRun& run, std::span<const float> weights, std::uint32_t number)
     : run_(run), log_(run, number), surrogate_(run) {
-  const SearchProblem& problem = run.problem;
-  chosen_ = problem.installed;
-  most_units_ = run.goal.most_units >= chosen_.size() ? run.goal.most_units - chosen_.size() : 0;
-  nodes_.resize(most_units_ + 1);
-  for (const std::uint32_t j : chosen_) spent_ += problem.cost[j];
+  const SearchInstance& instance = run.instance;
+  chosen_ = instance.installed;
+  max_units_ = run.goal.max_units >= chosen_.size() ? run.goal.max_units - chosen_.size() : 0;
+  nodes_.resize(max_units_ + 1);
+  for (const std::uint32_t j : chosen_) spent_ += instance.cost[j];
   if (number > 0) return;
 
   TreeNode& root = nodes_[0];
@@ -57,8 +57,8 @@ TreeWalk::TreeWalk(TreeRun& run, std::span<const float> weights, std::uint32_t n
   for (const std::uint32_t j : chosen_)
     SearchKernels::receive(run.rule, root.window->column(j), root.value.size(), root.value.data(),
                            root.best.data());
-  for (std::uint32_t j = 0; j < problem.available.size(); ++j)
-    if (problem.available[j]) root.allowed.push_back(j);
+  for (std::uint32_t j = 0; j < instance.available.size(); ++j)
+    if (instance.available[j]) root.allowed.push_back(j);
 }
 
 void TreeWalk::move_log_to(Proof& proof) {
@@ -69,8 +69,8 @@ void TreeWalk::move_log_to(Proof& proof) {
   }
 }
 
-// Tests the surrogate inequality with ever better weights. False where it closes the node; else gains and
-// supporters are fresh enough to branch on.
+// Tests the surrogate bound with improving weights. False if it closes the node; otherwise gains and
+// supporters are up to date for branching.
 bool TreeWalk::may_complete(std::size_t depth) {
   TreeNode& node = nodes_[depth];
   const std::size_t units = units_left(depth);
@@ -91,13 +91,13 @@ bool TreeWalk::may_complete(std::size_t depth) {
   }
 }
 
-// Children are the allowed columns that give the row its share, the most useful first.
+// Children: the allowed columns that contribute the pigeonhole share to the row, the largest gain first.
 void TreeWalk::branch_on(std::size_t depth, std::uint32_t row, double least) {
   TreeNode& node = nodes_[depth];
   node.order.clear();
   for (std::uint32_t c = 0; c < node.allowed.size(); ++c) {
     const std::uint32_t j = node.allowed[c];
-    const double scale = node.by_cost ? static_cast<double>(run_.problem.cost[j]) : 1;
+    const double scale = node.by_cost ? static_cast<double>(run_.instance.cost[j]) : 1;
     const auto given = static_cast<double>(run_.all.column(j)[row]);
     if (given > 0 && given >= scale * least) node.order.push_back(c);
   }
@@ -109,7 +109,7 @@ void TreeWalk::branch_on(std::size_t depth, std::uint32_t row, double least) {
   log_.add_branch(row, node.by_cost, node.order);
 }
 
-// The row with the fewest columns that give it its share.
+// Branches on the row with the fewest supporters.
 void TreeWalk::choose_branch(std::size_t depth) {
   TreeNode& node = nodes_[depth];
   const std::size_t none = node.window->rows.size();
@@ -125,13 +125,13 @@ void TreeWalk::choose_branch(std::size_t depth) {
     branch_on(depth, row, share);
     return;
   }
-  // Whoever reaches the label gives it one unit of what it lacks, whatever that costs.
+  // Every column that reaches the label contributes 1 to its lack, at any cost.
   node.by_cost = false;
   branch_on(depth, row, static_cast<double>(run_.target()));
 }
 
-// The chosen columns meet every row of the search. Where another row is left unmet, or more margin is asked
-// for, the search goes on with that row.
+// The chosen columns meet every row of the search. If they miss another row, or a larger margin is sought,
+// the search branches on the row of the smallest margin.
 void TreeWalk::complete(std::size_t depth) {
   TreeNode& node = nodes_[depth];
   constexpr double largest = 1e5;  // as in TreeRun::target
@@ -143,7 +143,7 @@ void TreeWalk::complete(std::size_t depth) {
       !margin.is_met || (run_.goal.kind == TreeGoal::Kind::widest && margin.smallest < beyond_measure);
   if (margin.smallest < target) run_.miss(margin.label);
   if (!may_improve || run_.found_any()) {
-    log_.add(Proof::cost_fails);  // an answer: whatever is better is cheaper
+    log_.add(Proof::cost_fails);  // feasible: anything better is cheaper
     return;
   }
   if (units == 0) {
@@ -161,7 +161,7 @@ void TreeWalk::complete(std::size_t depth) {
   visit_children(depth);
 }
 
-// One unit is left to choose: it must do all that is lacking.
+// The last unit must supply the whole lack.
 void TreeWalk::take_last(std::size_t depth) {
   TreeNode& node = nodes_[depth];
   std::size_t hardest = 0;
@@ -173,7 +173,7 @@ void TreeWalk::take_last(std::size_t depth) {
   bool is_open = false;
   for (const std::uint32_t j : node.allowed) {
     const float* const column = node.window->column(j);
-    if (column[hardest] < least || spent_ + run_.problem.cost[j] > run_.most_cost()) continue;
+    if (column[hardest] < least || spent_ + run_.instance.cost[j] > run_.max_cost()) continue;
     run_.count_work(node.value.size());
     if (!SearchKernels::suffices(run_.rule, column, node.lacking.data(), target, node.value.size())) continue;
     if (run_.ends()) {
@@ -194,21 +194,21 @@ void TreeWalk::visit_children(std::size_t depth) {
     log_.add(j);
     make_child(nodes_[depth], j, nodes_[depth + 1]);
     chosen_.push_back(j);
-    spent_ += run_.problem.cost[j];
+    spent_ += run_.instance.cost[j];
     visit(depth + 1);
-    spent_ -= run_.problem.cost[j];
+    spent_ -= run_.instance.cost[j];
     chosen_.pop_back();
     nodes_[depth].forbid(j);
   }
 }
 
-// False where the node is done: found, cut, failed or completed.
+// False if the node is closed: feasible, cut off by a limit, or pruned.
 bool TreeWalk::enter(std::size_t depth) {
   if (run_.ends()) {
     log_.add(Proof::open);
     return false;
   }
-  if (spent_ > run_.most_cost()) {
+  if (spent_ > run_.max_cost()) {
     log_.add(Proof::cost_fails);
     return false;
   }
@@ -225,9 +225,9 @@ bool TreeWalk::enter(std::size_t depth) {
     log_.add(run_.matrix.row(node.window->rows[static_cast<std::size_t>(row - node.lacking.begin())]));
     return false;
   }
-  if (run_.problem.has_costs)
+  if (run_.instance.has_costs)
     std::erase_if(node.allowed,
-                  [&](std::uint32_t j) { return spent_ + run_.problem.cost[j] > run_.most_cost(); });
+                  [&](std::uint32_t j) { return spent_ + run_.instance.cost[j] > run_.max_cost(); });
   if (units == 1) {
     take_last(depth);
     return false;
@@ -246,14 +246,14 @@ void TreeWalk::visit(std::size_t depth) {
 }
 
 void TreeWalk::from_root() {
-  if (run_.goal.most_units + 1 <= chosen_.size()) {  // installed units alone are too many
+  if (run_.goal.max_units + 1 <= chosen_.size()) {  // the installed units alone are too many
     log_.add(Proof::cost_fails);
     return;
   }
   if (enter(0)) children_in_parallel();
 }
 
-// Walks that are limited by work know nothing of those beside them: what they find must not depend on timing.
+// With a work limit, parallel walks share nothing, so results do not depend on timing.
 void TreeWalk::children_in_parallel() {
   columns_of_children_ = nodes_[0].order;
   const std::size_t count = columns_of_children_.size();
@@ -269,7 +269,7 @@ void TreeWalk::children_in_parallel() {
     }
     for_each_task(last - first, [&](std::size_t k) {
       children_[first + k]->visit(1);
-      children_[first + k]->nodes_.clear();  // of many children they would add up
+      children_[first + k]->nodes_.clear();  // the nodes of many children would add up
     });
     for (const auto& part : parts) run_.join(*part);
   }
@@ -281,7 +281,7 @@ void TreeWalk::add_child(TreeRun& run, std::uint32_t column) {
   walk->make_child(nodes_[0], column, walk->nodes_[1]);
   walk->nodes_[1].weights_id = TreeNode::unlogged;
   walk->chosen_.push_back(column);
-  walk->spent_ += run_.problem.cost[column];
+  walk->spent_ += run_.instance.cost[column];
   children_.push_back(std::move(walk));
   nodes_[0].forbid(column);
 }

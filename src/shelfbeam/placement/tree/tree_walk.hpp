@@ -11,19 +11,19 @@
 
 namespace shelfbeam::detail {
 
-/// What one walk adds to the proof of its search. Empty where none is wanted; a node that is left open where
-/// it grows too long to be checked.
+/// The part of a proof that one walk writes. Empty if no proof is requested; a single open node if it grows
+/// too long to verify.
 class ProofLog {
  public:
-  /// `number` tells the weights of this walk from those of others.
+  /// `number` distinguishes this walk's weights from those of others.
   ProofLog(TreeRun& run, std::uint32_t number) : run_(run), number_(number), logs_(run.limits.wants_proof) {}
 
   void add(std::uint32_t word) {
     if (logs_) steps_.push_back(word);
   }
-  /// A step that rests on the node's weights, which are stored where they are new.
+  /// A step with the node's weights, which are stored if they are new.
   void add_weighing(TreeNode& node, Proof::Tag tag, float price);
-  /// The head of a branch; the children follow, each behind its column.
+  /// The head of a branch; the children follow, each after its column.
   void add_branch(std::uint32_t row, bool by_cost, std::span<const std::uint32_t> columns);
   void move_to(Proof& proof);
 
@@ -37,18 +37,18 @@ class ProofLog {
   std::vector<std::vector<float>> weights_;
 };
 
-/// One depth-first walk below a node.
+/// A depth-first walk below one node.
 class TreeWalk {
  public:
-  /// `number` tells its weights in the proof from those of other walks; 0 for the root.
+  /// `number` distinguishes its weights in the proof from those of other walks; 0 for the root.
   TreeWalk(TreeRun& run, std::span<const float> weights, std::uint32_t number);
 
-  /// From the root, its children on all threads.
+  /// Walks from the root; its children run on all threads.
   void from_root();
 
-  /// Steps and weights of this walk and those below it.
+  /// Moves steps and weights of this walk and the walks below it.
   void move_log_to(Proof& proof);
-  /// With which the root was left, one a row of the search's matrix.
+  /// Final weights of the root, one per row of the search's matrix.
   const std::vector<float>& weights() const { return nodes_.front().weight; }
 
  private:
@@ -63,20 +63,20 @@ class TreeWalk {
   void choose_branch(std::size_t depth);
   void branch_on(std::size_t depth, std::uint32_t row, double least);
   void make_child(const TreeNode& parent, std::uint32_t column, TreeNode& child) const {
-    child.take(parent, column, run_.rule, run_.problem.excludes[column]);
+    child.take(parent, column, run_.rule, run_.instance.excludes[column]);
   }
 
-  std::size_t units_left(std::size_t depth) const { return most_units_ - depth; }
+  std::size_t units_left(std::size_t depth) const { return max_units_ - depth; }
 
   TreeRun& run_;
   ProofLog log_;
   SurrogateTest surrogate_;
-  std::size_t most_units_;  ///< beside those that every selection holds
+  std::size_t max_units_;  ///< besides the installed units
   std::vector<std::uint32_t> chosen_;
   std::int64_t spent_ = 0;
   std::vector<TreeNode> nodes_;  ///< by depth
   std::vector<float> memory_;
-  std::vector<std::unique_ptr<TreeWalk>> children_;  ///< of the root, with the columns that they take
+  std::vector<std::unique_ptr<TreeWalk>> children_;  ///< of the root
   std::vector<std::uint32_t> columns_of_children_;
 };
 

@@ -13,9 +13,9 @@
 namespace shelfbeam {
 
 enum class Verdict {
-  reached,   ///< the lower limit meets the requirement
-  missed,    ///< the upper limit does not
-  undecided  ///< the requirement lies between
+  reached,   ///< lower limit at least the requirement
+  missed,    ///< upper limit below the requirement
+  undecided  ///< requirement between the limits
 };
 
 template <>
@@ -23,28 +23,27 @@ inline constexpr auto names_of<Verdict> = std::to_array<Named<Verdict>>({{"reach
                                                                          {"missed", Verdict::missed},
                                                                          {"undecided", Verdict::undecided}});
 
-/// What fresh samples say of one label at a placement. The signal is what the question counts
-/// (received_signal): the sum, or the link that was planned for the label; where a unit may fail what is left
-/// in the worst case.
+/// The result of independent samples for one label. The signal is that of received_signal: the sum, or the
+/// link planned for the label; with unit failure, after the worst failure.
 struct LabelVerdict {
   Verdict verdict = Verdict::undecided;
   double requirement = 0;  ///< gamma tau
   double signal = 0;
   double standard_error = 0;
   double lower = 0, upper = 0;  ///< one-sided limits at the level of one statement
-  std::uint64_t samples = 0;    ///< first rays
+  std::uint64_t samples = 0;
 };
 
-/// What can be said of a placement with a joint confidence, as far as sampling errors go: for the given
-/// geometry, materials and candidates.
+/// Statements about a placement that hold together with a given confidence. They cover sampling errors only,
+/// for the given geometry, materials and candidates.
 struct Certificate {
   double confidence = 0.99;
-  std::vector<LabelVerdict> labels;   ///< one a label of the matrix
-  std::size_t count_lower_bound = 0;  ///< no fewer units reach all labels; 0: not examined
-  std::size_t bound_labels = 0;       ///< labels on whose fresh signals that rests
+  std::vector<LabelVerdict> labels;   ///< one per label of the matrix
+  std::size_t count_lower_bound = 0;  ///< certified bound on the count; 0: not examined
+  std::size_t bound_labels = 0;       ///< number of core rows behind the bound
   std::uint32_t rounds = 0;
   double seconds = 0;
-  std::string open;  ///< why it ended before all was decided; empty otherwise
+  std::string open;  ///< reason for an end before all was decided; empty otherwise
 
   std::size_t count(Verdict verdict) const {
     const auto has = [&](const LabelVerdict& label) { return label.verdict == verdict; };

@@ -2,20 +2,19 @@
 
 #include <optional>
 
+#include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/answer/reach_curve.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/plan/answer/sensitivity.hpp"
 
 namespace shelfbeam {
 
-/// A placement, with what a plan knows of it beyond the matrix that it was made on. It is what placement.json
-/// holds.
+/// A placement with the further results of a plan; the content of placement.json.
 struct CertifiedPlan {
   Placement placement;
-  ReachCurve curve = {};                        ///< without points unless asked for
-  std::optional<Certificate> certificate = {};  ///< from fresh samples
-  std::optional<Sensitivity> sensitivity = {};  ///< where surfaces reflect less or more
+  CoverageCurve curve = {};                     ///< without points unless requested
+  std::optional<Certificate> certificate = {};  ///< from independent samples
+  std::optional<Sensitivity> sensitivity = {};  ///< to reflectances
 };
 
 }  // namespace shelfbeam

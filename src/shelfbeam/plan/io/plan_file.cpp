@@ -38,7 +38,7 @@ Json to_json(const Certificate& certificate, const SignalTable& table) {
           {"open", certificate.open}};
 }
 
-// Verdicts alone: signals and limits stand in verification.csv.
+// Reads verdicts only: verification.csv contains signals and limits.
 Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table) {
   cursor.expect_keys({"confidence", "reached", "missed", "undecided", "count_lower_bound", "bound_labels",
                       "rounds", "seconds", "open"});

@@ -10,17 +10,17 @@
 namespace shelfbeam {
 
 /// The placement.json of a plan (docs/formats/placement.md): that of the placement, then certificate and
-/// sensitivity where there are any.
+/// sensitivity if present.
 std::string plan_json(const CertifiedPlan& plan, const SignalTable& table);
 
 /// The object under `certificate` alone.
 std::string certificate_json(const Certificate& certificate, const SignalTable& table);
 
-/// Reads such a file, or that of a placement alone, against the table it belongs to. Throws as
-/// `read_placement`. Of the labels a certificate has verdicts alone, and the curve is without `selected`.
+/// Reads this file, or that of a placement alone, for its table. Throws as `read_placement`. A certificate
+/// contains only verdicts per label, and the curve has no `selected`.
 CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& table);
 
-/// verification.csv (docs/formats/report.md): a row a label, in the order of the scene.
+/// verification.csv (docs/formats/report.md): one row per label, in the order of the scene.
 std::string verification_csv(const Certificate& certificate, const Scene& scene);
 
 }  // namespace shelfbeam

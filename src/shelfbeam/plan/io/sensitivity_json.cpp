@@ -11,7 +11,7 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr auto most_integer = std::numeric_limits<std::int64_t>::max();
+constexpr auto max_integer = std::numeric_limits<std::int64_t>::max();
 
 Json ids(const std::vector<std::uint32_t>& labels, const SignalTable& table) {
   Json list = Json::array();
@@ -19,7 +19,7 @@ Json ids(const std::vector<std::uint32_t>& labels, const SignalTable& table) {
   return list;
 }
 
-void add(Json& object, const LeastMargin& least, const SignalTable& table) {
+void add(Json& object, const MinMargin& least, const SignalTable& table) {
   object["smallest_margin"] = number(least.ratio);
   object["standard_error"] = least.standard_error;
   object["label"] = least.label < table.rows() ? Json(table.labels[least.label].id) : Json(nullptr);
@@ -56,7 +56,7 @@ std::string_view name_of(Verdict holds) {
   return holds == Verdict::reached ? "yes" : holds == Verdict::missed ? "no" : "undecided";
 }
 
-LeastMargin read_least(const JsonCursor& object, const Positions& known) {
+MinMargin read_min_margin(const JsonCursor& object, const Positions& known) {
   const JsonCursor label = object["label"];
   return {number_or_infinity(object["smallest_margin"]), object["standard_error"].non_negative(),
           label.is_null() ? 0 : position(label, known, "label")};
@@ -70,15 +70,15 @@ ReflectanceEnd read_end(const JsonCursor& object, const Positions& known) {
       result.push_back(position(element, known, "label"));
     return result;
   };
-  return {read_least(object, known), labels("missed"), labels("undecided")};
+  return {read_min_margin(object, known), labels("missed"), labels("undecided")};
 }
 
 ReflectanceStep read_step(const JsonCursor& object, const Positions& known) {
   object.expect_keys({"smallest_margin", "standard_error", "label", "change", "change_standard_error",
                       "mean_change", "labels_short"});
-  return {read_least(object, known), object["change"].number(),
+  return {read_min_margin(object, known), object["change"].number(),
           object["change_standard_error"].non_negative(), object["mean_change"].number(),
-          static_cast<std::size_t>(object["labels_short"].integer(0, most_integer))};
+          static_cast<std::size_t>(object["labels_short"].integer(0, max_integer))};
 }
 
 MaterialSensitivity read_material(const JsonCursor& object, const Positions& known) {
@@ -122,18 +122,18 @@ Sensitivity read_sensitivity(const JsonCursor& cursor, const SignalTable& table)
   sensitivity.confidence = cursor["confidence"].positive();
   sensitivity.assumed_error = cursor["assumed_error"].non_negative();
   cursor["as_given"].expect_keys({"smallest_margin", "standard_error", "label"});
-  sensitivity.as_given = read_least(cursor["as_given"], known);
+  sensitivity.as_given = read_min_margin(cursor["as_given"], known);
   sensitivity.low = read_end(cursor["low"], known);
   sensitivity.high = read_end(cursor["high"], known);
   for (const JsonCursor& element : cursor["materials"].elements())
     sensitivity.materials.push_back(read_material(element, known));
   for (const JsonCursor& element : cursor["kept"].elements()) sensitivity.kept.push_back(element.text());
-  sensitivity.watched = static_cast<std::size_t>(cursor["watched"].integer(0, most_integer));
+  sensitivity.watched = static_cast<std::size_t>(cursor["watched"].integer(0, max_integer));
   sensitivity.batches =
       static_cast<std::uint32_t>(cursor["batches"].integer(0, std::numeric_limits<std::uint32_t>::max()));
   sensitivity.seconds = cursor["seconds"].non_negative();
   if (const JsonCursor stated = cursor["holds"]; stated.text() != name_of(sensitivity.holds()))
-    stated.fail("does not agree with the labels that 'low' lists", "correct one of them");
+    stated.fail("does not match the labels that 'low' lists", "correct one of them");
   return sensitivity;
 }
 

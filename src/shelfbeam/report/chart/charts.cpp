@@ -13,10 +13,10 @@ namespace {
 
 constexpr double width = 560, left = 86, right = 24, bottom = 62;
 
-// A drawing between two axes: values from `low` to `high` along x, from 0 to `most` upwards.
+// A drawing with two axes: x from `low` to `high`, y from 0 to `most`.
 struct Axes {
   double height, top, low, high, most;
-  double inset = 0;  // of the lowest and the highest from the ends of the axis
+  double inset = 0;  // free space at both ends of the x axis
   SvgCanvas canvas = {};
 
   double x(double value) const {
@@ -58,7 +58,7 @@ std::string histogram_svg(const HistogramChart& chart) {
     axes.draw_height(value, grouped(static_cast<std::uint64_t>(std::lround(value))));
   for (const auto& bar : chart.bars) {
     if (bar.height <= 0) continue;
-    // A bar of a single count among many stays visible.
+    // Even a bar for a single count stays visible.
     const double tall = std::max(floor - axes.y(bar.height), 1.0);
     canvas.rect({x(bar.from) + 0.5, floor - tall}, std::max(x(bar.to) - x(bar.from) - 1, 0.6), tall,
                 bar.css_class, bar.title);
@@ -114,7 +114,7 @@ std::string tornado_svg(const TornadoChart& chart) {
     canvas.text({x(at), floor + 21}, plain(at), "t mid");
   }
   canvas.line({left, floor}, {width - right, floor}, "axis");
-  // The texts stand away from each other where there is room.
+  // The texts are moved apart if there is space.
   const auto mark = [&](double at, const std::string& text, double height, bool to_left,
                         const char* css_class) {
     canvas.line({x(at), height + 4}, {x(at), floor}, css_class);

@@ -26,7 +26,7 @@ struct HistogramChart {
 
 std::string histogram_svg(const HistogramChart& chart);
 
-/// A value that is known to lie between two, over a number; from 0 to 100 %.
+/// Lower and upper bounds of a value over a count, from 0 to 100 %.
 struct CurveChart {
   struct Point {
     double x = 0, low = 0, high = 0;
@@ -39,8 +39,8 @@ struct CurveChart {
 
 std::string curve_svg(const CurveChart& chart);
 
-/// Horizontal bars about a middle, one below the other: what a value becomes when one thing after the other
-/// is at the low and at the high end of its range.
+/// Horizontal bars about a middle value, one per input: the value with that input at the low and at the high
+/// end of its range.
 struct TornadoChart {
   struct Bar {
     std::string name;
@@ -57,7 +57,7 @@ struct TornadoChart {
 
 std::string tornado_svg(const TornadoChart& chart);
 
-/// Points on two logarithmic axes of equal scale, and the line on which both are equal.
+/// Points on two logarithmic axes of equal scale, and the line of equality.
 struct ScatterChart {
   enum class Mark { usual, faint, outlier };
   struct Dot {
@@ -67,14 +67,14 @@ struct ScatterChart {
     std::string title;  ///< tooltip
   };
   std::string description;
-  std::vector<Dot> dots;  ///< usual and faint ones that would cover one another are drawn once
-  double band_db = 0;     ///< dashed lines so far on both sides of equality; 0: none
+  std::vector<Dot> dots;  ///< usual and faint dots at nearly the same point are drawn once
+  double band_db = 0;     ///< distance of dashed lines on both sides of equality; 0: none
   std::string x_title, y_title;
 };
 
 std::string scatter_svg(const ScatterChart& chart);
 
-/// The marks with what they mean, as a list; only those that occur.
+/// The marks and their meanings as a list; only marks that occur.
 std::string scatter_legend(const ScatterChart& chart);
 
 }  // namespace shelfbeam

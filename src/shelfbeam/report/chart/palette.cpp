@@ -40,14 +40,14 @@ std::size_t margin_class(double margin_db, bool met) {
   return met ? std::max<std::size_t>(k, 2) : std::min<std::size_t>(k, 1);
 }
 
-SignalScale::SignalScale(const std::vector<double>& values, std::size_t most_classes) {
+SignalScale::SignalScale(const std::vector<double>& values, std::size_t max_classes) {
   std::vector<double> positive;
   for (const double value : values)
     if (value > 0) positive.push_back(value);
   edges = positive.empty() ? std::vector<double>{1, 2}
                            : one_two_five(quantile(positive, 0.05), quantile(positive, 1));
-  if (edges.size() > most_classes + 1)
-    edges.erase(edges.begin(), edges.end() - static_cast<std::ptrdiff_t>(most_classes + 1));
+  if (edges.size() > max_classes + 1)
+    edges.erase(edges.begin(), edges.end() - static_cast<std::ptrdiff_t>(max_classes + 1));
 }
 
 std::size_t SignalScale::class_of(double signal) const {
@@ -86,7 +86,7 @@ void define_hollow_mark(SvgCanvas& canvas, double radius) {
 }
 
 void define_signal_marks(SvgCanvas& canvas, const SignalScale& scale, double radius) {
-  // Strong signals are larger as well, so that the maps can be read in grey.
+  // Strong signals also have larger marks, so that the maps can be read in grey.
   for (std::size_t k = 0; k < scale.classes(); ++k)
     canvas.raw(symbol(fmt::format("g{}", k),
                       fmt::format("<circle class=\"k g\" style=\"fill:var(--g{})\" r=\"{}\"/>", k,

@@ -9,8 +9,8 @@
 
 namespace shelfbeam {
 
-/// A range of margins that is drawn alike. Classes 0 and 1 are labels that are not met: larger, triangular
-/// and outlined, so that they stand out without colour.
+/// A range of margins that share a mark. Classes 0 and 1 are missed labels: larger, outlined triangles that
+/// are visible without colour.
 struct MarginClass {
   double from;  ///< dB
   const char* name;
@@ -24,31 +24,31 @@ inline constexpr std::array<MarginClass, 7> margin_classes{{{-1e300, "more than 
                                                             {6, "6 to 10 dB"},
                                                             {10, "above 10 dB"}}};
 
-/// `met` decides on which side of 0 dB a margin at the tolerance falls.
+/// `met` selects the side of 0 dB for margins within the tolerance.
 std::size_t margin_class(double margin_db, bool met);
 
-/// Log classes of signal with edges 1, 2, 5 times powers of ten.
+/// Logarithmic classes of signals with edges 1, 2, 5 times powers of ten.
 struct SignalScale {
-  std::vector<double> edges;  ///< ascending; class k from edges[k] on, class 0 also what is below
+  std::vector<double> edges;  ///< ascending; class k begins at edges[k], class 0 includes smaller signals
 
-  /// Covers the positive values from their 5 % quantile up, so that a few faint ones do not take the colours
-  /// from all others; at most `most_classes` classes down from the largest.
-  explicit SignalScale(const std::vector<double>& values, std::size_t most_classes = 12);
+  /// Covers the positive values from their 5 % quantile up, so that a few small signals do not use up most
+  /// colours; at most `max_classes` classes down from the largest.
+  explicit SignalScale(const std::vector<double>& values, std::size_t max_classes = 12);
   std::size_t classes() const { return edges.size() - 1; }
   std::size_t class_of(double signal) const;
 };
 
-/// The viridis colour map at t in [0, 1] as "#rrggbb"; its lightness rises with t, also for colour-blind
-/// eyes.
+/// The viridis colour map at t in [0, 1] as "#rrggbb". Lightness increases with t, also for colour-blind
+/// readers.
 std::string viridis(double t);
 
 /// <g id="m0"> ... for margin classes, <g id="g0"> ... and "gz" (no signal) for signal classes.
 void define_margin_marks(SvgCanvas& canvas, double radius);
-/// <g id="hollow">, drawn upon a label's mark, and "hollow-key", such a mark for legends.
+/// <g id="hollow">, drawn on top of a label's mark, and "hollow-key", the mark in the legend.
 void define_hollow_mark(SvgCanvas& canvas, double radius);
 void define_signal_marks(SvgCanvas& canvas, const SignalScale& scale, double radius);
 
-/// CSS variables --g0.. : dark is strong on paper, bright is strong on a dark screen.
+/// CSS variables --g0.. : strong signals are dark on paper and bright on a dark screen.
 std::string signal_colours(const SignalScale& scale, bool dark);
 
 }  // namespace shelfbeam

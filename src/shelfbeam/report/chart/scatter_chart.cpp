@@ -16,8 +16,8 @@ namespace shelfbeam {
 namespace {
 
 constexpr double side = 440, left = 92, right = 24, top = 20, bottom = 62;
-constexpr std::size_t most_bars = 400;  // more error bars hide the dots
-constexpr std::size_t many = 2000;      // dots that may stand a little closer than they can be told apart
+constexpr std::size_t max_bars = 400;  // more error bars hide the dots
+constexpr std::size_t many = 2000;     // with more dots, nearly coincident dots are drawn once
 
 struct Kind {
   ScatterChart::Mark mark;
@@ -26,14 +26,14 @@ struct Kind {
 };
 constexpr std::array<Kind, 3> kinds{
     {{ScatterChart::Mark::usual, "<circle class=\"m5\" r=\"4\"/>", "fitted"},
-     {ScatterChart::Mark::faint, "<circle class=\"gz\" r=\"4\"/>", "too faint to decide"},
+     {ScatterChart::Mark::faint, "<circle class=\"gz\" r=\"4\"/>", "too faint to be fitted"},
      {ScatterChart::Mark::outlier, "<path class=\"m1\" d=\"M0 -7L6 4H-6Z\"/>", "outlier"}}};
 
 std::string symbol(ScatterChart::Mark mark) {
   return fmt::format("s{}", static_cast<int>(mark));
 }
 
-// Decades, and 2 and 5 where there are few of them.
+// Decades; with few decades, also 2 and 5 times each.
 std::vector<double> ticks(double low, double high) {
   std::vector<double> result;
   const bool few = high - low < 2.5;
@@ -80,7 +80,7 @@ std::string scatter_svg(const ScatterChart& chart) {
   }
   canvas.line({left, top + side}, {left + side, top + side}, "axis");
   canvas.line({left, top}, {left, top + side}, "axis");
-  if (chart.dots.size() <= most_bars)
+  if (chart.dots.size() <= max_bars)
     for (const auto& dot : chart.dots) {
       const double at_x = std::log10(dot.x), at_y = std::log10(dot.y);
       if (dot.x_error > 0)

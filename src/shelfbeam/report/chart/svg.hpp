@@ -6,15 +6,15 @@
 
 namespace shelfbeam {
 
-/// A point of a drawing in user units, y downwards.
+/// A point of a drawing in SVG user units, y downwards.
 struct Point {
   double x = 0, y = 0;
 };
 
-/// A coordinate rounded to a tenth of a unit, as short as it gets.
+/// A coordinate rounded to a tenth of a user unit, without trailing zeros.
 std::string coordinate(double value);
 
-/// Collects SVG elements. Looks come from CSS classes; text handed in is escaped here, class names are not.
+/// Collects SVG elements, styled by CSS classes. Texts are escaped here, class names are not.
 class SvgCanvas {
  public:
   void rect(const Point& corner, double width, double height, std::string_view css_class,
@@ -23,7 +23,7 @@ class SvgCanvas {
   void polygon(std::span<const Point> points, std::string_view css_class, std::string_view title = {});
   void path(std::string_view data, std::string_view css_class, std::string_view title = {});
   void text(const Point& at, std::string_view text, std::string_view css_class, double turn_deg = 0);
-  /// A copy of the symbol of that id with its origin at `at`; `title` is the tooltip.
+  /// A copy of the symbol with this id, with its origin at `at`; `title` is the tooltip.
   void use(std::string_view symbol, const Point& at, std::string_view title = {});
   void raw(std::string_view markup) { body_ += markup; }
 
@@ -35,7 +35,7 @@ class SvgCanvas {
   std::string body_;
 };
 
-/// An inline <svg> that scales with its box; `description` is read to those who cannot see it.
+/// An inline <svg> that scales with its box; `description` is for screen readers.
 std::string inline_svg(double width, double height, std::string_view css_class, std::string_view description,
                        std::string_view body);
 

@@ -16,7 +16,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::size_t most_rows = 20;
+constexpr std::size_t max_rows = 20;
 
 const char* use_name(PairUse use) {
   constexpr const char* names[] = {"fitted", "uncertain", "nothing-measured"};
@@ -27,7 +27,7 @@ std::string residual_text(const PairResult& result) {
   return result.residual ? decibels(*result.residual) : "–";
 }
 
-// Measured signals are divided by the factor, so that agreement is the diagonal.
+// Measured signals are divided by the factor, so that agreeing signals lie on the diagonal.
 std::string scatter_figure(const ComparisonInput& input) {
   const Comparison& comparison = input.comparison;
   std::vector<double> values;
@@ -37,7 +37,7 @@ std::string scatter_figure(const ComparisonInput& input) {
   const SignalUnit unit = signal_unit(values[values.size() / 2]);
   ScatterChart chart;
   chart.description = "Measured signals, divided by the factor, over simulated signals on logarithmic axes";
-  chart.band_db = comparison.ninety_residual;
+  chart.band_db = comparison.residual_quantile_90;
   chart.x_title = fmt::format("simulated ({})", unit.name);
   chart.y_title = fmt::format("measured / {} ({})", significant(comparison.factor), unit.name);
   std::size_t absent = 0;
@@ -59,9 +59,9 @@ std::string scatter_figure(const ComparisonInput& input) {
                      unit.text(pair.simulated), unit.text(scaled), decibels(*result.residual))});
   }
   std::string note = fmt::format(
-      "The line is agreement; 90\u00A0% of the fitted pairs lie between the dashed lines, {}\u00A0dB from "
-      "it.",
-      fixed(comparison.ninety_residual, 2));
+      "On the solid line, measured and simulated signals agree; 90\u00A0% of the fitted pairs lie between "
+      "the dashed lines, {}\u00A0dB from it.",
+      fixed(comparison.residual_quantile_90, 2));
   if (absent > 0)
     note += fmt::format(" {} without a positive signal on both sides {} not drawn.", counted(absent, "pair"),
                         absent == 1 ? "is" : "are");
@@ -69,7 +69,7 @@ std::string scatter_figure(const ComparisonInput& input) {
 }
 
 std::string residual_figure(const Comparison& comparison) {
-  std::vector<double> residuals;  // those of outliers would leave the others a bar or two
+  std::vector<double> residuals;  // without outliers, whose range would squeeze the others into a few bars
   for (const std::size_t k : comparison.worst) residuals.push_back(*comparison.pairs[k].residual);
   if (residuals.empty()) return {};
   const auto [least, most] = std::minmax_element(residuals.begin(), residuals.end());
@@ -90,7 +90,7 @@ std::string residual_figure(const Comparison& comparison) {
   for (const double value : multiples(low, high, round_step((high - low) / 6)))
     chart.ticks.push_back({value, plain(value)});
   chart.lines.push_back({0, "the factor"});
-  chart.x_title = "measured beyond factor × simulated (dB)";
+  chart.x_title = "measured over factor × simulated (dB)";
   chart.y_title = "pairs";
   const std::size_t outliers = comparison.fitted - residuals.size();
   const std::string note =
@@ -105,7 +105,7 @@ std::string pair_table(const ComparisonInput& input, const std::vector<std::size
                    {"Expected"},
                    {"Residual"},
                    {"Standard deviations"}});
-  for (std::size_t k = 0; k < std::min(pairs.size(), most_rows); ++k) {
+  for (std::size_t k = 0; k < std::min(pairs.size(), max_rows); ++k) {
     const ComparedPair& pair = input.pairs[pairs[k]];
     const PairResult& result = input.comparison.pairs[pairs[k]];
     table.add_row({input.matrix.labels[pair.label].id,
@@ -114,9 +114,10 @@ std::string pair_table(const ComparisonInput& input, const std::vector<std::size
                    significant(result.standardized, 2)});
   }
   std::string html = table.html();
-  if (pairs.size() > most_rows)
+  if (pairs.size() > max_rows)
     html += paragraph(
-        fmt::format("The first {} of {}; comparison.csv has all.", most_rows, grouped(pairs.size())), "note");
+        fmt::format("The first {} of {}; comparison.csv lists all.", max_rows, grouped(pairs.size())),
+        "note");
   return html;
 }
 
@@ -127,13 +128,13 @@ std::string transceiver_section(const ComparisonInput& input) {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return std::abs(a.median) > std::abs(b.median); });
   HtmlTable table({{"Transceiver", false}, {"Fitted pairs"}, {"Median residual"}});
-  for (std::size_t k = 0; k < std::min(sorted.size(), most_rows); ++k)
+  for (std::size_t k = 0; k < std::min(sorted.size(), max_rows); ++k)
     table.add_row({input.matrix.transceivers[sorted[k].transceiver].id, grouped(sorted[k].pairs),
                    decibels(sorted[k].median)});
   std::string html = table.html();
-  if (sorted.size() > most_rows)
-    html += paragraph(fmt::format("The first {} of {}.", most_rows, grouped(sorted.size())), "note");
-  return html_section("transceivers", "Transceivers, the furthest off first", html);
+  if (sorted.size() > max_rows)
+    html += paragraph(fmt::format("The first {} of {}.", max_rows, grouped(sorted.size())), "note");
+  return html_section("transceivers", "Transceivers by median residual", html);
 }
 
 }  // namespace
@@ -161,23 +162,24 @@ std::string comparison_html(const ComparisonInput& input) {
   const std::vector<std::string> statements = comparison_statements(comparison);
   const bool bad = (comparison.test && comparison.test->rejected()) || !comparison.outliers.empty();
   std::string body = fmt::format(
-      "<header class=\"{}\">\n<p class=\"kicker\">Measurement and simulation</p>\n<h1>{} beside {}</h1>\n"
-      "<p class=\"answer\">{}</p>\n",
+      "<header class=\"{}\">\n<p class=\"kicker\">Measurement and simulation</p>\n"
+      "<h1>{} compared with {}</h1>\n<p class=\"answer\">{}</p>\n",
       bad ? "open" : "yes", escape(input.measured_name), escape(input.simulated_name), escape(statements[0]));
   for (std::size_t k = 1; k < statements.size(); ++k) body += paragraph(statements[k], "remark");
   body += "</header>\n";
   body += html_section(
-      "signals", "How they agree",
+      "signals", "Agreement of the signals",
       "<div class=\"pair\">\n" + scatter_figure(input) + residual_figure(comparison) + "</div>\n");
   if (!comparison.outliers.empty())
     body += html_section("outliers", counted(comparison.outliers.size(), "outlier"),
-                         paragraph("Pairs that are further off than chance would have it once in a hundred "
-                                   "comparisons. Look for a wrong id, something in the way, a wrong material "
-                                   "or a saturated receiver.") +
+                         paragraph("Chance alone produces residuals this large in one of a hundred "
+                                   "comparisons. Check for a wrong id, an obstacle, a wrong material or a "
+                                   "saturated receiver.") +
                              pair_table(input, comparison.outliers));
-  body += html_section("worst", std::string(worst_pairs(comparison)), pair_table(input, comparison.worst));
+  body += html_section("worst", std::string(worst_pairs_heading(comparison)),
+                       pair_table(input, comparison.worst));
   body += transceiver_section(input);
-  return html_page(fmt::format("{} beside {}", input.measured_name, input.simulated_name),
+  return html_page(fmt::format("{} compared with {}", input.measured_name, input.simulated_name),
                    "<main>\n" + body + "</main>\n");
 }
 

@@ -8,15 +8,15 @@
 
 namespace shelfbeam {
 
-/// What a report of a comparison is made of.
+/// The input of a comparison report.
 struct ComparisonInput {
   const SignalMatrix& matrix;
   std::span<const ComparedPair> pairs;
   const Comparison& comparison;
-  std::string measured_name, simulated_name;  ///< of the files
+  std::string measured_name, simulated_name;  ///< file names
 };
 
-/// comparison.csv (docs/formats/measurements.md): a row a pair, in the order of the measurements.
+/// comparison.csv (docs/formats/measurements.md): one row per pair, in the order of the measurements.
 std::string comparison_csv(const ComparisonInput& input);
 
 /// A self-contained page: the answer, the signals on two logarithmic axes, the residuals, the worst pairs.

@@ -43,9 +43,9 @@ std::string labels_csv(const ReportInput& input) {
          csv_number(label.requirement), csv_number(result.signal), csv_number(result.margin()),
          has_direct && result.signal > 0 ? csv_number(result.direct / result.signal) : "", csv_field(serving),
          result.strongest ? csv_field(matrix.transceivers[*result.strongest].id) : "",
-         !is_known                 ? ""
-         : result.rests_on_flagged ? "no"
-                                   : "yes"});
+         !is_known                   ? ""
+         : result.depends_on_flagged ? "no"
+                                     : "yes"});
   }
   return csv;
 }

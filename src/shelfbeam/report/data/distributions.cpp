@@ -37,7 +37,7 @@ ExcessDistribution excess_distribution(const Outcome& outcome) {
   const double most = quantile(excess, 0.99);
   const double low = std::min(0.0, least), high = std::max(most, 1.0);
   const double width = round_step((high - low) / wanted_bins);
-  // Whole multiples of the width, so that "requirement just met" is an edge.
+  // Whole multiples of the width, so that 0 (requirement just met) is an edge.
   const auto first = static_cast<int>(std::floor(low / width + 1e-9));
   const auto last = std::max(first + 1, static_cast<int>(std::floor(high / width)) + 1);
   for (int k = first; k <= last; ++k) result.percent.edges.push_back(k * width);
@@ -89,10 +89,10 @@ SamplingSummary sampling_summary(const SignalMatrix& matrix) {
         relative.push_back(static_cast<double>(matrix.standard_error[matrix.at(i, j)]) / mean);
     }
     const bool first = i == 0;
-    summary.least_samples = first ? label.samples : std::min(summary.least_samples, label.samples);
-    summary.most_samples = std::max(summary.most_samples, label.samples);
-    summary.least_batches = first ? label.batches : std::min(summary.least_batches, label.batches);
-    summary.most_batches = std::max(summary.most_batches, label.batches);
+    summary.min_samples = first ? label.samples : std::min(summary.min_samples, label.samples);
+    summary.max_samples = std::max(summary.max_samples, label.samples);
+    summary.min_batches = first ? label.batches : std::min(summary.min_batches, label.batches);
+    summary.max_batches = std::max(summary.max_batches, label.batches);
   }
   if (relative.empty()) return summary;
   std::sort(relative.begin(), relative.end());

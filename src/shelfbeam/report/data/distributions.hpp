@@ -9,7 +9,7 @@
 
 namespace shelfbeam {
 
-/// Counts between `edges` (a value on an edge falls to its right) and beyond them.
+/// Counts between `edges` and beyond them; a value on an edge counts in the bin to its right.
 struct Bins {
   std::vector<double> edges;
   std::vector<std::uint64_t> counts;  ///< edges.size() - 1
@@ -24,8 +24,9 @@ struct ExcessDistribution {
 };
 ExcessDistribution excess_distribution(const Outcome& outcome);
 
-/// All entries of M (Fig. 3.7): `bins_per_decade` bins a decade, at most `signal_decades` decades down from
-/// the largest entry; what is smaller counts as below, zero and what is negative through noise as zeros.
+/// All entries of M (Fig. 3.7): `bins_per_decade` bins per decade, at most `signal_decades` decades down from
+/// the largest entry. Smaller entries count as `below`; zeros and entries that are negative from noise as
+/// `zeros`.
 inline constexpr int bins_per_decade = 5;
 inline constexpr int signal_decades = 8;
 struct SignalDistribution {
@@ -34,28 +35,29 @@ struct SignalDistribution {
 };
 SignalDistribution signal_distribution(const SignalMatrix& matrix);
 
-/// Entries count for the error summary from this share of the label's requirement on: smaller ones hardly
-/// decide whether a label is met.
+/// The error summary covers entries of at least this share of the label's requirement: smaller entries hardly
+/// affect whether a label is reached.
 inline constexpr double relevant_share = 0.3;
 
-/// How well a matrix is known. Relative standard errors are of single entries: those of one label share its
-/// paths and are correlated, so nothing is said about sums.
+/// The precision of a matrix. Relative standard errors apply to single entries: the entries of one label
+/// share its paths and are correlated, so sums may have other errors.
 struct SamplingSummary {
   std::size_t entries = 0;
   std::size_t zeros = 0;     ///< entries without any signal
   std::size_t relevant = 0;  ///< entries of at least relevant_share of the requirement
-  std::size_t flagged = 0;   ///< of the relevant ones: their error is not to be trusted
-  bool has_errors = false;   ///< the matrix carries standard errors
-  bool has_flags = false;    ///< and tells which of them are not to be trusted
+  std::size_t flagged = 0;   ///< relevant entries whose error is not reliable
+  bool has_errors = false;   ///< the matrix contains standard errors
+  bool has_flags = false;    ///< the matrix flags errors that are not reliable
   double mean = 0, median = 0, p90 = 0, p99 = 0, worst = 0;  ///< relative standard error of relevant entries
-  std::uint64_t least_samples = 0, most_samples = 0;         ///< first rays a label
-  std::uint32_t least_batches = 0, most_batches = 0;
+  std::uint64_t min_samples = 0, max_samples = 0;            ///< per label
+  std::uint32_t min_batches = 0, max_batches = 0;
 };
 
 SamplingSummary sampling_summary(const SignalMatrix& matrix);
 
-/// Labels whose signal lies within two standard errors of their requirement, so that other samples could turn
-/// the verdict. Of a sum only the error of its largest entry is known: rather too few than too many.
+/// The number of labels whose signal lies within two standard errors of their requirement, so that other
+/// samples could change the verdict. The error of a sum is that of its largest entry, so this is a lower
+/// estimate.
 std::size_t uncertain_labels(const SignalMatrix& matrix, const Outcome& outcome);
 
 }  // namespace shelfbeam

@@ -19,10 +19,10 @@ std::vector<SignalEntry> entries_of(const SignalMatrix& matrix, std::size_t labe
   return entries;
 }
 
-// Whether the label is not met by the entries that are not flagged, and some of the chosen units' are and
-// weigh something beside its requirement.
-bool rests_on_flagged(const SignalMatrix& matrix, const Placement& placement, const std::vector<bool>& chosen,
-                      std::size_t label) {
+// The label is not met without its flagged entries, and those of the chosen units exceed a small share of its
+// requirement.
+bool depends_on_flagged(const SignalMatrix& matrix, const Placement& placement,
+                        const std::vector<bool>& chosen, std::size_t label) {
   constexpr double least = 0.02;
   const double requirement = matrix.labels[label].requirement;
   const auto is_flagged = [&](std::uint32_t column) { return matrix.is_flagged(matrix.at(label, column)); };
@@ -32,12 +32,12 @@ bool rests_on_flagged(const SignalMatrix& matrix, const Placement& placement, co
   if (!(flagged > least * requirement)) return false;
   std::vector<SignalEntry> entries = entries_of(matrix, label);
   std::erase_if(entries, [&](const SignalEntry& entry) { return is_flagged(entry.transceiver); });
-  return !is_met(received_signal(entries, chosen, placement.question), requirement);
+  return !is_met(received_signal(entries, chosen, placement.problem), requirement);
 }
 
 LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placement, const Mounts& mounts,
                            const std::vector<bool>& chosen, std::size_t label) {
-  const Question& question = placement.question;
+  const PlacementProblem& problem = placement.problem;
   const auto row = matrix.mean_row(label);
   const auto direct = [&](std::uint32_t column) {
     return matrix.direct.empty() ? 0.0 : static_cast<double>(matrix.direct[matrix.at(label, column)]);
@@ -58,14 +58,14 @@ LabelOutcome label_outcome(const SignalMatrix& matrix, const Placement& placemen
       second = column;
     }
   }
-  const std::optional<std::uint32_t> counting = question.redundant ? second : result.strongest;
-  if (question.model == CommunicationModel::non_cooperative)
+  const std::optional<std::uint32_t> counting = problem.redundant ? second : result.strongest;
+  if (problem.model == CommunicationModel::non_cooperative)
     result.direct = counting ? direct(*counting) : 0;
-  else if (question.redundant && result.strongest)
+  else if (problem.redundant && result.strongest)
     result.direct -= direct(*result.strongest);
   const std::vector<SignalEntry> entries = entries_of(matrix, label);
-  result.signal = received_signal(entries, chosen, question);
-  result.best = mounts.most_signal(entries, question);
+  result.signal = received_signal(entries, chosen, problem);
+  result.best = mounts.max_signal(entries, problem);
   result.met = !placement.selected.empty() && is_met(result.signal, result.requirement);
   return result;
 }
@@ -104,18 +104,18 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement,
   const Mounts mounts(shared_mounts(matrix), matrix.transceivers);
   std::vector<bool> chosen(matrix.columns(), false);
   for (const std::uint32_t column : placement.selected) chosen[column] = true;
-  // A unit is needed where its failure alone is too much, so nowhere in an answer to a redundant question.
-  Question nothing_fails = placement.question;
+  // A unit is needed where its failure alone leaves the label unmet; a redundant placement has no such unit.
+  PlacementProblem nothing_fails = placement.problem;
   nothing_fails.redundant = false;
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     LabelOutcome label = label_outcome(matrix, placement, mounts, chosen, i);
     const bool is_decided = certificate && certificate->labels[i].verdict != Verdict::undecided;
-    label.rests_on_flagged = !is_decided && rests_on_flagged(matrix, placement, chosen, i);
+    label.depends_on_flagged = !is_decided && depends_on_flagged(matrix, placement, chosen, i);
     const std::vector<SignalEntry> entries = entries_of(matrix, i);
     if (label.met) ++outcome.met;
-    if (label.rests_on_flagged) ++outcome.on_flagged;
+    if (label.depends_on_flagged) ++outcome.flagged_labels;
     if (label.reached_by.size() > 1) ++outcome.redundant;
-    if (label.met && is_met(label.direct, label.requirement)) ++outcome.met_by_direct;
+    if (label.met && is_met(label.direct, label.requirement)) ++outcome.met_by_direct_light;
     for (UnitOutcome& unit : outcome.units) {
       if (is_met(static_cast<double>(matrix.mean[matrix.at(i, unit.column)]), label.requirement))
         ++unit.reaches_alone;

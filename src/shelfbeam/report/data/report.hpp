@@ -8,24 +8,23 @@
 
 namespace shelfbeam {
 
-/// What a report is made of; it holds no number that is not in one of these.
+/// The input of a report, which is the source of every number in it.
 struct ReportInput {
   const Scene& scene;
   const SignalMatrix& matrix;
   const CertifiedPlan& plan;
 };
 
-/// A self-contained HTML page (no scripts needed to read it, no network).
+/// A self-contained HTML page that needs no network and, apart from the 3-D view, no script.
 std::string report_html(const ReportInput& input);
 
 /// The floor plan as SVG: room, fixtures with their parts, labels, candidate transceivers.
 std::string floor_plan_svg(const Scene& scene);
 
-/// labels.csv: one row a label with its signal under the placement, requirement, margin and serving units.
+/// labels.csv: one row per label with signal, requirement, margin and serving units.
 std::string labels_csv(const ReportInput& input);
 
-/// placement.csv: one row a chosen unit, in the columns of the transceiver CSV, and how many
-/// labels it serves.
+/// placement.csv: one row per chosen unit with the columns of the transceiver CSV and numbers of labels.
 std::string placement_csv(const ReportInput& input);
 
 }  // namespace shelfbeam

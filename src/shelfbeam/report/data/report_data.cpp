@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 
 namespace shelfbeam {
@@ -23,7 +23,7 @@ ReportData::ReportData(const ReportInput& report_input)
       outcome(outcome_of(input.matrix, input.plan.placement, input.plan.certificate)),
       sampling(sampling_summary(input.matrix)),
       uncertain(uncertain_labels(input.matrix, outcome)),
-      mounting_points(places_of(positions_of(input.matrix.transceivers)).count),
+      mounting_points(distinct_positions(positions_of(input.matrix.transceivers)).count),
       unit(unit_of(input.matrix)) {
   std::vector<double> heights;
   for (const LabelRow& label : input.matrix.labels) heights.push_back(label.position.z);
@@ -44,7 +44,7 @@ std::vector<ShelfLevel> shelf_levels(std::span<const double> heights) {
   std::vector<std::uint32_t> order(heights.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return heights[a] < heights[b]; });
-  // A hair above the band, so that heights written with two decimals fall on the side they seem to.
+  // Heights with two decimals that differ by exactly the band belong to one level despite rounding.
   constexpr double slack = 1e-9;
   std::vector<ShelfLevel> levels;
   for (const std::uint32_t label : order) {

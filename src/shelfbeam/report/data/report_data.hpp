@@ -22,36 +22,36 @@ struct ShelfLevel {
   std::string heights() const;
 };
 
-/// The greatest difference in height within a level, m.
+/// The largest difference in height within a level, m.
 inline constexpr double level_band = 0.25;
 
-/// Bands from the lowest label up: a label joins while it is at most level_band above the band's first.
+/// Levels from the lowest label up. A label belongs to a level if it is at most level_band above its lowest.
 std::vector<ShelfLevel> shelf_levels(std::span<const double> heights);
 
-/// Everything that the sections of a report draw on, computed once.
+/// The data that several sections of a report share.
 struct ReportData {
   explicit ReportData(const ReportInput& report_input);
 
   const ReportInput& input;
   Outcome outcome;
   SamplingSummary sampling;
-  std::size_t uncertain;  ///< labels that sampling error could turn
+  std::size_t uncertain;  ///< labels whose verdict sampling error could change
   std::size_t mounting_points;
   std::vector<ShelfLevel> levels;
   SignalUnit unit;
 
-  /// Otherwise the report shows the most that each label could get.
+  /// Without a selection, the report shows the maximum signal of each label.
   bool has_selection() const {
     return !input.plan.placement.selected.empty() && input.plan.placement.status != Status::infeasible;
   }
-  /// Some mounting points have several candidates, of which one at most can be chosen.
+  /// Some mounting points have several candidates, of which at most one can be chosen.
   bool has_options() const { return mounting_points < input.matrix.columns(); }
-  /// The label has some entry above 0.
+  /// The label has an entry above 0.
   bool is_heard(std::uint32_t row) const {
     const auto signals = input.matrix.mean_row(row);
     return std::any_of(signals.begin(), signals.end(), [](float signal) { return signal > 0; });
   }
-  /// What plans show of a label: its signal, where nothing was chosen the most it could get.
+  /// The signal that the floor plans show: received, or without a selection the maximum.
   double shown_signal(std::uint32_t row) const {
     return has_selection() ? outcome.labels[row].signal : outcome.labels[row].best;
   }
@@ -60,7 +60,7 @@ struct ReportData {
   const TransceiverColumn& transceiver(std::uint32_t column) const {
     return input.matrix.transceivers[column];
   }
-  /// Position of a chosen unit in the table and on the plans, from 1.
+  /// The number of a chosen unit in the table and on the plans, from 1.
   std::size_t unit_number(std::uint32_t column) const;
 };
 

@@ -6,7 +6,7 @@
 
 namespace shelfbeam {
 
-/// The least of 1, 2, 2.5, 5 times a power of ten that is not below `step`.
+/// The smallest of 1, 2, 2.5, 5 times a power of ten that is not below `step`.
 inline double round_step(double step) {
   if (!(step > 0)) return 1;
   const double decade = std::pow(10, std::floor(std::log10(step)));

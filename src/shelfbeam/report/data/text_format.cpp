@@ -17,9 +17,9 @@ struct NumberedId {
   std::string_view prefix, digits;
 
   explicit NumberedId(std::string_view id) {
-    constexpr std::size_t most_digits = 18;  // fit 64 bits
+    constexpr std::size_t max_digits = 18;  // fits 64 bits
     std::size_t at = id.size();
-    while (at > 0 && id.size() - at < most_digits && id[at - 1] >= '0' && id[at - 1] <= '9') --at;
+    while (at > 0 && id.size() - at < max_digits && id[at - 1] >= '0' && id[at - 1] <= '9') --at;
     prefix = id.substr(0, at);
     digits = id.substr(at);
   }
@@ -71,7 +71,7 @@ std::string significant(double value, int digits) {
 
 std::string decibels(double value, int decimals) {
   if (std::isinf(value)) return value < 0 ? "no signal" : "no requirement";
-  // A label that is met by a hair should not read as if it had nothing to spare.
+  // Two decimals for a small margin, which would otherwise read as 0.0 dB.
   const std::string text = fixed(value, std::abs(value) < 0.095 ? std::max(decimals, 2) : decimals);
   return (value > 0 && text != "0.00" ? "+" : "") + text + "\u00A0dB";
 }

@@ -12,7 +12,7 @@ namespace shelfbeam {
 /// Text made safe for HTML and SVG content and quoted attributes; control characters become U+FFFD.
 std::string escape(std::string_view text);
 
-/// Fixed decimals with a true minus sign, never "-0".
+/// Fixed decimals with the minus sign U+2212, never "-0".
 std::string fixed(double value, int decimals);
 
 /// At least `digits` significant digits as a plain decimal; powers of ten only below 1e-4 and from 1e7 on.
@@ -25,19 +25,18 @@ std::string decibels(double value, int decimals = 1);
 /// Up to six significant digits without trailing zeros: for round numbers such as ticks and edges.
 std::string plain(double value);
 
-/// As tables for programs have it: nine significant digits, which keep 32-bit values; nothing for what is not
-/// finite.
+/// For CSV: nine significant digits, which preserve 32-bit values; empty for values that are not finite.
 std::string csv_number(double value);
 
 /// A share in percent: 0.166 -> "16.6 %".
 std::string percent(double share, int decimals = 1);
 
-/// A statement in words, on a page: its numbers and their percent signs stay in one line.
+/// Replaces " %" with a non-breaking space and "%", for sentences on a page.
 std::string with_joined_percent(std::string text);
 
-/// Signals in the SI prefix that makes a reference value (the requirement) read well.
+/// The SI prefix for signals that suits a reference value (the requirement).
 struct SignalUnit {
-  double factor = 1;  ///< W/m^2 per unit
+  double factor = 1;  ///< W/m^2 per unit of measure
   std::string name = "W/m²";
 
   std::string round_number(double signal) const { return plain(signal / factor); }
@@ -47,8 +46,8 @@ struct SignalUnit {
 
 SignalUnit signal_unit(double reference);
 
-/// Ids in their order, those that follow each other as one range: "A-1", "A-2", "A-3", "B" -> "A-1…3", "B". A
-/// range shares all but the number at the end, which grows by one and is written with as many leading zeros.
+/// Joins consecutive ids to ranges, in their order: "A-1", "A-2", "A-3", "B" -> "A-1…3", "B". The ids of a
+/// range differ only in the number at the end, which grows by one and has a constant number of digits.
 std::vector<std::string> id_ranges(std::span<const std::string> ids);
 
 }  // namespace shelfbeam

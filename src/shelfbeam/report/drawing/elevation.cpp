@@ -11,7 +11,7 @@ namespace shelfbeam {
 
 namespace {
 
-// A part or label seen from one side: across the view, upwards, and how near it is.
+// A part or label in a side view: its extent across, its heights, and its nearness to the viewer.
 struct Seen {
   Span across;
   double bottom, top, nearness;
@@ -33,7 +33,7 @@ std::vector<std::uint32_t> labels_of(const Scene& scene, const FixtureOutline& f
   return labels;
 }
 
-// Far to near, so that near things cover far ones.
+// Sorted from far to near, so that near parts cover far parts.
 std::vector<Seen> view_parts(const Scene& scene, std::uint32_t fixture, const Directions& d, bool from_side,
                              double towards) {
   std::vector<Seen> seen;
@@ -53,7 +53,7 @@ std::vector<Seen> view_parts(const Scene& scene, std::uint32_t fixture, const Di
 
 }  // namespace
 
-std::optional<std::uint32_t> fixture_with_most_labels(const Scene& scene) {
+std::optional<std::uint32_t> fixture_with_max_labels(const Scene& scene) {
   std::optional<std::uint32_t> best;
   std::size_t most = 0;
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
@@ -79,21 +79,21 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   };
   const auto front = std::count_if(labels.begin(), labels.end(), [&](auto i) { return facing(i) < -0.5; });
   const auto back = std::count_if(labels.begin(), labels.end(), [&](auto i) { return facing(i) > 0.5; });
-  const double towards = back > front ? 1 : -1;  // the viewer stands where v is large, or small
+  const double towards = back > front ? 1 : -1;  // the viewer is at large or at small v
 
   const double scale = std::min((width - left - right - gap) / (outline.u.size() + outline.v.size()), 190.0);
   const double ground = top + heading + fixture.height * scale;
   const auto up = [&](double z) { return ground - z * scale; };
-  // Seen from the back, u runs to the left.
+  // In the view from the back, u points to the left.
   const auto side_x = [&](double u) {
     return left + (towards < 0 ? u - outline.u.low : outline.u.high - u) * scale;
   };
   const double end_left = left + outline.u.size() * scale + gap;
   const auto end_x = [&](double v) { return end_left + (v - outline.v.low) * scale; };
 
-  canvas.text({left, top + 16}, fmt::format("{} from the side", fixture.id), "title");
+  canvas.text({left, top + 16}, fmt::format("{}, side view", fixture.id), "title");
   canvas.text({left, top + 38},
-              fmt::format("the fixture with most labels ({}): {} m long, {} m deep, {} m high",
+              fmt::format("the fixture with the most labels ({}): {} m long, {} m deep, {} m high",
                           grouped(labels.size()), fixed(outline.u.size(), 2), fixed(outline.v.size(), 2),
                           fixed(fixture.height, 2)),
               "sub");
@@ -119,11 +119,11 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   }
   canvas.line({left - 12, ground}, {left + outline.u.size() * scale + 12, ground}, "ground");
   canvas.line({end_left - 12, ground}, {end_left + outline.v.size() * scale + 12, ground}, "ground");
-  canvas.text({end_left + outline.v.size() * scale / 2, ground + 21}, "from its end", "t mid");
+  canvas.text({end_left + outline.v.size() * scale / 2, ground + 21}, "end view", "t mid");
   canvas.text({left + outline.u.size() * scale / 2, ground + 21},
               fmt::format("{} m", fixed(outline.u.size(), 2)), "t mid");
 
-  // Heights of the labels between the two views, of the fixture on the left.
+  // Heights of the labels between the two views, height of the fixture on the left.
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end(), [](double a, double b) { return b - a < 0.02; }),
                 heights.end());

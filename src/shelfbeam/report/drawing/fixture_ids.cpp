@@ -13,7 +13,7 @@ namespace shelfbeam {
 
 namespace {
 
-// A fixture's extent along and across its own direction.
+// The extent of a fixture along and across its own direction.
 struct Extent {
   Point centre;
   double along = 0, across = 0, angle_deg = 0;
@@ -36,7 +36,7 @@ Extent extent_of(const PlanView& view, const FixtureOutline& fixture) {
 }
 
 double text_width(const std::string& text, double size) {
-  constexpr double glyph = 0.62;  // of a bold sans-serif, as a share of its size
+  constexpr double glyph = 0.62;  // width of a bold sans-serif letter over the font size
   return glyph * size * static_cast<double>(text.size());
 }
 
@@ -56,7 +56,7 @@ Rectangle bounds(const std::vector<Point>& points) {
   return r;
 }
 
-// What an id should not cover: fixtures, the marks of labels, ids that stand beside their fixtures.
+// Rectangles that an id must not cover: fixtures, label marks, ids beside their fixtures.
 std::vector<Rectangle> obstacles_of(const PlanView& view, const Scene& scene) {
   std::vector<Rectangle> result;
   for (const FixtureOutline& fixture : scene.fixtures)
@@ -65,22 +65,22 @@ std::vector<Rectangle> obstacles_of(const PlanView& view, const Scene& scene) {
   for (const Label& label : scene.labels) positions.push_back(label.position);
   const double r = label_mark_radius(view, positions);
   for (const Label& label : scene.labels) {
-    const Point p = label_mark_places(view, {&label.position, 1}, {&label.normal, 1}, r).front();
+    const Point p = label_mark_positions(view, {&label.position, 1}, {&label.normal, 1}, r).front();
     result.push_back({p.x - r, p.y - r, p.x + r, p.y + r});
   }
   return result;
 }
 
-struct IdPlace {
+struct IdPosition {
   Rectangle text;
   bool is_far = false;
 };
 
-// From the most to the least natural: beside the middle, beside a corner, above, below, then farther off.
-std::vector<IdPlace> places_around(const Rectangle& own, double width, double size) {
+// In the order of preference: beside the middle, beside a corner, above, below, then farther away.
+std::vector<IdPosition> places_around(const Rectangle& own, double width, double size) {
   constexpr double near = 5, clear_of_marks = 17, far = 40;
   const Point middle = own.centre();
-  std::vector<IdPlace> places;
+  std::vector<IdPosition> places;
   const auto add = [&](double left, double top, bool is_far = false) {
     places.push_back({{left, top, left + width, top + size}, is_far});
   };
@@ -95,10 +95,10 @@ std::vector<IdPlace> places_around(const Rectangle& own, double width, double si
   return places;
 }
 
-IdPlace free_place(const std::vector<Rectangle>& obstacles, const Rectangle& own, const PlanView& view,
-                   double width, double size) {
-  const std::vector<IdPlace> places = places_around(own, width, size);
-  const auto found = std::find_if(places.begin(), places.end(), [&](const IdPlace& place) {
+IdPosition free_position(const std::vector<Rectangle>& obstacles, const Rectangle& own, const PlanView& view,
+                         double width, double size) {
+  const std::vector<IdPosition> places = places_around(own, width, size);
+  const auto found = std::find_if(places.begin(), places.end(), [&](const IdPosition& place) {
     const Rectangle& text = place.text;
     return text.left > 0 && text.right < view.width() && text.top > 0 && text.bottom < view.height() &&
            std::none_of(obstacles.begin(), obstacles.end(), [&](const auto& o) { return o.meets(text); });
@@ -133,7 +133,7 @@ void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scen
                   "fid mid", e.angle_deg);
     } else {
       const Rectangle own = obstacles[k];
-      const IdPlace place = free_place(obstacles, own, view, text_width(fixture.id, size), size);
+      const IdPosition place = free_position(obstacles, own, view, text_width(fixture.id, size), size);
       if (place.is_far) draw_leader(canvas, place.text, own);
       const Point middle = place.text.centre();
       canvas.text({middle.x, middle.y + 0.35 * size}, fixture.id, "fid mid");

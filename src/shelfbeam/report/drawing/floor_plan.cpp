@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
@@ -15,7 +15,7 @@ namespace shelfbeam {
 
 namespace {
 
-// A mesh is drawn as it is, all else as the upright prisms that it consists of.
+// Meshes are drawn as silhouettes, other fixtures as their upright prisms.
 void draw_parts(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
   for (const std::uint32_t k : parts_seen_from_above(scene)) {
     const Part& part = scene.parts[k];
@@ -29,7 +29,7 @@ void draw_parts(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
       canvas.polygon(view.outline(scene.fixtures[f].footprint), "outline");
 }
 
-// A dot where the label is and a tick the way it faces; labels above one another give one mark.
+// A dot at the label and a tick in its facing direction; labels above one another share one mark.
 void draw_labels(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
   const double tick = 6 * view.mark_share(), dot = 1.8 * view.mark_share();
   std::set<std::pair<std::string, std::string>> drawn;
@@ -66,7 +66,7 @@ void draw_transceivers(SvgCanvas& canvas, const PlanView& view, const Scene& sce
 std::string counts(const Scene& scene) {
   const auto installed = std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
                                        [](const Transceiver& t) { return t.installed; });
-  const std::size_t points = places_of(positions_of(scene.transceivers)).count;
+  const std::size_t points = distinct_positions(positions_of(scene.transceivers)).count;
   const Vec3 size = scene.room ? *scene.room : scene.upper - scene.lower;
   std::string text =
       fmt::format("{} × {} × {} m · {} · {} · {}", plain(size.x), plain(size.y), plain(size.z),
@@ -91,7 +91,7 @@ void draw_key(SvgCanvas& canvas, const Scene& scene, double y) {
                                  [](const Transceiver& t) { return !aim_line({}, t.axis).empty(); });
   if (leans) canvas.path(aim_line({x, y - 4}, {1, 0, 0}), "aim");
   canvas.text({x + (leans ? 24 : 10), y + 1},
-              leans ? "candidate transceiver, leaning this way" : "candidate transceiver", "t");
+              leans ? "candidate transceiver, tilted this way" : "candidate transceiver", "t");
   if (!installed) return;
   x += leans ? 312 : 180;
   canvas.rect({x - 6, y - 10}, 12, 12, "old");
@@ -115,7 +115,7 @@ std::string floor_plan_svg(const Scene& scene) {
   draw_key(canvas, scene, view.height() - 17);
 
   double height = view.height();
-  if (const auto fixture = fixture_with_most_labels(scene))
+  if (const auto fixture = fixture_with_max_labels(scene))
     height += margin + draw_elevation(canvas, scene, *fixture, height + margin, view.width());
   height += margin;
   const std::string w = coordinate(view.width()), h = coordinate(height);

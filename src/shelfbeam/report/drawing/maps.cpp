@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
 
 namespace shelfbeam {
@@ -39,7 +39,7 @@ std::string key(const std::string& symbol, const std::string& text) {
       symbol, escape(text));
 }
 
-// A line out of the unit's disc the way that it leans, if it does.
+// A line from the disc of a tilted unit in the direction of its tilt.
 std::string nose_of(const TransceiverColumn& unit) {
   const double lean = std::hypot(unit.axis.x, unit.axis.y);
   const std::string line =
@@ -72,7 +72,7 @@ std::vector<Point> Maps::places(const ShelfLevel& level) const {
     positions.push_back(data_.label(label).position);
     normals.push_back(data_.label(label).normal);
   }
-  return label_mark_places(view_, positions, normals, radius_);
+  return label_mark_positions(view_, positions, normals, radius_);
 }
 
 std::string Maps::definitions() const {
@@ -125,7 +125,7 @@ std::string Maps::picture(const std::string& marks, const std::string& css_class
 std::string Maps::margin_map(std::size_t level_index) const {
   const ShelfLevel& level = data_.levels[level_index];
   const std::vector<Point> at = places(level);
-  // The least margin is drawn last and lies on top.
+  // The smallest margin is drawn last, so that it lies on top.
   std::vector<std::size_t> order(level.labels.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
@@ -139,7 +139,7 @@ std::string Maps::margin_map(std::size_t level_index) const {
     canvas.use(fmt::format("m{}", class_of(label)), at[k],
                fmt::format("{}: {}, {}", data_.label(label).id, data_.unit.text(signal),
                            decibels(margin_db(signal, data_.label(label).requirement))));
-    if (data_.outcome.labels[label].rests_on_flagged) canvas.use("hollow", at[k]);
+    if (data_.outcome.labels[label].depends_on_flagged) canvas.use("hollow", at[k]);
     if (data_.has_selection() && label == data_.outcome.by_margin.front()) canvas.use("worst", at[k]);
   }
   const std::string title =
@@ -181,11 +181,11 @@ std::string Maps::margin_legend(const ShelfLevel& level) const {
       html += key(fmt::format("m{}", k), fmt::format("{}: {}", margin_classes[k].name, grouped(counts[k])));
   const auto hollow = static_cast<std::size_t>(
       std::count_if(level.labels.begin(), level.labels.end(),
-                    [&](std::uint32_t label) { return data_.outcome.labels[label].rests_on_flagged; }));
-  if (hollow > 0) html += key("hollow-key", "error not to be trusted: " + grouped(hollow));
+                    [&](std::uint32_t label) { return data_.outcome.labels[label].depends_on_flagged; }));
+  if (hollow > 0) html += key("hollow-key", "error not reliable: " + grouped(hollow));
   if (data_.has_selection() &&
       std::binary_search(level.labels.begin(), level.labels.end(), data_.outcome.by_margin.front()))
-    html += key("worst", "least margin of all");
+    html += key("worst", "smallest margin");
   return html + unit_legend() + "</ul>\n";
 }
 
@@ -199,9 +199,9 @@ std::string Maps::unit_legend() const {
     }
   if (fresh) html += key("unit", "chosen unit");
   if (old) html += key("unit-old", "chosen unit, already installed");
-  if (leans) html += key("unit-aim", "leans this way");
+  if (leans) html += key("unit-aim", "tilted this way");
   html += key("cross", data_.has_selection() ? "candidate, not chosen" : "candidate");
-  if (data_.input.plan.placement.question.redundant)
+  if (data_.input.plan.placement.problem.redundant)
     html += "<li>signals without each label's strongest unit</li>";
   return html;
 }

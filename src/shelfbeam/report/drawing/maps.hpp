@@ -8,21 +8,21 @@
 
 namespace shelfbeam {
 
-/// The plans of a report. The store, the candidates and the chosen units are written once into `definitions`
-/// and repeated by reference, so that a plan costs little more than its labels.
+/// The floor plans of a report. `definitions` contains the store, the candidates and the chosen units once;
+/// plans reference them, so that a plan costs little more than its labels.
 class Maps {
  public:
   explicit Maps(const ReportData& data);
 
-  /// A hidden <svg> that must stand before the plans.
+  /// A hidden <svg> that must precede the plans.
   std::string definitions() const;
-  /// Labels of one level coloured by margin, as a <figure>; with every candidate on where nothing was chosen.
+  /// Labels of one level coloured by margin, as a <figure>; without a selection, by their maximum signal.
   std::string margin_map(std::size_t level) const;
-  /// Direct and total signal of one level side by side in one colour scale.
+  /// Direct and total signal of one level side by side in the same colour scale.
   std::string signal_maps(std::size_t level) const;
-  /// Colour variables of the signal scale for the page's style sheet.
+  /// CSS variables with the colours of the signal scale.
   std::string colours(bool dark) const { return signal_colours(scale_, dark); }
-  /// The level with most labels (the lowest of them).
+  /// The level with the most labels; the lowest of several.
   std::size_t fullest_level() const { return fullest_; }
 
  private:

@@ -26,8 +26,8 @@ struct Box {
   }
 };
 
-constexpr std::uint32_t most_triangles = 2000;  // of a part: about 60 kB of drawing
-constexpr double least_area = 1e-6;             // m^2, in plan
+constexpr std::uint32_t max_triangles = 2000;  // per part: about 60 kB in the drawing
+constexpr double min_area = 1e-6;              // m^2, in plan
 
 }  // namespace
 
@@ -36,7 +36,7 @@ std::string part_class(const Part& part) {
                                      "tub",   "casing", "door",  "solid", "mesh"};
   const std::string name = classes[static_cast<std::size_t>(part.kind)];
   if (part.kind != PartKind::goods) return name;
-  // From the place alone, so that the same product column has another colour on each shelf.
+  // Hashed from the position, so that a product column has another colour on each shelf.
   const auto& [x, y] = part.footprint.front();
   const auto mixed =
       static_cast<std::uint64_t>(std::llround(x * 100) * 73856093 ^ std::llround(y * 100) * 19349663 ^
@@ -92,13 +92,13 @@ text{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","Lib
 }
 
 std::string mesh_silhouette(const PlanView& view, const Scene& scene, const Part& part) {
-  if (part.triangle_count == 0 || part.triangle_count > most_triangles) return {};
+  if (part.triangle_count == 0 || part.triangle_count > max_triangles) return {};
   std::string data;
   for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
     auto [a, b, c] = scene.mesh.triangles[t];
     const Vec3 normal = cross(scene.mesh.vertices[b] - scene.mesh.vertices[a],
                               scene.mesh.vertices[c] - scene.mesh.vertices[a]);
-    if (std::abs(normal.z) < 2 * least_area) continue;
+    if (std::abs(normal.z) < 2 * min_area) continue;
     if (normal.z < 0) std::swap(b, c);
     char step = 'M';
     for (const std::uint32_t corner : {a, b, c}) {

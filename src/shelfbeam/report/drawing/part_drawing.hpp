@@ -12,7 +12,7 @@
 
 namespace shelfbeam {
 
-/// A fixture's own directions: u along it, v across it, both from its rotation.
+/// The coordinate axes of a rotated fixture: u along it, v across it.
 struct Directions {
   double c, s;
 
@@ -23,7 +23,7 @@ struct Directions {
   double v(double x, double y) const { return c * y - s * x; }
 };
 
-/// How far a fixture reaches along them.
+/// The extent of a fixture along both axes.
 struct Outline {
   Span u, v;
 
@@ -35,31 +35,30 @@ struct Outline {
   }
 };
 
-/// CSS class of a part; goods alternate between a few colours from place to place, as products do.
+/// CSS class of a part; goods alternate between a few colours, like products.
 std::string part_class(const Part& part);
 
-/// Parts in plan from the lowest top to the highest, without those that a board of their fixture hides from
-/// above.
+/// Parts in the order of their tops, lowest first, without parts below a board of the same fixture.
 std::vector<std::uint32_t> parts_seen_from_above(const Scene& scene);
 
-/// CSS rules of `part_class` and of everything else in a stand-alone drawing.
+/// CSS rules for `part_class` and all other classes of a stand-alone drawing.
 std::string drawing_style();
 
-/// What a part that is a mesh covers of the plan, as SVG path data: its triangles, all turned the same way,
-/// so that filling leaves no holes where they overlap. A stroke painted before the fill (`paint-order`) shows
-/// on the outline alone. Empty for what is no mesh, stands upright, or has more triangles than a drawing
-/// should hold; the part's footprint stands for it then.
+/// The floor area below a mesh part, as SVG path data: its triangles, all with the same orientation, so that
+/// filling leaves no holes where they overlap. A stroke painted before the fill (`paint-order`) is visible on
+/// the outline alone. Empty for other parts, for upright meshes and for meshes with too many triangles; these
+/// are drawn by their footprint.
 std::string mesh_silhouette(const PlanView& view, const Scene& scene, const Part& part);
 
-/// That of all parts of a fixture; empty unless every one that covers something has one.
+/// The silhouettes of all parts of a fixture; empty if a part with floor area has none.
 std::string mesh_silhouette(const PlanView& view, const Scene& scene, std::uint32_t fixture);
 
-/// The fixture that carries most labels: those within 0.1 m of its outline and no higher than it. Nothing
-/// where no fixture carries any.
-std::optional<std::uint32_t> fixture_with_most_labels(const Scene& scene);
+/// The fixture with the most labels. Its labels are those within 0.1 m of its outline that are not above it.
+/// Empty if no fixture has labels.
+std::optional<std::uint32_t> fixture_with_max_labels(const Scene& scene);
 
-/// Side view of one fixture from the face with most labels, and its end view beside it: what stands nearer
-/// hides what is behind. Draws below `top` into `width` units and returns the height it took.
+/// Side view of one fixture from the face with the most labels, and end view; near parts hide far parts.
+/// Draws below `top` with the given width and returns the height, both in drawing units.
 double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t fixture, double top, double width);
 
 }  // namespace shelfbeam

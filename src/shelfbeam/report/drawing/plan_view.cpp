@@ -10,7 +10,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double drawing_width = 1000, drawing_height = 1300;  // units, the room fits into
+constexpr double drawing_width = 1000, drawing_height = 1300;  // drawing units, around the room
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 
 namespace shelfbeam {
 
-/// From the least to the largest of some values.
+/// The range of some values.
 struct Span {
   double low = std::numeric_limits<double>::max(), high = -low;
 
@@ -22,17 +22,16 @@ struct Span {
   double size() const { return high - low; }
 };
 
-/// The mapping from metres of the store's floor to a drawing, with its frame: room outline, axes, scale bar.
+/// Maps metres on the floor of a store to a drawing, and draws its frame: room outline, axes, scale bar.
 class PlanView {
  public:
-  /// Fits everything that the scene holds; `top` units are left free above.
+  /// Fits the whole scene; leaves `top` drawing units free above it.
   explicit PlanView(const Scene& scene, double top = 12);
 
   double width() const { return width_; }
   double height() const { return height_; }
-  double scale() const { return scale_; }  ///< units per metre
-  /// The share of their usual size that marks and ids keep where a metre is small: 1 up to rooms of some 60
-  /// m.
+  double scale() const { return scale_; }  ///< drawing units per metre
+  /// Scale of marks and ids: 1 for rooms of up to about 60 m, smaller for larger rooms.
   double mark_share() const { return std::min(1.0, scale_ / 16); }
   Point at(double x, double y) const {
     return {left + (x - x_.low) * scale_, bottom_ - (y - y_.low) * scale_};

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 
@@ -15,7 +15,7 @@ namespace shelfbeam {
 
 namespace {
 
-// Others look like boxes.
+// All other types have the class of a box.
 const char* fixture_class(const FixtureOutline& fixture) {
   if (fixture.type == "gondola") return "fx fx-g";
   if (fixture.type == "freezer") return "fx fx-f";
@@ -40,7 +40,7 @@ void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) 
 
 void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> candidates,
                       const std::vector<bool>& taken) {
-  const Places places = places_of(candidates);
+  const DistinctPositions places = distinct_positions(candidates);
   std::vector<bool> done(places.count, false);
   for (std::size_t j = 0; j < candidates.size(); ++j)
     if (taken[j]) done[places.of[j]] = true;
@@ -58,7 +58,7 @@ void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const V
 }
 
 std::string aim_line(const Point& at, const Vec3& axis) {
-  constexpr double longest = 20, least = 0.05;  // units; sine of the angle
+  constexpr double longest = 20, least = 0.05;  // drawing units; sine of the tilt
   if (std::hypot(axis.x, axis.y) < least) return {};
   return fmt::format("M{} {}l{} {}", coordinate(at.x), coordinate(at.y), coordinate(longest * axis.x),
                      coordinate(-longest * axis.y));
@@ -79,8 +79,8 @@ double label_mark_radius(const PlanView& view, std::span<const Vec3> positions) 
   return std::clamp(0.4 * usual * view.scale(), 2.0, 6.0);
 }
 
-std::vector<Point> label_mark_places(const PlanView& view, std::span<const Vec3> positions,
-                                     std::span<const Vec3> normals, double radius) {
+std::vector<Point> label_mark_positions(const PlanView& view, std::span<const Vec3> positions,
+                                        std::span<const Vec3> normals, double radius) {
   std::map<std::tuple<long, long, long, long>, int> standing;
   std::vector<Point> places;
   for (std::size_t k = 0; k < positions.size(); ++k) {

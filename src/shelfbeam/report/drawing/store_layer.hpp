@@ -10,27 +10,27 @@
 
 namespace shelfbeam {
 
-/// Footprints of all fixtures in plain colours, a background for what stands in front of them.
+/// Footprints of all fixtures in plain colours, as a background.
 void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
 
-/// A small cross for every mounting point of which no candidate is taken, however many it has; as one path.
+/// One small cross per mounting point without a taken candidate, all in one path.
 void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> candidates,
                       const std::vector<bool>& taken);
 
-/// Path data of a line from `at` the way a unit looks that does not look down, the longer the more it leans;
-/// empty if it does.
+/// Path data of a line from `at` in the direction of a unit's axis; its length grows with the tilt. Empty for
+/// a unit that points down.
 std::string aim_line(const Point& at, const Vec3& axis);
 
-/// How far a label's mark reaches on the plan, from the usual distance between neighbours in a row; units.
+/// Radius of label marks in drawing units, from the median distance between neighbours in a row.
 double label_mark_radius(const PlanView& view, std::span<const Vec3> positions);
 
-/// Where the marks of labels go: pushed out of the fixture that carries them by their radius; labels above
-/// one another stand in line in front of it.
-std::vector<Point> label_mark_places(const PlanView& view, std::span<const Vec3> positions,
-                                     std::span<const Vec3> normals, double radius);
+/// Positions of the label marks: moved out of the fixture by their radius. Labels above one another are drawn
+/// in line in front of the fixture.
+std::vector<Point> label_mark_positions(const PlanView& view, std::span<const Vec3> positions,
+                                        std::span<const Vec3> normals, double radius);
 
-/// The fixtures' ids, along their long sides. What is too small to hold its id has it beside, clear of other
-/// fixtures, ids and the marks of labels; where nothing is free near by, farther off with a line to it.
+/// The ids of the fixtures, along their long sides. The id of a small fixture is drawn beside it, clear of
+/// other fixtures, ids and label marks; without free space nearby, farther away with a leader line.
 void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
 
 }  // namespace shelfbeam

@@ -9,11 +9,11 @@
 
 namespace shelfbeam {
 
-/// What a comparison says, a sentence or two each; the factor comes first.
+/// The result of a comparison, one or two sentences each; the factor comes first.
 std::vector<std::string> comparison_statements(const Comparison& comparison);
 
-/// "Fitted pairs that are furthest off", and whether outliers are among them.
-std::string_view worst_pairs(const Comparison& comparison);
+/// The heading of the list Comparison::worst, which does not contain outliers.
+std::string_view worst_pairs_heading(const Comparison& comparison);
 
 /// "A1-front-0-3 from G0-3-2"; the label alone where several units were measured at once.
 std::string pair_name(const SignalMatrix& matrix, const ComparedPair& pair);

@@ -7,13 +7,13 @@
 
 namespace shelfbeam {
 
-/// The answer in plain words, as the page begins with it (not yet escaped for HTML).
+/// The first lines of the page, as plain text that is not yet escaped for HTML.
 struct Headline {
   enum class Tone { yes, open, no };
 
   Tone tone = Tone::open;
   std::string answer;                ///< one sentence
-  std::vector<std::string> remarks;  ///< what it rests on, a sentence or two each
+  std::vector<std::string> remarks;  ///< one or two sentences each
 };
 
 Headline headline(const ReportData& data);

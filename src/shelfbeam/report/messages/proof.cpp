@@ -13,15 +13,15 @@ namespace shelfbeam {
 
 namespace {
 
-std::string what_is_minimised(const Question& question) {
-  const ObjectiveWords& words = words_of(question.objective);
+std::string objective_text(const PlacementProblem& problem) {
+  const ObjectiveWords& words = words_of(problem.objective);
   return words.has_share
-             ? fmt::format("{} (from {} of the requirement on)", words.sum, percent(question.share, 0))
+             ? fmt::format("{} (at least {} of the requirement)", words.sum, percent(problem.share, 0))
              : std::string(words.sum);
 }
 
 std::string joint_confidence(double confidence) {
-  return fmt::format("with joint confidence {:.6g} %", 100 * confidence);
+  return fmt::format("with {:.6g} % confidence", 100 * confidence);
 }
 
 // " 3 labels are missed."
@@ -30,44 +30,51 @@ std::string other_labels(const Certificate& certificate, Verdict verdict) {
   return count == 0 ? "" : fmt::format(" {} {}.", counted(count, "label is", "labels are"), to_text(verdict));
 }
 
-// ", and 3 cannot reach all": what is known of fewer units.
+// "3 are not enough", for a proven count of 4.
+std::string fewer_are_not_enough(std::size_t count) {
+  if (count <= 1) return "fewer are not enough";
+  return fmt::format("{} {} not enough", grouped(count - 1), count == 2 ? "is" : "are");
+}
+
+// ", and 3 are not enough", or the certified lower bound on the count.
 std::string fewer_units(const Certificate& certificate, std::size_t count) {
   const std::size_t bound = std::min(certificate.count_lower_bound, count);
   if (bound == 0) return {};
   if (bound < count) return fmt::format(", and at least {} {} needed", bound, bound == 1 ? "is" : "are");
-  return fmt::format(", and {} cannot reach all", count == 1 ? "none" : fmt::format("{}", count - 1));
+  return fmt::format(", and {}", fewer_are_not_enough(count));
 }
 
-std::string what_is_reached(const Placement& placement, const Certificate& certificate) {
+std::string reached_sentence(const Placement& placement, const Certificate& certificate) {
   return fmt::format("{} {}{}{}, {}.", units_reach(placement.count()),
                      labels_reached(certificate.count(Verdict::reached), certificate.labels.size()),
-                     whichever_fails(placement.question), fewer_units(certificate, placement.count()),
+                     failure_clause(placement.problem), fewer_units(certificate, placement.count()),
                      joint_confidence(certificate.confidence)) +
          other_labels(certificate, Verdict::missed) + other_labels(certificate, Verdict::undecided);
 }
 
-// Of what no selection reaches, others than those that are missed are of no matter.
-std::string what_is_out_of_reach(const Certificate& certificate) {
+// Without a selection, only missed labels have a meaning: none of the candidates reaches them.
+std::string out_of_reach_sentence(const Certificate& certificate) {
   const std::size_t labels = certificate.labels.size(), missed = certificate.count(Verdict::missed);
-  if (missed == 0) return fmt::format("Whether any selection reaches {} is undecided.", all_labels(labels));
+  if (missed == 0)
+    return fmt::format("It is undecided whether any selection reaches {}.", all_labels(labels));
   return fmt::format("{}, {}: at least {} cannot be reached.", no_selection_reaches(labels),
                      joint_confidence(certificate.confidence), grouped(missed));
 }
 
 }  // namespace
 
-std::size_t least_count(const Placement& placement) {
+std::size_t proven_count(const Placement& placement) {
   if (!std::isfinite(placement.count_lower_bound)) return 0;
   return static_cast<std::size_t>(std::max(0.0, std::ceil(placement.count_lower_bound - 1e-6)));
 }
 
 double count_gap(const Placement& placement) {
-  const std::size_t count = placement.count(), least = std::min(least_count(placement), count);
+  const std::size_t count = placement.count(), least = std::min(proven_count(placement), count);
   return count == 0 ? 0 : static_cast<double>(count - least) / static_cast<double>(count);
 }
 
 bool count_is_proven(const Placement& placement) {
-  return placement.count() > 0 && least_count(placement) >= placement.count();
+  return placement.count() > 0 && proven_count(placement) >= placement.count();
 }
 
 std::string units_needed(std::size_t least) {
@@ -75,70 +82,72 @@ std::string units_needed(std::size_t least) {
 }
 
 std::string terminal_bound(const Placement& placement) {
-  const std::size_t least = least_count(placement);
-  return least >= placement.count() ? "fewer cannot, proven" : units_needed(least);
+  const std::size_t least = proven_count(placement);
+  return least >= placement.count() ? "it is proven that " + fewer_are_not_enough(placement.count())
+                                    : units_needed(least);
 }
 
 std::string page_bound(const Placement& placement) {
-  const std::size_t least = least_count(placement);
+  const std::size_t least = proven_count(placement);
   const std::string needed = fmt::format("{} {} needed", grouped(least), least == 1 ? "is" : "are");
-  if (count_is_proven(placement)) return fmt::format("; at least {} (proven).", needed);
-  if (placement.status == Status::optimal && placement.question.combination == Combination::weighted)
-    return "; no selection has a lower total cost (proven).";
-  if (least == 0) return "; how few would do is not known.";
+  if (count_is_proven(placement))
+    return fmt::format("; it is proven that {}.", fewer_are_not_enough(placement.count()));
+  if (placement.status == Status::optimal && placement.problem.combination == Combination::weighted)
+    return "; it is proven that no selection costs less.";
+  if (least == 0) return "; the smallest possible number is not known.";
   return fmt::format("; it is proven that at least {} (gap {}).", needed, percent(count_gap(placement)));
 }
 
-std::string_view behind_bound(BoundProof proof) {
+std::string_view bound_proof_text(BoundProof proof) {
   constexpr const char* words[] = {
-      "what is plain without a search", "a dual solution, added up again from the matrix",
-      "exhaustive search, its log checked", "exhaustive search, its log too long to be checked",
-      "the word of a MIP solver"};
+      "counting alone, without a search", "linear programming bound, recomputed from the matrix",
+      "exhaustive search, log checked", "exhaustive search, log too long to check",
+      "MIP solver, not verified independently"};
   return words[static_cast<std::size_t>(proof)];
 }
 
 std::string proof_sentence(const Placement& placement) {
-  if (placement.status == Status::infeasible || least_count(placement) == 0) return {};
-  return fmt::format("What is proven rests on {}.{}", behind_bound(placement.bound_proof),
+  if (placement.status == Status::infeasible || proven_count(placement) == 0) return {};
+  return fmt::format("Method of proof: {}.{}", bound_proof_text(placement.bound_proof),
                      placement.ties_settled
-                         ? " Of all selections that are as good this has the largest smallest margin."
+                         ? " Among equally good selections, this one has the largest minimum margin."
                          : "");
 }
 
-std::string objective_name(const Question& question) {
-  if (question.combination == Combination::weighted)
-    return question.objective == Objective::count
-               ? "least cost of transceivers"
-               : "least cost of transceivers and " + what_is_minimised(question);
-  if (question.objective == Objective::count) return "fewest transceivers";
-  return fmt::format("fewest transceivers, then {} {}", words_of(question.objective).fewest,
-                     what_is_minimised(question));
+std::string objective_name(const PlacementProblem& problem) {
+  if (problem.combination == Combination::weighted)
+    return problem.objective == Objective::count
+               ? "lowest cost of transceivers"
+               : "lowest cost of transceivers and " + objective_text(problem);
+  if (problem.objective == Objective::count) return "fewest transceivers";
+  return fmt::format("fewest transceivers, then {} {}", words_of(problem.objective).fewest,
+                     objective_text(problem));
 }
 
 std::string objective_sentence(const Placement& placement) {
-  const Question& question = placement.question;
-  if (question.objective == Objective::count && question.combination == Combination::lexicographic) return {};
-  if (question.combination == Combination::lexicographic &&
+  const PlacementProblem& problem = placement.problem;
+  if (problem.objective == Objective::count && problem.combination == Combination::lexicographic) return {};
+  if (problem.combination == Combination::lexicographic &&
       (placement.status == Status::feasible || !count_is_proven(placement)))
-    return fmt::format("The second aim, the least sum over {}, was not searched for: the number comes first.",
-                       what_is_minimised(question));
+    return fmt::format("Secondary objective ({}) not optimised: the number of transceivers comes first.",
+                       objective_text(problem));
   const std::string value = plain(placement.objective_value);
   const std::string bound = plain(placement.lower_bound);
   const bool proven = placement.status == Status::optimal;
   std::string text;
-  if (question.combination == Combination::weighted)
-    text = fmt::format("The total cost is {}{}", value, proven ? ", the least possible (proven)" : "");
+  if (problem.combination == Combination::weighted)
+    text = fmt::format("The total cost is {}{}", value, proven ? ", the proven minimum" : "");
   else
-    text = fmt::format("Among selections of this size the aim was the least sum over {}: {}{}",
-                       what_is_minimised(question), value, proven ? ", the least possible (proven)" : "");
+    text = fmt::format("The secondary objective ({}) is {}{}", objective_text(problem), value,
+                       proven ? ", the proven minimum for this number of transceivers" : "");
   if (placement.status == Status::stopped)
-    text += fmt::format("; at least {} is proven (gap {})", bound, percent(placement.gap()));
-  text += placement.unit_costs ? ". No costs were given, so each counts 1." : ".";
+    text += fmt::format("; the proven lower bound is {} (gap {})", bound, percent(placement.gap()));
+  text += placement.unit_costs ? ". Without given costs, each link or signal counts as 1." : ".";
   return text;
 }
 
 std::string_view status_name(Status status) {
-  constexpr const char* names[] = {"optimal (proven)", "feasible (nothing proven)", "infeasible (proven)",
+  constexpr const char* names[] = {"optimal (proven)", "feasible (not proven optimal)", "infeasible (proven)",
                                    "stopped early"};
   return names[static_cast<std::size_t>(status)];
 }
@@ -146,9 +155,9 @@ std::string_view status_name(Status status) {
 std::string certificate_sentence(const CertifiedPlan& plan) {
   if (!plan.certificate) return {};
   const Certificate& certificate = *plan.certificate;
-  return (plan.placement.has_selection() ? what_is_reached(plan.placement, certificate)
-                                         : what_is_out_of_reach(certificate)) +
-         (certificate.open.empty() ? "" : fmt::format(" It ended because {}.", certificate.open));
+  return (plan.placement.has_selection() ? reached_sentence(plan.placement, certificate)
+                                         : out_of_reach_sentence(certificate)) +
+         (certificate.open.empty() ? "" : fmt::format(" Verification ended because {}.", certificate.open));
 }
 
 std::string sensitivity_sentence(const Sensitivity& sensitivity, std::size_t labels) {
@@ -156,15 +165,16 @@ std::string sensitivity_sentence(const Sensitivity& sensitivity, std::size_t lab
   std::string text =
       fmt::format("{} of {} labels are reached ", grouped(labels - missed - open), grouped(labels));
   text += missed + open == 0
-              ? "wherever in their ranges the reflectances are"
-              : fmt::format("with all reflectances at the low end of their ranges, {} missed, {} undecided",
+              ? "for all reflectances within their ranges"
+              : fmt::format("with all reflectances at the low end of their ranges ({} missed, {} undecided)",
                             grouped(missed), grouped(open));
-  text += fmt::format(", {}; the weakest gets {:.3g} to {:.3g} of its requirement",
+  text += fmt::format(", {}; the weakest label receives {:.3g} to {:.3g} times its requirement",
                       joint_confidence(sensitivity.confidence), sensitivity.low.least.ratio,
                       sensitivity.high.least.ratio);
   if (!sensitivity.materials.empty() &&
       sensitivity.materials.front().at_lower.least.ratio < sensitivity.as_given.ratio)
-    text += fmt::format("; by estimate, '{}' matters most", sensitivity.materials.front().material);
+    text +=
+        fmt::format("; '{}' is estimated to have the largest effect", sensitivity.materials.front().material);
   return text + ".";
 }
 

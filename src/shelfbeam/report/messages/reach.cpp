@@ -9,8 +9,9 @@ namespace shelfbeam {
 namespace {
 
 std::string what_is_forbidden(const Placement& placement) {
-  if (placement.min_spacing > 0) return fmt::format("units must be {:.6g} m apart", placement.min_spacing);
-  return placement.forbidden_pairs > 0 ? "some pairs must not be chosen together" : "";
+  if (placement.min_spacing > 0)
+    return fmt::format("units must be at least {:.6g} m apart", placement.min_spacing);
+  return placement.forbidden_pairs > 0 ? "some candidates must not be chosen together" : "";
 }
 
 }  // namespace
@@ -32,83 +33,85 @@ std::string no_selection_reaches(std::size_t labels) {
   return "No selection reaches " + all_labels(labels);
 }
 
-std::string_view whichever_fails(const Question& question) {
-  return question.redundant ? ", whichever unit fails" : "";
+std::string_view failure_clause(const PlacementProblem& problem) {
+  return problem.redundant ? ", even if any one unit fails" : "";
 }
 
-std::string_view who_gave_up(const Placement& placement) {
+std::string_view method_without_result(const Placement& placement) {
   if (placement.solver == "greedy") return "The greedy method";
   return placement.solver == "search" ? "The search" : "";
 }
 
-std::string kept_apart(const Placement& placement) {
+std::string conflict_sentence(const Placement& placement) {
   const std::string forbidden = what_is_forbidden(placement);
   if (forbidden.empty()) return {};
   const std::size_t pairs = placement.forbidden_pairs;
-  return fmt::format("{} {} kept apart: {}", counted(pairs, "pair of candidates", "pairs of candidates"),
+  return fmt::format("{} {} excluded: {}", counted(pairs, "pair of candidates", "pairs of candidates"),
                      pairs == 1 ? "is" : "are", forbidden);
 }
 
-std::string why_exclusive(const Placement& placement, bool has_options) {
-  const std::string options = has_options ? "a mounting point holds one unit" : "";
+std::string conflict_reason(const Placement& placement, bool has_options) {
+  const std::string options = has_options ? "each mounting point takes only one unit" : "";
   const std::string forbidden = what_is_forbidden(placement);
   return options + (options.empty() || forbidden.empty() ? "" : " and ") + forbidden;
 }
 
-std::string not_all_at_once(std::string_view why_exclusive) {
-  return fmt::format("could be reached, but not all of them at once, because {}", why_exclusive);
+std::string not_all_together(std::string_view conflict_reason) {
+  return fmt::format("can be reached, but not all of them together, because {}", conflict_reason);
 }
 
-std::string_view why_nothing(const Question& question, bool is_heard) {
-  if (!is_heard) return "no light arrives at all: is it inside something, or facing into it?";
-  if (question.redundant) return "light arrives from one place only, and the unit there may fail";
-  return "light arrives only from candidates that an installed unit rules out";
+std::string_view no_signal_reason(const PlacementProblem& problem, bool is_heard) {
+  if (!is_heard) return "no light arrives; check whether the label lies inside an object or faces into one";
+  if (problem.redundant) return "light arrives from only one mounting point, and the unit there may fail";
+  return "light arrives only from candidates that an installed unit excludes";
 }
 
 std::string dark_labels(std::size_t labels) {
-  if (labels == 1) return fmt::format("At one of them {}", why_nothing({}, false));
-  return fmt::format("At {} of them no light arrives at all: are they inside something, or facing into it?",
-                     grouped(labels));
+  if (labels == 1)
+    return "No light reaches one of these labels: check whether it lies inside an object or faces into one.";
+  return fmt::format(
+      "No light reaches {} of these labels: check whether they lie inside an object or face into one.",
+      grouped(labels));
 }
 
 std::string terminal_out_of_reach(const Placement& placement, bool has_options) {
-  const Question& question = placement.question;
+  const PlacementProblem& problem = placement.problem;
   const std::string lost = grouped(placement.unreachable.size()) + " cannot be reached";
-  if (question.model == CommunicationModel::non_cooperative)
-    return lost + (question.redundant ? " by two units at once" : " even by the best candidate");
+  if (problem.model == CommunicationModel::non_cooperative)
+    return lost + (problem.redundant ? " by two units" : " even by the best candidate");
   return fmt::format(
       "{} even by {}{}", lost,
       has_options ? "the best options of all mounting points together" : "all candidates together",
-      question.redundant ? " when the strongest fails" : "");
+      problem.redundant ? " if the strongest unit fails" : "");
 }
 
 std::string page_out_of_reach(const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
-  const Question& question = placement.question;
+  const PlacementProblem& problem = placement.problem;
   const std::size_t candidates = data.input.matrix.columns();
   std::string even;
-  if (question.model == CommunicationModel::non_cooperative)
-    even = question.redundant ? "each by two units at once, of which one may fail"
-                              : fmt::format("even by the best of {}", counted(candidates, "candidate"));
+  if (problem.model == CommunicationModel::non_cooperative)
+    even = problem.redundant ? " by two units, of which one may fail"
+                             : fmt::format(", even by the best of {}", counted(candidates, "candidate"));
   else if (data.has_options())
-    even = fmt::format("even with the best option of {} on",
+    even = fmt::format(", even with the best option of {} switched on",
                        data.mounting_points == 1
                            ? "the only mounting point"
-                           : fmt::format("all {} mounting points", grouped(data.mounting_points)));
+                           : fmt::format("each of the {} mounting points", grouped(data.mounting_points)));
   else
-    even = candidates == 1 ? "even with the only candidate on"
-                           : fmt::format("even with all {} candidates on", grouped(candidates));
-  return fmt::format("{} of {} cannot be reached, {}", grouped(placement.unreachable.size()),
+    even = candidates == 1 ? ", even with the only candidate switched on"
+                           : fmt::format(", even with all {} candidates switched on", grouped(candidates));
+  return fmt::format("{} of {} cannot be reached{}", grouped(placement.unreachable.size()),
                      counted(data.outcome.labels.size(), "label"), even);
 }
 
-std::string_view everything_on(const ReportData& data) {
-  if (data.input.plan.placement.question.redundant)
+std::string_view maximum_signal_condition(const ReportData& data) {
+  if (data.input.plan.placement.problem.redundant)
     return data.has_options()
-               ? "if the best option of every mounting point were on and the strongest unit failed"
-               : "if every candidate were on and the strongest failed";
-  return data.has_options() ? "if the best option of every mounting point were on"
-                            : "if every candidate were on";
+               ? "if the best option of every mounting point were switched on and the strongest unit failed"
+               : "if every candidate were switched on and the strongest failed";
+  return data.has_options() ? "if the best option of every mounting point were switched on"
+                            : "if every candidate were switched on";
 }
 
 }  // namespace shelfbeam

@@ -9,7 +9,7 @@
 
 namespace shelfbeam {
 
-// What a selection reaches.
+// Sentences about the labels that a selection reaches.
 
 /// "1 transceiver reaches", "2 transceivers reach"
 std::string units_reach(std::size_t units);
@@ -17,47 +17,47 @@ std::string units_reach(std::size_t units);
 /// "all 12 labels", "the only label"
 std::string all_labels(std::size_t labels);
 
-/// "3 of 12 labels"; all of them as above.
+/// "3 of 12 labels", or all_labels().
 std::string labels_reached(std::size_t reached, std::size_t labels);
 
 /// "No selection reaches all 12 labels"
 std::string no_selection_reaches(std::size_t labels);
 
-/// ", whichever unit fails", where the question asks for that.
-std::string_view whichever_fails(const Question& question);
+/// ", even if any one unit fails" for redundant problems.
+std::string_view failure_clause(const PlacementProblem& problem);
 
-/// "The greedy method", "The search": who found no selection before the time was over; empty where that was
-/// the reason.
-std::string_view who_gave_up(const Placement& placement);
+/// "The greedy method", "The search": the method that found no selection. Empty where the time limit was the
+/// reason.
+std::string_view method_without_result(const Placement& placement);
 
-/// Said of a curve or of the search for it.
-inline constexpr std::string_view cut_short = "was stopped early: more time may bring the two nearer";
+/// Continues "the curve ..." and "The search ...".
+inline constexpr std::string_view stopped_early_note = "was stopped early; more time may narrow its bounds";
 
-// Why labels cannot be reached. Candidates are options where some mounting points have several of them.
+// Reasons why labels cannot be reached. Where a mounting point has several candidates, they are its options.
 
-/// "12 pairs of candidates are kept apart: units must be 2 m apart"; empty where nothing was asked for.
-std::string kept_apart(const Placement& placement);
+/// "12 pairs of candidates are excluded: units must be at least 2 m apart"; empty without conflicts.
+std::string conflict_sentence(const Placement& placement);
 
-/// "a mounting point holds one unit and units must be 2 m apart": why each label could be reached, but not
-/// all of them at once. Empty where nothing is known to exclude anything.
-std::string why_exclusive(const Placement& placement, bool has_options);
+/// "each mounting point takes only one unit and units must be at least 2 m apart": the reason why each label
+/// can be reached, but not all together. Empty without options and conflicts.
+std::string conflict_reason(const Placement& placement, bool has_options);
 
-/// "could be reached, but not all of them at once, because a mounting point holds one unit", said of each
-/// label.
-std::string not_all_at_once(std::string_view why_exclusive);
+/// Continues "each label ...": "can be reached, but not all of them together, because each mounting point
+/// takes only one unit".
+std::string not_all_together(std::string_view conflict_reason);
 
-/// "no light arrives at all: is it inside something, or facing into it?": why Unreachable::most is 0.
-/// `is_heard`: the label has some entry above 0.
-std::string_view why_nothing(const Question& question, bool is_heard);
-/// The same of labels that no light reaches, several or one, as a sentence.
+/// "no light arrives; check whether ...": the reason why Unreachable::most is 0. `is_heard`: the label has an
+/// entry above 0.
+std::string_view no_signal_reason(const PlacementProblem& problem, bool is_heard);
+/// A sentence about the labels that no light reaches.
 std::string dark_labels(std::size_t labels);
 
 /// "3 cannot be reached even by all candidates together"
 std::string terminal_out_of_reach(const Placement& placement, bool has_options);
-/// "3 of 12 labels cannot be reached, even with all 320 candidates on"
+/// "3 of 12 labels cannot be reached, even with all 320 candidates switched on"
 std::string page_out_of_reach(const ReportData& data);
 
-/// The condition under which a label gets LabelOutcome::best: "if every candidate were on".
-std::string_view everything_on(const ReportData& data);
+/// The condition under which a label receives LabelOutcome::best: "if every candidate were switched on".
+std::string_view maximum_signal_condition(const ReportData& data);
 
 }  // namespace shelfbeam

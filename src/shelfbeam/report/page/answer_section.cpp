@@ -21,7 +21,7 @@ std::string card(const std::string& name, const std::string& value, const std::s
 
 std::string shortfall(const ReportData& data, const Unreachable& label) {
   if (label.most <= 0)
-    return std::string(why_nothing(data.input.plan.placement.question, data.is_heard(label.label)));
+    return std::string(no_signal_reason(data.input.plan.placement.problem, data.is_heard(label.label)));
   const double db = -margin_db(label.most, label.requirement);
   return fixed(db, db < 0.095 ? 2 : 1) + "\u00A0dB";
 }
@@ -31,17 +31,17 @@ std::string bound_note(const Placement& placement, bool has_selection) {
   return count_gap(placement) == 0 ? "proven" : fmt::format("proven; gap {}", percent(count_gap(placement)));
 }
 
-// Of a certificate what its samples prove; the matrix's own bound is among the remarks and the facts then.
-std::string least_card(const ReportData& data) {
-  constexpr const char* name = "At least needed";
+// With a certificate, its bound; the bound of the simulated matrix is then among the remarks and the facts.
+std::string min_card(const ReportData& data) {
+  constexpr const char* name = "Lower bound";
   const Placement& placement = data.input.plan.placement;
-  if (placement.status == Status::infeasible) return card(name, "–", "no number suffices");
+  if (placement.status == Status::infeasible) return card(name, "–", "no number is enough");
   const auto& certificate = data.input.plan.certificate;
   if (certificate && certificate->count_lower_bound > 0)
     return card(name, grouped(std::min(certificate->count_lower_bound, placement.count())),
-                "on fresh samples");
-  return card(name, grouped(least_count(placement)),
-              certificate ? "proven on the matrix" : bound_note(placement, data.has_selection()));
+                "with independent samples");
+  return card(name, grouped(proven_count(placement)),
+              certificate ? "proven for the simulated signals" : bound_note(placement, data.has_selection()));
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ std::string answer_section(const ReportData& data) {
   const auto tone = static_cast<std::size_t>(line.tone);
   const bool has_certificate = data.input.plan.certificate.has_value();
   std::string verdict = has_certificate ? certified[tone] : verdicts[tone];
-  // A proof on a matrix that other samples would change is less than the word alone promises.
+  // Other samples could change the matrix, so that "Solved" alone would promise too much.
   if (line.tone == Headline::Tone::yes && data.uncertain > 0 && !has_certificate)
     verdict += fmt::format(", {} uncertain", counted(data.uncertain, "label"));
   const std::string& name = data.input.scene.name;
@@ -79,25 +79,25 @@ std::string key_figures(const ReportData& data) {
       fmt::format("of {}{}{}", counted(candidates, "candidate"),
                   data.has_options() ? " at " + counted(data.mounting_points, "mounting point") : "",
                   data.has_selection() && installed > 0 ? fmt::format("; {} installed", installed) : ""));
-  html += least_card(data);
+  html += min_card(data);
   if (data.has_selection()) {
     html += certificate ? card("Labels reached", grouped(certificate->count(Verdict::reached)),
-                               fmt::format("of {}, on fresh samples", grouped(labels)))
+                               fmt::format("of {}, with independent samples", grouped(labels)))
                         : card("Labels reached", grouped(data.outcome.met), "of " + grouped(labels));
     const std::uint32_t weakest = data.outcome.by_margin.front();
-    html += card("Least margin", decibels(data.outcome.labels[weakest].margin()),
-                 fmt::format("label {}{}", data.label(weakest).id, certificate ? ", on the matrix" : ""));
+    html += card("Smallest margin", decibels(data.outcome.labels[weakest].margin()),
+                 fmt::format("label {}{}", data.label(weakest).id, certificate ? ", simulated" : ""));
   } else if (placement.status == Status::infeasible && placement.unreachable.empty()) {
-    html += card("Labels", grouped(labels), "each alone could be reached");
+    html += card("Labels", grouped(labels), "each can be reached, but not all together");
   } else if (placement.status == Status::infeasible) {
     html += card("Labels out of reach", grouped(placement.unreachable.size()), "of " + grouped(labels));
   } else {
     html += card("Labels", grouped(labels), "");
   }
-  const bool adds_up = placement.question.model == CommunicationModel::cooperative;
-  html += card("Model", std::string(to_text(placement.question.model)),
+  const bool adds_up = placement.problem.model == CommunicationModel::cooperative;
+  html += card("Model", std::string(to_text(placement.problem.model)),
                adds_up ? "signals of all units add up" : "one unit alone must reach a label", "card word");
-  const std::string objective = objective_name(placement.question);
+  const std::string objective = objective_name(placement.problem);
   const std::size_t comma = objective.find(", ");
   html += card("Objective", objective.substr(0, comma),
                comma == std::string::npos ? "" : objective.substr(comma + 2), "card word");
@@ -107,7 +107,7 @@ std::string key_figures(const ReportData& data) {
 std::string unreachable_section(const ReportData& data) {
   const auto& unreachable = data.input.plan.placement.unreachable;
   if (unreachable.empty()) return {};
-  constexpr std::size_t most_rows = 100;
+  constexpr std::size_t max_rows = 100;
   std::vector<Unreachable> worst = unreachable;
   std::stable_sort(worst.begin(), worst.end(), [](const Unreachable& a, const Unreachable& b) {
     return margin_db(a.most, a.requirement) < margin_db(b.most, b.requirement);
@@ -116,26 +116,25 @@ std::string unreachable_section(const ReportData& data) {
                    {"x (m)"},
                    {"y (m)"},
                    {"Height (m)"},
-                   {fmt::format("Needs ({})", data.unit.name)},
-                   {fmt::format("Could get at most ({})", data.unit.name)},
+                   {fmt::format("Requirement ({})", data.unit.name)},
+                   {fmt::format("Maximum signal ({})", data.unit.name)},
                    {"Short by", true, true}});
-  for (std::size_t k = 0; k < std::min(worst.size(), most_rows); ++k) {
+  for (std::size_t k = 0; k < std::min(worst.size(), max_rows); ++k) {
     const LabelRow& label = data.label(worst[k].label);
     table.add_row({label.id, fixed(label.position.x, 2), fixed(label.position.y, 2),
                    fixed(label.position.z, 2), data.unit.number(worst[k].requirement),
                    data.unit.number(worst[k].most), shortfall(data, worst[k])});
   }
   std::string html = paragraph(
-      data.input.plan.placement.question.model == CommunicationModel::cooperative
-          ? fmt::format("The most a label could get is its signal {}.", everything_on(data))
-          : fmt::format("The most a label could get is its signal from the best single candidate{}.",
-                        data.input.plan.placement.question.redundant
-                            ? " that is left when the strongest fails"
-                            : ""));
+      data.input.plan.placement.problem.model == CommunicationModel::cooperative
+          ? fmt::format("The maximum signal is the signal of the label {}.", maximum_signal_condition(data))
+          : fmt::format(
+                "The maximum signal is the signal of the label from the best single candidate{}.",
+                data.input.plan.placement.problem.redundant ? " that remains if the strongest fails" : ""));
   html += table.html();
-  if (worst.size() > most_rows)
-    html += paragraph(fmt::format("The {} that are furthest off; placement.json lists all {}.", most_rows,
-                                  grouped(worst.size())),
+  if (worst.size() > max_rows)
+    html += paragraph(fmt::format("The {} labels with the largest shortfall; placement.json lists all {}.",
+                                  max_rows, grouped(worst.size())),
                       "note");
   return html_section("unreachable", "Labels out of reach", html);
 }

@@ -14,9 +14,9 @@ namespace shelfbeam {
 
 namespace {
 
-// What the tenth of the labels with the least direct light has of it.
-std::string least_tenth(double direct_share) {
-  if (direct_share <= 0) return "one in ten gets no direct light";
+// The direct share below which a tenth of the labels lies.
+std::string lowest_tenth(double direct_share) {
+  if (direct_share <= 0) return "one label in ten receives no direct light";
   if (direct_share < 0.0005) return "one label in ten has less than 0.1\u00A0%";
   return fmt::format("one label in ten has {} or less", percent(direct_share));
 }
@@ -46,7 +46,7 @@ std::string excess_figure(const ReportData& data) {
   return html_figure("Excess signal of the labels", histogram_svg(chart), note);
 }
 
-// One line for each requirement that occurs; first and last where there are many.
+// One line per distinct requirement; with more than four, only the smallest and the largest.
 std::vector<HistogramChart::Tick> requirement_lines(const ReportData& data) {
   std::vector<double> values;
   for (const LabelRow& label : data.input.matrix.labels)
@@ -73,14 +73,14 @@ std::string matrix_figure(const ReportData& data) {
                                       data.unit.text(edges[k + 1]), counted(counts[k], "entry", "entries"))});
   const double low = std::log10(edges.front()), high = std::log10(edges.back());
   for (const double decade : multiples(low, high, high - low > 6 ? 2 : 1)) {
-    // Whole decades of the unit, not of W/m^2: its factor is a power of ten, so these are the same places.
+    // The factor of the unit is a power of ten, so decades of the unit and of W/m^2 coincide.
     chart.ticks.push_back({decade, plain(std::pow(10, decade) / data.unit.factor)});
   }
   chart.lines = requirement_lines(data);
   chart.x_title = fmt::format("signal of one unit at one label ({})", data.unit.name);
   chart.y_title = "entries";
   std::string note =
-      fmt::format("{} of {} ({}) are zero or, through noise, negative, and are not drawn.",
+      fmt::format("{} of {} ({}) are zero or, because of noise, negative; these are not drawn.",
                   grouped(distribution.zeros), counted(distribution.entries, "entry", "entries"),
                   percent(static_cast<double>(distribution.zeros) /
                           static_cast<double>(std::max<std::uint64_t>(1, distribution.entries))));
@@ -96,39 +96,41 @@ std::string margin_section(const ReportData& data, const Maps& maps) {
   if (data.levels.empty()) return {};
   std::string html = paragraph(
       data.has_selection()
-          ? "Each mark is a label, on the side it faces. Its colour tells by how many decibels its signal "
-            "exceeds what it needs: 3 dB is twice as much, 10 dB ten times. Triangles are labels that are "
-            "not "
-            "reached. Numbers are the chosen units, as in the table below."
-          : fmt::format("Each mark is a label, on the side it faces. Its colour tells how its signal would "
-                        "compare to what it needs {}. Triangles are labels that stay out of reach.",
-                        everything_on(data)));
-  if (const std::size_t count = data.outcome.on_flagged; count > 0)
+          ? "Each mark is a label, drawn on the side that it faces. Its colour shows by how many decibels "
+            "its signal exceeds the requirement: 3 dB is twice the requirement, 10 dB ten times. Triangles "
+            "are labels that are not reached. Numbers are the chosen units, as in the table below."
+          : fmt::format("Each mark is a label, drawn on the side that it faces. Its colour compares the "
+                        "requirement with the signal that the label would receive {}. Triangles are labels "
+                        "that no selection reaches.",
+                        maximum_signal_condition(data)));
+  if (const std::size_t count = data.outcome.flagged_labels; count > 0)
     html += paragraph(fmt::format(
-        "Whether the {} reached depends on signals whose standard error is not to be trusted: few batches of "
-        "samples found most of their light. More samples would tell.",
-        count == 1 ? "label with a hollow mark is" : grouped(count) + " labels with a hollow mark are"));
+        "The {} on signals with an unreliable standard error: few batches of samples found most of their "
+        "light. Use more samples to decide.",
+        count == 1 ? "label with a hollow mark depends"
+                   : grouped(count) + " labels with a hollow mark depend"));
   for (std::size_t k = 0; k < data.levels.size(); ++k) html += maps.margin_map(k);
   return html_section("plans", "Floor plan by shelf level", html);
 }
 
 std::string reflection_section(const ReportData& data, const Maps& maps) {
   if (!data.has_selection() || data.levels.empty()) return {};
-  constexpr const char* heading = "What reflections add";
+  constexpr const char* heading = "Contribution of reflections";
   if (!data.has_direct())
     return html_section("reflections", heading,
-                        paragraph("The signal matrix does not tell direct from reflected light."));
+                        paragraph("The signal matrix does not separate direct from reflected light."));
   const std::size_t level = maps.fullest_level();
   const std::vector<double> shares = data.outcome.direct_shares();
-  std::string html =
-      paragraph(fmt::format("By direct light alone, {} of {} would be reached; with the light that floor, "
-                            "ceiling, shelves and goods throw back, {} are. The direct share of a label's "
-                            "signal has the median {}; {}, one in ten has {} or more.",
-                            grouped(data.outcome.met_by_direct), counted(data.outcome.labels.size(), "label"),
-                            grouped(data.outcome.met), percent(quantile(shares, 0.5)),
-                            least_tenth(quantile(shares, 0.1)), percent(quantile(shares, 0.9))));
-  html += paragraph(fmt::format("Signal of the chosen units at level {}, {}, both in one logarithmic scale:",
-                                level + 1, data.levels[level].heights()));
+  std::string html = paragraph(
+      fmt::format("Direct light alone would reach {} of {}; with reflections from floor, ceiling, "
+                  "shelves and goods, {} are reached. The median direct share of a label's signal "
+                  "is {}; {}, one label in ten has {} or more.",
+                  grouped(data.outcome.met_by_direct_light), counted(data.outcome.labels.size(), "label"),
+                  grouped(data.outcome.met), percent(quantile(shares, 0.5)),
+                  lowest_tenth(quantile(shares, 0.1)), percent(quantile(shares, 0.9))));
+  html += paragraph(fmt::format(
+      "Signal of the chosen units at level {}, {}; both maps use the same logarithmic scale:", level + 1,
+      data.levels[level].heights()));
   html += maps.signal_maps(level);
   return html_section("reflections", heading, html);
 }
@@ -136,7 +138,7 @@ std::string reflection_section(const ReportData& data, const Maps& maps) {
 std::string distribution_section(const ReportData& data) {
   const std::string figures = (data.has_selection() ? excess_figure(data) : "") + matrix_figure(data);
   if (figures.empty()) return {};
-  return html_section("distributions", "How the signal is distributed",
+  return html_section("distributions", "Distribution of the signal",
                       "<div class=\"pair\">\n" + figures + "</div>\n");
 }
 
@@ -148,7 +150,7 @@ std::string curve_section(const ReportData& data) {
     return static_cast<double>(count) / static_cast<double>(labels);
   };
   CurveChart chart;
-  chart.description = "Share of the labels that a number of transceivers reaches";
+  chart.description = "Share of the labels reached, by number of transceivers";
   for (const CurvePoint& point : points)
     chart.points.push_back({static_cast<double>(point.units), 100 * share(point.at_least),
                             100 * share(point.at_most),
@@ -157,21 +159,22 @@ std::string curve_section(const ReportData& data) {
   chart.x_title = "transceivers";
   chart.y_title = "labels reached (%)";
 
-  constexpr std::size_t most_rows = 20;
-  const std::size_t step = (points.size() + most_rows - 1) / most_rows;
-  HtmlTable table({{"Transceivers"}, {"Reach at least"}, {"Labels"}, {"Reach at most, proven"}, {"Labels"}});
+  constexpr std::size_t max_rows = 20;
+  const std::size_t step = (points.size() + max_rows - 1) / max_rows;
+  HtmlTable table(
+      {{"Transceivers"}, {"Reached at least"}, {"Labels"}, {"Reached at most, proven"}, {"Labels"}});
   for (std::size_t k = (points.size() - 1) % step; k < points.size(); k += step)
     table.add_row({grouped(points[k].units), percent(share(points[k].at_least)), grouped(points[k].at_least),
                    percent(share(points[k].at_most)), grouped(points[k].at_most)});
   std::string note =
-      "Some selection of so many of the candidates reaches the one share, none reaches more than the other. "
-      "Both are of the simulated matrix; the error of sampling is not part of them.";
-  if (!data.input.plan.curve.is_complete) note += fmt::format(" The search {}.", cut_short);
+      "For each number of transceivers, a selection reaches the first share, and no selection reaches more "
+      "than the second share. Both shares apply to the simulated signals, without their sampling error.";
+  if (!data.input.plan.curve.is_complete) note += fmt::format(" The search {}.", stopped_early_note);
   const std::string text = table.html() + paragraph(note, "note");
-  if (points.size() < 2) return html_section("curve", "What fewer transceivers reach", text);
-  const std::string picture = html_figure("Labels that fewer transceivers reach", curve_svg(chart),
-                                          "Squares: a selection that was found. Dashed: what is proven.");
-  return html_section("curve", "What fewer transceivers reach",
+  if (points.size() < 2) return html_section("curve", "Coverage with fewer transceivers", text);
+  const std::string picture = html_figure("Labels reached by fewer transceivers", curve_svg(chart),
+                                          "Squares: selections found. Dashed line: proven upper bound.");
+  return html_section("curve", "Coverage with fewer transceivers",
                       fmt::format("<div class=\"pair\">\n{}<div>\n{}</div>\n</div>\n", picture, text));
 }
 

@@ -33,8 +33,8 @@ std::string html_figure(const std::string& title, const std::string& picture, co
 /// <p> from plain text.
 std::string paragraph(const std::string& text, const std::string& css_class = {});
 
-/// A page from its title, plain text, and its body. Its style sheet (page.css) is for light and dark, screen
-/// and paper; the colours are further CSS variables of it.
+/// A page from its title (plain text) and body (HTML). The style sheet page.css serves light and dark screens
+/// and paper; the colours are additional CSS variables.
 std::string html_page(const std::string& title, const std::string& body,
                       const std::string& light_colours = {}, const std::string& dark_colours = {});
 

@@ -8,25 +8,25 @@
 
 namespace shelfbeam {
 
-// The parts of the page, in its order. Each returns HTML; empty where there is nothing to say.
+// The sections of the page, in its order. Each returns HTML, or an empty string if it does not apply.
 
 std::string answer_section(const ReportData& data);
 std::string key_figures(const ReportData& data);
-/// Labels that no selection reaches: what they need and the most they could get.
+/// Labels that no selection reaches, with requirement and maximum signal.
 std::string unreachable_section(const ReportData& data);
 /// The bundle of src/viewer; empty in a build without Node.js or its packages.
 std::string_view viewer_script();
-/// The 3-D view with its data and its script; where that is empty a word that the view was left out.
+/// The 3-D view with its data and script; with an empty script, a note that the view is missing.
 std::string viewer_section(const ReportData& data, std::string_view script);
-/// The signals in it take so many bytes at most.
-inline constexpr std::size_t most_signal_bytes = 20'000'000;
+/// Maximum size of the signals in the 3-D view, in bytes.
+inline constexpr std::size_t max_signal_bytes = 20'000'000;
 std::string margin_section(const ReportData& data, const Maps& maps);
 std::string reflection_section(const ReportData& data, const Maps& maps);
-/// What ranges of reflectances do to the placement; empty where that was not asked for.
+/// The effect of reflectance ranges on the placement; empty without a sensitivity analysis.
 std::string sensitivity_section(const ReportData& data);
 std::string distribution_section(const ReportData& data);
 std::string unit_section(const ReportData& data);
-/// What fewer units reach; empty where that was not asked for.
+/// The coverage curve; empty without one.
 std::string curve_section(const ReportData& data);
 std::string weakest_section(const ReportData& data);
 std::string facts_section(const ReportData& data);

@@ -14,15 +14,15 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::size_t most_bars = 12;
-constexpr double lowest_db = -30;  // less is drawn as this
+constexpr std::size_t max_bars = 12;
+constexpr double lowest_db = -30;  // smaller margins are drawn at this value
 
-double drawn_db(const LeastMargin& least) {
+double drawn_db(const MinMargin& least) {
   return std::max(margin_db(least.ratio, 1), lowest_db);
 }
 
 // Two decimals: materials differ by less than a tenth.
-std::string margin(const LeastMargin& least) {
+std::string margin(const MinMargin& least) {
   return decibels(margin_db(least.ratio, 1), 2);
 }
 
@@ -42,14 +42,14 @@ std::string signed_percent(double share) {
 std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
   TornadoChart chart;
   chart.description = "Smallest margin with reflectances at both ends of their ranges";
-  const auto add = [&](const std::string& name, const LeastMargin& low, const LeastMargin& high) {
+  const auto add = [&](const std::string& name, const MinMargin& low, const MinMargin& high) {
     chart.bars.push_back(
         {name, drawn_db(low), drawn_db(high),
          fmt::format("{}: {} at the low end (label {}), {} at the high end (label {})", name, margin(low),
                      data.label(low.label).id, margin(high), data.label(high.label).id)});
   };
   add("all together", sensitivity.low.least, sensitivity.high.least);
-  for (std::size_t k = 0; k < std::min(most_bars, sensitivity.materials.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(max_bars, sensitivity.materials.size()); ++k) {
     const MaterialSensitivity& one = sensitivity.materials[k];
     add(one.material + ", " + range_of(one), one.at_lower.least, one.at_upper.least);
   }
@@ -58,9 +58,9 @@ std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
   chart.limit_text = "requirement";
   chart.x_title = "smallest margin (dB)";
   std::string note = "Orange: reflectances at the low end of their range, blue: at the high end.";
-  if (sensitivity.materials.size() > most_bars)
-    note += fmt::format(" The {} materials that matter most.", most_bars);
-  return html_figure("What reflectances do to the label with the smallest margin", tornado_svg(chart), note);
+  if (sensitivity.materials.size() > max_bars)
+    note += fmt::format(" Only the {} materials with the largest effect are shown.", max_bars);
+  return html_figure("Effect of reflectances on the smallest margin", tornado_svg(chart), note);
 }
 
 std::string material_table(const ReportData& data, const Sensitivity& sensitivity) {
@@ -68,11 +68,11 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
                    {"Reflectance", false},
                    {"Smallest margin, low end"},
                    {"At label", false},
-                   {"Change there, of its need"},
-                   {"Labels short, low end"},
-                   {"Light, low end"},
+                   {"Signal change there"},
+                   {"Labels missed, low end"},
+                   {"Mean signal change, low end"},
                    {"Smallest margin, high end"},
-                   {"Light, high end"}});
+                   {"Mean signal change, high end"}});
   for (const MaterialSensitivity& one : sensitivity.materials)
     table.add_row(
         {one.material,
@@ -99,20 +99,21 @@ std::string labels(const ReportData& data, const std::vector<std::uint32_t>& row
 
 std::string notes(const ReportData& data, const Sensitivity& sensitivity) {
   std::string text =
-      "One material after the other at the low and the high end of its range, all others as in the store "
-      "file; the material first whose low end leaves the least. Margins are of the chosen units, on fresh "
-      "samples. The change is of the signal at the label that has the least then, in percent of what this "
-      "label needs, with its standard error; light is what the labels get more or less of, on average. "
-      "These are estimates: the confidence is of all reflectances low, and all high.";
+      "Each row sets one material to the low and to the high end of its range; all others stay as in the "
+      "store file. The material with the smallest margin at its low end comes first. Margins are those of "
+      "the chosen units, with independent samples. The signal change at the label with the smallest margin "
+      "is in percent of its requirement, with its standard error; the mean signal change is the average "
+      "over the labels. The rows are estimates: the confidence applies only to all reflectances at the low "
+      "end and all at the high end.";
   if (sensitivity.watched < data.outcome.labels.size())
-    text += fmt::format(" All rows are about the {} labels with the least margins at the low end of all.",
+    text += fmt::format(" All rows consider only the {} labels with the smallest margins at the low ends.",
                         grouped(sensitivity.watched));
   if (std::any_of(sensitivity.materials.begin(), sensitivity.materials.end(),
                   [](const MaterialSensitivity& one) { return one.is_assumed; }))
-    text += fmt::format(" * Nobody told this range: {} to both sides, by assumption, up to 0.99 at most.",
+    text += fmt::format(" * Without a given range: {} to both sides is assumed, up to a reflectance of 0.99.",
                         percent(sensitivity.assumed_error, 0));
   if (!sensitivity.kept.empty())
-    text += fmt::format(" Kept as they are, for their indices say what they reflect: {}.",
+    text += fmt::format(" Not varied, because refractive indices determine their reflectance: {}.",
                         fmt::join(sensitivity.kept, ", "));
   return paragraph(text, "note");
 }

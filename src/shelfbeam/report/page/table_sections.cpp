@@ -15,7 +15,7 @@ namespace shelfbeam {
 
 namespace {
 
-// "down", or how far the axis leans and which way, with what the unit is turned about it.
+// "down", or the tilt of the axis and its direction; then the roll about the axis.
 std::string direction(const Vec3& axis, double roll_deg) {
   constexpr double degree = std::numbers::pi / 180;
   const double tilt = std::atan2(std::hypot(axis.x, axis.y), -axis.z) / degree;
@@ -34,9 +34,9 @@ std::string served_labels(const ReportData& data) {
     const UnitOutcome& unit = data.outcome.units[k];
     std::vector<std::string> ids;
     for (const std::uint32_t row : data.outcome.served_by(k)) ids.push_back(data.label(row).id);
-    const char* const how = unit.reaches_alone > 0 ? "reaches alone"
+    const char* const how = unit.reaches_alone > 0 ? "reaches alone:"
                             : ids.empty()          ? "is strongest for no label"
-                                                   : "reaches none alone, is strongest for";
+                                                   : "reaches no label alone; is strongest for";
     list += fmt::format("<dt>{}: {} <span>{}{}</span></dt><dd><ul>", k + 1,
                         escape(data.transceiver(unit.column).id), how,
                         ids.empty() ? "" : " " + counted(ids.size(), "label"));
@@ -44,7 +44,7 @@ std::string served_labels(const ReportData& data) {
     list += "</ul></dd>\n";
   }
   return fmt::format(
-      "<details>\n<summary>The labels each unit serves</summary>\n"
+      "<details>\n<summary>Labels served by each unit</summary>\n"
       "<dl class=\"serves\">\n{}</dl>\n</details>\n",
       list);
 }
@@ -64,7 +64,7 @@ std::string unit_section(const ReportData& data) {
                    {"Strongest for"},
                    {"Needed by"},
                    {"Type", false},
-                   {"Looks", false}});
+                   {"Direction", false}});
   for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
     const UnitOutcome& unit = data.outcome.units[k];
     const TransceiverColumn& transceiver = data.transceiver(unit.column);
@@ -78,30 +78,31 @@ std::string unit_section(const ReportData& data) {
       "units", "The chosen units",
       table.html() +
           paragraph(
-              "Numbers of labels: that the unit reaches without help; that get the largest part of their "
-              "signal from it; that would fall below their requirement without it. A unit looks down, or "
-              "leans so far from it towards a direction in the plan, 0° along x and 90° along y.",
+              "Reaches alone: labels that the unit reaches without other units. Strongest for: labels that "
+              "receive their largest signal from the unit. Needed by: labels that would be missed without "
+              "the unit. A direction other than down is a tilt from down towards an angle in the floor "
+              "plan, 0° along x and 90° along y.",
               "note") +
           served_labels(data));
 }
 
 std::string weakest_section(const ReportData& data) {
   if (!data.has_selection()) return {};
-  constexpr std::size_t most_rows = 20;
-  const std::size_t rows = std::min(most_rows, data.outcome.by_margin.size());
+  constexpr std::size_t max_rows = 20;
+  const std::size_t rows = std::min(max_rows, data.outcome.by_margin.size());
   const auto& certificate = data.input.plan.certificate;
   const std::string in_unit = fmt::format(" ({})", data.unit.name);
   std::vector<HtmlTable::Column> columns{{"Label", false},
                                          {"Margin"},
                                          {"Signal" + in_unit},
-                                         {"Needs" + in_unit},
+                                         {"Requirement" + in_unit},
                                          {"Strongest unit", false},
-                                         {"Standard error of its part" + in_unit},
+                                         {"Standard error of this unit's signal" + in_unit},
                                          {"x (m)"},
                                          {"y (m)"},
                                          {"Height (m)"},
                                          {"Type", false}};
-  if (certificate) columns.push_back({"On fresh samples", false});
+  if (certificate) columns.push_back({"Verdict", false});
   HtmlTable table(columns);
   for (std::size_t k = 0; k < rows; ++k) {
     const std::uint32_t row = data.outcome.by_margin[k];
@@ -114,7 +115,7 @@ std::string weakest_section(const ReportData& data) {
       const std::size_t entry = data.input.matrix.at(row, *outcome.strongest);
       if (data.sampling.has_errors)
         error = data.unit.number(static_cast<double>(data.input.matrix.standard_error[entry]));
-      if (data.input.matrix.is_flagged(entry)) error += " (not to be trusted)";
+      if (data.input.matrix.is_flagged(entry)) error += " (not reliable)";
     }
     std::vector<std::string> cells{label.id,
                                    decibels(outcome.margin()),
@@ -130,8 +131,8 @@ std::string weakest_section(const ReportData& data) {
     table.add_row(cells);
   }
   return html_section("weakest",
-                      rows == 1 ? "The label" : fmt::format("The {} labels with the least margin", rows),
-                      table.html() + paragraph("All labels are in labels.csv.", "note"));
+                      rows == 1 ? "The label" : fmt::format("The {} labels with the smallest margin", rows),
+                      table.html() + paragraph("labels.csv lists all labels.", "note"));
 }
 
 }  // namespace shelfbeam

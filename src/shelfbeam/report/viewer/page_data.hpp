@@ -10,16 +10,16 @@
 
 namespace shelfbeam {
 
-/// Numbers for the scripts of a page: named arrays behind a JSON header, deflated and in base64.
+/// Numbers for the scripts of a page: a JSON header and named arrays, deflated and base64-encoded.
 ///
 ///   base64(zlib(u32 length of the header, header, arrays one after the other))
 ///
-/// The header is {"arrays": [{"name", "type", "count"}, ...], "about": ...}; everything is little-endian. The
-/// bytes of an array stand in planes, first the lowest byte of every element, then the next: what is alike in
-/// neighbours (exponents, the high bytes of small numbers) comes together, which deflate likes.
+/// The header is {"arrays": [{"name", "type", "count"}, ...], "about": ...}; everything is little-endian. An
+/// array is stored in byte planes: the lowest byte of every element, then the next byte. Planes place similar
+/// bytes (exponents, high bytes of small numbers) side by side, which deflate compresses better.
 class PageData {
  public:
-  /// Of std::uint8_t, std::uint16_t, std::uint32_t, float or double.
+  /// Value: std::uint8_t, std::uint16_t, std::uint32_t, float or double.
   template <class Value>
   void add(std::string_view name, const std::vector<Value>& values) {
     add(name, std::is_floating_point_v<Value> ? 'f' : 'u', sizeof(Value), std::as_bytes(std::span(values)));

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/report/data/distributions.hpp"
 #include "shelfbeam/report/viewer/page_data.hpp"
 
@@ -15,7 +15,7 @@ namespace shelfbeam {
 
 namespace {
 
-/// The finest first. Where details would take the room of signals, only entries that matter have them.
+/// The finest first. The coarser ones keep errors and direct shares of relevant entries only.
 std::vector<Rounding> roundings() {
   std::vector<Rounding> result;
   for (const std::uint32_t n : {10000, 7000, 5000, 3000, 2000, 1500, 1000, 700, 500, 300, 200, 150, 100})
@@ -25,10 +25,10 @@ std::vector<Rounding> roundings() {
   return result;
 }
 
-constexpr double most_code = 65535;
+constexpr double max_code = 65535;
 
-// What a label's entries are measured by; of one that needs nothing as if it needed what another does.
-std::vector<double> needs_of(const SignalMatrix& matrix) {
+// The unit of measure for the entries of each label: its requirement, or the largest of all if it has none.
+std::vector<double> requirements_of(const SignalMatrix& matrix) {
   double any = 0;
   for (const LabelRow& label : matrix.labels) any = std::max(any, label.requirement);
   std::vector<double> needs;
@@ -37,11 +37,12 @@ std::vector<double> needs_of(const SignalMatrix& matrix) {
   return needs;
 }
 
-std::uint32_t grains_of(double mean, double need, std::uint32_t grains_a_need) {
+std::uint32_t grains_of(double mean, double need, std::uint32_t grains_per_requirement) {
   const double share = std::min(std::abs(mean) / need, 1e5);
-  const auto grains = static_cast<std::uint32_t>(share * grains_a_need);
+  const auto grains = static_cast<std::uint32_t>(share * grains_per_requirement);
   if (mean < 0) return grains;
-  return is_met(mean, need) ? std::max(grains, grains_a_need) : std::min(grains, grains_a_need - 1);
+  return is_met(mean, need) ? std::max(grains, grains_per_requirement)
+                            : std::min(grains, grains_per_requirement - 1);
 }
 
 // The columns of the two largest entries of the chosen units.
@@ -58,9 +59,9 @@ std::array<std::uint32_t, 2> two_largest(std::span<const float> row,
   return largest;
 }
 
-// Of standard errors, of rounded entries in proportion to the mean, in a logarithmic scale from the least to
-// the largest that is above 0.
-void encode_errors(PageSignals& signals, const std::vector<float>& errors, double least_ratio) {
+// Encodes standard errors (for rounded entries relative to the mean) on a logarithmic scale from the smallest
+// to the largest value above 0.
+void encode_errors(PageSignals& signals, const std::vector<float>& errors, double min_ratio) {
   std::vector<double> values;
   double low = std::numeric_limits<double>::infinity(), high = 0;
   for (std::size_t k = 0; k < errors.size(); ++k) {
@@ -73,8 +74,8 @@ void encode_errors(PageSignals& signals, const std::vector<float>& errors, doubl
     high = std::max(high, values.back());
   }
   if (high > 0) {
-    signals.least_error = low;
-    signals.error_step = std::max(std::log(high / low) / (most_code - 1), std::log(least_ratio));
+    signals.min_error = low;
+    signals.error_step = std::max(std::log(high / low) / (max_code - 1), std::log(min_ratio));
   }
   const auto code = [&](double value) -> std::uint16_t {
     if (value <= 0) return 0;
@@ -88,7 +89,7 @@ std::uint16_t share_code(double direct, double mean, double step) {
   return mean > 0 ? static_cast<std::uint16_t>(std::lround(std::clamp(direct / mean, 0.0, 1.0) / step)) : 0;
 }
 
-// By how much the chosen units give a label more than their entries in the page, `row` columns apart.
+// The signal from the exact entries of the chosen units minus the signal from their entries in the page.
 double rest_of(std::span<const float> row, std::span<const float> shown, const Placement& placement,
                const std::vector<bool>& chosen) {
   std::vector<SignalEntry> all, kept;
@@ -97,19 +98,19 @@ double rest_of(std::span<const float> row, std::span<const float> shown, const P
     all.push_back({j, static_cast<double>(row[j])});
     kept.push_back({j, static_cast<double>(shown[j])});
   }
-  return received_signal(all, chosen, placement.question) - received_signal(kept, chosen, placement.question);
+  return received_signal(all, chosen, placement.problem) - received_signal(kept, chosen, placement.problem);
 }
 
-// Entries that are kept with each rounding, apart from those that always are.
+// The number of entries that each rounding keeps, without those that are always kept.
 std::vector<std::size_t> kept_entries(const SignalMatrix& matrix, const std::vector<Rounding>& roundings) {
-  const std::vector<double> needs = needs_of(matrix);
+  const std::vector<double> needs = requirements_of(matrix);
   std::vector<std::size_t> kept(roundings.size(), 0);
   for (std::size_t i = 0; i < matrix.rows(); ++i)
     for (const float mean : matrix.mean_row(i)) {
       const double share = std::abs(static_cast<double>(mean)) / needs[i];
-      if (share * roundings.front().grains_a_need < 1) continue;
+      if (share * roundings.front().grains_per_requirement < 1) continue;
       std::size_t k = 0;
-      while (k + 1 < kept.size() && share * roundings[k + 1].grains_a_need >= 1) ++k;
+      while (k + 1 < kept.size() && share * roundings[k + 1].grains_per_requirement >= 1) ++k;
       ++kept[k];
     }
   for (std::size_t k = kept.size() - 1; k > 0; --k) kept[k - 1] += kept[k];
@@ -138,23 +139,24 @@ PackedSignals packed(PageSignals signals) {
   data.add("rest", signals.rest);
   std::string base64 = data.base64(fmt::format(
       R"({{"grain":{},"detailsFrom":{},"leastError":{},"errorStep":{},"directStep":{}}})", signals.grain,
-      signals.details_from, signals.least_error, signals.error_step, signals.direct_step));
+      signals.details_from, signals.min_error, signals.error_step, signals.direct_step));
   return {std::move(signals), std::move(base64)};
 }
 
 }  // namespace
 
 PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement, const Rounding& rounding) {
-  const std::uint32_t grains_a_need = rounding.grains_a_need;
+  const std::uint32_t grains_per_requirement = rounding.grains_per_requirement;
   PageSignals signals;
-  const bool is_rounded = grains_a_need > 0;
-  signals.grain = is_rounded ? 1.0 / grains_a_need : 0;
-  signals.details_from = static_cast<std::uint32_t>(std::lround(rounding.details_from * grains_a_need));
+  const bool is_rounded = grains_per_requirement > 0;
+  signals.grain = is_rounded ? 1.0 / grains_per_requirement : 0;
+  signals.details_from =
+      static_cast<std::uint32_t>(std::lround(rounding.details_from * grains_per_requirement));
   signals.direct_step = rounding.direct_step;
   const bool has_error = matrix.standard_error.size() == matrix.mean.size();
   const bool has_direct = matrix.direct.size() == matrix.mean.size();
-  const bool adds_up = placement.question.model == CommunicationModel::cooperative;
-  const std::vector<double> needs = needs_of(matrix);
+  const bool adds_up = placement.problem.model == CommunicationModel::cooperative;
+  const std::vector<double> needs = requirements_of(matrix);
   std::vector<float> errors, shown(matrix.columns());
   std::vector<bool> chosen(matrix.columns(), false);
   for (const std::uint32_t j : placement.selected) chosen[j] = true;
@@ -169,9 +171,9 @@ PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement,
       if (row[j] == 0) continue;
       const auto mean = static_cast<double>(row[j]);
       const bool always = mean > 0 && (j == largest[0] || j == largest[1]);
-      const std::uint32_t grains = is_rounded ? grains_of(mean, needs[i], grains_a_need) : 1;
+      const std::uint32_t grains = is_rounded ? grains_of(mean, needs[i], grains_per_requirement) : 1;
       if (grains == 0 && !always) {
-        ++signals.left_out;
+        ++signals.omitted;
       } else {
         shown[j] = is_rounded
                        ? static_cast<float>(std::copysign((grains + 0.5) * signals.grain * needs[i], mean))
@@ -197,26 +199,26 @@ PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement,
     if (is_rounded) signals.rest.push_back(rest_of(row, shown, placement, chosen));
     if (effect > signals.largest_effect) {
       signals.largest_effect = effect;
-      signals.most_affected = static_cast<std::uint32_t>(i);
+      signals.max_affected = static_cast<std::uint32_t>(i);
     }
   }
   if (has_error) encode_errors(signals, errors, rounding.error_ratio);
   return signals;
 }
 
-PackedSignals pack_signals(const SignalMatrix& matrix, const Placement& placement, std::size_t most_bytes) {
-  // An entry is never packed in less than a byte, one that is not rounded in less than four.
+PackedSignals pack_signals(const SignalMatrix& matrix, const Placement& placement, std::size_t max_bytes) {
+  // A packed entry takes at least one byte, without rounding at least four.
   const auto zeros = static_cast<std::size_t>(std::count(matrix.mean.begin(), matrix.mean.end(), 0.0F));
-  if (matrix.mean.size() - zeros <= most_bytes / 4) {
+  if (matrix.mean.size() - zeros <= max_bytes / 4) {
     PackedSignals exact = packed(page_signals(matrix, placement));
-    if (exact.base64.size() <= most_bytes) return exact;
+    if (exact.base64.size() <= max_bytes) return exact;
   }
   const std::vector<Rounding> all = roundings();
   const std::vector<std::size_t> kept = kept_entries(matrix, all);
   for (std::size_t k = 0; k + 1 < all.size(); ++k) {
-    if (kept[k] > most_bytes) continue;
+    if (kept[k] > max_bytes) continue;
     PackedSignals rounded = packed(page_signals(matrix, placement, all[k]));
-    if (rounded.base64.size() <= most_bytes) return rounded;
+    if (rounded.base64.size() <= max_bytes) return rounded;
   }
   return packed(page_signals(matrix, placement, all.back()));
 }

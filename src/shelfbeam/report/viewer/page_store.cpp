@@ -13,8 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of one mesh; larger ones are drawn as the prism around them. About 1 MB in the page.
-constexpr std::uint32_t most_mesh_triangles = 30000;
+// Per mesh; larger meshes are drawn as prisms. About 1 MB in the page.
+constexpr std::uint32_t max_mesh_triangles = 30000;
 
 void append(std::vector<float>& values, const Vec3& v) {
   for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<float>(v[axis]));
@@ -24,8 +24,8 @@ Json point(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-// How a part is drawn: the classes of its colours, in the order that the script knows.
-std::uint8_t look_of(PartKind kind) {
+// The colour class of a part, as numbered by the script.
+std::uint8_t colour_class_of(PartKind kind) {
   if (kind == PartKind::board || kind == PartKind::tub) return 1;
   return kind == PartKind::goods ? 2 : kind == PartKind::door ? 3 : 0;
 }
@@ -36,8 +36,7 @@ void add_parts(PageData& page, const Scene& scene) {
   std::vector<std::uint32_t> mesh_triangles;
   for (const Part& part : scene.parts) {
     if (part.kind == PartKind::shell || part.footprint.empty()) continue;
-    if (part.kind == PartKind::mesh && part.triangle_count > 0 &&
-        part.triangle_count <= most_mesh_triangles) {
+    if (part.kind == PartKind::mesh && part.triangle_count > 0 && part.triangle_count <= max_mesh_triangles) {
       std::map<std::uint32_t, std::uint32_t> known;
       for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
         for (const std::uint32_t corner : scene.mesh.triangles[t]) {
@@ -48,7 +47,7 @@ void add_parts(PageData& page, const Scene& scene) {
         }
       continue;
     }
-    look.push_back(look_of(part.kind));
+    look.push_back(colour_class_of(part.kind));
     corner_count.push_back(static_cast<std::uint8_t>(std::min<std::size_t>(part.footprint.size(), 255)));
     for (std::size_t k = 0; k < corner_count.back(); ++k)
       for (const double at : part.footprint[k]) corners.push_back(static_cast<float>(at));
@@ -63,7 +62,7 @@ void add_parts(PageData& page, const Scene& scene) {
   page.add("mesh_triangle", mesh_triangles);
 }
 
-// Labels of one type that need the same: one threshold for them in the page.
+// Labels of one type with equal requirements share one threshold in the page.
 Json add_labels(PageData& page, const ReportData& data) {
   std::vector<float> position, normal;
   std::vector<std::uint16_t> kind, level(data.outcome.labels.size());
@@ -110,7 +109,7 @@ Json add_units(PageData& page, const ReportData& data) {
           {"neededBy", needed_by}};
 }
 
-// In the order of Verdict, as the script knows it; nothing without a certificate.
+// Verdicts by their number in Verdict, which the script knows; null without a certificate.
 Json add_certificate(PageData& page, const ReportData& data) {
   const auto& certificate = data.input.plan.certificate;
   std::vector<std::uint8_t> verdicts;
@@ -152,14 +151,14 @@ Json fixtures_of(const Scene& scene) {
 
 std::string pack_store(const ReportData& data, const SignalScale& scale) {
   const Scene& scene = data.input.scene;
-  const Question& question = data.input.plan.placement.question;
+  const PlacementProblem& problem = data.input.plan.placement.problem;
   PageData page;
   add_parts(page, scene);
   Json about;
   about["lower"] = scene.room ? point({}) : point(scene.lower);
   about["upper"] = scene.room ? point(*scene.room) : point(scene.upper);
-  about["cooperative"] = question.model == CommunicationModel::cooperative;
-  about["redundant"] = question.redundant;
+  about["cooperative"] = problem.model == CommunicationModel::cooperative;
+  about["redundant"] = problem.redundant;
   about["tolerance"] = met_tolerance;
   about["unit"] = {{"factor", data.unit.factor}, {"name", data.unit.name}};
   about["margins"] = margins();

@@ -7,7 +7,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_scene.hpp"
@@ -55,7 +55,7 @@ class SceneMaker {
     throw InputError(store_.file, problem, suggestion);
   }
 
-  // Before anything is made.
+  // Checks the memory before anything is allocated.
   void expect_memory() const {
     std::size_t size = 0;
     const auto add = [&](std::size_t more, const std::string& where) {
@@ -63,9 +63,9 @@ class SceneMaker {
       if (size > store_.memory)
         throw InputError(
             where,
-            fmt::format("with this the store needs about {:.3g} GB of memory and may use {:.3g} GB",
+            fmt::format("the store up to here requires about {:.3g} GB of memory; the limit is {:.3g} GB",
                         1e-9 * static_cast<double>(size), 1e-9 * static_cast<double>(store_.memory)),
-            "use wider spacings or simpler meshes, or allow more", Setting::memory);
+            "use wider spacings or simpler meshes, or raise the limit", Setting::memory);
     };
     for (const auto& [fixture, where] : store_.fixtures) add(scene_bytes(fixture), where);
     for (std::size_t g = 0; g < store_.grids.size(); ++g)
@@ -95,14 +95,14 @@ class SceneMaker {
     for (const auto& [fixture, where] : store_.fixtures) {
       const std::string& id = id_of(fixture);
       if (!ids.insert(id).second)
-        throw InputError(where, fmt::format("the fixture id '{}' is used twice", id), "make ids unique");
+        throw InputError(where, fmt::format("has the duplicate fixture id '{}'", id), "make ids unique");
       const std::size_t first_vertex = scene_.mesh.vertices.size();
       add_fixture(scene_, fixture, where, warnings_);
       const auto is_outside = [&](const Vec3& p) { return !beyond_room(scene_, p).empty(); };
       if (std::any_of(scene_.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex),
                       scene_.mesh.vertices.end(), is_outside))
-        warnings_.add("fixtures that reach outside the room",
-                      fmt::format("{}: fixture '{}' reaches outside the room; move it, or correct {}", where,
+        warnings_.add("fixtures that extend outside the room",
+                      fmt::format("{}: fixture '{}' extends outside the room; move it, or correct {}", where,
                                   id, sized_by(fixture)));
       places_.labels.resize(scene_.labels.size(), where);
     }
@@ -118,7 +118,7 @@ class SceneMaker {
     }
   }
 
-  // Smooth mirrors and glass do not scatter: a chain over them ends by chance (follow_chain).
+  // Smooth mirrors and glass are exempt, because chains over them end at random (follow_chain).
   void warn_of_bright_materials() {
     constexpr double usual = 0.97;
     const std::vector<bool> used = scene_.used_materials();
@@ -134,9 +134,9 @@ class SceneMaker {
       if (reflectance <= usual) continue;
       warnings_.add(
           "materials that reflect almost all light",
-          fmt::format("{0}: materials.{1}{2}: material '{1}' reflects {3:.3g} of the light, so that paths "
-                      "between such surfaces end late: simulation takes long, and its errors are less "
-                      "reliable; white paint has 0.8 to 0.9, rough metal 0.6 to 0.9",
+          fmt::format("{0}: materials.{1}{2}: material '{1}' reflects {3:.3g} of the light, so paths between "
+                      "such surfaces end late: the simulation is slow and its standard errors are less "
+                      "reliable; white paint reflects 0.8 to 0.9, rough metal 0.6 to 0.9",
                       store_.file, named.name, given ? ".reflectance" : "", reflectance));
     }
   }
@@ -157,16 +157,17 @@ class SceneMaker {
       scene_.labels.push_back(label);
       places_.labels.push_back(where);
     }
-    if (scene_.labels.empty()) fail("has no labels", "add 'labels', or 'labels' to a fixture");
+    if (scene_.labels.empty()) fail("has no labels", "add 'labels' to the store or to a fixture");
     std::unordered_map<std::string, std::string> seen;
     for (std::size_t i = 0; i < scene_.labels.size(); ++i) {
       const Label& label = scene_.labels[i];
-      if (label.id.empty()) throw InputError(places_.labels[i], "the label has no id", "give it one");
+      if (label.id.empty()) throw InputError(places_.labels[i], "has a label without an id", "give it an id");
       const auto [first, is_new] = seen.emplace(label.id, places_.labels[i]);
       if (!is_new)
-        throw InputError(places_.labels[i],
-                         fmt::format("the label id '{}' is used twice, first in {}", label.id, first->second),
-                         "make ids unique");
+        throw InputError(
+            places_.labels[i],
+            fmt::format("has the duplicate label id '{}', first used in {}", label.id, first->second),
+            "make ids unique");
       expect_in_room(label.id, label.position, places_.labels[i], "label");
     }
   }
@@ -180,14 +181,14 @@ class SceneMaker {
   }
 
   void add_transceiver(const Transceiver& unit, const std::string& where) {
-    if (unit.id.empty()) throw InputError(where, "the transceiver has no id", "give it one");
+    if (unit.id.empty()) throw InputError(where, "has a transceiver without an id", "give it an id");
     if (kept_out(unit.position)) {
       kept_out_ids_.insert(unit.id);
       return;
     }
     expect_in_room(unit.id, unit.position, where, "transceiver");
     if (!unit_index_.emplace(unit.id, scene_.transceivers.size()).second)
-      throw InputError(where, fmt::format("the transceiver id '{}' is used twice", unit.id),
+      throw InputError(where, fmt::format("has the duplicate transceiver id '{}'", unit.id),
                        "make ids unique");
     scene_.transceivers.push_back(unit);
     places_.transceivers.push_back(where);
@@ -227,29 +228,29 @@ class SceneMaker {
       const auto found = unit_index_.find(id);
       if (found == unit_index_.end())
         throw InputError(
-            where, fmt::format("there is no transceiver '{}'", id),
-            kept_out_ids_.count(id) != 0 ? "it lies in a 'keep_out' area" : "list it, or correct the id");
+            where, fmt::format("names the unknown transceiver '{}'", id),
+            kept_out_ids_.count(id) != 0 ? "it is in a 'keep_out' area" : "list it, or correct the id");
       scene_.transceivers[found->second].installed = true;
     }
     expect_one_installed_at_a_point();
   }
 
   void expect_one_installed_at_a_point() const {
-    const Places places = places_of(positions_of(scene_.transceivers));
+    const DistinctPositions places = distinct_positions(positions_of(scene_.transceivers));
     std::vector<const Transceiver*> at(places.count, nullptr);
     for (const auto& [id, where] : store_.installed) {
       const std::size_t index = unit_index_.at(id);
       const Transceiver*& first = at[places.of[index]];
       if (first != nullptr && first->id != id)
         throw InputError(where, fmt::format("'{}' is installed at the mounting point of '{}'", id, first->id),
-                         "a point holds one unit: keep one of them, or correct a position");
+                         "remove one of the two, or correct a position");
       first = &scene_.transceivers[index];
     }
   }
 
   const Store& store_;
   Scene scene_;
-  DevicePlaces places_;
+  DeviceSources places_;
   WarningList warnings_;
   std::unordered_map<std::string, std::size_t> unit_index_;
   std::set<std::string> kept_out_ids_;
@@ -261,7 +262,7 @@ Scene make_scene(const Store& store) {
   return SceneMaker(store).make();
 }
 
-Scene read_scene(const std::filesystem::path& store, const StoreTrust& trust) {
+Scene read_scene(const std::filesystem::path& store, const StoreLimits& trust) {
   return make_scene(read_store(store, trust));
 }
 
@@ -271,8 +272,7 @@ Scene scene_with_units(Store store, const std::filesystem::path& csv) {
   store.keep_out.clear();
   store.installed.clear();
   read_transceivers_csv(csv, StoreNames(store), store);
-  if (store.transceivers.empty())
-    throw InputError(csv.string(), "names no units", "list the units that hang");
+  if (store.transceivers.empty()) throw InputError(csv.string(), "lists no units", "list the mounted units");
   return make_scene(store);
 }
 

@@ -19,18 +19,18 @@ namespace shelfbeam {
 namespace {
 
 constexpr double rounding = 1e-6;  // m
-constexpr double too_near = 0.05;  // m before a label
+constexpr double too_near = 0.05;  // m in front of a label
 constexpr std::array<const char*, 6> room_sides{"behind the wall x0", "behind the wall x1",
                                                 "behind the wall y0", "behind the wall y1",
                                                 "below the floor",    "above the ceiling"};
 constexpr std::array<const char*, 6> room_surfaces{"the wall x0", "the wall x1", "the wall y0",
                                                    "the wall y1", "the floor",   "the ceiling"};
 
-/// The stretch of a ray within something convex, in m from its origin.
+/// The part of a ray inside a convex body, in m from the ray's origin.
 struct Stretch {
   double begin = -std::numeric_limits<double>::infinity(), end = -begin;
 
-  /// Keeps what lies where `distance + t * slope` is positive.
+  /// Keeps the part where `distance + t * slope` is positive.
   void clip(double distance, double slope) {
     if (std::abs(slope) < 1e-12)
       end = distance > 1e-9 ? end : begin;
@@ -42,7 +42,7 @@ struct Stretch {
   bool is_empty() const { return end - begin < rounding; }
 };
 
-/// Of a part with a convex footprint.
+/// Precondition: the part has a convex footprint.
 Stretch stretch_within(const Part& part, const Vec3& p, const Vec3& direction) {
   Stretch stretch;
   for (std::size_t k = 0; k < part.footprint.size(); ++k) {
@@ -56,7 +56,7 @@ Stretch stretch_within(const Part& part, const Vec3& p, const Vec3& direction) {
   return stretch;
 }
 
-/// The blocks of a scene by fixture, so that a device is compared with those of near fixtures only.
+/// The blocks of a scene by fixture, so that a device is compared only with the blocks of nearby fixtures.
 class Blocks {
  public:
   explicit Blocks(const Scene& scene) : scene_(scene), fixtures_(scene.fixtures.size()) {
@@ -76,7 +76,7 @@ class Blocks {
     double distance;  ///< m; negative from within
     bool is_within() const { return distance < -rounding; }
   };
-  /// The first block on the way, at most 5 cm ahead, or the one around the point.
+  /// The first block along the direction within 5 cm, or the block that contains the point.
   std::optional<Hit> next(const Vec3& p, const Vec3& direction) const {
     std::optional<Hit> nearest;
     for (std::size_t f = 0; f < fixtures_.size(); ++f) {
@@ -115,7 +115,7 @@ class Blocks {
   std::vector<Fixture> fixtures_;
 };
 
-/// The corners of a label that has a size.
+/// The corners of a label; empty for a point.
 std::vector<Vec3> outline(const Scene& scene, const Label& label) {
   const auto& [width, height] = scene.type_of(label).size;
   if (width == 0) return {};
@@ -125,7 +125,7 @@ std::vector<Vec3> outline(const Scene& scene, const Label& label) {
   return {p - right - up, p + right - up, p + right + up, p - right + up};
 }
 
-/// Eight points on the edge of a disc.
+/// Eight points on the edge of a transceiver's disc; empty for a point.
 std::vector<Vec3> outline(const Scene& scene, const Transceiver& unit) {
   const double radius = scene.type_of(unit).radius;
   if (radius == 0) return {};
@@ -138,7 +138,7 @@ std::vector<Vec3> outline(const Scene& scene, const Transceiver& unit) {
   return points;
 }
 
-/// The fixture that a part of the device lies in.
+/// The fixture that contains a part of the device.
 template <class Device>
 const std::string* around_a_part(const Scene& scene, const Blocks& blocks, const Device& device,
                                  const Vec3& normal) {
@@ -147,7 +147,7 @@ const std::string* around_a_part(const Scene& scene, const Blocks& blocks, const
   return nullptr;
 }
 
-/// The surface of the room that the label looks at from less than 5 cm, and from how far.
+/// The surface of the room that the label faces closer than 5 cm, and its distance.
 std::optional<std::pair<const char*, double>> room_surface_before(const Scene& scene, const Label& label) {
   if (!scene.room) return std::nullopt;
   for (int axis = 0; axis < 3; ++axis) {
@@ -161,15 +161,15 @@ std::optional<std::pair<const char*, double>> room_surface_before(const Scene& s
   return std::nullopt;
 }
 
-// A disc or a rectangle whose middle lies within the room, and whose rim goes `reach` further along each
-// axis.
+// For a disc or rectangle with its centre in the room. `reach` is the distance from the centre to the rim
+// along each axis.
 void warn_of_overhang(const Scene& scene, const std::string& place, const std::string& what,
                       const Vec3& middle, const Vec3& reach, WarningList& warnings) {
   std::string side = beyond_room(scene, middle - reach);
   if (side.empty()) side = beyond_room(scene, middle + reach);
   if (!side.empty())
-    warnings.add("devices that reach outside the room",
-                 fmt::format("{}: {} reaches {}, where no light goes in or out; move it inwards, or make it "
+    warnings.add("devices that extend outside the room",
+                 fmt::format("{}: {} extends {}, where there is no light; move it inwards, or make it "
                              "smaller",
                              place, what, side));
 }
@@ -193,15 +193,16 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
     const Label& label = scene.labels[i];
     const auto looks_at = [&](const std::string& what, double distance) {
       warnings.add(
-          "labels that look at a surface right in front of them",
-          fmt::format("{}: label '{}' looks at {}, {:.2g} cm in front of it; turn its normal round, or "
-                      "move it to where light reaches it",
+          "labels that face a surface right in front of them",
+          fmt::format("{}: label '{}' faces {}, {:.2g} cm in front of it; reverse its normal, or move "
+                      "it away from the surface",
                       places[i], label.id, what, 100 * std::max(0.0, distance)));
     };
     const auto hit = blocks.next(label.position, label.normal);
     if (hit && hit->is_within())
-      warnings.add("labels that lie inside a fixture",
-                   fmt::format("{}: label '{}' lies inside fixture '{}' and hears nothing; move one of them",
+      warnings.add("labels inside a fixture",
+                   fmt::format("{}: label '{}' is inside fixture '{}' and receives no light; "
+                               "move one of them",
                                places[i], label.id, *hit->fixture));
     else if (hit)
       looks_at(fmt::format("fixture '{}'", *hit->fixture), hit->distance);
@@ -209,10 +210,10 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
       looks_at(surface->first, surface->second);
     else if (const std::string* fixture = around_a_part(scene, blocks, label, label.normal))
       warnings.add(
-          "labels of which a part is hidden",
+          "labels that are partly hidden",
           fmt::format(
-              "{}: part of label '{}' lies inside fixture '{}' and hears nothing; move it, turn it, or give "
-              "its type another 'size'",
+              "{}: part of label '{}' is inside fixture '{}' and receives no light; move it, turn it, "
+              "or change the 'size' of its type",
               places[i], label.id, *fixture));
     else
       warn_of_overhang(scene, places[i], fmt::format("label '{}'", label.id), label.position,
@@ -235,23 +236,23 @@ void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::v
     const auto hit = blocks.next(p, unit.axis);
     if (hit && hit->is_within())
       warnings.add(
-          "transceivers that lie inside a fixture",
-          fmt::format("{}: transceiver '{}' lies inside fixture '{}', which keeps its light; move it, or "
-                      "cover the place with 'keep_out'",
+          "transceivers inside a fixture",
+          fmt::format("{}: transceiver '{}' is inside fixture '{}', which blocks its light; move it, or "
+                      "cover the position with 'keep_out'",
                       places[j], unit.id, *hit->fixture));
     else if (!scene.room && !is_within_bounds(scene, p))
       warnings.add(
-          "transceivers that lie outside of all surfaces",
-          fmt::format("{}: transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside of all surfaces, which "
-                      "lie from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}); move it, or give "
+          "transceivers outside all surfaces",
+          fmt::format("{}: transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside all surfaces, which "
+                      "extend from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}); move it, or give "
                       "the store a 'room'",
                       places[j], unit.id, p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y, high.z));
     else if (const std::string* fixture = around_a_part(scene, blocks, unit, unit.axis))
       warnings.add(
-          "transceivers of which a part is hidden",
+          "transceivers that are partly hidden",
           fmt::format(
-              "{}: part of transceiver '{}' lies inside fixture '{}', which keeps its light; move it, or "
-              "give its type another 'radius'",
+              "{}: part of transceiver '{}' is inside fixture '{}', which blocks its light; move it, or "
+              "change the 'radius' of its type",
               places[j], unit.id, *fixture));
     else
       warn_of_overhang(scene, places[j], fmt::format("the disc of transceiver '{}'", unit.id), p,
@@ -273,7 +274,7 @@ std::string beyond_room(const Scene& scene, const Vec3& p) {
   return {};
 }
 
-void warn_of_misplaced(const Scene& scene, const DevicePlaces& places, WarningList& warnings) {
+void warn_of_misplaced(const Scene& scene, const DeviceSources& places, WarningList& warnings) {
   const Blocks blocks(scene);
   warn_of_labels(scene, blocks, places.labels, warnings);
   warn_of_transceivers(scene, blocks, places.transceivers, warnings);

@@ -21,7 +21,7 @@ Json in_degrees(const std::vector<double>& angles) {
   return result;
 }
 
-// Types as the resolved store writes them: nothing left to look up, and read back the same to the bit.
+// Types in the resolved store: without references, and identical to the bit when read back.
 
 Json keys(const SinTwoTheta& e) {
   return {{"peak", e.peak}};
@@ -84,7 +84,7 @@ Json resolved(const Room& room, const std::vector<NamedMaterial>& materials) {
           {"walls", {{"x0", name(0)}, {"x1", name(1)}, {"y0", name(2)}, {"y1", name(3)}}}};
 }
 
-// Of numbers side by side: as text a large mesh would take a while.
+// Hashes the bytes of the numbers, because conversion to text would be slow for a large mesh.
 template <class T>
 std::string hash_of(const std::vector<T>& numbers) {
   return content_hash({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});

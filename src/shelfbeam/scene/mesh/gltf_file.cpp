@@ -16,7 +16,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::int64_t most = std::int64_t{1} << 50;  // of bytes or numbers: beyond any file, and exact
+constexpr std::int64_t most = std::int64_t{1} << 50;  // bytes or numbers: beyond any file, exact as a double
 
 template <class T>
 T value_at(std::string_view bytes, std::size_t at) {
@@ -30,11 +30,11 @@ double number_at(std::string_view bytes, std::size_t at) {
   return value_at<T>(bytes, at);
 }
 
-// Types of numbers in a buffer.
+// The number types in a buffer.
 struct Component {
   std::size_t bytes;
   double (*at)(std::string_view bytes, std::size_t at);
-  double largest = 0;  // that stands for 1 where numbers are normalized; 0: they are as they are
+  double largest = 0;  // represents 1 in normalized numbers; 0: never normalized
 };
 constexpr std::int64_t first_component = 5120;
 constexpr std::array<Component, 7> components{{{1, number_at<std::int8_t>, 127},
@@ -53,23 +53,22 @@ struct Chunks {
   std::string_view json, binary;
 };
 
-// A GLB file is a header of 12 bytes and chunks, each behind its length and its type; a .gltf file is the
-// JSON.
+// A GLB file is a header of 12 bytes and chunks, each after its length and type. A .gltf file is plain JSON.
 Chunks chunks_of(std::string_view text, const std::string& name) {
   if (!text.starts_with("glTF")) return {text, {}};
   const auto fail = [&](const char* problem) {
-    throw InputError(name, problem, "it is truncated or damaged: export it again");
+    throw InputError(name, problem, "it is truncated or corrupt: export it again");
   };
   constexpr std::uint32_t json_type = 0x4E4F534A, binary_type = 0x004E4942;
   if (text.size() < 20) fail("ends within its header");
-  if (value_at<std::uint32_t>(text, 4) != 2) fail("is of another version of glTF than 2");
-  if (value_at<std::uint32_t>(text, 8) != text.size()) fail("is not as long as its header says");
+  if (value_at<std::uint32_t>(text, 4) != 2) fail("is not glTF version 2");
+  if (value_at<std::uint32_t>(text, 8) != text.size()) fail("does not have the length in its header");
   Chunks chunks;
   for (std::size_t at = 12; text.size() - at >= 8;) {
     const std::size_t length = value_at<std::uint32_t>(text, at);
     const auto type = value_at<std::uint32_t>(text, at + 4);
     at += 8;
-    if (length > text.size() - at) fail("ends before one of its chunks");
+    if (length > text.size() - at) fail("ends within a chunk");
     if (type == json_type && chunks.json.empty()) chunks.json = text.substr(at, length);
     if (type == binary_type && chunks.binary.empty()) chunks.binary = text.substr(at, length);
     at += length;
@@ -86,7 +85,7 @@ std::string from_base64(std::string_view text, const JsonCursor& place) {
   while (text.ends_with('=')) text.remove_suffix(1);
   for (const char c : text) {
     const std::size_t digit = digits.find(c);
-    if (digit == digits.npos) place.fail("is no base64", "export the file again");
+    if (digit == digits.npos) place.fail("is not base64", "export the file again");
     group = group << 6 | static_cast<std::uint32_t>(digit);
     if ((bits += 6) < 8) continue;
     bits -= 8;
@@ -116,15 +115,16 @@ std::size_t count_at(const JsonCursor& object, std::string_view key, std::int64_
   return static_cast<std::size_t>(found ? found->integer(0, most) : otherwise);
 }
 
-// What changes positions and is not read here.
+// Rejects unsupported extensions that may change positions.
 void expect_plain(const JsonCursor& root) {
   if (const auto required = root.find("extensionsRequired"))
     for (const JsonCursor& extension : required->elements()) {
       const std::string name = extension.text();
-      for (const std::string_view harmless :
-           {"KHR_materials_", "KHR_texture_", "KHR_lights_", "KHR_mesh_quantization", "EXT_texture_"})
-        if (name.starts_with(harmless)) return;
-      extension.fail(fmt::format("needs '{}', which is not read", name), "export the file without it");
+      constexpr std::array<std::string_view, 5> harmless = {"KHR_materials_", "KHR_texture_", "KHR_lights_",
+                                                            "KHR_mesh_quantization", "EXT_texture_"};
+      const auto is_prefix = [&](std::string_view prefix) { return name.starts_with(prefix); };
+      if (std::any_of(harmless.begin(), harmless.end(), is_prefix)) continue;
+      extension.fail(fmt::format("requires the unsupported '{}'", name), "export the file without it");
     }
 }
 
@@ -139,7 +139,7 @@ GltfFile::GltfFile(std::string_view text, std::filesystem::path name, const Stor
       }()) {
   const std::string version = root_["asset"]["version"].text();
   if (!version.starts_with("2."))
-    root_["asset"].fail(fmt::format("is of version {}", version), "glTF 2.0 is read");
+    root_["asset"].fail(fmt::format("is version {}", version), "glTF 2.0 is required");
   expect_plain(root_);
 }
 
@@ -148,7 +148,7 @@ JsonCursor GltfFile::item(std::string_view list, const JsonCursor& number) const
   const std::size_t count = found ? found->size() : 0;
   const auto index = number.integer(0, most);
   if (index >= static_cast<std::int64_t>(count))
-    number.fail(fmt::format("is {}, and there are {} {}", index, count, list), "export the file again");
+    number.fail(fmt::format("is {}, but there are {} {}", index, count, list), "export the file again");
   return found->element(static_cast<std::size_t>(index));
 }
 
@@ -160,14 +160,14 @@ double GltfFile::Numbers::at(std::size_t index, std::size_t component) const {
 
 GltfFile::Numbers GltfFile::numbers(const JsonCursor& number, std::string_view type, std::size_t components) {
   const JsonCursor accessor = item("accessors", number);
-  if (accessor.find("sparse")) accessor.fail("is sparse, which is not read", "export the file without it");
+  if (accessor.find("sparse")) accessor.fail("is sparse (not supported)", "export the file without it");
   if (accessor["type"].text() != type)
-    accessor["type"].fail("is another", fmt::format("'{}' is expected", type));
+    accessor["type"].fail("is of another type", fmt::format("'{}' is expected", type));
   Numbers numbers;
   numbers.components = components;
   numbers.type = accessor["componentType"].integer(first_component, first_component + 6);
   if (component_of(numbers.type).bytes == 0)
-    accessor["componentType"].fail("is 5124", "5120 to 5126 without it are known");
+    accessor["componentType"].fail("is 5124", "5120 to 5123, 5125 and 5126 are supported");
   if (const auto normalized = accessor.find("normalized")) numbers.is_normalized = normalized->boolean();
   numbers.count = static_cast<std::size_t>(accessor["count"].integer(1, most));
 
@@ -175,14 +175,14 @@ GltfFile::Numbers GltfFile::numbers(const JsonCursor& number, std::string_view t
   const std::string& buffer = this->buffer(view["buffer"]);
   const std::size_t begin = count_at(view, "byteOffset", 0), length = count_at(view, "byteLength", 0);
   if (begin > buffer.size() || length > buffer.size() - begin)
-    view.fail("reaches beyond its buffer", "export the file again");
+    view.fail("extends beyond its buffer", "export the file again");
   const std::size_t size = components * component_of(numbers.type).bytes;
   numbers.stride = count_at(view, "byteStride", static_cast<std::int64_t>(size));
   const std::size_t offset = count_at(accessor, "byteOffset", 0);
-  // Each number takes a place of its own, so the file is as large as what is read of it.
+  // Elements must not overlap, so that memory for them never exceeds the size of the file.
   if (numbers.stride < size || offset > length || size > length - offset ||
       (length - offset - size) / numbers.stride < numbers.count - 1)
-    accessor.fail("reaches beyond its view of a buffer", "export the file again");
+    accessor.fail("extends beyond its buffer view", "export the file again");
   numbers.bytes = std::string_view(buffer).substr(begin, length).substr(offset);
   return numbers;
 }
@@ -193,7 +193,7 @@ std::vector<Vec3> GltfFile::positions(const JsonCursor& accessor) {
   for (std::size_t k = 0; k < values.count; ++k) {
     positions.push_back({values.at(k, 0), values.at(k, 1), values.at(k, 2)});
     if (!is_finite(positions.back()))
-      accessor.fail(fmt::format("names positions of which vertex {} (counted from 0) is not finite", k),
+      accessor.fail(fmt::format("has a position that is not finite, vertex {} (counted from 0)", k),
                     "repair the mesh in the program that wrote it");
   }
   return positions;
@@ -206,7 +206,7 @@ std::vector<std::uint32_t> GltfFile::indices(const JsonCursor& accessor, std::si
   for (std::size_t k = 0; k < values.count; ++k) {
     const double index = values.at(k, 0);
     if (!(index >= 0 && index < static_cast<double>(vertices)) || index != std::floor(index))
-      accessor.fail(fmt::format("names the vertex {} of {}, counted from 0", index, vertices),
+      accessor.fail(fmt::format("names vertex {} of {}, counted from 0", index, vertices),
                     "repair the mesh in the program that wrote it");
     indices.push_back(static_cast<std::uint32_t>(index));
   }
@@ -226,14 +226,14 @@ std::string GltfFile::load(const JsonCursor& buffer, bool is_first) const {
   std::string bytes;
   if (!uri) {
     if (!is_first || binary_.empty())
-      buffer.fail("has no 'uri', and no bytes follow in the file", "export it again");
+      buffer.fail("has no 'uri', and the file has no binary chunk", "export it again");
     bytes = binary_;
   } else {
     const std::string text = uri->text();
     if (text.starts_with("data:")) {
       constexpr std::string_view marker = ";base64,";
       const auto begin = text.find(marker);
-      if (begin == std::string::npos) uri->fail("is no base64", "export the file again");
+      if (begin == std::string::npos) uri->fail("is not base64", "export the file again");
       bytes = from_base64(std::string_view(text).substr(begin + marker.size()), *uri);
     } else {
       bytes = read_file(folder_.find(name_.parent_path() / without_percent(text), uri->where(), "buffer"));
@@ -241,7 +241,7 @@ std::string GltfFile::load(const JsonCursor& buffer, bool is_first) const {
   }
   const auto length = static_cast<std::size_t>(buffer["byteLength"].integer(0, most));
   if (length > bytes.size())
-    buffer.fail(fmt::format("has {} bytes where it says {}", bytes.size(), length), "export the file again");
+    buffer.fail(fmt::format("has {} bytes instead of {}", bytes.size(), length), "export the file again");
   bytes.resize(length);
   return bytes;
 }

@@ -13,24 +13,24 @@
 
 namespace shelfbeam {
 
-/// A glTF 2.0 file, .gltf or .glb, and the bytes of its buffers. What it says of their contents is checked
-/// before it is believed. All members throw InputError.
+/// A glTF 2.0 file, .gltf or .glb, and the bytes of its buffers. Sizes and offsets in the file are checked
+/// before use. All members throw InputError.
 class GltfFile {
  public:
-  /// `text` must outlive the object; `name` is the mesh as the store file names it, which buffers lie beside.
+  /// `text` must outlive the object. `name` is the mesh's name in the store file; buffers are in its folder.
   GltfFile(std::string_view text, std::filesystem::path name, const StoreFolder& folder);
 
   const JsonCursor& root() const { return root_; }
-  /// The object of that number in a list of the file ("meshes").
+  /// The object with this index in a list of the file ("meshes").
   JsonCursor item(std::string_view list, const JsonCursor& number) const;
 
-  /// The positions that an accessor holds, finite.
+  /// The positions of an accessor, which are finite.
   std::vector<Vec3> positions(const JsonCursor& accessor);
-  /// Numbers of vertices, each below `vertices`.
+  /// The vertex indices of an accessor, each below `vertices`.
   std::vector<std::uint32_t> indices(const JsonCursor& accessor, std::size_t vertices);
 
  private:
-  /// Numbers in a buffer, `components` side by side.
+  /// Elements of `components` numbers each in a buffer.
   struct Numbers {
     std::string_view bytes;
     std::size_t count = 0, components = 1, stride = 0;

@@ -62,8 +62,8 @@ double MeshLines::coordinate(std::size_t word) const {
   const auto number = to_number(words_[word]);
   if (number && std::isfinite(*number)) return *number;
   fail(is_utf8(words_[word])
-           ? fmt::format("the coordinate '{}' is no finite number", words_[word].substr(0, 40))
-           : "a coordinate is no number");
+           ? fmt::format("the coordinate '{}' is not a finite number", words_[word].substr(0, 40))
+           : "a coordinate is not a number");
 }
 
 Vec3 MeshLines::finite(const Vec3& vertex, std::size_t number) const {
@@ -73,12 +73,11 @@ Vec3 MeshLines::finite(const Vec3& vertex, std::size_t number) const {
                    advice);
 }
 
-void MeshLines::expect_taken(bool taken, std::size_t corners) const {
+void MeshLines::require_added(bool taken, std::size_t corners) const {
   if (taken) return;
-  if (corners > MeshTriangles::most_corners) fail(fmt::format("a face with a dent has {} corners", corners));
-  throw InputError(where_,
-                   fmt::format("the mesh '{}' has more triangles than the memory holds", file_.string()),
-                   "simplify it, or allow more memory");
+  if (corners > MeshTriangles::max_corners) fail(fmt::format("a concave face has {} corners", corners));
+  throw InputError(where_, fmt::format("the mesh '{}' has more triangles than fit in memory", file_.string()),
+                   "simplify it, or raise the memory limit");
 }
 
 void MeshLines::fail(const std::string& problem) const {

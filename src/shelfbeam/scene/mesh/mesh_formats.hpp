@@ -13,35 +13,35 @@
 
 namespace shelfbeam {
 
-/// The lines of a mesh file as words, and the errors that its readers have in common.
+/// Reads the lines of a mesh file as words and reports the common errors of all readers.
 class MeshLines {
  public:
-  /// All three are kept by reference.
+  /// The arguments are kept by reference.
   MeshLines(std::string_view text, const std::filesystem::path& file, const std::string& where)
       : text_(text), file_(file), where_(where) {}
 
-  /// The next line that is not blank.
+  /// Moves to the next line that is not blank; false at the end.
   bool next();
-  /// The same with the lines that follow a backslash at the end.
+  /// Like `next`, and joins continuation lines after a backslash at the end.
   bool next_continued();
   const std::vector<std::string_view>& words() const { return words_; }
-  /// The line from the word of this number to its last.
+  /// The line from this word (index from 0) to the last.
   std::string_view from(std::size_t word) const;
-  /// What follows the line.
+  /// The text after the current line.
   std::string_view rest() const { return text_.substr(std::min(at_, text_.size())); }
 
-  /// Where the store file names the mesh.
+  /// The location in the store file that names the mesh.
   const std::string& where() const { return where_; }
 
-  /// The word of this number. Throws InputError unless it is a coordinate.
+  /// This word (index from 0) as a number. Throws InputError unless it is a finite coordinate.
   double coordinate(std::size_t word) const;
-  /// The vertex of this number, from 0. Throws InputError unless it is finite.
+  /// Returns `vertex`. Throws InputError unless it is finite; `number` is its index from 0, for the message.
   Vec3 finite(const Vec3& vertex, std::size_t number) const;
-  /// Throws InputError where the triangles of a face with so many corners were not taken.
-  void expect_taken(bool taken, std::size_t corners) const;
-  /// InputError at the line.
+  /// Throws InputError if MeshTriangles did not take (`taken`) a face with this number of corners.
+  void require_added(bool taken, std::size_t corners) const;
+  /// Throws InputError at the current line.
   [[noreturn]] void fail(const std::string& problem) const;
-  /// InputError about the whole file.
+  /// Throws InputError about the whole file.
   [[noreturn]] void fail_file(const std::string& problem) const;
 
  private:
@@ -52,18 +52,18 @@ class MeshLines {
   std::vector<std::string_view> words_;
 };
 
-// The readers of mesh files, one a format. A count of a file is believed only as far as its bytes go. All
-// throw InputError: for a file that ends early, an index beyond its vertices, a coordinate that is no finite
-// number, and more triangles than the memory holds.
+// The readers of mesh files, one per format. They check counts against the size of the file. They throw
+// InputError for a truncated file, an index beyond the vertices, a coordinate that is not a finite number,
+// and more triangles than the memory limit allows.
 
-/// Vertices, faces and the names of their materials; all else is passed over.
+/// Reads vertices, faces and the names of their materials; ignores everything else.
 void read_obj(MeshLines& lines, MeshTriangles& triangles);
-/// ASCII or binary: a file that is as long as a binary one says is one, however it begins.
+/// ASCII or binary. A file is binary if it has the length that its binary header states, whatever its start.
 void read_stl(MeshLines& lines, MeshTriangles& triangles);
-/// ASCII or binary: the elements `vertex` and `face`.
+/// ASCII or binary. Reads the elements `vertex` and `face`.
 void read_ply(MeshLines& lines, MeshTriangles& triangles);
-/// glTF 2.0, JSON or GLB: the nodes of the default scene, in place. Buffers lie in the file or beside it;
-/// `name` is the file's in `folder`.
+/// glTF 2.0, JSON or GLB. Reads the nodes of the default scene, with their transformations. Buffers are in
+/// the file or beside it; `name` is the file's name in `folder`.
 void read_gltf(MeshLines& lines, const std::filesystem::path& name, const StoreFolder& folder,
                MeshTriangles& triangles);
 

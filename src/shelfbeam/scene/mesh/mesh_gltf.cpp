@@ -11,7 +11,7 @@ namespace shelfbeam {
 
 namespace {
 
-/// An affine map: the images of the three axes, and of the origin.
+/// An affine map: the images of the three axes and of the origin.
 struct Placement {
   Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin{0, 0, 0};
 
@@ -78,9 +78,9 @@ class GltfReader {
       waiting.pop_back();
       const JsonCursor node = file_.item("nodes", reference);
       const auto index = static_cast<std::size_t>(reference.number());
-      // A node has one parent; so the nodes end.
+      // A node has only one parent, so the recursion ends.
       if (seen_[index])
-        reference.fail(fmt::format("names the node {} again", index), "export the file again");
+        reference.fail(fmt::format("names node {} a second time", index), "export the file again");
       seen_[index] = true;
       const Placement placement = parent.of(placement_of(node));
       if (const auto mesh = node.find("mesh")) add_mesh(file_.item("meshes", *mesh), placement);
@@ -98,7 +98,7 @@ class GltfReader {
       std::vector<Vec3> positions = file_.positions(*accessor);
       for (Vec3& p : positions) {
         p = placement.point(p);
-        if (!is_finite(p)) lines_.fail_file("has a node that moves a vertex beyond all numbers");
+        if (!is_finite(p)) lines_.fail_file("has a node that makes a vertex infinite");
       }
       triangles_.use(material_of(primitive));
       const auto indices = primitive.find("indices");
@@ -126,7 +126,7 @@ class GltfReader {
       const std::size_t odd = kind == strip ? k % 2 : 0;
       const std::size_t first = kind == list || kind == strip ? k + odd : 0;
       const std::size_t second = kind == list || kind == strip ? k + 1 - odd : k + 1;
-      lines_.expect_taken(triangles_.add({corner(first), corner(second), corner(k + 2)}), 3);
+      lines_.require_added(triangles_.add({corner(first), corner(second), corner(k + 2)}), 3);
     }
   }
 
@@ -143,7 +143,7 @@ void read_gltf(MeshLines& lines, const std::filesystem::path& name, const StoreF
   try {
     GltfReader(GltfFile(lines.rest(), name, folder), lines, triangles).read();
   } catch (const InputError& refused) {
-    // Its place is in the mesh; the store file that names it may name others.
+    // Adds the location in the store file to an error inside the mesh.
     if (refused.where() == lines.where()) throw;
     throw InputError(lines.where(),
                      fmt::format("the mesh '{}' cannot be read ({})", name.string(), refused.what()));

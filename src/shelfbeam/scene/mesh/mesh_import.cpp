@@ -31,21 +31,21 @@ std::optional<MaterialId> mapped(const std::string& name,
   return std::nullopt;
 }
 
-struct PlaceHash {
+struct PositionHash {
   std::size_t operator()(const Vec3& p) const {
     std::size_t hash = 0;
-    // Adding 0 makes one of the two zeros.
+    // Adding 0 turns -0 into +0.
     for (int axis = 0; axis < 3; ++axis)
       hash = (hash ^ std::bit_cast<std::uint64_t>(p[axis] + 0.0)) * 0x9E3779B97F4A7C15U;
     return hash ^ hash >> 32;
   }
 };
 
-// Corners at the same place become one vertex.
+// Corners at the same position become one vertex.
 MeshPiece piece_of(const MeshTriangles::OfMaterial& part, bool y_is_up) {
   MeshPiece piece;
   piece.name = printable(part.name);
-  std::unordered_map<Vec3, std::uint32_t, PlaceHash> known;
+  std::unordered_map<Vec3, std::uint32_t, PositionHash> known;
   for (const auto& triangle : part.triangles) {
     auto& corners = piece.triangles.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -64,11 +64,11 @@ MeshPiece piece_of(const MeshTriangles::OfMaterial& part, bool y_is_up) {
   const bool has_unnamed = list.front().empty();
   if (has_unnamed) list.erase(list.begin());
   if (list.empty())
-    throw InputError(where, fmt::format("surfaces of '{}' name no material", file.string()),
-                     "give 'materials' an entry \"*\", which stands for all");
+    throw InputError(where, fmt::format("surfaces of '{}' have no material", file.string()),
+                     "add an entry \"*\" to 'materials', which matches all surfaces");
   throw InputError(where,
-                   fmt::format("nothing in 'materials' matches these materials of '{}': {}{}", file.string(),
-                               join(list, ", "), has_unnamed ? ", nor the surfaces that name none" : ""),
+                   fmt::format("no entry of 'materials' matches these materials of '{}': {}{}", file.string(),
+                               join(list, ", "), has_unnamed ? ", or the surfaces without a material" : ""),
                    "add an entry for each, e.g. \"*\"");
 }
 
@@ -82,11 +82,10 @@ std::vector<MeshPiece> import_mesh(const std::filesystem::path& name, const Stor
   const std::string extension = lower_case(file.extension().string());
   const bool is_gltf = extension == ".gltf" || extension == ".glb";
   if (!is_gltf && extension != ".obj" && extension != ".stl" && extension != ".ply")
-    throw InputError(where,
-                     fmt::format("the name of the mesh '{}' says of no format that is read", file.string()),
+    throw InputError(where, fmt::format("the mesh '{}' does not have a known file extension", file.string()),
                      "use glTF (.gltf, .glb), OBJ (.obj), STL (.stl) or PLY (.ply)");
   const std::string content = read_file(file);
-  // Triangles stand twice in memory while they become a piece, and corners take more there.
+  // During the conversion to pieces, memory contains all triangles twice and an index of their corners.
   MeshTriangles triangles(folder.memory() / 4);
   MeshLines lines(content, file, where);
   if (is_gltf) read_gltf(lines, name, folder, triangles);
@@ -108,7 +107,7 @@ std::vector<MeshPiece> import_mesh(const std::filesystem::path& name, const Stor
   }
   if (!unmatched.empty()) fail_unmatched(unmatched, file, where);
   if (pieces.empty())
-    throw InputError(where, fmt::format("the mesh '{}' has no triangles", file.string()), "check it");
+    throw InputError(where, fmt::format("the mesh '{}' has no triangles", file.string()), "check the file");
   return pieces;
 }
 

@@ -17,7 +17,7 @@ class ObjReader {
     while (lines_.next_continued()) {
       const std::string_view what = lines_.words()[0];
       if (what == "v") {
-        // After them a weight or a colour may follow.
+        // A weight or a colour may follow.
         vertices_.push_back({lines_.coordinate(1), lines_.coordinate(2), lines_.coordinate(3)});
       } else if (what == "f") {
         read_face();
@@ -33,7 +33,7 @@ class ObjReader {
     if (words.size() < 4) lines_.fail("a face has fewer than three corners");
     corners_.clear();
     for (std::size_t k = 1; k < words.size(); ++k) corners_.push_back(corner(words[k]));
-    lines_.expect_taken(triangles_.add_face(corners_), corners_.size());
+    lines_.require_added(triangles_.add_face(corners_), corners_.size());
   }
 
   // `7`, `7/1`, `7/1/2` or `7//2`, the vertex from 1; -1 is the last.
@@ -42,10 +42,10 @@ class ObjReader {
     std::int64_t index = 0;
     const auto [stopped, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (error != std::errc{} || stopped != digits.data() + digits.size())
-      lines_.fail("a corner of a face is no number of a vertex");
+      lines_.fail("a corner of a face is not a vertex number");
     const auto count = static_cast<std::int64_t>(vertices_.size());
     if (index == 0 || index > count || index < -count)
-      lines_.fail(fmt::format("a face names the vertex {} of {}, counted from 1", index, count));
+      lines_.fail(fmt::format("a face names vertex {} of {}, counted from 1", index, count));
     return vertices_[static_cast<std::size_t>(index > 0 ? index - 1 : count + index)];
   }
 

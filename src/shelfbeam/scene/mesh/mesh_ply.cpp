@@ -13,7 +13,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double most_counted = 4294967295;  // uint is the widest type that counts
+constexpr double max_counted = 4294967295;  // uint is the widest type for counts
 
 enum class Kind { signed_integer, unsigned_integer, real };
 
@@ -24,7 +24,7 @@ struct Type {
 
 struct Property {
   Type type;
-  std::optional<Type> count = {};  ///< of a list
+  std::optional<Type> count = {};  ///< type of the count of a list
   std::optional<std::size_t> axis = {};
   bool is_corners = false;
 };
@@ -56,7 +56,7 @@ Type expect_type(const MeshLines& lines, std::string_view name) {
   if (name == "uint" || name == "uint32") return {unsigned_integer, 4};
   if (name == "float" || name == "float32") return {real, 4};
   if (name == "double" || name == "float64") return {real, 8};
-  lines.fail("the type of a property is not known");
+  lines.fail("a property has an unknown type");
 }
 
 Property read_property(const MeshLines& lines, const Element& element) {
@@ -64,12 +64,12 @@ Property read_property(const MeshLines& lines, const Element& element) {
   const std::string_view name = words.back();
   if (words.size() == 5 && words[1] == "list") {
     const Type count = expect_type(lines, words[2]);
-    if (count.kind == Kind::real) lines.fail("the length of a list is no whole number");
+    if (count.kind == Kind::real) lines.fail("the length of a list is not a whole number");
     return {.type = expect_type(lines, words[3]),
             .count = count,
             .is_corners = element.is_face && (name == "vertex_index" || name == "vertex_indices")};
   }
-  if (words.size() != 3) lines.fail("'property' and a type and a name are expected");
+  if (words.size() != 3) lines.fail("'property', a type and a name are expected");
   Property property{.type = expect_type(lines, words[1])};
   constexpr std::string_view axes = "xyz";
   if (const std::size_t axis = name.size() == 1 ? axes.find(name) : axes.npos;
@@ -81,7 +81,7 @@ Property read_property(const MeshLines& lines, const Element& element) {
 Header read_header(MeshLines& lines) {
   Header header;
   if (!lines.next() || (lines.words()[0] != "ply" && lines.words()[0] != "PLY"))
-    lines.fail_file("does not begin with 'ply': it is no PLY file");
+    lines.fail_file("does not begin with 'ply', so it is not a PLY file");
   while (lines.next()) {
     const auto& words = lines.words();
     if (words[0] == "end_header") break;
@@ -89,8 +89,8 @@ Header read_header(MeshLines& lines) {
       header.format = words.size() > 1 ? words[1] : "";
     } else if (words[0] == "element") {
       const auto count = words.size() == 3 ? to_number(words[2]) : std::nullopt;
-      if (!count || !(*count >= 0 && *count <= most_counted) || *count != std::floor(*count))
-        lines.fail("'element' and a name and a count are expected");
+      if (!count || !(*count >= 0 && *count <= max_counted) || *count != std::floor(*count))
+        lines.fail("'element', a name and a count are expected");
       header.elements.push_back(
           {static_cast<std::uint64_t>(*count), words[1] == "vertex", words[1] == "face"});
       if (words[1] == "vertex") header.vertices += *count;
@@ -109,18 +109,18 @@ Header read_header(MeshLines& lines) {
   return header;
 }
 
-// Faces count their vertices from 0.
+// Vertex indices of faces count from 0.
 std::string index_problem(double index, double vertices) {
   return index >= 0 && index < vertices && index == std::floor(index)
              ? ""
-             : fmt::format("a face names the vertex {} of {}, counted from 0", index, vertices);
+             : fmt::format("a face names vertex {} of {}, counted from 0", index, vertices);
 }
 
 bool is_length(double count) {
-  return count >= 0 && count <= most_counted && count == std::floor(count);
+  return count >= 0 && count <= max_counted && count == std::floor(count);
 }
 
-/// The numbers of elements: words of an ASCII file, an element a line, or the bytes of a binary one.
+/// Reads the numbers of elements: words of an ASCII file, one element per line, or bytes of a binary file.
 class Numbers {
  public:
   Numbers(MeshLines& lines, std::string_view format)
@@ -142,17 +142,17 @@ class Numbers {
     return *value;
   }
   void bad_length() const {
-    if (is_ascii_) lines_.fail(fmt::format("value {} is no length of a list", at_));
-    lines_.fail_file("is damaged: a list has a negative length");
+    if (is_ascii_) lines_.fail(fmt::format("value {} is not the length of a list", at_));
+    lines_.fail_file("is corrupt: a list has a negative length");
   }
   void bad_index(const std::string& problem) const {
     if (is_ascii_) lines_.fail(problem);
-    lines_.fail_file(fmt::format("is damaged: {}", problem));
+    lines_.fail_file(fmt::format("is corrupt: {}", problem));
   }
 
  private:
   [[noreturn]] void fail_early() const {
-    lines_.fail_file("ends before the last of the elements that its header counts");
+    lines_.fail_file("ends before the last element that its header counts");
   }
   double next_bytes(Type type) {
     if (type.bytes > bytes_.size()) fail_early();
@@ -185,12 +185,12 @@ class PlyReader {
   void read(MeshTriangles& triangles) {
     for (const Element& element : header_.elements)
       for (std::uint64_t k = 0; k < element.count; ++k) read_element(element);
-    // Faces may stand before the vertices that they name.
+    // Faces may precede the vertices that they use.
     std::vector<Vec3> face;
     for (std::size_t begin = 0; begin < corners_.size(); begin += 1 + corners_[begin]) {
       face.clear();
       for (std::size_t k = 1; k <= corners_[begin]; ++k) face.push_back(vertices_[corners_[begin + k]]);
-      lines_.expect_taken(triangles.add_face(face), face.size());
+      lines_.require_added(triangles.add_face(face), face.size());
     }
   }
 
@@ -230,7 +230,7 @@ class PlyReader {
   const Header& header_;
   Numbers numbers_;
   std::vector<Vec3> vertices_;
-  std::vector<std::uint32_t> corners_;  ///< of each face their number, then the vertices
+  std::vector<std::uint32_t> corners_;  ///< for each face the number of corners, then their vertices
 };
 
 }  // namespace
@@ -239,8 +239,7 @@ void read_ply(MeshLines& lines, MeshTriangles& triangles) {
   const Header header = read_header(lines);
   if (header.format != "ascii" && header.format != "binary_little_endian" &&
       header.format != "binary_big_endian")
-    lines.fail_file(
-        "has a 'format' that is not known; ascii, binary_little_endian and binary_big_endian are");
+    lines.fail_file("has an unknown 'format'; use ascii, binary_little_endian or binary_big_endian");
   PlyReader(lines, header).read(triangles);
 }
 

@@ -16,18 +16,18 @@ void read_ascii(MeshLines& lines, MeshTriangles& triangles) {
     const std::string word = lower_case(lines.words()[0]);
     if (word == "vertex") corners.push_back({lines.coordinate(1), lines.coordinate(2), lines.coordinate(3)});
     if (word == "endloop" || word == "endfacet") {
-      lines.expect_taken(triangles.add_face(corners), corners.size());
+      lines.require_added(triangles.add_face(corners), corners.size());
       corners.clear();
     }
     if (word == "solid") is_open = true;
     if (word == "endsolid") is_open = false;
   }
-  if (is_open) lines.fail_file("ends before its 'endsolid': it is truncated, or no STL file");
+  if (is_open) lines.fail_file("ends before 'endsolid', so it is truncated or not an STL file");
 }
 
 constexpr std::size_t header = 84, facet = 50;
 
-// A binary STL may begin with the "solid" of the ASCII one; its length tells.
+// A binary STL file may also begin with the "solid" of ASCII files, so only its length is decisive.
 bool is_binary(std::string_view text) {
   if (text.size() < header) return false;
   std::uint32_t count = 0;
@@ -35,7 +35,7 @@ bool is_binary(std::string_view text) {
   return text.size() == header + facet * std::size_t{count};
 }
 
-// A facet is its normal, which counts for nothing, three corners and two bytes.
+// A facet consists of its normal, which is ignored, three corners and two bytes.
 void read_binary(MeshLines& lines, MeshTriangles& triangles) {
   const std::string_view bytes = lines.rest();
   std::size_t vertex = 0;
@@ -45,7 +45,7 @@ void read_binary(MeshLines& lines, MeshTriangles& triangles) {
     MeshTriangles::Triangle triangle;
     for (std::size_t k = 0; k < 3; ++k)
       triangle[k] = lines.finite({numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]}, vertex++);
-    lines.expect_taken(triangles.add(triangle), 3);
+    lines.require_added(triangles.add(triangle), 3);
   }
 }
 

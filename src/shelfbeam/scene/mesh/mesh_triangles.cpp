@@ -7,7 +7,7 @@ namespace shelfbeam {
 
 namespace {
 
-// Twice the area with the direction of the normal, by Newell's rule.
+// The normal with twice the area as its length, by Newell's rule.
 Vec3 normal_of(std::span<const Vec3> corners) {
   Vec3 sum{0, 0, 0};
   for (std::size_t k = 1; k + 1 < corners.size(); ++k)
@@ -15,7 +15,7 @@ Vec3 normal_of(std::span<const Vec3> corners) {
   return sum;
 }
 
-// Ear clipping: a corner is cut off where it is convex and no other corner lies in its triangle.
+// Ear clipping: cuts off convex corners whose triangle contains no other corner.
 class EarClipping {
  public:
   explicit EarClipping(std::span<const Vec3> corners) : corners_(corners), normal_(normal_of(corners)) {
@@ -34,7 +34,7 @@ class EarClipping {
     while (left_.size() > 3) {
       std::size_t ear = 0;
       while (ear < left_.size() && !is_ear(ear)) ++ear;
-      // Of a face that crosses itself any corner will do.
+      // A self-intersecting face may have no ear; then any corner is cut.
       if (ear == left_.size()) ear = 0;
       use(before(ear), left_[ear], after(ear));
       left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
@@ -88,7 +88,7 @@ bool MeshTriangles::add_face(std::span<const Vec3> corners) {
       if (!add({corners[0], corners[k], corners[k + 1]})) return false;
     return true;
   }
-  if (corners.size() > most_corners) return false;
+  if (corners.size() > max_corners) return false;
   bool fits = true;
   ears.cut([&](std::size_t a, std::size_t b, std::size_t c) {
     fits = fits && add({corners[a], corners[b], corners[c]});

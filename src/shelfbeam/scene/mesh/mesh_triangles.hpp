@@ -11,8 +11,8 @@
 
 namespace shelfbeam {
 
-/// The triangles of a mesh file by the material that it names for them, in the order in which materials come;
-/// the empty name stands for none.
+/// The triangles of a mesh file by material, in the order of the materials' first appearance. The empty name
+/// means no material.
 class MeshTriangles {
  public:
   using Triangle = std::array<Vec3, 3>;
@@ -21,17 +21,17 @@ class MeshTriangles {
     std::vector<Triangle> triangles;
   };
 
-  /// `memory`: bytes that triangles may take.
+  /// `memory`: limit for the triangles, bytes.
   explicit MeshTriangles(std::size_t memory) : memory_(memory) {}
 
-  /// What follows is of this material.
+  /// Sets the material of all following triangles.
   void use(std::string_view material);
-  /// False when the memory is full.
+  /// False at the memory limit.
   [[nodiscard]] bool add(const Triangle& triangle);
-  /// As triangles; faces with fewer than three corners have none. A face need not be convex, but must be
-  /// nearly flat. False also for one that is not convex and has more than `most_corners`.
+  /// Adds a face as triangles; a face with fewer than three corners adds nothing. The face may be concave,
+  /// but must be nearly flat. False at the memory limit and for a concave face with more than `max_corners`.
   [[nodiscard]] bool add_face(std::span<const Vec3> corners);
-  static constexpr std::size_t most_corners = 256;
+  static constexpr std::size_t max_corners = 256;
 
   const std::vector<OfMaterial>& all() const { return all_; }
 

@@ -19,7 +19,7 @@ namespace shelfbeam {
 namespace {
 
 void expect_extent(const JsonCursor& cursor, const Vec2& low, const Vec2& high) {
-  if (high[0] < low[0] || high[1] < low[1]) cursor["max"].fail("is below 'min'", "exchange them");
+  if (high[0] < low[0] || high[1] < low[1]) cursor["max"].fail("is below 'min'", "swap them");
 }
 
 TransceiverGrid read_grid(const JsonCursor& cursor, const StoreNames& names) {
@@ -36,7 +36,7 @@ TransceiverGrid read_grid(const JsonCursor& cursor, const StoreNames& names) {
   const double count =
       ((grid.max[0] - grid.min[0]) / grid.spacing + 1) * ((grid.max[1] - grid.min[1]) / grid.spacing + 1);
   if (count > 1e6)
-    cursor["spacing"].fail(fmt::format("makes a grid of {:.0f} candidates", count), "use a wider spacing");
+    cursor["spacing"].fail(fmt::format("produces a grid of {:.0f} candidates", count), "use a wider spacing");
   return grid;
 }
 
@@ -56,11 +56,11 @@ std::filesystem::path csv_path(const JsonCursor& section, const StoreFolder& fol
   return folder.find(section["csv"]);
 }
 
-// Calls `use(record)` for each record of a CSV that begins with the given columns.
+// Calls `use(record)` for each record of a CSV whose first columns are those of `header`.
 template <class Use>
 void each_record(const std::filesystem::path& path, std::string_view header, Use use) {
   const std::string text = read_file(path);
-  if (!is_utf8(text)) throw InputError(path.string(), "is not UTF-8", "save it in that encoding");
+  if (!is_utf8(text)) throw InputError(path.string(), "is not UTF-8", "save it as UTF-8");
   std::string_view content = text;
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   CsvReader csv(content, path.string());
@@ -69,7 +69,7 @@ void each_record(const std::filesystem::path& path, std::string_view header, Use
   const std::vector<std::string_view> columns = split(header, ',');
   if (csv.fields().size() < columns.size() ||
       !std::equal(columns.begin(), columns.end(), csv.fields().begin()))
-    csv.fail("has another header", wanted);
+    csv.fail("has an unknown header", wanted);
   while (csv.next()) {
     if (csv.fields().size() < columns.size())
       csv.fail(fmt::format("has {} fields", csv.fields().size()),

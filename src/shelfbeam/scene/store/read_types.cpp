@@ -18,7 +18,7 @@ namespace {
 EmissionTable read_emission_table(const JsonCursor& cursor) {
   cursor.expect_keys({"type", "theta_deg", "phi_deg", "intensity"});
   const std::vector<double> theta = read_angles(cursor["theta_deg"], 180);
-  if (theta.size() < 2) cursor["theta_deg"].fail("has one angle", "at least two are needed");
+  if (theta.size() < 2) cursor["theta_deg"].fail("has one angle", "at least two are required");
   std::vector<double> phi{0}, values;
   const JsonCursor intensity = cursor["intensity"];
   const auto add_row = [&](const JsonCursor& row) {
@@ -33,7 +33,7 @@ EmissionTable read_emission_table(const JsonCursor& cursor) {
                      "give one row of values for each phi");
     for (const JsonCursor& row : rows) add_row(row);
     if (phi.size() > 1 && phi.back() < 2 * pi) {
-      // The profile is periodic: the plane at 360 degrees is the one at 0.
+      // The profile is periodic: the plane at 360 degrees repeats the plane at 0.
       phi.push_back(2 * pi);
       values.insert(values.end(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(theta.size()));
     }
@@ -53,13 +53,13 @@ EmissionTable read_photometry(const JsonCursor& cursor, const StoreFolder& folde
     try {
       return read(path).with_integral(watts);
     } catch (const InputError& refused) {
-      // Its place is in the photometric file; the store file that names it may name others.
+      // Adds the location in the store file to an error inside the photometric file.
       throw InputError(cursor["file"].where(), refused.what());
     }
   }();
   const double peak = *std::max_element(table.values().begin(), table.values().end());
   if (peak > largest_amount)
-    flux.fail(fmt::format("makes an intensity of {:.3g} W/sr with this profile", peak), "use less");
+    flux.fail(fmt::format("produces an intensity of {:.3g} W/sr with this profile", peak), "reduce it");
   return EmissionTable{table};
 }
 
@@ -85,7 +85,7 @@ Emission read_profile(const JsonCursor& cursor, const StoreFolder& folder) {
 Responsivity read_response_table(const JsonCursor& cursor) {
   cursor.expect_keys({"type", "theta_deg", "response"});
   const std::vector<double> theta = read_angles_from_zero(cursor["theta_deg"], 90);
-  if (theta.size() < 2) cursor["theta_deg"].fail("has one angle", "at least two are needed");
+  if (theta.size() < 2) cursor["theta_deg"].fail("has one angle", "at least two are required");
   return ResponseTable{{theta, {0}, read_amounts(cursor["response"], theta.size())}};
 }
 
@@ -111,8 +111,7 @@ std::array<double, 2> read_size(const JsonCursor& cursor) {
   return size;
 }
 
-/// The signal of the unit that a label faces, on a straight line without anything in between: tau = I R(0) /
-/// d^2.
+/// The threshold as the signal of an unobstructed unit straight in front of the label: tau = I R(0) / d^2.
 double read_range(const JsonCursor& cursor, const Store& store, const StoreNames& names,
                   const Responsivity& responsivity) {
   cursor.expect_keys({"hears", "at_m", "angle_deg"});
@@ -120,18 +119,18 @@ double read_range(const JsonCursor& cursor, const Store& store, const StoreNames
   const double distance = read_length(cursor["at_m"]);
   const auto given = cursor.find("angle_deg");
   const double angle_deg = given ? given->number(0, 180) : 0;
-  // Rounding leaves a trace of light where a closed form has none.
+  // Rounding leaves a trace of intensity in directions where the closed form is zero.
   const double intensity = mean_intensity(unit.emission, radians(angle_deg));
   if (!(intensity > 1e-12 * power(unit.emission)))
     cursor.fail(fmt::format("'{}' emits nothing at {} degrees from its axis", unit.name, angle_deg),
-                "give the 'angle_deg' of a direction that it shines in");
+                "give an 'angle_deg' at which it emits");
   const double ahead = response(responsivity, 1);
   if (!(ahead > 0))
-    cursor.fail("a label of this type hears nothing from straight ahead", "give the threshold as a number");
+    cursor.fail("a label of this type has no response straight ahead", "give the threshold as a number");
   const double threshold = intensity * ahead / (distance * distance);
-  if (threshold < least_quantity || threshold > largest_amount)
-    cursor.fail(fmt::format("makes a threshold of {:.3g} W/m^2, which is outside {} to {}", threshold,
-                            least_quantity, largest_amount),
+  if (threshold < min_quantity || threshold > largest_amount)
+    cursor.fail(fmt::format("produces a threshold of {:.3g} W/m^2, which is outside {} to {}", threshold,
+                            min_quantity, largest_amount),
                 "check distance and angle");
   return threshold;
 }
@@ -139,8 +138,8 @@ double read_range(const JsonCursor& cursor, const Store& store, const StoreNames
 }  // namespace
 
 Emission read_emission(const JsonCursor& cursor, const StoreFolder& folder) {
-  Emission emission = made_at(cursor, [&] { return read_profile(cursor, folder); });
-  if (!(power(emission) > 0)) cursor.fail("emits nothing", "give it some intensity");
+  Emission emission = make_or_fail(cursor, [&] { return read_profile(cursor, folder); });
+  if (!(power(emission) > 0)) cursor.fail("emits nothing", "give a positive intensity");
   return emission;
 }
 
@@ -151,8 +150,8 @@ void read_label_types(const JsonCursor& section, Store& store) {
     LabelType type;
     type.name = check_name(name, cursor.where());
     if (const auto responsivity = cursor.find("responsivity")) {
-      type.responsivity = made_at(*responsivity, [&] { return read_responsivity(*responsivity); });
-      if (!(integral(type.responsivity) > 0)) responsivity->fail("hears nothing", "give it some response");
+      type.responsivity = make_or_fail(*responsivity, [&] { return read_responsivity(*responsivity); });
+      if (!(integral(type.responsivity) > 0)) responsivity->fail("is zero", "give a positive response");
     }
     if (const auto size = cursor.find("size")) type.size = read_size(*size);
     const JsonCursor threshold = cursor["threshold"];

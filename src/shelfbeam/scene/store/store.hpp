@@ -23,7 +23,7 @@ struct Room {
 
 struct TransceiverGrid {
   Vec2 min{}, max{};
-  /// m; stretched a little where it does not divide the extent, so both ends are included
+  /// m; adjusted slightly if it does not divide the extent, so that both ends are included
   double spacing = 1;
   double z = 0;
   Vec3 axis{0, 0, -1};
@@ -35,14 +35,14 @@ struct KeepOut {
   Vec2 min{}, max{};
 };
 
-/// Something listed in the file, and the place where it stands ("labels[3]", "labels.csv:5") for messages.
+/// A listed item and its location in the file ("labels[3]", "labels.csv:5") for messages.
 template <class T>
 struct Listed {
   T value;
   std::string where;
 };
 
-/// A store file as written, names resolved to indices, tables and meshes loaded.
+/// The content of a store file, with names resolved to indices and with tables and meshes loaded.
 struct Store {
   std::string file;  ///< for messages
   std::string name;
@@ -57,30 +57,30 @@ struct Store {
   std::vector<Listed<Transceiver>> transceivers;
   std::vector<KeepOut> keep_out;
   std::vector<Listed<std::string>> installed;
-  /// Bytes that a scene of it may take (StoreTrust::memory).
-  std::size_t memory = StoreTrust{}.memory;
+  /// Memory limit of its scene, bytes (StoreTrust::memory).
+  std::size_t memory = StoreLimits{}.memory;
 };
 
-/// Of the store file (its key "format").
+/// Version of the store format (key "format").
 inline constexpr int store_format_version = 1;
 
 /// Reads a store file (docs/formats/store.md) and the CSV and mesh files it names, relative to its folder.
 /// Throws InputError with file and JSON path.
-Store read_store(const std::filesystem::path& path, const StoreTrust& trust = {});
+Store read_store(const std::filesystem::path& path, const StoreLimits& trust = {});
 
-/// As above, from a text; `folder` is where named files are looked for.
+/// As above, from a text; named files are relative to `folder`.
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                  const StoreTrust& trust = {});
+                  const StoreLimits& trust = {});
 
 /// Expands fixtures and grids, checks ids and positions, and freezes the result. Throws InputError.
 Scene make_scene(const Store& store);
 
-/// The store's scene with the units of a CSV (read_transceivers_csv) in the place of its
-/// candidates; they may hang anywhere, several at one place, too. Throws InputError with file and line.
+/// The store's scene with the units of a CSV file (read_transceivers_csv) instead of its candidates. They may
+/// have any position, even the same. Throws InputError with file and line.
 Scene scene_with_units(Store store, const std::filesystem::path& csv);
 
-/// The store with nothing left to look up: labels and candidates listed, meshes inlined. Reading it back
-/// gives the same scene to the bit; its content hash identifies the store in result files.
+/// The store without references: labels and candidates are listed, meshes are inlined. Reading it back gives
+/// the same scene to the bit. Its content hash identifies the store in result files.
 std::string resolved_store_json(const Store& store, const Scene& scene);
 
 }  // namespace shelfbeam

@@ -10,20 +10,20 @@
 
 namespace shelfbeam {
 
-// The sections of a store file; each reads one and throws InputError with its JSON path.
+// Readers of the sections of a store file. They throw InputError with the JSON path.
 
 void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store);
-/// After the transceiver types, which a threshold may name.
+/// Requires the transceiver types to be read already, because a threshold may name them.
 void read_label_types(const JsonCursor& section, Store& store);
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store);
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                        Store& store);
 
-/// Labels from a CSV with the header `id,x,y,z,nx,ny,nz,type`. Throws InputError with file and line.
+/// Reads labels from a CSV with the header `id,x,y,z,nx,ny,nz,type`. Throws InputError with file and line.
 void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store);
 
-/// Transceivers from a CSV with the header `id,x,y,z,ax,ay,az,roll_deg,type`; further columns are ignored, so
-/// that placement.csv can be read back.
+/// Reads transceivers from a CSV with the header `id,x,y,z,ax,ay,az,roll_deg,type`. Further columns are
+/// ignored, so that placement.csv can be read back.
 void read_transceivers_csv(const std::filesystem::path& path, const StoreNames& names, Store& store);
 
 }  // namespace shelfbeam

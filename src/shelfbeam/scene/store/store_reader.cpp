@@ -13,7 +13,7 @@ namespace {
 void read_materials(const JsonCursor& section, Store& store) {
   for (const auto& [name, json] : section.members()) {
     const Material material =
-        made_at(json, [&, &object = json] { return read_material(object, store.wavelength_nm); });
+        make_or_fail(json, [&, &object = json] { return read_material(object, store.wavelength_nm); });
     store.materials.push_back({check_name(name, json.where()), material,
                                read_reflectance_range(json, material, store.wavelength_nm)});
   }
@@ -41,10 +41,10 @@ Room read_room(const JsonCursor& cursor, const StoreNames& names) {
 }  // namespace
 
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& path,
-                  const StoreTrust& trust) {
+                  const StoreLimits& trust) {
   const JsonCursor root = JsonCursor::parse(text, name);
   if (const auto format = root.find("format"))
-    expect_format_version(root.where(), format->integer(0, most_versions), store_format_version);
+    expect_format_version(root.where(), format->integer(0, max_versions), store_format_version);
   root.expect_keys({"$schema", "format", "name", "wavelength_nm", "room", "materials", "label_types",
                     "transceiver_types", "fixtures", "labels", "transceivers"});
   const StoreFolder folder(path, trust);
@@ -68,7 +68,7 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   return store;
 }
 
-Store read_store(const std::filesystem::path& path, const StoreTrust& trust) {
+Store read_store(const std::filesystem::path& path, const StoreLimits& trust) {
   return parse_store(read_file(path), path.string(), path.parent_path(), trust);
 }
 

@@ -34,7 +34,7 @@ std::string to_text(const CheckpointIdentity& identity) {
   return text;
 }
 
-// The value that a text of `to_text` has for a name.
+// The value of a name in a text from `to_text`.
 std::string value_of(std::string_view text, const std::string& name) {
   const std::string begin = name + ": ";
   while (!text.empty()) {
@@ -45,7 +45,7 @@ std::string value_of(std::string_view text, const std::string& name) {
   return "unknown";
 }
 
-// Version 0.1.0 named options as the command line does, with dashes.
+// Version 0.1.0 wrote option names with the dashes of the command line.
 std::string without_dashes(std::string text) {
   for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) text.erase(at, 2);
   return text;
@@ -63,8 +63,8 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
   if (!fs::exists(path_, unknown)) return false;
   RecordReader file(path_);
   if (!file.line(checkpoint_line))
-    throw InputError(path_.string(), "is no checkpoint of this version of the program",
-                     "delete it, or begin anew without resuming", Setting::resumption);
+    throw InputError(path_.string(), "is not a checkpoint of this program version",
+                     "delete it, or start again without resuming", Setting::resumption);
   const auto first = file.next();
   if (!first) file.fail();
   const std::string found = without_dashes(std::string(*first));
@@ -72,8 +72,8 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
     if (const std::string theirs = value_of(found, name); theirs != value)
       throw InputError(
           path_.string(),
-          fmt::format("is of another simulation: its {} is '{}', here it is '{}'", name, theirs, value),
-          "resume with the same store and options, or begin anew without resuming", Setting::resumption);
+          fmt::format("belongs to another simulation: its {} is '{}' instead of '{}'", name, theirs, value),
+          "resume with the same store and options, or start again without resuming", Setting::resumption);
   if (found != to_text(identity_)) file.fail();
 
   std::vector<double> values;
@@ -112,7 +112,7 @@ void CheckpointFile::save(const std::function<CheckpointState(std::uint32_t)>& s
 }
 
 void CheckpointFile::append(const std::function<CheckpointState(std::uint32_t)>& state) {
-  own_->cut(size_);  // what a write that failed has left
+  own_->cut(size_);  // remains of a failed write
   for (std::uint32_t item = 0; item < saved_.size(); ++item)
     if (const CheckpointState now = state(item); now.batches != saved_[item]) own_->state(item, now);
   own_->flush();

@@ -16,34 +16,34 @@ namespace detail {
 class RecordWriter;
 }
 
-/// What a simulation must have in common with a checkpoint to go on from it: names and values, in a fixed
-/// order. Neither holds a line break.
+/// The properties that a simulation must share with a checkpoint to resume from it: names and values, in a
+/// fixed order, without line breaks.
 using CheckpointIdentity = std::vector<std::pair<std::string, std::string>>;
 
-/// The state of one item of the work: the batches done and its sums over them.
+/// The state of an item of work: its completed batches and its sums over them.
 struct CheckpointState {
   std::uint32_t batches = 0;
   std::span<const double> values;
 };
 
-/// A file that keeps the state of a simulation's items while it works (docs/formats/checkpoint.md): records
-/// are appended, each the whole state of one item, and the last record of an item counts. Two processes that
-/// keep one of the same name do not mix: each appends to its own file alone, and the name is of the last new
-/// one.
+/// A file with the state of a running simulation's items (docs/formats/checkpoint.md). It consists of
+/// appended records, each with the complete state of one item; the last record of an item is valid. Processes
+/// that use the same name do not mix their records: each appends only to its own file, and the name refers to
+/// the file that was created last.
 class CheckpointFile {
  public:
-  /// Touches no file.
+  /// Does not access the file.
   CheckpointFile(std::filesystem::path path, CheckpointIdentity identity, std::uint32_t items);
   ~CheckpointFile();
 
-  /// Reads the file: calls use(item, state) for every record in turn. False where there
-  /// is none. A record that is cut off at the end is dropped. Throws InputError for a file of another
-  /// identity, naming what differs, and for a damaged one.
+  /// Reads the file and calls use(item, state) for every record in order. False if the file does not exist. A
+  /// truncated record at the end is ignored. Throws InputError for a file with another identity, naming the
+  /// difference, and for a corrupt file.
   bool load(const std::function<void(std::uint32_t item, const CheckpointState&)>& use);
 
-  /// Appends the items that have other batches than the file has. Writes a new file, through a temporary one,
-  /// the first time and where the old would be more than twice as large. Throws OutputError when that fails;
-  /// the file still has what it had.
+  /// Appends the items whose batches differ from the file. Instead writes a new file, through a temporary
+  /// file, the first time and when the old file would exceed twice the necessary size. Throws OutputError;
+  /// the old content is then still valid.
   void save(const std::function<CheckpointState(std::uint32_t item)>& state);
 
   bool has_saved() const { return size_ > 0; }
@@ -55,15 +55,15 @@ class CheckpointFile {
 
   std::filesystem::path path_;
   CheckpointIdentity identity_;
-  std::vector<std::uint32_t> saved_;  ///< batches in the file, by item
-  std::uint64_t size_ = 0;            ///< of what is good of the file; 0: there is none, or it is not ours
-  std::unique_ptr<detail::RecordWriter> own_;  ///< the file that this process has made
+  std::vector<std::uint32_t> saved_;           ///< batches in the file, by item
+  std::uint64_t size_ = 0;                     ///< bytes of the file's valid content; 0: no file
+  std::unique_ptr<detail::RecordWriter> own_;  ///< the file that this process has created
 };
 
-/// The checkpoint that belongs to an output, beside it.
+/// The checkpoint of an output file, in the same folder.
 std::filesystem::path checkpoint_path(const std::filesystem::path& output);
 
-/// Removes a checkpoint, and what killed programs left of new ones.
+/// Removes a checkpoint and the temporary files that killed programs left.
 void remove_checkpoint(const std::filesystem::path& path);
 
 }  // namespace shelfbeam

@@ -21,11 +21,11 @@
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 
-// The bytes of a checkpoint file: a line, the identity as a record, a record for every state.
+// The bytes of a checkpoint file: a line, a record with the identity, and a record per saved state.
 
 namespace shelfbeam::detail {
 
-/// The length of a record with so many bytes of content.
+/// The size of a record with `content` bytes of content.
 constexpr std::uint64_t record_size(std::uint64_t content) {
   return 3 * sizeof(std::uint64_t) + content;
 }
@@ -33,7 +33,7 @@ constexpr std::uint64_t state_size(std::size_t values) {
   return record_size(2 * sizeof(std::uint32_t) + values * sizeof(double));
 }
 
-// Before the content of a record: its length, its hash, and a hash of both and the place in the file.
+// Precedes the content of a record: its length, its hash, and a hash of both and the position in the file.
 struct RecordHead {
   std::uint64_t length, content_hash, own_hash;
 };
@@ -43,8 +43,8 @@ inline std::uint64_t hash_of_head(std::uint64_t length, std::uint64_t content_ha
   return hash64({reinterpret_cast<const char*>(values.data()), sizeof values});
 }
 
-/// Reads them back. What is cut off at the end is no record; anything else that does not fit its checksum
-/// throws InputError.
+/// Reads records. A truncated record at the end is ignored; any other mismatch of a checksum throws
+/// InputError.
 class RecordReader {
  public:
   explicit RecordReader(const std::filesystem::path& path)
@@ -60,7 +60,7 @@ class RecordReader {
     good_ = expected.size();
     return true;
   }
-  /// The content of the next record, until the next call; nothing at the end.
+  /// The content of the next record, valid until the next call; nothing at the end.
   std::optional<std::string_view> next() {
     RecordHead head;
     if (size_ - good_ < sizeof head) return std::nullopt;
@@ -77,8 +77,8 @@ class RecordReader {
   }
   std::uint64_t good() const { return good_; }  ///< bytes up to the end of the last record
   [[noreturn]] void fail() const {
-    throw InputError(name_, fmt::format("is damaged at byte {}", good_),
-                     "delete it, or begin anew without resuming", Setting::resumption);
+    throw InputError(name_, fmt::format("is corrupt at byte {}", good_),
+                     "delete it, or start again without resuming", Setting::resumption);
   }
 
  private:
@@ -93,11 +93,11 @@ class RecordReader {
   std::string content_;
 };
 
-/// Writes records to a file, which it keeps open: whatever another process puts in its place, nobody else's
-/// file is written to. Throws OutputError.
+/// Writes records to a file that stays open, so that it never writes to a file with which another process
+/// replaced it. Throws OutputError.
 class RecordWriter {
  public:
-  /// An existing, empty file. `name` stands for it in errors.
+  /// `path` must be an existing, empty file. Errors name it as `name`.
   RecordWriter(const std::filesystem::path& path, std::string name)
       : name_(std::move(name)), descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
     if (descriptor_ < 0) fail();
@@ -119,19 +119,19 @@ class RecordWriter {
     content_.append(reinterpret_cast<const char*>(state.values.data()), state.values.size_bytes());
     record(content_);
   }
-  /// To the disk.
+  /// Flushes all records to disk.
   void flush() {
     write_pending();
     if (::fdatasync(descriptor_) != 0) fail();
   }
   std::uint64_t written() const { return flushed_ + pending_.size(); }
-  /// Forgets what comes after so many bytes.
+  /// Truncates the file to `size` bytes.
   void cut(std::uint64_t size) {
     pending_.clear();
     flushed_ = size;
     if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) fail();
   }
-  /// Whether the file still has this name.
+  /// Whether `path` still refers to this file.
   bool is_at(const std::filesystem::path& path) const {
     struct stat there = {}, own = {};
     return ::stat(path.c_str(), &there) == 0 && ::fstat(descriptor_, &own) == 0 &&
@@ -140,9 +140,9 @@ class RecordWriter {
 
  private:
   void write(std::string_view bytes) {
-    constexpr std::size_t most_pending = 1 << 20;
+    constexpr std::size_t max_pending = 1 << 20;
     pending_ += bytes;
-    if (pending_.size() >= most_pending) write_pending();
+    if (pending_.size() >= max_pending) write_pending();
   }
   void write_pending() {
     for (std::size_t done = 0; done < pending_.size();) {

@@ -1,4 +1,4 @@
-#include "shelfbeam/signal/constraints/apart.hpp"
+#include "shelfbeam/signal/constraints/conflicts.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -9,7 +9,7 @@
 
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/signal/text_file.hpp"
 
 namespace shelfbeam {
@@ -34,15 +34,15 @@ std::vector<std::size_t> points_of(const SignalTable& table) {
 
 }  // namespace
 
-void keep_apart(SignalTable& table, double metres, const std::string& name) {
+void add_conflicts(SignalTable& table, double metres, const std::string& name) {
   const auto& units = table.transceivers;
   for (const SignalTable::Transceiver& unit : units)
     if (!unit.position)
-      throw InputError(name, fmt::format("has no position of '{}', so no distance can be kept", unit.id),
+      throw InputError(name, fmt::format("has no position of '{}', so distances are unknown", unit.id),
                        "use a signal file (HDF5), or name the pairs to forbid", Setting::forbidden_pairs);
   const std::vector<std::size_t> point = points_of(table);
-  const double least = metres - place_tolerance;
-  // Sweeping along x leaves few pairs to look at where the distance is small beside the shop.
+  const double least = metres - position_tolerance;
+  // A sweep along x compares only few pairs if the distance is small compared with the shop.
   std::vector<std::uint32_t> along(table.columns());
   std::iota(along.begin(), along.end(), 0U);
   std::sort(along.begin(), along.end(),
@@ -54,32 +54,32 @@ void keep_apart(SignalTable& table, double metres, const std::string& name) {
       if (between.x >= least) break;
       const bool hang = units[a].installed && units[b].installed;
       if (length(between) < least && point[a] != point[b] && !hang)
-        table.apart.emplace_back(std::min(a, b), std::max(a, b));
+        table.conflicts.emplace_back(std::min(a, b), std::max(a, b));
     }
-  order(table.apart);
+  order(table.conflicts);
   table.min_spacing = std::max(table.min_spacing, metres);
 }
 
 void forbid_pairs(SignalTable& table, const std::filesystem::path& path) {
-  const char* const expected = "the first line is 'a,b', every other line has two transceiver ids";
+  const char* const expected = "the first line must be 'a,b', and each other line two transceiver ids";
   const std::string text = detail::read_text_file(path);
   CsvReader csv(text, path.string());
   if (!csv.next()) csv.fail("is empty", expected);
   if (csv.fields().size() != 2 || csv.fields()[0] != "a" || csv.fields()[1] != "b")
     csv.fail("is not the header of a file of pairs", expected);
 
-  const CsvIds columns(table.transceivers, "transceiver");
+  const CsvIdLookup columns(table.transceivers, "transceiver");
   while (csv.next()) {
     if (csv.fields().size() != 2)
-      csv.fail(fmt::format("has {} fields where 2 are expected", csv.fields().size()), "correct the line");
+      csv.fail(fmt::format("has {} fields", csv.fields().size()), "2 are expected");
     const std::uint32_t a = columns.read(csv, 0), b = columns.read(csv, 1);
-    if (a == b) csv.fail(fmt::format("names '{}' twice", csv.id(0)), "name two transceivers");
+    if (a == b) csv.fail(fmt::format("names '{}' twice", csv.id(0)), "name two different transceivers");
     if (table.transceivers[a].installed && table.transceivers[b].installed)
       csv.fail(fmt::format("'{}' and '{}' are both installed already", csv.id(0), csv.id(1)),
                "remove the line, or simulate without one of them");
-    table.apart.emplace_back(std::min(a, b), std::max(a, b));
+    table.conflicts.emplace_back(std::min(a, b), std::max(a, b));
   }
-  order(table.apart);
+  order(table.conflicts);
 }
 
 }  // namespace shelfbeam

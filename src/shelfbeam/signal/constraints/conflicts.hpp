@@ -7,16 +7,16 @@
 
 namespace shelfbeam {
 
-// Both add to SignalTable::apart.
+// Both functions add to SignalTable::conflicts.
 
-/// Candidates closer to each other than `metres` (straight line, less the 1e-6 m within which places are
-/// equal) must not be chosen together. Options of one mounting point exclude one another already; two
-/// installed units hang already, however near. Throws InputError where a unit has no position; `name` stands
-/// for the matrix in it.
-void keep_apart(SignalTable& table, double metres, const std::string& name);
+/// Adds a conflict for every two candidates closer to each other than `metres` (straight line, with a
+/// tolerance of 1e-6 m). Options of one mounting point need no conflict, because at most one of them can be
+/// chosen; nor do two installed units. Throws InputError, which names the matrix as `name`, if a unit has no
+/// position.
+void add_conflicts(SignalTable& table, double metres, const std::string& name);
 
-/// Pairs from a CSV with header `a,b`, ids of transceivers. Throws InputError with file and line for an
-/// unknown id, for a unit and itself, and for two installed units.
+/// Adds conflicts from a CSV with header `a,b`, ids of transceivers. Throws InputError with file and line for
+/// an unknown id, a unit paired with itself, and two installed units.
 void forbid_pairs(SignalTable& table, const std::filesystem::path& csv);
 
 }  // namespace shelfbeam

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 
 namespace shelfbeam {
 
@@ -22,7 +22,7 @@ void expect_same(const SignalTable::Transceiver& unit, const SignalTable::Transc
                  const NamedTable& scenario, const std::string& first_file) {
   const auto fail = [&](const std::string& here, const std::string& there) {
     throw InputError(scenario.file,
-                     fmt::format("'{}' {}, and in '{}' it {}", unit.id, here, first_file, there), same_store);
+                     fmt::format("'{}' {}, but in '{}' it {}", unit.id, here, first_file, there), same_store);
   };
   if (unit.cost != first.cost) fail(fmt::format("costs {}", unit.cost), fmt::format("costs {}", first.cost));
   if (unit.installed != first.installed)
@@ -30,10 +30,10 @@ void expect_same(const SignalTable::Transceiver& unit, const SignalTable::Transc
   if (!unit.position || !first.position) return;
   const Vec3 between = *unit.position - *first.position;
   for (const int axis : {0, 1, 2})
-    if (std::abs(between[axis]) > place_tolerance) fail("is at another place", "is elsewhere");
+    if (std::abs(between[axis]) > position_tolerance) fail("has another position", "is elsewhere");
 }
 
-/// The column of the first table for every column of this one.
+/// For every column of this table, its column in the first table.
 std::vector<std::uint32_t> columns_of(const NamedTable& scenario, const NamedTable& first) {
   std::unordered_map<std::string_view, std::uint32_t> column;
   for (std::uint32_t j = 0; j < first.table.columns(); ++j) column.emplace(first.table.transceivers[j].id, j);
@@ -42,7 +42,7 @@ std::vector<std::uint32_t> columns_of(const NamedTable& scenario, const NamedTab
     const auto found = column.find(unit.id);
     if (found == column.end())
       throw InputError(scenario.file,
-                       fmt::format("has a transceiver '{}', and '{}' does not", unit.id, first.file),
+                       fmt::format("has a transceiver '{}', but '{}' does not", unit.id, first.file),
                        same_store);
     expect_same(unit, first.table.transceivers[found->second], scenario, first.file);
     result.push_back(found->second);
@@ -53,7 +53,7 @@ std::vector<std::uint32_t> columns_of(const NamedTable& scenario, const NamedTab
     if (!there.contains(j))
       throw InputError(
           scenario.file,
-          fmt::format("has no transceiver '{}', and '{}' does", first.table.transceivers[j].id, first.file),
+          fmt::format("has no transceiver '{}', but '{}' does", first.table.transceivers[j].id, first.file),
           same_store);
   return result;
 }
@@ -80,16 +80,16 @@ SignalTable stack_tables(std::vector<NamedTable> tables) {
     for (std::size_t earlier = 0; earlier < k; ++earlier)
       if (tables[k].name == tables[earlier].name)
         throw InputError(tables[k].file,
-                         fmt::format("has the name '{}' of a scenario, and so has '{}'", tables[k].name,
+                         fmt::format("has the duplicate scenario name '{}', also of '{}'", tables[k].name,
                                      tables[earlier].file),
-                         "name every file once");
+                         "give each scenario its own file name");
   SignalTable all;
   all.transceivers = tables.front().table.transceivers;
   all.row_begin = {0};
   for (NamedTable& scenario : tables) {
     const std::vector<std::uint32_t> column = columns_of(scenario, tables.front());
     append(all, scenario, column);
-    // Places may be known to some files only; mounting points come with them.
+    // Positions, and with them mounting points, may be missing in some files.
     for (std::size_t j = 0; j < column.size(); ++j)
       if (!all.transceivers[column[j]].position)
         all.transceivers[column[j]].position = scenario.table.transceivers[j].position;

@@ -17,7 +17,7 @@ constexpr std::string_view title = "shelfbeam signal file, XXH3-128 of what foll
 constexpr std::size_t line_length = title.size() + 32 + 1;
 static_assert(line_length <= checksum_block);
 
-// The line as the bytes behind it call for.
+// The line for the bytes after it.
 std::string line_of(std::istream& file) {
   file.seekg(line_length);
   return std::string(title) + content_hash(file) + "\n";
@@ -33,7 +33,7 @@ void write_file_checksum(const std::filesystem::path& path, const std::string& n
   errno = 0;
   std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
   const std::string line = line_of(file);
-  if (!file.bad()) file.clear();  // it is at its end
+  if (!file.bad()) file.clear();  // clears end-of-file
   file.seekp(0);
   file << line << std::flush;
   if (!file) cannot_write(name, system_reason());
@@ -42,8 +42,8 @@ void write_file_checksum(const std::filesystem::path& path, const std::string& n
 void verify_file_checksum(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (read_first_bytes(path, line_length) != line_of(file))
-    throw InputError(path.string(), "is damaged, or was changed: its checksum does not fit",
-                     "simulate it again, or cut off its first 512 bytes if the change was meant");
+    throw InputError(path.string(), "is corrupt or was changed: its checksum does not match",
+                     "simulate it again, or remove its first 512 bytes if the change was intended");
 }
 
 }  // namespace shelfbeam::detail

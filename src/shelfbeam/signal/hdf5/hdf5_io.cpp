@@ -21,7 +21,7 @@ namespace shelfbeam::detail {
 
 namespace {
 
-/// An HDF5 identifier that is released with its owner.
+/// Owns an HDF5 identifier.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -44,19 +44,19 @@ class Handle {
   Close close_ = nullptr;
 };
 
-/// HDF5 prints its errors by itself; not while one of these lives.
-class Silence {
+/// Suppresses HDF5's own error output during its lifetime.
+class SuppressErrorOutput {
  public:
-  Silence() {
-    // After a damaged file the library may still hold parts of it, and would complain when the program ends.
-    // All files are closed here, so nothing is left for it to do then.
+  SuppressErrorOutput() {
+    // The library may keep parts of a corrupt file and report them when the program exits. Its exit handler
+    // is not needed, because all files are closed explicitly.
     H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
-  ~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
+  ~SuppressErrorOutput() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  SuppressErrorOutput(const SuppressErrorOutput&) = delete;
+  SuppressErrorOutput& operator=(const SuppressErrorOutput&) = delete;
 
  private:
   H5E_auto2_t function_ = nullptr;
@@ -68,7 +68,7 @@ hid_t number_type(Hdf5Type type) {
   return type.size == 1 ? H5T_NATIVE_UINT8 : type.size == 4 ? H5T_NATIVE_UINT32 : H5T_NATIVE_UINT64;
 }
 
-// In memory and in files: numbers are little-endian, as all machines are that this is built for.
+// The type in memory and in files: all supported machines are little-endian, like the files.
 Handle make_type(Hdf5Type type) {
   const bool is_text = type.kind == Hdf5Type::text;
   Handle made(H5Tcopy(is_text ? H5T_C_S1 : number_type(type)), H5Tclose);
@@ -80,8 +80,8 @@ Handle make_type(Hdf5Type type) {
   return made;
 }
 
-// Texts are of fixed length: nothing in the file points anywhere. Octave reads none that are marked as UTF-8,
-// so only those are marked that need it.
+// Texts have fixed length, so that the file contains no references. Octave cannot read texts marked as UTF-8,
+// so only texts that require UTF-8 are marked.
 bool is_ascii(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
 }
@@ -89,7 +89,7 @@ bool is_ascii(std::string_view text) {
 }  // namespace
 
 struct Hdf5Writer::File {
-  Silence silence;
+  SuppressErrorOutput silence;
   std::filesystem::path path;
   std::string name;
   Handle id;
@@ -102,7 +102,7 @@ struct Hdf5Writer::File {
     if (!good) fail(what);
   }
 
-  // Matrices are chunked by whole rows, about 1 MB a chunk, so that readers can take some of the rows.
+  // Matrices are chunked by whole rows, about 1 MB per chunk, so that readers can read single rows.
   static std::array<hsize_t, 2> chunk_of(const Shape& shape, std::size_t element_size) {
     const std::size_t columns = std::min<std::size_t>(shape[1], 1 << 18);
     return {std::clamp<std::size_t>((1 << 20) / (columns * element_size), 1, shape[0]), columns};
@@ -114,7 +114,7 @@ struct Hdf5Writer::File {
     if (shape.size() == 2) {
       const auto chunk = chunk_of(shape, element_size);
       H5Pset_chunk(plan, 2, chunk.data());
-      // What a chunk at the edge has beyond the matrix must not be left to chance.
+      // Chunks may extend beyond the matrix; their unused entries must have a fixed value.
       const std::uint64_t zero = 0;
       H5Pset_fill_value(plan, H5T_STD_U64LE, &zero);
       H5Pset_fill_time(plan, H5D_FILL_TIME_ALLOC);
@@ -141,10 +141,10 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const std::string& nam
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
   H5Pset_userblock(creation, checksum_block);
-  // One version of the format whatever the library's: the same bytes.
+  // A fixed version of the format gives the same bytes with every version of the library.
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
-  // AtomicFile has locked it; where both kinds of locks are one (NFS) the library's would fail.
+  // AtomicFile has locked the file. On NFS both kinds of locks are the same, and the library's would fail.
   H5Pset_file_locking(access, false, true);
   file_->id = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
   file_->check(bool(file_->id), "its creation");
@@ -196,7 +196,7 @@ void Hdf5Writer::close() {
 }
 
 struct Hdf5Reader::File {
-  Silence silence;
+  SuppressErrorOutput silence;
   std::string name;
   Handle id;
 
@@ -206,14 +206,14 @@ struct Hdf5Reader::File {
 
   Handle open(const std::string& path) const {
     Handle set(H5Dopen2(id, path.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!set) fail(path, "is missing or damaged");
+    if (!set) fail(path, "is missing or corrupt");
     return set;
   }
 
   Shape shape(const std::string& path, hid_t set) const {
     const Handle space(H5Dget_space(set), H5Sclose);
     const int rank = space ? H5Sget_simple_extent_ndims(space) : -1;
-    if (rank < 0 || rank > 2) fail(path, "has neither one dimension nor two");
+    if (rank < 0 || rank > 2) fail(path, "has neither one nor two dimensions");
     std::vector<hsize_t> extents(static_cast<std::size_t>(rank));
     H5Sget_simple_extent_dims(space, extents.data(), nullptr);
     return {extents.begin(), extents.end()};
@@ -221,16 +221,16 @@ struct Hdf5Reader::File {
 
   Handle open_attribute(const std::string& attribute) const {
     Handle item(H5Aopen(id, attribute.c_str(), H5P_DEFAULT), H5Aclose);
-    if (!item) fail("attribute " + attribute, "is missing or damaged");
+    if (!item) fail("attribute " + attribute, "is missing or corrupt");
     const Handle space(H5Aget_space(item), H5Sclose);
-    if (H5Sget_simple_extent_npoints(space) != 1) fail("attribute " + attribute, "is no single value");
+    if (H5Sget_simple_extent_npoints(space) != 1) fail("attribute " + attribute, "is not a single value");
     return item;
   }
 
   Hdf5Type type_of(const std::string& place, const Handle& type, Hdf5Type::Kind kind) const {
     constexpr H5T_class_t classes[] = {H5T_FLOAT, H5T_INTEGER, H5T_STRING};  // of real, whole, text
     if (H5Tget_class(type) != classes[kind] || H5Tis_variable_str(type) > 0)
-      fail(place, kind == Hdf5Type::text ? "holds no texts of fixed length" : "holds data of the wrong type");
+      fail(place, kind == Hdf5Type::text ? "has no strings of fixed length" : "has data of the wrong type");
     return {kind, H5Tget_size(type), H5Tget_cset(type) == H5T_CSET_ASCII};
   }
 };
@@ -240,12 +240,12 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : file_(std::make_uniq
   if (has_file_checksum(path))
     verify_file_checksum(path);
   else if (const std::string head = read_first_bytes(path, 9); head.size() == 9 && head[8] < 2)
-    // Byte 8 is the version of the superblock. Where old metadata are damaged, HDF5 follows them blindly.
+    // Byte 8 is the version of the superblock. HDF5 cannot detect corrupt metadata of the old format.
     throw InputError(path.string(), "is in the old HDF5 format, whose metadata have no checksums",
                      "write it with libver='latest' (h5py) or convert it with h5repack --low=2");
   file_->id = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file_->id)
-    throw InputError(path.string(), "is no HDF5 file, or a truncated or damaged one",
+    throw InputError(path.string(), "is not an HDF5 file, or is truncated or corrupt",
                      "simulate or export it again");
 }
 
@@ -257,7 +257,7 @@ bool Hdf5Reader::has(const std::string& path) const {
 
 std::size_t Hdf5Reader::length(const std::string& path) const {
   const Shape shape = file_->shape(path, file_->open(path));
-  if (shape.size() != 1) file_->fail(path, "has not one dimension");
+  if (shape.size() != 1) file_->fail(path, "is not one-dimensional");
   return shape[0];
 }
 
@@ -265,19 +265,19 @@ Hdf5Type Hdf5Reader::type_of(const std::string& path, Hdf5Type::Kind kind, const
   const Handle set = file_->open(path);
   const Hdf5Type type = file_->type_of(path, Handle(H5Dget_type(set), H5Tclose), kind);
   if (const Shape found = file_->shape(path, set); found != shape)
-    file_->fail(path, fmt::format("has the shape ({}) where ({}) is expected", fmt::join(found, ", "),
+    file_->fail(path, fmt::format("has the shape ({}) instead of ({})", fmt::join(found, ", "),
                                   fmt::join(shape, ", ")));
   auto bytes = static_cast<double>(type.size);
   for (const std::size_t extent : shape) bytes *= static_cast<double>(extent);
-  if (bytes > static_cast<double>(most_of_the_memory()))
-    file_->fail(path, fmt::format("takes {} bytes, more than the memory holds", bytes));
-  if (H5Dget_storage_size(set) == 0) file_->fail(path, "has a shape, but was never written");
+  if (bytes > static_cast<double>(memory_limit()))
+    file_->fail(path, fmt::format("requires {} bytes, more than the memory limit", bytes));
+  if (H5Dget_storage_size(set) == 0) file_->fail(path, "has a shape but no data");
   return type;
 }
 
 void Hdf5Reader::read(const std::string& path, Hdf5Type type, void* data) const {
   if (H5Dread(file_->open(path), make_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
-    file_->fail(path, "cannot be read: the file is damaged");
+    file_->fail(path, "cannot be read: the file is corrupt");
 }
 
 bool Hdf5Reader::has_attribute(const std::string& name) const {
@@ -291,7 +291,7 @@ Hdf5Type Hdf5Reader::type_of_attribute(const std::string& name, Hdf5Type::Kind k
 
 void Hdf5Reader::read_attribute(const std::string& name, Hdf5Type type, void* value) const {
   if (H5Aread(file_->open_attribute(name), make_type(type), value) < 0)
-    file_->fail("attribute " + name, "cannot be read: the file is damaged");
+    file_->fail("attribute " + name, "cannot be read: the file is corrupt");
 }
 
 void Hdf5Writer::texts(const std::string& path, std::span<const std::string> values) {

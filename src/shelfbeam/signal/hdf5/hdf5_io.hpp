@@ -11,21 +11,21 @@
 #include <string>
 #include <vector>
 
-// The little of HDF5 that the signal file needs; hdf5_io.cpp alone includes the library.
+// The part of HDF5 that signal files require. Only hdf5_io.cpp includes the library.
 
 namespace shelfbeam::detail {
 
 using Shape = std::vector<std::size_t>;
 
-/// The number types that data sets and attributes hold.
+/// The number types of data sets and attributes.
 template <class T>
 concept Hdf5Number = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, std::uint8_t> ||
     std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t>;
 
-/// What an entry of a data set, or an attribute, is.
+/// The type of an attribute or of an entry of a data set.
 struct Hdf5Type {
   enum Kind { real, whole, text } kind;
-  std::size_t size;      ///< bytes; a text has zeros behind its end
+  std::size_t size;      ///< bytes; a text is padded with zeros
   bool is_ascii = true;  ///< or UTF-8
 };
 
@@ -35,10 +35,10 @@ inline constexpr Hdf5Type hdf5_type{std::floating_point<T> ? Hdf5Type::real : Hd
 template <Hdf5Number T>
 using FillRow = std::function<void(std::size_t row, std::span<T> values)>;
 
-/// Writes a new HDF5 file with a checksum, whose bytes depend on what is written alone. Throws OutputError.
+/// Writes a new HDF5 file with a checksum. Its bytes depend only on the content. Throws OutputError.
 class Hdf5Writer {
  public:
-  /// `name` stands for the file in errors.
+  /// Errors name the file as `name`.
   Hdf5Writer(const std::filesystem::path& path, const std::string& name);
   ~Hdf5Writer();
 
@@ -47,7 +47,7 @@ class Hdf5Writer {
   void numbers(const std::string& path, std::span<const T> values, const Shape& shape) {
     write(path, hdf5_type<T>, shape, values.data());
   }
-  /// A matrix row by row, of which a few are in memory at a time.
+  /// Writes a matrix row by row, with only a few rows in memory at a time.
   template <Hdf5Number T>
   void rows(const std::string& path, const Shape& shape, const FillRow<T>& fill) {
     write_rows(path, hdf5_type<T>, shape, [&](std::size_t row, void* values) {
@@ -62,7 +62,7 @@ class Hdf5Writer {
   }
   void attribute(const std::string& name, const std::string& value);
 
-  void close();  ///< without it the file is not complete
+  void close();  ///< completes the file
 
  private:
   void write(const std::string& path, Hdf5Type type, const Shape& shape, const void* data);
@@ -74,15 +74,15 @@ class Hdf5Writer {
   std::unique_ptr<File> file_;
 };
 
-/// Reads an HDF5 file. What is missing, of another type or shape, or too large for the memory throws
-/// InputError, and before the library sees it, any damage to a file with a checksum. Others the library reads
-/// as they are: one that somebody made for the purpose can do harm.
+/// Reads an HDF5 file. Throws InputError for data that are missing, of another type or shape, or too large
+/// for the memory. A corrupt file with a checksum is rejected before the library opens it. Files without a
+/// checksum are not protected: a malicious file can exploit the library.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& path);
   ~Hdf5Reader();
 
-  /// Whether there is a data set of that name, or something damaged that may be one.
+  /// Whether a data set of this name exists, even if it is corrupt.
   bool has(const std::string& path) const;
   /// The number of entries of a one-dimensional data set.
   std::size_t length(const std::string& path) const;
@@ -106,7 +106,7 @@ class Hdf5Reader {
   std::string text_attribute(const std::string& name) const;
 
  private:
-  /// The type of a data set, which is of that kind and shape, was written and fits into the memory.
+  /// The type of a data set. Throws unless it has this kind and shape, was written and fits into memory.
   Hdf5Type type_of(const std::string& path, Hdf5Type::Kind kind, const Shape& shape) const;
   Hdf5Type type_of_attribute(const std::string& name, Hdf5Type::Kind kind) const;
   void read(const std::string& path, Hdf5Type type, void* data) const;

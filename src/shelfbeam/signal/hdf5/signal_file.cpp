@@ -22,11 +22,11 @@ namespace {
 
 using Quantity = SignalRows::Quantity;
 
-// What a member of rows is stored as.
+// The type in which a member of labels or transceivers is stored.
 template <class T>
 using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 
-// Calls use(path, member) for everything that is known of labels, their ids first.
+// Calls use(path, member) for every member of labels, ids first.
 template <class Use>
 void each_label_member(const Use& use) {
   use("/labels/id", &LabelRow::id);
@@ -121,7 +121,7 @@ class MatrixWriter {
   detail::Hdf5Writer& file_;
 };
 
-// The rows of a matrix that has them.
+// The rows of a SignalMatrix with all entries.
 class OwnRows : public SignalRows {
  public:
   explicit OwnRows(const SignalMatrix& matrix) : matrix_(matrix) {}
@@ -167,7 +167,7 @@ class MatrixReader {
 
   SignalMatrix read() {
     if (!file_.has_attribute("format_version"))
-      throw InputError(name_, "is HDF5, but no signal file of this program", "name the output of 'simulate'");
+      throw InputError(name_, "is an HDF5 file but not a signal file", "use the output of 'simulate'");
     expect_format_version(name_, file_.attribute<std::uint32_t>("format_version"), signal_format_version);
     SignalMatrix matrix;
     matrix.provenance = {file_.text_attribute("program_version"), file_.text_attribute("store_hash"),
@@ -176,7 +176,7 @@ class MatrixReader {
 
     const std::size_t m = file_.length("/labels/id"), n = file_.length("/transceivers/id");
     if (m == 0 || n == 0) throw InputError(name_, "has no labels or no transceivers", "simulate it again");
-    // Before anything of size m or n is made, the reading of their ids shows that there is room.
+    // Reading the ids first verifies m and n before arrays of these sizes are allocated.
     each_label_member([&](const auto& path, auto member) { column(path, m, matrix.labels, member); });
     each_unit_member([&](const auto& path, auto member) { column(path, n, matrix.transceivers, member); });
 
@@ -189,7 +189,7 @@ class MatrixReader {
     if (!matrix.by_length.empty()) {
       matrix.length_step = file_.attribute<double>("length_step");
       if (!(std::isfinite(matrix.length_step) && matrix.length_step > 0))
-        fail("attribute length_step", "is no length");
+        fail("attribute length_step", "is not a length");
     }
     return matrix;
   }
@@ -245,7 +245,7 @@ class MatrixReader {
     return values;
   }
 
-  // A matrix of entries of which none has a problem(place among them, value).
+  // Reads a matrix and throws if problem(index, value) reports a problem for any entry.
   template <class T, class Problem>
   std::vector<T> checked(const std::string& path, const SignalMatrix& matrix, const Problem& problem) const {
     auto values = file_.numbers<T>(path, {matrix.rows(), matrix.columns()});
@@ -267,12 +267,12 @@ class MatrixReader {
     });
   }
 
-  // An estimate of next to nothing may come out below zero, but not by many errors.
+  // An estimate near zero may be negative, but only by a few standard errors.
   std::vector<float> means(const std::string& path, const SignalMatrix& matrix,
                            const std::vector<float>& error) const {
-    constexpr float most_errors = 10;
+    constexpr float max_errors = 10;
     return checked<float>(path, matrix, [&](std::size_t k, float value) {
-      return amount_problem(-value < most_errors * error[k] ? std::abs(value) : value);
+      return amount_problem(-value < max_errors * error[k] ? std::abs(value) : value);
     });
   }
 
@@ -304,7 +304,7 @@ void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const s
 }
 
 SignalMatrix read_signal_file(const std::filesystem::path& path) {
-  if (!is_hdf5(path)) throw InputError(path.string(), "is no HDF5 file", "name the output of 'simulate'");
+  if (!is_hdf5(path)) throw InputError(path.string(), "is not an HDF5 file", "use the output of 'simulate'");
   return MatrixReader(path).read();
 }
 

@@ -10,31 +10,30 @@
 
 namespace shelfbeam {
 
-/// The entries of a signal matrix, row by row when they are asked for: for matrices that are held in another
-/// form.
+/// Provides the entries of a signal matrix row by row on request, for matrices in another representation.
 class SignalRows {
  public:
   enum class Quantity { mean, standard_error, direct };
 
   virtual ~SignalRows() = default;
-  /// Fills `values`, one a column.
+  /// Fills `values`, one per column.
   virtual void fill(Quantity quantity, std::size_t row, std::span<float> values) const = 0;
-  /// Whether it is known what SignalMatrix::flags says.
+  /// Whether SignalMatrix::flags is known.
   virtual bool has_flags() const = 0;
-  /// That, one a column.
+  /// Fills the flags, one per column.
   virtual void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const = 0;
-  /// The same of a layer: SignalMatrix::by_bounce, then by_length; has no direct part.
+  /// Fills a row of a layer: SignalMatrix::by_bounce, then by_length. Layers have no direct part.
   virtual void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                           std::span<float> values) const = 0;
-  /// Numbers of layers; 0 unless they were asked for.
+  /// Numbers of layers; 0 unless requested.
   virtual std::size_t bounce_layers() const = 0;
   virtual std::size_t length_layers() const = 0;
 };
 
-/// `write_signal_file` (signal_file.hpp) without the rename: the caller commits.
+/// Like `write_signal_file` (signal_file.hpp), but the caller commits the file.
 void write_signal_file(const SignalMatrix& matrix, AtomicFile& target);
 
-/// The same with the entries from elsewhere, a few rows at a time; those of `head` are not used.
+/// The same with the entries from `rows`, a few rows at a time; the entries of `head` are ignored.
 void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const std::filesystem::path& path);
 
 }  // namespace shelfbeam

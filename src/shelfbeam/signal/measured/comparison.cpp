@@ -20,19 +20,19 @@ namespace shelfbeam {
 namespace {
 
 constexpr double db_per_e = 10 / std::numbers::ln10;
-constexpr double clear = 5;             // standard errors of a signal whose logarithm is taken
-constexpr double above_silence = 2;     // the same in smallest measured signals, where errors are not known
-constexpr double outlier_level = 0.01;  // chance of any outlier among pairs that have none
+constexpr double clear = 5;             // minimum signal for a logarithm, in standard errors
+constexpr double min_over_noise = 2;    // the same in smallest measured signals, if errors are unknown
+constexpr double outlier_level = 0.01;  // probability of any false outlier
 
 double decibel(double ratio) {
   return 10 * std::log10(ratio);
 }
 
-/// What a measured signal cannot be told from zero by: its error, else the smallest signal that was measured
-/// where some measured nothing, else 0.
-class Silence {
+/// Noise level below which a measured signal is indistinguishable from zero: its error; if unknown, the
+/// smallest positive signal, provided that some measured 0; otherwise 0.
+class NoiseFloor {
  public:
-  explicit Silence(std::span<const ComparedPair> pairs) {
+  explicit NoiseFloor(std::span<const ComparedPair> pairs) {
     double least = std::numeric_limits<double>::infinity();
     bool some_silent = false;
     for (const ComparedPair& pair : pairs) {
@@ -44,9 +44,9 @@ class Silence {
     smallest_ = some_silent && std::isfinite(least) ? least : 0;
   }
   double limit(const ComparedPair& pair) const {
-    return pair.error ? clear * *pair.error : above_silence * smallest_;
+    return pair.error ? clear * *pair.error : min_over_noise * smallest_;
   }
-  /// The most that stands behind a measurement of nothing.
+  /// The largest true signal that is plausible for a measurement of 0.
   double most(const ComparedPair& pair) const { return pair.error ? 3 * *pair.error : smallest_; }
 
  private:
@@ -57,28 +57,28 @@ bool is_clear(const ComparedPair& pair) {
   return pair.simulated > 0 && pair.simulated >= clear * pair.standard_error;
 }
 
-/// The median ratio of the pairs that are clear on both sides: where the fit starts. Half of them may be
-/// wrong.
-double first_factor(std::span<const ComparedPair> pairs, const Silence& silence) {
+/// The median ratio of the pairs that are clear on both sides, as the start of the fit. Up to half of these
+/// pairs may be wrong.
+double first_factor(std::span<const ComparedPair> pairs, const NoiseFloor& noise) {
   std::vector<double> ratios;
   for (const ComparedPair& pair : pairs)
-    if (is_clear(pair) && pair.measured > 0 && pair.measured >= silence.limit(pair))
+    if (is_clear(pair) && pair.measured > 0 && pair.measured >= noise.limit(pair))
       ratios.push_back(pair.measured / pair.simulated);
   return quantile(std::move(ratios), 0.5);
 }
 
 struct Fit {
   std::vector<PairUse> uses;        ///< of all pairs
-  std::vector<std::size_t> fitted;  ///< pairs
-  RobustMean mean;                  ///< of the ratios of those, dB
+  std::vector<std::size_t> fitted;  ///< indices of the fitted pairs
+  RobustMean mean;                  ///< mean ratio of the fitted pairs, dB
 };
 
 double factor_of(const RobustMean& mean) {
   return std::pow(10, mean.value / 10);
 }
 
-/// Takes the pairs that are clear if the factor is about this one, and fits it.
-Fit fit_from(double factor, std::span<const ComparedPair> pairs, const Silence& silence,
+/// Selects the pairs that are clear under an approximate factor and fits the factor to them.
+Fit fit_from(double factor, std::span<const ComparedPair> pairs, const NoiseFloor& noise,
              const std::string& name) {
   Fit fit;
   std::vector<double> ratios, errors;
@@ -86,55 +86,55 @@ Fit fit_from(double factor, std::span<const ComparedPair> pairs, const Silence& 
     const ComparedPair& pair = pairs[k];
     const double expected = factor * pair.simulated;
     PairUse& use = fit.uses.emplace_back(PairUse::uncertain);
-    if (!is_clear(pair) || expected < silence.limit(pair)) continue;
-    use = pair.measured > 0 ? PairUse::fitted : PairUse::nothing_measured;
+    if (!is_clear(pair) || expected < noise.limit(pair)) continue;
+    use = pair.measured > 0 ? PairUse::fitted : PairUse::measured_zero;
     if (use != PairUse::fitted) continue;
     fit.fitted.push_back(k);
     ratios.push_back(decibel(pair.measured / pair.simulated));
-    // Errors of what is expected, not of what was measured: weights must not follow the noise.
+    // Errors relative to the expected signal, not the measured one: weights must not depend on the noise.
     errors.push_back(db_per_e *
                      std::hypot(pair.error.value_or(0) / expected, pair.standard_error / pair.simulated));
   }
-  const auto silent = std::count(fit.uses.begin(), fit.uses.end(), PairUse::nothing_measured);
+  const auto silent = std::count(fit.uses.begin(), fit.uses.end(), PairUse::measured_zero);
   const bool all_silent =
       std::all_of(pairs.begin(), pairs.end(), [](const ComparedPair& pair) { return pair.measured <= 0; });
   if (all_silent || static_cast<std::size_t>(silent) > fit.fitted.size())
-    throw InputError(name, "has 0 or less where most of the strong signals should be, so no factor fits",
-                     "signals are linear (not decibels) and positive; check the ids and the unit");
+    throw InputError(name, "has values of 0 or less for most of the strong signals, so no factor fits",
+                     "signals must be linear (not decibels) and positive; check ids and unit of measure");
   if (fit.fitted.size() < 3)
     throw InputError(name,
-                     fmt::format("has {} clear enough to be fitted, of {}",
+                     fmt::format("has {} clear enough to be fitted, out of {}",
                                  counted(fit.fitted.size(), "signal"), grouped(pairs.size())),
-                     "measure more and stronger signals, three at least, or simulate with more samples");
+                     "measure more and stronger signals (at least three), or simulate longer");
   fit.mean = robust_mean(ratios, errors);
   return fit;
 }
 
-/// What an interval is made of.
-struct Reach {
+/// The half width of an interval and its cause.
+struct HalfWidth {
   double half_width = 0;
   SharedErrors shared = SharedErrors::none;
 
-  /// Takes the wider; `standard_error` was estimated with so many degrees of freedom.
+  /// Widens the interval if this error requires it.
   void widen(double standard_error, double degrees_of_freedom, double confidence, SharedErrors by) {
     const double wider = -student_quantile((1 - confidence) / 2, degrees_of_freedom) * standard_error;
     if (wider > half_width) *this = {wider, by};
   }
 };
 
-/// The half width of the interval of a mean with these influences: the widest of those that allow for errors
-/// shared by nothing, the pairs of a label, those of a transceiver, or both (Cameron, Gelbach, Miller 2011).
-Reach reach(std::span<const ComparedPair> pairs, std::span<const std::size_t> fitted,
-            std::span<const double> influences, double effective_count, double confidence) {
+/// The half width of the interval of a mean with these influences: the maximum over independent errors and
+/// errors shared by the pairs of a label, of a transceiver, or of both (Cameron, Gelbach, Miller 2011).
+HalfWidth interval_half_width(std::span<const ComparedPair> pairs, std::span<const std::size_t> fitted,
+                              std::span<const double> influences, double effective_count, double confidence) {
   std::vector<std::uint32_t> alone(fitted.size()), labels, transceivers;
   std::iota(alone.begin(), alone.end(), 0U);
   for (const std::size_t k : fitted) {
     labels.push_back(pairs[k].label);
     transceivers.push_back(pairs[k].transceiver.value_or(0));
   }
-  Reach widest;
+  HalfWidth widest;
   const GroupedError plain = grouped_error(influences, alone);
-  // Unequal weights leave fewer pairs than there are.
+  // Unequal weights reduce the effective number of pairs.
   const auto n = static_cast<double>(fitted.size());
   const double count = std::max(effective_count, 1.5);
   widest.widen(plain.standard_error * std::sqrt((n - 1) / n * count / (count - 1)), count - 1, confidence,
@@ -156,8 +156,8 @@ Reach reach(std::span<const ComparedPair> pairs, std::span<const std::size_t> fi
   return widest;
 }
 
-/// Slope of log measured over log simulated; errors of the simulation would flatten it and are taken out
-/// (Fuller 1987).
+/// Slope of log measured over log simulated, corrected for the errors of the simulation, which would flatten
+/// it (Fuller 1987).
 void fit_slope(Comparison& result, std::span<const ComparedPair> pairs, std::span<const std::size_t> fitted,
                const RobustMean& mean) {
   std::vector<double> x;
@@ -176,14 +176,15 @@ void fit_slope(Comparison& result, std::span<const ComparedPair> pairs, std::spa
     squares += mean.weights[k] * (offset * offset - error * error);
     products += mean.weights[k] * (offset * *result.pairs[fitted[k]].residual + error * error);
   }
-  if (!(squares > 0.25 * total)) return;  // half a decibel
+  if (!(squares > 0.25 * total)) return;  // x varies by less than half a decibel
   const double tilt = products / squares;
   std::vector<double> influences;
   for (std::size_t k = 0; k < fitted.size(); ++k)
     influences.push_back(mean.weights[k] * (x[k] - centre) *
                          (*result.pairs[fitted[k]].residual - tilt * (x[k] - centre)) / squares);
-  const double half_width =
-      reach(pairs, fitted, influences, std::max(2.0, mean.effective_count - 1), result.confidence).half_width;
+  const double half_width = interval_half_width(pairs, fitted, influences,
+                                                std::max(2.0, mean.effective_count - 1), result.confidence)
+                                .half_width;
   result.slope = 1 + tilt;
   result.slope_interval = {1 + tilt - half_width, 1 + tilt + half_width};
 }
@@ -215,8 +216,8 @@ double chi_square(std::span<const ComparedPair> pairs, double factor) {
   return sum;
 }
 
-/// The least chi-square of all factors within 3 dB of the fitted one; where the best lies further off, the
-/// fit has outliers that reject the claim anyway.
+/// The minimum chi-square over all factors within 3 dB of the fitted factor. If the minimum lies outside, the
+/// pairs have outliers that reject a single factor anyway.
 OneFactorTest one_factor_test(std::span<const ComparedPair> pairs, double factor) {
   const double golden = (std::sqrt(5.0) - 1) / 2;
   double low = std::log(factor / 2), high = std::log(factor * 2);
@@ -234,26 +235,26 @@ OneFactorTest one_factor_test(std::span<const ComparedPair> pairs, double factor
   return test;
 }
 
-/// How far a pair is off, in standard deviations, where its residual cannot or should not be taken in dB.
-double linear_deviation(const ComparedPair& pair, const Comparison& result, const Silence& silence) {
+/// The deviation of a pair in standard deviations, for pairs without a meaningful residual in dB.
+double linear_deviation(const ComparedPair& pair, const Comparison& result, const NoiseFloor& noise) {
   const double expected = result.factor * pair.simulated;
-  const double noise = pair.error ? *pair.error : silence.most(pair);
+  const double error = pair.error ? *pair.error : noise.most(pair);
   const double deviation =
-      std::hypot(std::hypot(noise, result.factor * pair.standard_error), result.spread / db_per_e * expected);
+      std::hypot(std::hypot(error, result.factor * pair.standard_error), result.spread / db_per_e * expected);
   return deviation > 0 ? (pair.measured - expected) / deviation : 0;
 }
 
-/// How far what was measured as nothing is off at least, in standard deviations.
+/// The minimum deviation of a pair that was measured as 0, in standard deviations.
 double silent_deviation(const ComparedPair& pair, const PairResult& of_pair, const Comparison& result,
-                        const Silence& silence) {
-  const double bound = decibel(silence.most(pair) / of_pair.expected);  // -inf without any limit
+                        const NoiseFloor& noise) {
+  const double bound = decibel(noise.most(pair) / of_pair.expected);  // -inf without any limit
   const double deviation = std::hypot(result.spread, db_per_e * pair.standard_error / pair.simulated);
   if (bound >= 0) return 0;
   return deviation > 0 ? bound / deviation : -std::numeric_limits<double>::infinity();
 }
 
 void judge_pairs(Comparison& result, std::span<const ComparedPair> pairs, std::span<const std::size_t> fitted,
-                 const RobustMean& mean, const Silence& silence) {
+                 const RobustMean& mean, const NoiseFloor& noise) {
   for (std::size_t k = 0; k < fitted.size(); ++k) {
     PairResult& of_pair = result.pairs[fitted[k]];
     of_pair.standardized = *of_pair.residual / mean.deviations[k];
@@ -263,9 +264,9 @@ void judge_pairs(Comparison& result, std::span<const ComparedPair> pairs, std::s
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     PairResult& of_pair = result.pairs[k];
     if (of_pair.use == PairUse::uncertain)
-      of_pair.standardized = linear_deviation(pairs[k], result, silence);
-    else if (of_pair.use == PairUse::nothing_measured)
-      of_pair.standardized = silent_deviation(pairs[k], of_pair, result, silence);
+      of_pair.standardized = linear_deviation(pairs[k], result, noise);
+    else if (of_pair.use == PairUse::measured_zero)
+      of_pair.standardized = silent_deviation(pairs[k], of_pair, result, noise);
     of_pair.outlier = std::abs(of_pair.standardized) > limit;
     if (of_pair.outlier) result.outliers.push_back(k);
   }
@@ -290,7 +291,7 @@ void summarize(Comparison& result, std::span<const ComparedPair> pairs, std::spa
     if (pairs[k].transceiver) by_transceiver[*pairs[k].transceiver].push_back(*result.pairs[k].residual);
   }
   result.median_residual = quantile(sizes, 0.5);
-  result.ninety_residual = quantile(sizes, 0.9);
+  result.residual_quantile_90 = quantile(sizes, 0.9);
   result.correlation = correlation(pairs, fitted);
   for (const auto& [column, residuals] : by_transceiver)
     result.transceivers.push_back({column, residuals.size(), quantile(residuals, 0.5)});
@@ -305,7 +306,7 @@ std::vector<ComparedPair> compared_pairs(const SignalMatrix& matrix, const Measu
     ComparedPair pair{one.label, one.transceiver, one.signal, one.error};
     const auto add = [&](std::uint32_t column) {
       pair.simulated += static_cast<double>(matrix.mean[matrix.at(one.label, column)]);
-      // The entries of a row share paths: no more than this whatever their correlation.
+      // The entries of a row share paths; the sum of errors is an upper limit for any correlation.
       pair.standard_error += static_cast<double>(matrix.standard_error[matrix.at(one.label, column)]);
     };
     if (one.transceiver)
@@ -320,19 +321,20 @@ std::vector<ComparedPair> compared_pairs(const SignalMatrix& matrix, const Measu
 }
 
 Comparison compare_signals(std::span<const ComparedPair> pairs, double confidence, const std::string& name) {
-  const Silence silence(pairs);
-  // Which pairs are clear depends on the factor a little: once from a rough one, once from the fitted one.
-  Fit fit = fit_from(first_factor(pairs, silence), pairs, silence, name);
-  fit = fit_from(factor_of(fit.mean), pairs, silence, name);
+  const NoiseFloor noise(pairs);
+  // The set of clear pairs depends slightly on the factor, so the fit is repeated from the first result.
+  Fit fit = fit_from(first_factor(pairs, noise), pairs, noise, name);
+  fit = fit_from(factor_of(fit.mean), pairs, noise, name);
   const auto& [uses, fitted, mean] = fit;
-  const Reach reached = reach(pairs, fitted, mean.influences, mean.effective_count, confidence);
+  const HalfWidth half =
+      interval_half_width(pairs, fitted, mean.influences, mean.effective_count, confidence);
   Comparison result;
   result.confidence = confidence;
   result.fitted = fitted.size();
   result.factor = factor_of(mean);
-  result.factor_interval = {std::pow(10, (mean.value - reached.half_width) / 10),
-                            std::pow(10, (mean.value + reached.half_width) / 10)};
-  result.shared = reached.shared;
+  result.factor_interval = {std::pow(10, (mean.value - half.half_width) / 10),
+                            std::pow(10, (mean.value + half.half_width) / 10)};
+  result.shared = half.shared;
   result.spread = mean.spread;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     PairResult& of_pair = result.pairs.emplace_back();
@@ -342,8 +344,8 @@ Comparison compare_signals(std::span<const ComparedPair> pairs, double confidenc
       of_pair.residual = decibel(pairs[k].measured / pairs[k].simulated) - mean.value;
   }
   result.uncertain = static_cast<std::size_t>(std::count(uses.begin(), uses.end(), PairUse::uncertain));
-  result.nothing_measured = pairs.size() - result.fitted - result.uncertain;
-  judge_pairs(result, pairs, fitted, mean, silence);
+  result.measured_zero = pairs.size() - result.fitted - result.uncertain;
+  judge_pairs(result, pairs, fitted, mean, noise);
   summarize(result, pairs, fitted);
   fit_slope(result, pairs, fitted, mean);
   if (std::all_of(pairs.begin(), pairs.end(),

@@ -12,36 +12,36 @@
 
 namespace shelfbeam {
 
-// Measured signals beside simulated ones and the one factor between them; docs/methods/comparison.md has the
-// equations.
+// Compares measured with simulated signals and fits the factor between them. Equations:
+// docs/methods/comparison.md.
 
-/// A measured signal and what the simulation says of it.
+/// A measured signal and the simulated signal.
 struct ComparedPair {
   std::uint32_t label = 0;
-  std::optional<std::uint32_t> transceiver;  ///< nothing: of several units at once
+  std::optional<std::uint32_t> transceiver;  ///< nothing: several units at once
   double measured = 0;
-  std::optional<double> error;  ///< of `measured`
+  std::optional<double> error;  ///< standard deviation of `measured`
   double simulated = 0;         ///< W/m^2
-  double standard_error = 0;    ///< of `simulated`; of a sum at most this
+  double standard_error = 0;    ///< of `simulated`; for several units an upper limit
 };
 
-/// The measurements with the entries of the matrix; where they are of several units at once with the sum over
-/// `units` (columns). Standard errors from few batches are enlarged to what Student's t spreads.
+/// Pairs the measurements with entries of the matrix, or with sums over `units` (columns) if several units
+/// were measured at once. Standard errors from few batches are enlarged to the spread of Student's t.
 std::vector<ComparedPair> compared_pairs(const SignalMatrix& matrix, const Measurements& measurements,
                                          std::span<const std::uint32_t> units = {});
 
-/// What a pair does for the fit.
+/// The role of a pair in the fit.
 enum class PairUse {
   fitted,
-  uncertain,  ///< too faint: for the simulation, or beside the error of the measurement; decides nothing
-  nothing_measured  ///< 0 or less, where a clear signal is expected
+  uncertain,     ///< too faint for the simulation or for the error of the measurement; ignored
+  measured_zero  ///< 0 or less although a clear signal is expected
 };
 
 struct PairResult {
   PairUse use = PairUse::uncertain;
   double expected = 0;             ///< factor x simulated
-  std::optional<double> residual;  ///< dB, 10 log10(measured / expected); nothing where either is not above 0
-  double standardized = 0;         ///< the difference in its standard deviations; 0 where these are not known
+  std::optional<double> residual;  ///< dB, 10 log10(measured / expected); nothing unless both are above 0
+  double standardized = 0;         ///< the difference in standard deviations; 0 if these are unknown
   bool outlier = false;
 };
 
@@ -50,11 +50,11 @@ struct Interval {
   bool holds(double value) const { return low <= value && value <= high; }
 };
 
-/// Which errors that pairs share made the interval as wide as it is.
+/// The shared errors that determine the width of the interval.
 enum class SharedErrors { none, of_labels, of_transceivers, of_both };
 
-/// Whether the errors explain all differences from one factor: the least chi-square; where errors of
-/// measurements are known.
+/// Tests by the minimum chi-square whether the errors explain all differences from a single factor. Requires
+/// known errors of the measurements.
 struct OneFactorTest {
   double statistic = 0, degrees_of_freedom = 0, p_value = 0;
   bool rejected() const { return p_value < level; }
@@ -68,17 +68,17 @@ struct TransceiverResidual {
 };
 
 struct Comparison {
-  std::vector<PairResult> pairs;  ///< as handed in
-  std::size_t fitted = 0, uncertain = 0, nothing_measured = 0;
+  std::vector<PairResult> pairs;  ///< in the order of the input
+  std::size_t fitted = 0, uncertain = 0, measured_zero = 0;
   double confidence = 0;
-  double factor = 0;  ///< measured per simulated
+  double factor = 0;  ///< measured over simulated
   Interval factor_interval;
   SharedErrors shared = SharedErrors::none;
-  double spread = 0;           ///< dB, standard deviation beyond all known errors
-  double median_residual = 0;  ///< dB, of absolute residuals of fitted pairs
-  double ninety_residual = 0;  ///< dB, 90 % of them
-  double correlation = 0;      ///< of the fitted pairs in dB; 0 where one side does not vary
-  /// d log measured / d log simulated: 1 where a factor is all; nothing where the signals hardly vary.
+  double spread = 0;                ///< dB, standard deviation in excess of all known errors
+  double median_residual = 0;       ///< dB, median of the absolute residuals of fitted pairs
+  double residual_quantile_90 = 0;  ///< dB, their 90 % quantile
+  double correlation = 0;           ///< of the fitted pairs in dB; 0 if either side is constant
+  /// d log measured / d log simulated: 1 for a pure factor; nothing if the signals hardly vary.
   std::optional<double> slope;
   Interval slope_interval;
   std::optional<OneFactorTest> test;
@@ -87,8 +87,8 @@ struct Comparison {
   std::vector<TransceiverResidual> transceivers;  ///< of fitted pairs, in the order of the matrix
 };
 
-/// Fits the factor. Throws InputError, in which `name` stands for the measurements, with fewer than three
-/// pairs to fit, or where most of what should be strong is not above 0.
+/// Fits the factor. Throws InputError, which names the measurements as `name`, if fewer than three pairs can
+/// be fitted or if most of the signals expected to be strong are not above 0.
 Comparison compare_signals(std::span<const ComparedPair> pairs, double confidence = 0.95,
                            const std::string& name = "measurements");
 

@@ -19,11 +19,11 @@ namespace {
 
 constexpr std::array<std::string_view, 4> columns = {"label", "transceiver", "signal", "error"};
 constexpr auto expected =
-    "the first line is 'label,transceiver,signal' or 'label,signal', 'error' may follow";
+    "the first line must be 'label,transceiver,signal' or 'label,signal', optionally with 'error'";
 
 using Fields = std::array<std::optional<std::size_t>, columns.size()>;
 
-/// Where each column stands.
+/// The position of each column.
 Fields read_header(CsvReader& csv) {
   if (!csv.next()) csv.fail("is empty", expected);
   Fields fields;
@@ -32,14 +32,14 @@ Fields read_header(CsvReader& csv) {
     const auto* known = std::find(columns.begin(), columns.end(), name);
     if (known == columns.end()) {
       const std::string near = nearest(name, columns);
-      csv.fail(k, fmt::format("'{}' is no column of a file of measurements", name.substr(0, 40)),
+      csv.fail(k, fmt::format("is the unknown column '{}'", name.substr(0, 40)),
                near.empty() ? expected : fmt::format("did you mean '{}'?", near));
     }
     auto& field = fields[static_cast<std::size_t>(known - columns.begin())];
-    if (field) csv.fail(k, fmt::format("has a second column '{}'", name), "remove one of them");
+    if (field) csv.fail(k, fmt::format("is the duplicate column '{}'", name), "remove one of them");
     field = k;
   }
-  if (!fields[0] || !fields[2]) csv.fail("lacks a column 'label' or 'signal'", expected);
+  if (!fields[0] || !fields[2]) csv.fail("is missing the column 'label' or 'signal'", expected);
   return fields;
 }
 
@@ -50,7 +50,7 @@ Measurements read_measurements(const std::filesystem::path& path, const SignalMa
   CsvReader csv(text, path.string());
   const auto [label, transceiver, signal, error] = read_header(csv);
   const std::size_t width = csv.fields().size();
-  const CsvIds labels(matrix.labels, "label"), transceivers(matrix.transceivers, "transceiver");
+  const CsvIdLookup labels(matrix.labels, "label"), transceivers(matrix.transceivers, "transceiver");
 
   Measurements result;
   result.of_pairs = transceiver.has_value();
@@ -58,8 +58,7 @@ Measurements read_measurements(const std::filesystem::path& path, const SignalMa
   std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
   while (csv.next()) {
     if (csv.fields().size() != width)
-      csv.fail(fmt::format("has {} fields where {} are expected", csv.fields().size(), width),
-               "correct the line");
+      csv.fail(fmt::format("has {} fields", csv.fields().size()), fmt::format("{} are expected", width));
     Measurement one;
     one.label = labels.read(csv, *label);
     if (transceiver) one.transceiver = transceivers.read(csv, *transceiver);
@@ -67,20 +66,19 @@ Measurements read_measurements(const std::filesystem::path& path, const SignalMa
     if (error) {
       one.error = csv.number(*error);
       if (*one.error <= 0)
-        csv.fail(
-            *error, "is not above 0",
-            "an error is the standard deviation of its signal; leave the column out where it is unknown");
+        csv.fail(*error, "is not greater than 0",
+                 "an error is the standard deviation of its signal; remove the column if it is unknown");
     }
     const bool is_new = seen.emplace(one.label, one.transceiver.value_or(0)).second;
     if (!is_new) {
       const std::string pair =
           transceiver ? fmt::format("label '{}' and transceiver '{}'", csv.id(*label), csv.id(*transceiver))
                       : fmt::format("label '{}'", csv.id(*label));
-      csv.fail(fmt::format("names {} a second time", pair), "average what was measured more than once");
+      csv.fail(fmt::format("is a duplicate of {}", pair), "average repeated measurements");
     }
     result.values.push_back(one);
   }
-  if (result.values.empty()) csv.fail("has a header only", "add a line for every measured signal");
+  if (result.values.empty()) csv.fail("has only a header", "add a line for every measured signal");
   return result;
 }
 

@@ -9,25 +9,24 @@
 
 namespace shelfbeam {
 
-/// A measured signal and what it was measured of.
+/// A measured signal with its label and transceiver.
 struct Measurement {
   std::uint32_t label = 0;                   ///< row of the matrix
-  std::optional<std::uint32_t> transceiver;  ///< column; nothing: of several units at once
-  double signal = 0;                         ///< linear, in any unit; may be 0 or negative
-  std::optional<double> error;               ///< its standard deviation in the same unit, above 0
+  std::optional<std::uint32_t> transceiver;  ///< column; nothing: several units at once
+  double signal = 0;                         ///< linear, in any unit of measure; may be 0 or negative
+  std::optional<double> error;               ///< standard deviation of `signal`, above 0
 };
 
-/// Measured signals, all of single transceivers or all of several at once.
+/// Measured signals: either all from single transceivers or all from several at once.
 struct Measurements {
   std::vector<Measurement> values;
-  bool of_pairs = false;  ///< the file names transceivers
+  bool of_pairs = false;  ///< whether the file names transceivers
   bool has_errors = false;
 };
 
 /// Reads a CSV with header `label,transceiver,signal,error` (docs/formats/measurements.md); `transceiver` and
-/// `error` may be missing, the order is free. Throws InputError with file and line for another header,
-/// unknown ids, a label or pair that comes twice, values that are not finite, and errors that are not above
-/// 0.
+/// `error` may be missing, and the order is free. Throws InputError with file and line for another header,
+/// unknown ids, duplicate labels or pairs, values that are not finite, and errors that are not above 0.
 Measurements read_measurements(const std::filesystem::path& path, const SignalMatrix& matrix);
 
 }  // namespace shelfbeam

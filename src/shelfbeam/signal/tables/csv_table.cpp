@@ -17,8 +17,8 @@ namespace {
 void read_row(SignalTable& table, const CsvReader& csv, std::size_t first_value) {
   const std::size_t expected = first_value + table.columns();
   if (csv.fields().size() != expected)
-    csv.fail(fmt::format("has {} fields where {} are expected", csv.fields().size(), expected),
-             "give every row one value for each transceiver");
+    csv.fail(fmt::format("has {} fields", csv.fields().size()),
+             fmt::format("{} are expected, one value for each transceiver", expected));
   for (std::size_t j = 0; j < table.columns(); ++j)
     if (const double value = csv.amount(first_value + j); value > 0)
       table.entries.push_back({static_cast<std::uint32_t>(j), value});
@@ -43,26 +43,25 @@ void read_rows_with_ids(SignalTable& table, CsvReader& csv) {
       csv.fail(fmt::format("the header's field {} is empty", j + 1), "give every transceiver an id");
     table.transceivers.push_back({.id = header[j]});
   }
-  if (table.transceivers.empty()) csv.fail("the header names no transceiver", "add a column for each");
+  if (table.transceivers.empty()) csv.fail("the header has no transceivers", "add a column for each");
   do {
     table.labels.push_back({.id = csv.id(0)});
     read_row(table, csv, 1);
   } while (csv.next());
 }
 
-// Calls apply(row, field) for every line after the header, with the row of `rows` that its id names.
+// Calls apply(row, field) for every line after the header, with the element of `rows` that has its id.
 template <class Rows, class Apply>
 void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Apply& apply) {
   const std::size_t width = csv.fields().size();
-  const CsvIds ids(rows, kind);
+  const CsvIdLookup ids(rows, kind);
   std::unordered_set<std::uint32_t> seen;
   while (csv.next()) {
     if (csv.fields().size() != width)
-      csv.fail(fmt::format("has {} fields where {} are expected", csv.fields().size(), width),
-               "correct the line");
+      csv.fail(fmt::format("has {} fields", csv.fields().size()), fmt::format("{} are expected", width));
     const std::uint32_t row = ids.read(csv, 0);
     if (!seen.insert(row).second)
-      csv.fail(0, fmt::format("names {} '{}' a second time", kind, csv.id(0)), "remove one of the lines");
+      csv.fail(0, fmt::format("is the duplicate {} '{}'", kind, csv.id(0)), "remove one of the lines");
     for (std::size_t field = 1; field < width; ++field) apply(rows[row], field);
   }
 }
@@ -75,8 +74,8 @@ SignalTable read_csv_table(std::string_view text, const std::string& name) {
   table.row_begin = {0};
   if (!csv.next()) csv.fail("is empty", "name a file with a signal matrix");
   if (csv.fields()[0].starts_with('#'))
-    csv.fail("is a comment, which a matrix cannot have", "remove the line");
-  // A header's first field is no number: it stands above ids or is one.
+    csv.fail("is a comment; a matrix file cannot contain comments", "remove the line");
+  // The first field of a header is not a number: it is an id or the title of the ids.
   if (to_number(csv.fields()[0]))
     read_plain_rows(table, csv);
   else
@@ -91,7 +90,7 @@ namespace shelfbeam {
 void apply_costs(SignalTable& table, const std::filesystem::path& path) {
   const std::string text = detail::read_text_file(path);
   CsvReader csv(text, path.string());
-  if (!csv.next()) csv.fail("is empty", "its first line is 'id,cost' or 'id,link_cost,signal_cost'");
+  if (!csv.next()) csv.fail("is empty", "the first line must be 'id,cost' or 'id,link_cost,signal_cost'");
 
   const std::vector<std::string> header(csv.fields().begin(), csv.fields().end());
   constexpr std::array<std::string_view, 3> costs = {"cost", "link_cost", "signal_cost"};
@@ -99,16 +98,16 @@ void apply_costs(SignalTable& table, const std::filesystem::path& path) {
     const bool known =
         i == 0 ? header[i] == "id" : std::find(costs.begin(), costs.end(), header[i]) != costs.end();
     if (!known)
-      csv.fail(i, fmt::format("'{}' is no column of a cost file", header[i]),
-               "the first line is 'id,cost' or 'id,link_cost,signal_cost'");
+      csv.fail(i, fmt::format("is the unknown column '{}'", header[i]),
+               "the first line must be 'id,cost' or 'id,link_cost,signal_cost'");
     if (std::find(header.begin(), header.begin() + static_cast<std::ptrdiff_t>(i), header[i]) !=
         header.begin() + static_cast<std::ptrdiff_t>(i))
-      csv.fail(i, fmt::format("has a second column '{}'", header[i]), "remove one of them");
+      csv.fail(i, fmt::format("is the duplicate column '{}'", header[i]), "remove one of them");
   }
   const bool of_transceivers = std::find(header.begin(), header.end(), "cost") != header.end();
   if (header.size() < 2 || (of_transceivers && header.size() > 2))
-    csv.fail("is neither a cost file of transceivers nor one of labels",
-             "the first line is 'id,cost' or 'id,link_cost,signal_cost'");
+    csv.fail("is the header of neither transceiver costs nor label costs",
+             "the first line must be 'id,cost' or 'id,link_cost,signal_cost'");
 
   if (of_transceivers) {
     detail::for_each_line(

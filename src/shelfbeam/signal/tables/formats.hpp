@@ -7,11 +7,11 @@
 
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-// One reader per matrix format (docs/formats/matrices.md). `name` stands for the file in errors.
+// One reader per matrix format (docs/formats/matrices.md). Errors name the file as `name`.
 
 namespace shelfbeam::detail {
 
-/// All formats but the signal file, in words.
+/// All formats except the signal file, for messages.
 inline constexpr auto matrix_formats = "CSV, NPY, sparse text, or OR-Library scp or rail file";
 
 SignalTable read_csv_table(std::string_view text, const std::string& name);
@@ -19,7 +19,7 @@ SignalTable read_sparse_text(std::string_view text, const std::string& name);
 SignalTable read_or_library(std::string_view text, const std::string& name);
 SignalTable read_npy_table(const std::filesystem::path& path);
 
-/// Names the rows L1, L2, ... and the columns T1, T2, ... of a file that has no ids.
+/// Name the rows L1, L2, ... and the columns T1, T2, ... of a file without ids.
 void number_labels(SignalTable& table, std::size_t count);
 void number_transceivers(SignalTable& table, std::size_t count);
 

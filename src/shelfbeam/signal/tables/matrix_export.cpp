@@ -11,13 +11,13 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 
-static_assert(std::endian::native == std::endian::little, "NPY files are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "NPY files are written in memory byte order");
 
 namespace shelfbeam {
 
 namespace {
 
-/// A file that appears when it is complete, written piece by piece.
+/// Writes a file piece by piece; the file appears when it is complete.
 class PieceWriter {
  public:
   explicit PieceWriter(const std::filesystem::path& path)
@@ -72,7 +72,7 @@ void write_matrix_npy(const SignalMatrix& matrix, std::span<const float> values,
   check_size(matrix, values);
   std::string header = fmt::format("{{'descr': '<f4', 'fortran_order': False, 'shape': ({}, {}), }}",
                                    matrix.rows(), matrix.columns());
-  // The data begin at a multiple of 64 bytes; 10 bytes stand before this text, and it ends with a line break.
+  // The data must begin at a multiple of 64 bytes. 10 bytes precede this text, and a line break ends it.
   header.append(63 - (header.size() + 10) % 64, ' ');
   header += '\n';
   PieceWriter file(path);

@@ -9,12 +9,12 @@
 
 namespace shelfbeam {
 
-/// Writes a row-major matrix as CSV: a header row with transceiver ids, then a row a label with its id first;
-/// nine significant digits, so that 32-bit values survive the round trip.
+/// Writes a row-major matrix as CSV: a header with the transceiver ids, then one row per label, which begins
+/// with the label's id. Nine significant digits preserve 32-bit values exactly.
 void write_matrix_csv(const SignalMatrix& matrix, std::span<const float> values,
                       const std::filesystem::path& path);
 
-/// Writes a row-major matrix as NPY 1.0, little-endian float32, C order; ids are not kept.
+/// Writes a row-major matrix as NPY 1.0, little-endian float32, C order, without ids.
 void write_matrix_npy(const SignalMatrix& matrix, std::span<const float> values,
                       const std::filesystem::path& path);
 

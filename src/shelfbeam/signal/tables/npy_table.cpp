@@ -12,7 +12,7 @@
 #include "shelfbeam/signal/tables/formats.hpp"
 #include "shelfbeam/signal/text_file.hpp"
 
-static_assert(std::endian::native == std::endian::little, "NPY files are read as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "NPY files are read in memory byte order");
 
 namespace shelfbeam::detail {
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ NpyHeader parse_header(std::string_view text, const std::string& name) {
   const auto wrong = [&](const std::string& problem, const std::string& suggestion) {
     return InputError(name + ": header", problem, suggestion);
   };
-  // What stands behind 'key': up to `end`, that included.
+  // The text after 'key': up to and including `end`.
   const auto value = [&](std::string_view key, std::string_view end) {
     const std::string quoted = fmt::format("'{}':", key);
     if (const auto found = text.find(quoted); found != std::string_view::npos) {
@@ -38,16 +38,16 @@ NpyHeader parse_header(std::string_view text, const std::string& name) {
       if (const auto stop = rest.find_first_of(end); stop != std::string_view::npos)
         return trim(rest.substr(0, stop + 1));
     }
-    throw wrong(fmt::format("has no '{}'", key), "write the file again with numpy.save");
+    throw wrong(fmt::format("is missing '{}'", key), "write the file again with numpy.save");
   };
   NpyHeader header;
   const std::string_view type = value("descr", ",");
   if (type == "'<f8',")
     header.is_double = true;
   else if (type != "'<f4',")
-    throw wrong(fmt::format("the data are of type {}", type.substr(0, type.size() - 1)),
-                type.starts_with("'>") ? "big-endian is not read: save matrix.astype('<f4')"
-                                       : "'<f4' and '<f8' are read: save matrix.astype('<f4')");
+    throw wrong(fmt::format("the data have type {}", type.substr(0, type.size() - 1)),
+                type.starts_with("'>") ? "big-endian is not supported: save matrix.astype('<f4')"
+                                       : "'<f4' and '<f8' are supported: save matrix.astype('<f4')");
 
   const std::string_view order = value("fortran_order", ",");
   if (order != "True," && order != "False,")
@@ -81,7 +81,7 @@ NpyHeader read_header(const fs::path& path) {
   std::size_t length = byte(8) | byte(9) << 8;
   if (prefix == 12) length |= byte(10) << 16 | byte(11) << 24;
   if (byte(6) < 1 || byte(6) > 3 || bytes.size() < prefix || length > bytes.size() - prefix)
-    throw InputError(path.string() + ": header", "is damaged, truncated or of an unknown NPY version",
+    throw InputError(path.string() + ": header", "is truncated, corrupt or of an unknown NPY version",
                      "write the file again with numpy.save");
   NpyHeader header = parse_header(std::string_view(bytes).substr(prefix, length), path.string());
   header.data_begin = prefix + length;
@@ -94,14 +94,14 @@ SignalTable read_entries(const fs::path& path, const NpyHeader& header) {
   const std::size_t present = static_cast<std::size_t>(fs::file_size(path)) - header.data_begin;
   if (present % sizeof(T) != 0 || present / sizeof(T) / n != m || present / sizeof(T) % n != 0)
     throw InputError(path.string(),
-                     fmt::format("holds {} bytes of data where its shape ({}, {}) takes {}", present, m, n,
+                     fmt::format("has {} bytes of data, but its shape ({}, {}) requires {}", present, m, n,
                                  static_cast<double>(m) * static_cast<double>(n) * sizeof(T)),
-                     "it is truncated or damaged: write it again");
+                     "it is truncated or corrupt: write it again");
   std::vector<T> values(m * n);
   std::ifstream in(path, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(header.data_begin));
   in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(T)));
-  if (!in) throw InputError(path.string(), "reading failed part-way", "check the disk");
+  if (!in) throw InputError(path.string(), "cannot be read to its end", "check the disk");
 
   SignalTable table;
   number_labels(table, m);

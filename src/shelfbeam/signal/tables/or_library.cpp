@@ -54,7 +54,7 @@ SignalTable read_scp(TextScanner& in) {
               [](const auto& a, const auto& b) { return a.transceiver < b.transceiver; });
     row_begin.push_back(entries.size());
   }
-  if (!in.at_end()) in.fail("the file goes on after the last row", "remove the rest or correct the counts");
+  if (!in.at_end()) in.fail("the file continues after the last row", "remove the rest or correct the counts");
 
   SignalTable table = covering_table(extent, costs);
   table.entries = std::move(entries);
@@ -62,7 +62,7 @@ SignalTable read_scp(TextScanner& in) {
   return table;
 }
 
-// Column-wise: a line a column with its cost, a count and the rows that it covers (from 1).
+// Column-wise: a line per column with its cost, a count and the rows that it covers (from 1).
 SignalTable read_rail(TextScanner& in) {
   const Extent extent = read_extent(in);
   std::vector<double> costs;
@@ -71,7 +71,7 @@ SignalTable read_rail(TextScanner& in) {
   for (std::uint32_t j = 0; j < extent.columns; ++j) {
     if (in.at_end())
       in.fail(fmt::format("the file ends after {} of {} columns", j, extent.columns),
-              "fetch it again or correct n");
+              "download it again or correct n");
     costs.push_back(in.amount("the cost of a column"));
     const std::uint32_t count = in.whole("the number of rows of a column", 0, extent.rows);
     for (std::uint32_t k = 0; k < count; ++k) covered.push_back(in.whole("a row number", 1, extent.rows) - 1);
@@ -79,7 +79,7 @@ SignalTable read_rail(TextScanner& in) {
     column_begin.push_back(covered.size());
   }
   if (!in.at_end())
-    in.fail(fmt::format("the file goes on after {} columns", extent.columns), "remove the rest or correct n");
+    in.fail(fmt::format("the file continues after column {}", extent.columns), "remove the rest or fix n");
 
   SignalTable table = covering_table(extent, costs);
   table.row_begin.assign(extent.rows + std::size_t{1}, 0);
@@ -105,8 +105,8 @@ void check_no_repeats(const SignalTable& table, const std::string& name) {
 }  // namespace
 
 SignalTable read_or_library(std::string_view text, const std::string& name) {
-  // Nothing in the file says which of the two it is. The rail form is the stricter; where neither fits, the
-  // one that got further tells what is wrong.
+  // The file does not state its form. The rail form is stricter and is tried first. If neither fits, the
+  // error of the reader that got further is reported.
   const auto read = [&] {
     TextScanner rail(text, name, LineBreaks::matter), scp(text, name, LineBreaks::blank);
     try {

@@ -7,7 +7,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/math/places.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/signal/tables/formats.hpp"
@@ -39,11 +39,11 @@ void check_unique(const Rows& rows, std::string_view kind, const std::string& na
   seen.reserve(rows.size());
   for (const auto& row : rows)
     if (!seen.insert(row.id).second)
-      throw InputError(name, fmt::format("has two {}s with the id '{}'", kind, row.id), "rename one of them");
+      throw InputError(name, fmt::format("has the duplicate {} id '{}'", kind, row.id), "make ids unique");
 }
 
-// The first line tells the formats apart: "m n g" is sparse text, "m n" OR-Library, and all else is CSV,
-// which has commas unless there is a single column.
+// The first line determines the format: "m n g" is sparse text, "m n" is OR-Library, and anything else is
+// CSV, which has commas unless it has a single column.
 SignalTable read_text_table(std::string_view text, const std::string& name) {
   const std::string_view content = trim(text);
   if (content.empty()) throw InputError(name, "is empty", "name a file with a signal matrix");
@@ -63,14 +63,14 @@ SignalTable read_text_table(std::string_view text, const std::string& name) {
     if (words == 3) return detail::read_sparse_text(text, name);
   }
   throw InputError(name + ": line 1",
-                   fmt::format("'{}' begins no known matrix format", first_line.substr(0, 60)),
-                   "CSV (separated by commas), sparse text ('m n g') and OR-Library ('m n') are understood");
+                   fmt::format("'{}' does not begin a known matrix format", first_line.substr(0, 60)),
+                   "CSV (separated by commas), sparse text ('m n g') and OR-Library ('m n') are supported");
 }
 
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> shared_mounts(const SignalMatrix& matrix) {
-  const Places places = places_of(positions_of(matrix.transceivers));
+  const DistinctPositions places = distinct_positions(positions_of(matrix.transceivers));
   std::vector<std::vector<std::uint32_t>> mounts(places.count);
   for (std::uint32_t j = 0; j < matrix.columns(); ++j) mounts[places.of[j]].push_back(j);
   std::erase_if(mounts, [](const auto& mount) { return mount.size() < 2; });

@@ -21,14 +21,14 @@ struct SignalEntry {
   double signal = 0;
 };
 
-/// A signal matrix from anywhere, reduced to what placement needs; rows hold their non-zero entries in
-/// ascending column order. Where a source has no requirement or costs the defaults below stand.
+/// A signal matrix from any source, reduced to the input of placement. Rows contain their non-zero entries in
+/// ascending column order. The defaults below apply to sources without requirement or costs.
 struct SignalTable {
   struct Label {
     std::string id;
-    double requirement = 0;  ///< gamma tau; 0: not known, and to be set (set_requirement)
-    /// Reach of one unit alone counts from here on; as `requirement` except where a file says otherwise
-    /// (sparse text: g).
+    double requirement = 0;  ///< gamma tau; 0: unknown, must be set (set_requirement)
+    /// The signal from which one unit alone reaches the label; equals `requirement` unless the file gives
+    /// another value (sparse text: g).
     double single_requirement = 0;
     double link_cost = 0;
     double signal_cost = 0;
@@ -42,14 +42,15 @@ struct SignalTable {
 
   std::vector<Label> labels;
   std::vector<Transceiver> transceivers;
-  /// Columns that are options of one mounting point, of which at most one can be chosen: two or more each,
-  /// ascending, no column twice. Every other column has a point of its own.
+  /// Groups of columns that are options of one mounting point, of which at most one can be chosen: at least
+  /// two each, ascending, without duplicates. Every other column has its own mounting point.
   std::vector<std::vector<std::uint32_t>> mounts;
-  /// Pairs of columns that must not be chosen together, mounting points aside (signal/constraints/apart.hpp):
-  /// the smaller first, ascending, no pair twice, no two installed units.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;
-  double min_spacing = 0;  ///< m; the distance that pairs of `apart` stand for, 0 without one (keep_apart)
-  /// Where the rows come from several matrices (stack_tables): which, in order; else empty.
+  /// Pairs of columns that must not both be chosen (signal/constraints/conflicts.hpp), without those of one
+  /// mounting point: smaller column first, ascending, no duplicates, no pairs of installed units.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> conflicts;
+  double min_spacing =
+      0;  ///< m; the distance that pairs of `conflicts` enforce, 0 without one (add_conflicts)
+  /// The scenarios of the rows, in order, if they come from several matrices (stack_tables); otherwise empty.
   struct Scenario {
     std::string name;
     std::size_t first = 0;  ///< row
@@ -71,24 +72,24 @@ struct SignalTable {
   }
 };
 
-/// Candidates at the same place (math/places.hpp), two or more each: SignalTable::mounts.
+/// Groups of at least two candidates at the same position (math/distinct_positions.hpp): SignalTable::mounts.
 std::vector<std::vector<std::uint32_t>> shared_mounts(const SignalMatrix& matrix);
 
 /// The table of a simulated matrix (its means, requirements, costs, installed units and mounting points).
-/// Throws InputError when two units are installed at one point; `name` stands for the matrix in it.
+/// Throws InputError, which names the matrix as `name`, if two units are installed at one mounting point.
 SignalTable make_signal_table(const SignalMatrix& matrix, const std::string& name = "signal matrix");
 
 /// Reads a matrix from HDF5 (this program's signal file), CSV, NPY, sparse text, or an OR-Library `scp` or
-/// `rail` file; text may be gzip-compressed. The kind is found from the content, not from the name.
-/// Throws InputError with file and place for anything else: truncated, NaN, infinite or negative entries,
-/// ragged rows, duplicate ids.
+/// `rail` file; text may be gzip-compressed. The format is detected from the content, not from the name.
+/// Throws InputError with file and location for other or truncated files, NaN, infinite or negative entries,
+/// ragged rows and duplicate ids.
 SignalTable read_signal_table(const std::filesystem::path& path);
 
-/// Sets requirement and single requirement of every label.
+/// Sets the requirement and single requirement of every label.
 void set_requirement(SignalTable& table, double requirement);
 
-/// Costs from a CSV with header `id,cost` (transceivers) or `id,link_cost,signal_cost` (labels; either cost
-/// column may be left out). Throws InputError for unknown or repeated ids and negative or non-finite costs.
+/// Sets costs from a CSV with header `id,cost` (transceivers) or `id,link_cost,signal_cost` (labels; either
+/// cost column is optional). Throws InputError for unknown or duplicate ids and negative or non-finite costs.
 void apply_costs(SignalTable& table, const std::filesystem::path& csv);
 
 }  // namespace shelfbeam

@@ -29,7 +29,7 @@ void read_row(SignalTable& table, TextScanner& in, std::uint32_t columns) {
   const auto twice =
       std::adjacent_find(first, last, [&](const auto& a, const auto& b) { return !by_column(a, b); });
   if (twice != last)
-    in.fail(fmt::format("the line names column {} twice", twice->transceiver), "remove one of the pairs");
+    in.fail(fmt::format("the line has the duplicate column {}", twice->transceiver), "remove one of them");
   table.entries.erase(std::remove_if(first, last, [](const SignalEntry& e) { return e.signal == 0; }), last);
   table.row_begin.push_back(table.entries.size());
 }
@@ -49,11 +49,11 @@ SignalTable read_sparse_text(std::string_view text, const std::string& name) {
   table.row_begin = {0};
   for (std::uint32_t i = 0; i < rows; ++i) {
     if (in.at_end())
-      in.fail(fmt::format("the file ends after {} of {} labels", i, rows), "fetch it again or correct m");
+      in.fail(fmt::format("the file ends after {} of {} labels", i, rows), "download it again or correct m");
     read_row(table, in, columns);
   }
   if (!in.at_end())
-    in.fail(fmt::format("the file goes on after {} labels", rows), "remove the rest or correct m");
+    in.fail(fmt::format("the file continues after {} labels", rows), "remove the rest or correct m");
 
   number_labels(table, rows);
   for (SignalTable::Label& label : table.labels) {

@@ -22,18 +22,18 @@ inline bool is_blank(char c) {
 }
 
 enum class LineBreaks {
-  matter,  ///< a number must stand on the line that is being read; `at_end` moves to the next line
-  blank    ///< a line break is as good as a blank
+  matter,  ///< numbers must be on the current line; `at_end` moves to the next line
+  blank    ///< a line break is equivalent to a blank
 };
 
-/// Reads blank-separated numbers from a text; what does not fit throws InputError with file, line and place.
+/// Reads blank-separated numbers from a text. Other content throws InputError with file, line and character.
 class TextScanner {
  public:
-  /// `name` stands for the file in errors. The text must outlive the scanner.
+  /// Errors name the file as `name`. The text must outlive the scanner.
   TextScanner(std::string_view text, std::string name, LineBreaks line_breaks)
       : text_(text), name_(std::move(name)), line_breaks_(line_breaks) {}
 
-  /// True when only blanks and line breaks are left; else stands before the next number.
+  /// Skips blanks and line breaks; true at the end of the text.
   bool at_end() {
     skip_blanks();
     while (position_ < text_.size() && text_[position_] == '\n') {
@@ -47,10 +47,10 @@ class TextScanner {
   void end_line(std::string_view what) {
     skip_blanks();
     if (position_ < text_.size() && text_[position_] != '\n')
-      fail(fmt::format("the line goes on after {}", what), "remove the rest or correct the count");
+      fail(fmt::format("the line continues after {}", what), "remove the rest or correct the count");
   }
 
-  /// The next whole number, within [low, high].
+  /// The next number, which must be an integer in [low, high].
   std::uint32_t whole(std::string_view what, std::uint32_t low, std::uint32_t high) {
     const std::string_view word = token(what);
     std::int64_t value = 0;
@@ -63,7 +63,7 @@ class TextScanner {
            fmt::format("a number from {} to {} is expected", low, high));
     return static_cast<std::uint32_t>(value);
   }
-  /// The next number; finite and not negative.
+  /// The next number, which must be finite and not negative.
   double amount(std::string_view what) {
     const std::string_view word = token(what);
     const auto value = to_number(word);
@@ -72,21 +72,21 @@ class TextScanner {
       fail(fmt::format("{} {}", what, problem), "a finite number that is not negative is expected");
     return *value;
   }
-  /// A count from a file's first line. Throws when it is 0 or so large that the text could not bear it, so
-  /// that memory may be taken for it.
+  /// A count from a file's first line. Throws if it is 0 or too large for the length of the text, so that the
+  /// caller can safely allocate memory for it.
   std::uint32_t extent(std::string_view what) {
-    // A row or column that nothing refers to needs no character of the text, so small texts get some slack.
+    // Empty rows or columns need no characters, so small texts have some slack.
     constexpr std::size_t slack = 1 << 16;
     const std::uint32_t count = whole(what, 1, std::numeric_limits<std::uint32_t>::max() - 1);
     if (count > std::max(text_.size(), slack))
-      fail(fmt::format("{} is {}, more than a file of {} characters can hold", what, count, text_.size()),
-           "correct the count, or fetch the file again if it is truncated");
+      fail(fmt::format("{} is {}, more than a file of {} characters can contain", what, count, text_.size()),
+           "correct the count, or download the file again if it is truncated");
     return count;
   }
 
-  /// How many characters have been read.
+  /// Number of characters read so far.
   std::size_t position() const { return position_; }
-  /// At the number that was read last.
+  /// Throws InputError at the number that was read last.
   [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
     throw InputError(fmt::format("{}: line {}, character {}", name_, line_, token_ - line_begin_ + 1),
                      problem, suggestion);
@@ -116,7 +116,7 @@ class TextScanner {
   std::size_t position_ = 0;
   std::size_t line_ = 1;
   std::size_t line_begin_ = 0;
-  std::size_t token_ = 0;  ///< where the last token began, for errors
+  std::size_t token_ = 0;  ///< beginning of the last token, for errors
 };
 
 }  // namespace shelfbeam::detail

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t gather_rays = 64;
 
-// Irradiance by the unit's true profile where the guide only has a mean.
+// Irradiance by the unit's exact profile, where UnitGroups has only its mean over phi.
 float true_irradiance(const World& world, std::uint32_t j, const SurfacePoint& at) {
   const LightPoint light = world.emitters.point(j, 0.5, 0.5);
   const Vec3 way = light.position - at.position;
@@ -22,15 +22,15 @@ float true_irradiance(const World& world, std::uint32_t j, const SurfacePoint& a
                             std::max(0.0, dot(at.normal, way)) / (squared * distance));
 }
 
-// Of one lane, over the places asked.
+// Sums of one lane over the points with shadow rays.
 struct Asked {
   float open = 0, arrived = 0;
-  std::uint8_t places = 0;
+  std::uint8_t sample_points = 0;
 
   void operator+=(const Asked& other) {
     open += other.open;
     arrived += other.arrived;
-    places = static_cast<std::uint8_t>(places + other.places);
+    sample_points = static_cast<std::uint8_t>(sample_points + other.sample_points);
   }
 };
 
@@ -45,8 +45,8 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
   std::vector<std::size_t> which;
   std::vector<float> open, shares;
   std::vector<Vec3> targets;
-  const auto ask = [&](std::size_t quadrant, const SurfacePoint& place, bool is_first) {
-    const LanePoint point(place);
+  const auto ask = [&](std::size_t quadrant, const SurfacePoint& lane_index, bool is_first) {
+    const LanePoint point(lane_index);
     which.clear();
     open.clear();
     targets.clear();
@@ -63,19 +63,20 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
       }
     }
     shares.resize(targets.size());
-    world.rays.shares(place, targets, shares);
+    world.rays.shares(lane_index, targets, shares);
     for (std::size_t t = 0; t < targets.size(); ++t) {
       const std::size_t g = which[t] / lanes;
       (shares[t] > 0 ? seen : hidden)[which[t]] = 1;
-      const float value = shares[t] == 0 || !units.is_loose(g)
+      const float value = shares[t] == 0 || !units.is_approximate(g)
                               ? open[t]
-                              : true_irradiance(world, units.column(g, which[t] % lanes), place);
+                              : true_irradiance(world, units.column(g, which[t] % lanes), lane_index);
       asked[quadrant][which[t]] += {open[t], value * shares[t], 1};
     }
   };
-  for (std::size_t k = 0; k < SurfaceCells::most_places; ++k)
+  for (std::size_t k = 0; k < SurfaceCells::max_points; ++k)
     for (std::size_t q = 0; q < SurfaceCells::quadrants; ++q)
-      if (const auto places = cells.places(cell, q); places.size() > k) ask(q, places[k], k == 0);
+      if (const auto sample_points = cells.sample_points(cell, q); sample_points.size() > k)
+        ask(q, sample_points[k], k == 0);
 
   CellLight light;
   for (std::size_t g = 0; g < units.size(); ++g) {
@@ -88,12 +89,13 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
     if (most == 0) continue;
     light.groups.push_back(static_cast<std::uint16_t>(g));
     for (std::size_t k = 0; k < lanes; ++k) {
-      light.mean.push_back(
-          PackedLane::pack(whole[k].places > 0 ? whole[k].arrived / static_cast<float>(whole[k].places) : 0));
+      light.mean.push_back(PackedLane::pack(
+          whole[k].sample_points > 0 ? whole[k].arrived / static_cast<float>(whole[k].sample_points) : 0));
       for (std::size_t q = 0; q < SurfaceCells::quadrants; ++q) {
-        // The whole cell's share counts like one place more.
+        // The whole cell's share counts like one more point.
         const Asked& own = asked[q][g * lanes + k];
-        const float one = whole[k].places > 0 ? whole[k].open / static_cast<float>(whole[k].places) : 0;
+        const float one =
+            whole[k].sample_points > 0 ? whole[k].open / static_cast<float>(whole[k].sample_points) : 0;
         const float share = whole[k].open > 0 ? whole[k].arrived / whole[k].open : 0;
         light.share[q].push_back(
             PackedLane::pack_share(one > 0 ? (own.arrived + one * share) / (own.open + one) : 0));
@@ -105,13 +107,13 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
 
 std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells, std::size_t cell,
                                    const std::vector<SurfaceGuide>& guides, std::uint64_t seed) {
-  const auto places = cells.places(cell);
+  const auto sample_points = cells.sample_points(cell);
   const std::uint64_t stream = mix_key(seed, cells.key(cell));
   const ScrambledSobol square(stream);
   std::vector<CellLink> links;
   std::uint64_t rays = 0;
   for (std::uint32_t r = 0; r < gather_rays; ++r) {
-    const SurfacePoint& at = places[r % places.size()];
+    const SurfacePoint& at = sample_points[r % sample_points.size()];
     const auto [u1, u2] = square.point(r);
     RandomStream random(stream, r, 1, 0xCAC4E);
     const auto end =

@@ -9,20 +9,20 @@ namespace shelfbeam {
 
 namespace {
 
-// A unit nearer than this gives what it would from there: only a guide is wanted.
-constexpr float least_squared_distance = 1e-6F;
+// Units nearer than this count as at this distance, which suffices for an approximation.
+constexpr float min_squared_distance = 1e-6F;
 
-// I(theta) cos / d^2 in one lane, with as few roots and divisions as each profile allows.
+// I(theta) cos / d^2 in one lane, with the fewest roots and divisions for each profile.
 template <LaneProfile profile, class Group>
 SHELFBEAM_INLINE inline float in_lane(const Group& group, const float* table, int steps, const LanePoint& p,
                                       std::size_t k) {
   const float dx = group.x[k] - p.x, dy = group.y[k] - p.y, dz = group.z[k] - p.z;
   const float whole = dx * dx + dy * dy + dz * dz;
-  const float squared = whole > least_squared_distance ? whole : least_squared_distance;
+  const float squared = whole > min_squared_distance ? whole : min_squared_distance;
   const float inverse = 1 / squared;
-  const float facing = p.nx * dx + p.ny * dy + p.nz * dz;  // distance times the cosine at the point,
+  const float facing = p.nx * dx + p.ny * dy + p.nz * dz;  // distance times the cosine at the point
   const float at_point = (facing > 0 ? facing : 0) * group.scale[k];
-  const float along = -(group.ax[k] * dx + group.ay[k] * dy + group.az[k] * dz);  // and at the unit
+  const float along = -(group.ax[k] * dx + group.ay[k] * dy + group.az[k] * dz);  // the same at the unit
   const float at_unit = along > 0 ? along : 0;
   if constexpr (profile == LaneProfile::sine) {
     const float across = squared - at_unit * at_unit;
@@ -35,10 +35,10 @@ SHELFBEAM_INLINE inline float in_lane(const Group& group, const float* table, in
     const float root = std::sqrt(inverse);
     const float cosine = along * root;
     const float c = cosine < -1 ? -1 : cosine > 1 ? 1 : cosine;
-    const float place = (1 + c) / 2 * static_cast<float>(steps);
-    const int at = static_cast<int>(place);
+    const float lane_index = (1 + c) / 2 * static_cast<float>(steps);
+    const int at = static_cast<int>(lane_index);
     const int below = at < steps ? at : steps - 1;
-    const float part = place - static_cast<float>(below);
+    const float part = lane_index - static_cast<float>(below);
     return at_point * inverse * root * (table[below] + part * (table[below + 1] - table[below]));
   }
 }
@@ -68,7 +68,7 @@ SHELFBEAM_INLINE inline void for_lanes(const Group& group, const float* table, i
   }
 }
 
-// In the registers and on the stack of one loop.
+// A local copy, so that one loop keeps it in registers and on the stack.
 struct Facets : LaneScatter, LaneMaterial {
   Facets() = default;
   explicit Facets(const LaneScatter& scatter) : LaneScatter(scatter), LaneMaterial(*scatter.material) {}
@@ -81,8 +81,8 @@ SHELFBEAM_INLINE inline float on_curve(const CosineCurve& curve, float cosine) {
   return value;
 }
 
-// The direction l of a unit: its cosine at the point and its component along x of the surface; and o + l, its
-// square, which at grazing angles is small, and its component.
+// The direction l to a unit: its cosine `ln` and its component `lx` along x of the surface; and o + l: its
+// squared length, which is small at grazing angles, and its component `hx`.
 struct Way {
   float ln, lx, squared, hx;
 };
@@ -91,7 +91,7 @@ template <class Group>
 SHELFBEAM_INLINE inline Way way_to(const Group& group, const LanePoint& p, const Facets& f, std::size_t k) {
   const float dx = group.x[k] - p.x, dy = group.y[k] - p.y, dz = group.z[k] - p.z;
   const float whole = dx * dx + dy * dy + dz * dz;
-  const float squared = whole > least_squared_distance ? whole : least_squared_distance;
+  const float squared = whole > min_squared_distance ? whole : min_squared_distance;
   const float inverse = 1 / std::sqrt(squared);
   const float facing = (p.nx * dx + p.ny * dy + p.nz * dz) * inverse;
   const float hx = f.ox + dx * inverse, hy = f.oy + dy * inverse, hz = f.oz + dz * inverse;
@@ -100,9 +100,9 @@ SHELFBEAM_INLINE inline Way way_to(const Group& group, const LanePoint& p, const
           sum > 1e-12F ? sum < 4 ? sum : 4 : 1e-12F, f.tx * hx + f.ty * hy + f.tz * hz};
 }
 
-// F D G / (4 cos cos) (2.23) of facets that may be rougher one way: GGX (2.29), (2.31), or Beckmann's, whose
-// exponential (2.24) is (1 + x / 64)^-64 here, high by 1 % where x is 1 and by 13 % where it is 4, and whose
-// masking is the rational approximation of (2.28).
+// F D G / (4 cos cos) (2.23) of microfacets, isotropic or not: GGX (2.29), (2.31), or Beckmann's. Beckmann's
+// exponential (2.24) is approximated by (1 + x / 64)^-64, which is high by 1 % at x = 1 and by 13 % at x = 4,
+// its masking by the rational approximation of (2.28).
 template <bool beckmann>
 SHELFBEAM_INLINE inline float highlight(const Facets& f, const Way& way) {
   const float ln = way.ln;
@@ -128,7 +128,7 @@ SHELFBEAM_INLINE inline float highlight(const Facets& f, const Way& way) {
   }
 }
 
-// use(k, cosine at the point, highlight) in all lanes.
+// Calls use(k, cosine at the point, highlight) for all lanes.
 template <class Group, class Use>
 SHELFBEAM_INLINE inline void for_highlights(const Group& group, const LanePoint& p, const Facets& f,
                                             const Use& use) {
@@ -147,7 +147,7 @@ SHELFBEAM_INLINE inline void for_highlights(const Group& group, const LanePoint&
   }
 }
 
-// A loop of its own: loops that mix widths of numbers are turned into vectors of the smallest one's length.
+// A separate loop, because compilers vectorise a loop over types of different width by the narrowest type.
 SHELFBEAM_INLINE inline void unpack(const std::uint8_t* share, float* part) {
   SHELFBEAM_VECTORIZE
   for (std::size_t k = 0; k < lanes; ++k) part[k] = PackedLane::share(share[k]);

@@ -12,7 +12,7 @@
 
 namespace shelfbeam {
 
-/// Shares in one byte and irradiances in two: a radiance cache has hundreds of millions.
+/// Packs shares into one byte and irradiances into two; a radiance cache has hundreds of millions of them.
 struct PackedLane {
   static std::uint8_t pack_share(float share) {
     return static_cast<std::uint8_t>(std::lround(std::min(share, 1.99F) * 128));
@@ -27,35 +27,36 @@ struct PackedLane {
   }
 };
 
-/// The inner loops over lanes, compiled for several kinds of processor.
+/// The inner loops over lanes, compiled for several instruction sets. `list` contains indices of groups.
 struct LaneKernels {
   /// UnitGroups::irradiance.
   static void irradiance(const UnitGroups& groups, std::size_t g, const LanePoint& point, LaneValues& result);
 
-  /// sums[g][k] += weight (e_k share_k + indirect_k) for `count` groups, e being the irradiance, up to its
-  /// cap if asked; share and indirect have a row of lanes for each of them, sums one for each group of all.
+  /// sums[g][k] += weight (e_k share_k + indirect_k) for the `count` groups g of `list`; e is the irradiance,
+  /// with `is_capped` limited to its cap. share and indirect have a row per listed group, sums a row per
+  /// group.
   static void add_irradiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
                              const LanePoint& point, bool is_capped, float weight, const std::uint8_t* share,
                              const std::uint16_t* indirect, float* sums);
 
-  /// The same of radiance: sums[g][k] += weight (f_k e_k share_k + indirect_factor indirect_k), f as
-  /// `scatter` has it.
+  /// The same for radiance: sums[g][k] += weight (f_k e_k share_k + indirect_factor indirect_k), f by
+  /// `scatter`.
   static void add_radiance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
                            const LanePoint& point, const LaneScatter& scatter, bool is_capped, float weight,
                            float indirect_factor, const std::uint8_t* share, const std::uint16_t* indirect,
                            float* sums);
 
-  /// The parts of f for one unit: entry(cos l), and the highlight.
+  /// The parts of f for one unit: entry(cos l) and the highlight.
   struct Parts {
     float entry, highlight;
   };
   static Parts parts(const UnitGroups& groups, std::size_t g, std::size_t lane, const LanePoint& point,
                      const LaneScatter& scatter);
 
-  /// How much the sampling of shadow rays should care for each lane of a row: e (sqrt |share (1 - share)| +
-  /// 0.05) + floor x bound, e up to its cap if asked. Keeps the whole e in `irradiance`, the result in
-  /// `importance`; returns its sum.
-  /// With `scatter`, e counts by as many times more as the highlight outshines white paint.
+  /// Importance of each lane for the sampling of shadow rays: e (sqrt |share (1 - share)| + 0.05) + floor x
+  /// UnitGroups::bound. With `is_capped`, e is limited to its cap; with `scatter`, e is multiplied by 1 + pi
+  /// times the highlight. Writes the unlimited e to `irradiance` and the result to `importance`; returns the
+  /// sum of the importances.
   static float importance(const UnitGroups& groups, const std::uint16_t* list, std::size_t count,
                           const LanePoint& point, bool is_capped, const std::uint8_t* share, float floor,
                           const LaneScatter* scatter, float* irradiance, float* importance);
@@ -64,7 +65,7 @@ struct LaneKernels {
   static void add_listed(const std::uint16_t* list, std::size_t count, float weight,
                          const std::uint16_t* values, float* sums);
 
-  /// to[k] += weight from[k], for `count` packed rows of lanes.
+  /// to[k] += weight from[k] for `count` packed rows of lanes.
   static void add_packed(std::size_t count, float weight, const std::uint16_t* from, float* to);
 
   /// sums[g][k] += weight values[g][k] for the listed groups.
@@ -72,7 +73,7 @@ struct LaneKernels {
                   float* sums);
 };
 
-/// A value for every unit, of which only some groups are not zero.
+/// A value for every unit; only the groups in use are not zero.
 class LaneRow {
  public:
   explicit LaneRow(std::size_t groups) : values_(groups * lanes), is_used_(groups) { used_.reserve(groups); }
@@ -95,10 +96,10 @@ class LaneRow {
       used_.push_back(list[c]);
     }
   }
-  void add(std::uint32_t place, double value) {
-    const auto g = static_cast<std::uint16_t>(place / lanes);
+  void add(std::uint32_t lane_index, double value) {
+    const auto g = static_cast<std::uint16_t>(lane_index / lanes);
     use(&g, 1);
-    values_[place] += static_cast<float>(value);
+    values_[lane_index] += static_cast<float>(value);
   }
   void add(const LaneRow& other, double weight) {
     use(other.used_.data(), other.used_.size());

@@ -20,8 +20,8 @@ namespace {
 using detail::CellLight;
 using detail::CellLink;
 
-constexpr int rounds = 6;  // of Jacobi's iteration
-constexpr double most_ratio = 0.995;
+constexpr int rounds = 6;  // of Jacobi iteration
+constexpr double max_ratio = 0.995;
 
 std::vector<SurfaceGuide> surface_guides(const Scene& scene) {
   std::vector<SurfaceGuide> guides;
@@ -29,14 +29,14 @@ std::vector<SurfaceGuide> surface_guides(const Scene& scene) {
   return guides;
 }
 
-// Cell by cell on all threads.
+// Calls body(cell) for all cells, on all threads.
 template <class Body>
 void for_cells(std::size_t count, const RunControl& control, const Body& body) {
-  for_parts(count, [&](std::size_t first, std::size_t last) {
+  parallel_for_ranges(count, [&](std::size_t first, std::size_t last) {
     for (std::size_t cell = first; cell < last && !control.cancelled(); ++cell) body(cell);
   });
   if (control.cancelled())
-    throw Interrupted("the simulation was stopped before it had two batches of samples");
+    throw Interrupted("the simulation was stopped before it completed two batches of samples");
 }
 
 }  // namespace
@@ -52,14 +52,14 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
     light[cell] = detail::straight_light(world, units, cells_, cell, least);
     links[cell] = detail::gather_links(world, cells_, cell, guides_, seed);
   });
-  cells_.forget_places();
+  cells_.free_points();
   control.report("preparing", 0.5);
   choose_groups(units.size(), light, links, least, control);
   control.report("preparing", 0.6);
   iterate(light, links, control);
 }
 
-// The rounds of `iterate` with one number a group, its brightest lane, tell which groups matter where.
+// Chooses the groups of each cell by the rounds of `iterate` with one number per group, its brightest lane.
 void RadianceCache::choose_groups(std::size_t n_groups, const std::vector<CellLight>& light,
                                   const std::vector<std::vector<CellLink>>& links, float least,
                                   const RunControl& control) {
@@ -92,8 +92,8 @@ void RadianceCache::choose_groups(std::size_t n_groups, const std::vector<CellLi
   }
 }
 
-// Radiosity by Jacobi's rounds, all units at once: the whole irradiance from the straight one. What a cell
-// has in `light` is given up once it has been taken over, for a large store has a gigabyte of it.
+// Radiosity by Jacobi iteration for all units at once: computes the total irradiance from the direct one.
+// Frees the `light` of each cell after copying it, because a large store has a gigabyte of it.
 void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std::vector<CellLink>>& links,
                             const RunControl& control) {
   const std::size_t count = light.size();
@@ -113,7 +113,7 @@ void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std
   });
   std::vector<std::uint16_t> whole = straight, fresh(straight.size());
   std::vector<double> of_cell(count);
-  std::array<double, 3> totals{};  // of the last rounds
+  std::array<double, 3> totals{};  // of the last three rounds
   tbb::enumerable_thread_specific<std::vector<float>> sums;
   for (int round = 0; round < rounds; ++round) {
     for_cells(count, control, [&](std::size_t cell) {
@@ -128,7 +128,7 @@ void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std
             ++(groups_[a] < groups_[b] ? a : b);
             continue;
           }
-          std::size_t run = 1;  // most cells hold the same groups as those that they see
+          std::size_t run = 1;  // most cells have the same groups as the cells that they see
           while (a + run < end && b + run < end_there && groups_[a + run] == groups_[b + run]) ++run;
           LaneKernels::add_packed(run, link.weight, whole.data() + b * lanes,
                                   sum.data() + (a - begin) * lanes);
@@ -146,9 +146,9 @@ void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std
     totals = {totals[1], totals[2], std::accumulate(of_cell.begin(), of_cell.end(), 0.0)};
     control.report("preparing", 0.6 + 0.4 * (round + 1) / rounds);
   }
-  // What further rounds would bring, if each gave so many times what the one before it gave.
+  // Further rounds as a geometric series, with the ratio of the last two increments.
   const double before = totals[1] - totals[0], last = totals[2] - totals[1];
-  const double ratio = before > 0 ? std::clamp(last / before, 0.0, most_ratio) : 0;
+  const double ratio = before > 0 ? std::clamp(last / before, 0.0, max_ratio) : 0;
   const auto further = static_cast<float>(ratio / (1 - ratio));
   indirect_ = std::move(whole);
   for (std::size_t k = 0; k < indirect_.size(); ++k) {

@@ -10,39 +10,40 @@
 
 namespace shelfbeam {
 
-/// A rough solution of the whole transport, fixed before the first batch, for every unit at once: surfaces in
-/// cells of half a metre and six facings, each with the share of every unit's light that reaches it and the
-/// irradiance over further bounces. It is the control variate of the reuse estimator: whatever it gives is
-/// subtracted again where paths are sampled, so its errors cost variance and never bias.
+/// A rough solution of the whole light transport for every unit at once, fixed before the first batch.
+/// Surfaces are divided into cells of half a metre and six facings; each cell stores the share of every
+/// unit's direct light that reaches it and the irradiance by further bounces. The cache is the control
+/// variate of the reuse estimator: sampled paths estimate the difference to it, so its errors cost variance
+/// and never bias.
 class RadianceCache {
  public:
-  /// Units that give less than `least` W/m^2 to a cell are left out of it, sixteen at a time.
+  /// A cell omits the groups whose units all give it less than `least` W/m^2.
   /// Throws Interrupted when cancelled.
   RadianceCache(const World& world, const UnitGroups& groups, float least, std::uint64_t seed,
                 const RunControl& control = {});
 
-  /// The groups that a cell holds, ascending, a row of lanes each.
+  /// The groups in a cell, ascending, one row of lanes each.
   struct Row {
     const std::uint16_t* groups = nullptr;
     std::size_t count = 0;
     const std::uint8_t* share = nullptr;      ///< of UnitGroups::irradiance that arrives, packed
-    const std::uint16_t* indirect = nullptr;  ///< irradiance over one or more further bounces, W/m^2, packed
+    const std::uint16_t* indirect = nullptr;  ///< irradiance by one or more further bounces, W/m^2, packed
 
-    /// Fetches the row from memory while something else is done.
+    /// Starts to fetch the row from memory.
     void prefetch() const {
       constexpr std::size_t line = 64;
       for (std::size_t k = 0; k < count * lanes; k += line) __builtin_prefetch(share + k);
       for (std::size_t k = 0; k < count * lanes; k += line / 2) __builtin_prefetch(indirect + k);
     }
   };
-  /// Of the cell around a point; empty where nothing is known. The point's normal is on the side meant.
+  /// The row of the cell around a point, on the side of the point's normal; empty if there is no cell.
   Row row(const SurfacePoint& point) const;
 
   const SurfaceGuide& guide(MaterialId material) const { return guides_[material.value]; }
 
   std::size_t cells() const { return cells_.size(); }
-  /// How many units a cell holds, in the mean.
-  double units_a_cell() const {
+  /// Mean number of units per cell.
+  double units_per_cell() const {
     return cells() > 0 ? static_cast<double>(entries()) / static_cast<double>(cells()) : 0;
   }
   std::size_t entries() const { return groups_.size() * lanes; }
@@ -57,10 +58,10 @@ class RadianceCache {
 
   std::vector<SurfaceGuide> guides_;  // by material
   detail::SurfaceCells cells_;
-  std::vector<std::size_t> begin_;  // by cell: first of its groups
+  std::vector<std::size_t> begin_;  // by cell: index of its first group in groups_
   std::vector<std::uint16_t> groups_;
   std::vector<std::uint8_t> share_;      // by cell, quadrant, group and lane
-  std::vector<std::uint16_t> indirect_;  // `lanes` for each of groups_
+  std::vector<std::uint16_t> indirect_;  // `lanes` values per element of groups_
 };
 
 }  // namespace shelfbeam

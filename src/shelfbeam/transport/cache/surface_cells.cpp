@@ -15,7 +15,7 @@ namespace shelfbeam::detail {
 namespace {
 
 constexpr double cell_size = 0.5;  // m
-// Cells do not end where shelves and floors do, so that rounding does not throw points into the next.
+// Shifts the borders of cells off those of shelves and floors, so that rounding moves no points across them.
 constexpr double cell_shift = 0.1370;
 
 using Cell = std::array<std::int64_t, 3>;
@@ -46,7 +46,7 @@ std::size_t hash(std::uint64_t key) {
   return mix_key(key, 0x5EED);
 }
 
-// A point that a walk has met, and a random rank among those of its cell.
+// A point that a walk has met, with a random rank among the points of its cell and quadrant.
 struct Found {
   std::uint64_t key;
   std::uint32_t quadrant, rank;
@@ -57,7 +57,7 @@ struct Found {
   }
 };
 
-// Walks from a label that scatter like white paint.
+// Walks from a label on which all surfaces scatter like white paint.
 std::vector<Found> explore(const World& world, std::size_t i, std::uint32_t walks, std::uint64_t seed) {
   constexpr std::uint32_t bounces = 4;
   std::vector<Found> found;
@@ -65,9 +65,9 @@ std::vector<Found> explore(const World& world, std::size_t i, std::uint32_t walk
   const std::uint64_t stream = mix_key(seed, hash64(world.scene.labels[i].id));
   for (std::uint32_t w = 0; w < walks; ++w) {
     RandomStream random(stream, w, 0, 0xCAC4E);
-    const double u1 = random.unit(), u2 = random.unit();
+    const double u1 = random.uniform(), u2 = random.uniform();
     SurfacePoint from = world.receivers.point(i, u1, u2);
-    const double u3 = random.unit(), u4 = random.unit();
+    const double u3 = random.uniform(), u4 = random.uniform();
     const auto first = sample(world.receivers.responsivity(i), u3, u4);
     if (!first) continue;
     Vec3 direction = world.receivers.frame(i).to_world(first->direction);
@@ -78,7 +78,7 @@ std::vector<Found> explore(const World& world, std::size_t i, std::uint32_t walk
       found.push_back({key_of(end->point), static_cast<std::uint32_t>(SurfaceCells::quadrant(end->point)),
                        random.bits(), end->point});
       from = end->point;
-      const double v1 = random.unit(), v2 = random.unit();
+      const double v1 = random.uniform(), v2 = random.uniform();
       direction = Frame::about(from.normal).to_world(sample_cosine_hemisphere(v1, v2));
     }
   }
@@ -92,7 +92,7 @@ SurfaceCells::SurfaceCells(const World& world, std::uint64_t seed, const RunCont
   const auto walks =
       static_cast<std::uint32_t>(std::clamp<std::size_t>(100000 / std::max<std::size_t>(1, m), 8, 128));
   std::vector<std::vector<Found>> by_label(m);
-  for_parts(m, [&](std::size_t first, std::size_t last) {
+  parallel_for_ranges(m, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last && !control.cancelled(); ++i)
       by_label[i] = explore(world, i, walks, seed);
   });
@@ -106,14 +106,14 @@ SurfaceCells::SurfaceCells(const World& world, std::uint64_t seed, const RunCont
   for (std::size_t f = 0; f < all.size(); ++f) {
     if (f == 0 || all[f].key != all[f - 1].key) {
       keys_.push_back(all[f].key);
-      first_.resize(quadrants * keys_.size(), places_.size());
+      first_.resize(quadrants * keys_.size(), sample_points_.size());
     }
     std::size_t* const first = first_.data() + quadrants * (keys_.size() - 1);
-    if (places_.size() - first[all[f].quadrant] >= most_places) continue;
-    places_.push_back(all[f].point);
-    for (std::size_t q = all[f].quadrant + 1; q < quadrants; ++q) first[q] = places_.size();
+    if (sample_points_.size() - first[all[f].quadrant] >= max_points) continue;
+    sample_points_.push_back(all[f].point);
+    for (std::size_t q = all[f].quadrant + 1; q < quadrants; ++q) first[q] = sample_points_.size();
   }
-  first_.push_back(places_.size());
+  first_.push_back(sample_points_.size());
   std::size_t slots = 16;
   while (slots < 3 * keys_.size()) slots *= 2;
   slots_.assign(slots, nowhere);
@@ -124,14 +124,14 @@ SurfaceCells::SurfaceCells(const World& world, std::uint64_t seed, const RunCont
   }
 }
 
-std::span<const SurfacePoint> SurfaceCells::places(std::size_t cell, std::size_t quadrant) const {
+std::span<const SurfacePoint> SurfaceCells::sample_points(std::size_t cell, std::size_t quadrant) const {
   const std::size_t* const first = first_.data() + quadrants * cell + quadrant;
-  return std::span(places_).subspan(first[0], first[1] - first[0]);
+  return std::span(sample_points_).subspan(first[0], first[1] - first[0]);
 }
 
-std::span<const SurfacePoint> SurfaceCells::places(std::size_t cell) const {
+std::span<const SurfacePoint> SurfaceCells::sample_points(std::size_t cell) const {
   const std::size_t* const first = first_.data() + quadrants * cell;
-  return std::span(places_).subspan(first[0], first[quadrants] - first[0]);
+  return std::span(sample_points_).subspan(first[0], first[quadrants] - first[0]);
 }
 
 std::size_t SurfaceCells::quadrant(const SurfacePoint& point) {
@@ -142,8 +142,8 @@ std::size_t SurfaceCells::quadrant(const SurfacePoint& point) {
   return 2 * upper(ax >= ay ? scaled.y : scaled.x) + upper(scaled.z);
 }
 
-void SurfaceCells::forget_places() {
-  std::vector<SurfacePoint>().swap(places_);
+void SurfaceCells::free_points() {
+  std::vector<SurfacePoint>().swap(sample_points_);
   std::vector<std::size_t>().swap(first_);
 }
 
@@ -183,7 +183,7 @@ std::uint32_t SurfaceCells::find_near(const SurfacePoint& point) const {
 
 std::size_t SurfaceCells::bytes() const {
   return keys_.size() * sizeof(keys_[0]) + slots_.size() * sizeof(slots_[0]) +
-         places_.size() * sizeof(places_[0]) + first_.size() * sizeof(first_[0]);
+         sample_points_.size() * sizeof(sample_points_[0]) + first_.size() * sizeof(first_[0]);
 }
 
 }  // namespace shelfbeam::detail

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double smoothest = 0.03;
 
-// Other masking is not written as vectors, and smoother facets are too much for floats.
+// There is no vectorised code for other masking, and smoother facets exceed the precision of floats.
 bool is_plain(const Microfacets& facets) {
   return facets.masking != Masking::cook_torrance && std::min(facets.alpha_x, facets.alpha_y) >= smoothest;
 }
@@ -36,7 +36,7 @@ SurfaceGuide::SurfaceGuide(const Material& material) : plastic_(std::get_if<Plas
   if (plastic_ != nullptr && plastic_->facets) facets = &*plastic_->facets;
   if (conductor != nullptr && conductor->facets) facets = &*conductor->facets;
   has_highlight_ = plastic_ == nullptr || facets != nullptr;
-  if (facets != nullptr) {  // others are taken for plain ones
+  if (facets != nullptr) {  // approximated by plain ones if they are not plain
     const double x = std::max(smoothest, facets->alpha_x), y = std::max(smoothest, facets->alpha_y);
     facets_ = Microfacets{facets->distribution, x, y};
     lane_.is_beckmann = facets->distribution == FacetDistribution::beckmann;
@@ -62,9 +62,9 @@ SurfaceGuide::SurfaceGuide(const Material& material) : plastic_(std::get_if<Plas
 }
 
 LaneScatter SurfaceGuide::towards(const Vec3& outgoing, const Vec3& normal, double exit) const {
-  constexpr double least_cosine = 1e-4;
+  constexpr double min_cosine = 1e-4;
   LaneScatter scatter;
-  const double c = std::clamp(dot(normal, outgoing), least_cosine, 1.0);
+  const double c = std::clamp(dot(normal, outgoing), min_cosine, 1.0);
   scatter.ox = static_cast<float>(outgoing.x);
   scatter.oy = static_cast<float>(outgoing.y);
   scatter.oz = static_cast<float>(outgoing.z);
@@ -72,7 +72,7 @@ LaneScatter SurfaceGuide::towards(const Vec3& outgoing, const Vec3& normal, doub
   if (has_base_) scatter.base = static_cast<float>(base_ * exit);
   scatter.material = &lane_;
   if (facets_) {
-    Vec3 local{std::sqrt(1 - c * c), 0, c};  // azimuths are all the same but where facets are brushed
+    Vec3 local{std::sqrt(1 - c * c), 0, c};  // any azimuth, unless facets are anisotropic
     if (!facets_->isotropic()) {
       const Frame frame = Frame::of_surface(normal);
       local = frame.to_local(outgoing);

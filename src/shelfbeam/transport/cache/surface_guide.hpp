@@ -8,12 +8,12 @@
 
 namespace shelfbeam {
 
-/// A smooth function of a cosine, from 0 to 1, as the polynomial through seven points of it, in Newton's
-/// form: vectorised code evaluates it where a table would be slow.
+/// A smooth function of a cosine from 0 to 1: its interpolation polynomial through seven nodes, in Newton's
+/// form. Vectorised code evaluates it faster than a table.
 struct CosineCurve {
   static constexpr std::size_t nodes = 7;
   using Values = std::array<float, nodes>;
-  /// The cosines of these points, Chebyshev's: cos^2((k + 1/2) pi / 14).
+  /// The nodes, Chebyshev's: cos^2((k + 1/2) pi / 14).
   static constexpr Values at{0.98746396F, 0.89091574F, 0.71694187F, 0.50000000F,
                              0.28305813F, 0.10908426F, 0.01253604F};
 
@@ -32,54 +32,54 @@ struct CosineCurve {
   Values factor{};
 };
 
-/// What vectorised code has of a material: its facets, and curves of cosines.
+/// A material for vectorised code: its microfacets, and functions of cosines.
 struct LaneMaterial {
-  float alpha2 = 1;  ///< product of the roughness along the surface's x, alpha_x, and across, alpha_y
-  float narrow = 1, skew = 0;   ///< alpha_x / alpha_y, and alpha_y / alpha_x less that
-  float across2 = 1, more = 0;  ///< alpha_y^2, and alpha_x^2 less that
-  bool is_beckmann = false;     ///< D is Beckmann's, else that of GGX
-  CosineCurve entry;            ///< share of light that gets into the base
+  float alpha2 = 1;             ///< alpha_x alpha_y, the roughness along and across the surface's x
+  float narrow = 1, skew = 0;   ///< alpha_x / alpha_y, and alpha_y / alpha_x - alpha_x / alpha_y
+  float across2 = 1, more = 0;  ///< alpha_y^2, and alpha_x^2 - alpha_y^2
+  bool is_beckmann = false;     ///< whether D is Beckmann's, else it is GGX
+  CosineCurve entry;            ///< share of light that enters the base
   CosineCurve fresnel;
 };
 
-/// How a point of a surface scatters light towards one direction o: radiance per irradiance from a unit in
-/// direction l is base x entry(cos l), and the highlight of facets (2.23).
+/// How a point of a surface scatters light towards a direction o: the radiance per irradiance from a unit in
+/// direction l is base x entry(cos l) plus the highlight of microfacets (2.23).
 struct LaneScatter {
   float ox = 0, oy = 0, oz = 0, on = 0;  ///< o, and its cosine
   float base = 0;
-  float highlight = 0;           ///< G1(o) / (4 cos o), 0 without one
-  float tx = 0, ty = 0, tz = 0;  ///< x of the surface (Frame::of_surface) where its roughness has a direction
+  float highlight = 0;           ///< G1(o) / (4 cos o); 0 without a highlight
+  float tx = 0, ty = 0, tz = 0;  ///< x of the surface (Frame::of_surface) if its roughness is anisotropic
   const LaneMaterial* material = nullptr;
 };
 
-/// What the control variate of the reuse estimator takes a material to do. The light of a base (Lambertian,
-/// under a coat or not) looks the same from everywhere but for the share exit(cos) that leaves: all who see a
-/// point can use it. The rest, a highlight, goes one way.
+/// The control variate's approximation of a material. Light of the base (Lambertian, with or without a coat)
+/// has the same radiance in all directions except for the factor exit(cos), so all receivers that see a point
+/// can use it. The rest, the highlight, is directional.
 class SurfaceGuide {
  public:
   /// `material` must outlive the guide.
   explicit SurfaceGuide(const Material& material);
 
-  /// Radiance per irradiance, the same in every direction: all there is to know unless `is_detailed`.
+  /// Radiance per irradiance, the same in every direction; sufficient unless `is_detailed`.
   float flat() const { return flat_; }
   bool has_base() const { return has_base_; }
   bool is_detailed() const { return is_detailed_; }
-  /// Whether a unit's light may leave otherwise than by the base.
+  /// Whether a unit's light may leave by lobes other than the base.
   bool has_highlight() const { return has_highlight_; }
-  /// Whether a unit's light can leave in ways of which the guide says nothing.
-  bool is_loose() const { return is_loose_; }
+  /// Whether a unit's light may leave by lobes that the guide does not include.
+  bool is_approximate() const { return is_loose_; }
 
-  /// Share of the base's light that leaves in a direction with this cosine.
+  /// Exit factor: share of the base's light that leaves in a direction with this cosine.
   double exit(double cosine) const { return plastic_ == nullptr ? 1 : plastic_->transmission(cosine); }
-  /// f_r of the base without its exit (1/sr), for light that arrives with this cosine.
+  /// f_r of the base without its exit factor (1/sr), for light that arrives with this cosine.
   double base(double cosine) const {
     return plastic_ == nullptr ? base_ : base_ * plastic_->transmission(cosine);
   }
-  /// The same without either.
+  /// f_r of the base with neither exit nor entry factor (1/sr).
   double bare_base() const { return base_; }
-  /// Share of the irradiance that leaves by the base, without the exit.
+  /// Share of the irradiance that leaves by the base, without the exit factor.
   double base_albedo() const { return base_albedo_; }
-  /// `exit` is that of the direction.
+  /// Scattering towards `outgoing`, whose exit factor is `exit`.
   LaneScatter towards(const Vec3& outgoing, const Vec3& normal, double exit) const;
 
  private:
@@ -87,7 +87,7 @@ class SurfaceGuide {
   float flat_ = 0;
   bool has_base_ = false, is_detailed_ = false, has_highlight_ = false, is_loose_ = false;
   double base_ = 0, base_albedo_ = 0;
-  std::optional<Microfacets> facets_;  ///< as LaneMaterial has them
+  std::optional<Microfacets> facets_;  ///< as in LaneMaterial
   LaneMaterial lane_;
 };
 

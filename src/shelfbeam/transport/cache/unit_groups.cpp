@@ -11,8 +11,8 @@ namespace shelfbeam {
 
 namespace {
 
-// Halves a list of units across the longest side of their box until sixteen or fewer are left. The first half
-// is a multiple of sixteen, so that few lanes stay empty.
+// Halves a list of units across the longest side of their bounding box until at most sixteen are left. The
+// size of the first half is a multiple of sixteen, so that few lanes stay empty.
 void split(const std::vector<Transceiver>& units, std::vector<std::uint32_t>::iterator first,
            std::vector<std::uint32_t>::iterator last, std::vector<std::vector<std::uint32_t>>& leaves) {
   const auto count = static_cast<std::size_t>(last - first);
@@ -54,7 +54,7 @@ UnitGroups::UnitGroups(const World& world) {
 
     Group pattern;
     float scale = 1, peak = 0;
-    pattern.is_loose = kind.radius > 0;
+    pattern.is_approximate = kind.radius > 0;
     const auto* lambertian = std::get_if<GeneralizedLambertian>(&kind.emission);
     if (const auto* sine = std::get_if<SinTwoTheta>(&kind.emission)) {
       pattern.profile = LaneProfile::sine;
@@ -67,7 +67,7 @@ UnitGroups::UnitGroups(const World& world) {
       scale = peak = static_cast<float>(mean_intensity(kind.emission, 0));
     } else {
       pattern.table = static_cast<std::uint32_t>(tables_.size());
-      pattern.is_loose = true;
+      pattern.is_approximate = true;
       for (int k = 0; k <= table_steps; ++k) {
         const double cosine = std::clamp(2.0 * k / table_steps - 1, -1.0, 1.0);
         tables_.push_back(static_cast<float>(mean_intensity(kind.emission, std::acos(cosine))));
@@ -116,14 +116,14 @@ UnitGroups::UnitGroups(const World& world) {
   }
   no_cap_.fill(std::numeric_limits<float>::max());
   for (Group& group : groups_) group.cap = no_cap_;
-  places_.resize(world.emitters.size());
+  lane_indices_.resize(world.emitters.size());
   for (std::size_t g = 0; g < groups_.size(); ++g)
     for (std::size_t k = 0; k < groups_[g].count; ++k)
-      places_[groups_[g].columns[k]] = static_cast<std::uint32_t>(g * lanes + k);
+      lane_indices_[groups_[g].columns[k]] = static_cast<std::uint32_t>(g * lanes + k);
 }
 
 void UnitGroups::set_cap(std::size_t column, float cap) {
-  groups_[places_[column] / lanes].cap[places_[column] % lanes] = cap;
+  groups_[lane_indices_[column] / lanes].cap[lane_indices_[column] % lanes] = cap;
 }
 
 void UnitGroups::irradiance(std::size_t g, const LanePoint& point, LaneValues& result) const {

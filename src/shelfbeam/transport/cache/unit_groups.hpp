@@ -11,14 +11,14 @@
 
 namespace shelfbeam {
 
-/// Transceivers met together: neighbours of one type, a lane of the processor's vectors each.
+/// Number of transceivers that vector instructions handle together: neighbours of one type, one lane each.
 inline constexpr std::size_t lanes = 16;
 using LaneValues = std::array<float, lanes>;
 
-/// Emission profiles for which there is vectorised code.
+/// Emission profiles with vectorised code.
 enum class LaneProfile { sine, isotropic, lambertian, table };
 
-/// A point of a surface as the vectorised code has it; the normal is that of the side that is meant.
+/// A point of a surface for vectorised code; the normal selects the side.
 struct LanePoint {
   float x, y, z, nx, ny, nz;
 
@@ -31,44 +31,46 @@ struct LanePoint {
         nz(static_cast<float>(p.normal.z)) {}
 };
 
-/// A hierarchy of two levels over the transceivers of a scene: groups of up to sixteen. What it computes is a
-/// guide in single precision (discs are taken for points, measured profiles for their mean over phi):
-/// estimators that use it correct for what it leaves out.
+/// A hierarchy of two levels over the transceivers of a scene: groups of up to sixteen. Its results are
+/// approximations in single precision (discs count as points, measured profiles by their mean over phi);
+/// estimators that use them correct the difference.
 class UnitGroups {
  public:
   explicit UnitGroups(const World& world);
 
   std::size_t size() const { return groups_.size(); }
-  /// Column of the matrix in a lane; lanes beyond `count` are padding that shines nowhere. Emitting surfaces
-  /// come last, in groups that give nothing.
+  /// Column of the matrix in a lane; lanes from `count` on are padding without emission. Emitting surfaces
+  /// come last, in groups without emission.
   std::uint32_t column(std::size_t g, std::size_t lane) const { return groups_[g].columns[lane]; }
   std::size_t count(std::size_t g) const { return groups_[g].count; }
-  /// group x lanes + lane of a column.
-  std::uint32_t place(std::size_t column) const { return places_[column]; }
+  /// group x `lanes` + lane of a column.
+  std::uint32_t lane_index(std::size_t column) const { return lane_indices_[column]; }
 
-  /// Whether a unit may send light to a point where `irradiance` is zero: by its size or a table.
-  bool is_loose(std::size_t g) const { return groups_[g].is_loose; }
-  bool any_loose() const {
-    return std::any_of(groups_.begin(), groups_.end(), [](const Group& group) { return group.is_loose; });
+  /// Whether a unit, because it is a disc or has a tabulated profile, may light points with `irradiance` 0.
+  bool is_approximate(std::size_t g) const { return groups_[g].is_approximate; }
+  bool any_approximate() const {
+    return std::any_of(groups_.begin(), groups_.end(),
+                       [](const Group& group) { return group.is_approximate; });
   }
 
-  /// Irradiance in W/m^2 that each unit of a group would give with nothing in between.
+  /// Unoccluded irradiance of each unit of a group, W/m^2.
   void irradiance(std::size_t g, const LanePoint& point, LaneValues& result) const;
 
-  /// What estimators that look at surfaces from afar take of a unit's irradiance at most: SpotRule. No limit
-  /// unless set.
+  /// Limit on a unit's irradiance for rays that receivers send to surfaces (SpotRule), W/m^2; none unless
+  /// set.
   float cap(std::size_t g, std::size_t lane) const { return groups_[g].cap[lane]; }
   void set_cap(std::size_t column, float cap);
   /// Largest radiant intensity, W/sr.
   float peak(std::size_t g) const { return groups_[g].peak; }
 
-  /// Largest irradiance that a unit of the group could give anywhere at this distance, and more than nothing.
+  /// Largest irradiance that a unit of the group could give at this distance in any direction; distances
+  /// below Group::nearest count as this distance.
   float bound(std::size_t g, const LanePoint& point) const {
     const Group& group = groups_[g];
     const float away = std::max(group.nearest, distance(g, point));
     return group.peak / (away * away);
   }
-  /// No unit of the group is nearer, m; may be negative.
+  /// Lower bound on the distance to the units of the group, m; may be negative.
   float distance(std::size_t g, const LanePoint& point) const {
     const Group& group = groups_[g];
     const float dx = point.x - group.centre[0], dy = point.y - group.centre[1],
@@ -84,14 +86,14 @@ class UnitGroups {
     std::size_t count = 0;
     LaneProfile profile = LaneProfile::table;
     std::uint32_t table = 0;  ///< offset into tables_
-    bool is_loose = false;
+    bool is_approximate = false;
     std::array<float, 3> centre{};
     float radius = 0, nearest = 0, peak = 0;
   };
   std::vector<Group> groups_;
   LaneValues no_cap_{};
-  std::vector<std::uint32_t> places_;
-  std::vector<float> tables_;  ///< intensity by (1 + cos theta) / 2, `table_steps` + 1 values each
+  std::vector<std::uint32_t> lane_indices_;
+  std::vector<float> tables_;  ///< intensity by (1 + cos theta) / 2, `table_steps` + 1 values per type
   static constexpr int table_steps = 512;
 };
 

@@ -14,31 +14,33 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::uint32_t side = 16;  // strata of a unit's rays, each way
-// The share of a unit's rays that are sent where the first look has found nothing, too.
+constexpr std::uint32_t side = 16;  // strata of a unit's rays, in each of two dimensions
+// The share of a unit's rays that is spread over all strata, whether or not the first look found light there.
 constexpr double everywhere = 0.1;
-constexpr double least_chance = 0.02;
+constexpr double min_chance = 0.02;
 
-// The distance from every unit at which its light is capped, by how many others are around (SpotRule).
+// The distance that defines each unit's cap, by the number of units around it (SpotRule).
 std::vector<double> cap_distances(const std::vector<Transceiver>& units, const SpotRule& rule) {
   constexpr double around = 5, few = 16;
   std::vector<double> distances(units.size());
-  for_parts(units.size(), [&](std::size_t first, std::size_t last) {
+  parallel_for_ranges(units.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t j = first; j < last; ++j) {
       const auto near = std::count_if(units.begin(), units.end(), [&](const Transceiver& unit) {
         return length_squared(unit.position - units[j].position) <= around * around;
       });
       distances[j] =
-          std::max(rule.cap_at, rule.cap_at_most * std::sqrt(std::min(1.0, few / static_cast<double>(near))));
+          std::max(rule.min_cap_distance,
+                   rule.max_cap_distance * std::sqrt(std::min(1.0, few / static_cast<double>(near))));
     }
   });
   return distances;
 }
 
-// Where light that leaves a unit arrives in a straight line, if above the cap; `power` is that of the ray.
+// Samples a ray from a unit to the first surface in a straight line; no value if the irradiance there is
+// within the cap. SpotLight::power is the power of the ray.
 std::optional<SpotLight> shine(const World& world, const UnitGroups& units, std::uint32_t j, double u1,
                                double u2, RandomStream& random, std::uint64_t& rays) {
-  const double u3 = random.unit(), u4 = random.unit();
+  const double u3 = random.uniform(), u4 = random.uniform();
   const auto emitted = world.emitters.emit(j, {u1, u2, u3, u4});
   if (!emitted) return std::nullopt;
   SurfacePoint from{emitted->from.position, emitted->from.normal};
@@ -56,13 +58,13 @@ std::optional<SpotLight> shine(const World& world, const UnitGroups& units, std:
     }
     if (has_only_specular(material)) return std::nullopt;
     SpotLight light;
-    light.place = units.place(j);
+    light.lane_index = units.lane_index(j);
     light.point = hit->point;
     light.frame = Frame::of_surface(hit->point.normal);
     light.incoming = light.frame.to_local(-emitted->direction);
     light.material = hit->material;
     if (dot(light.point.normal, emitted->direction) > 0) light.point.normal = -light.point.normal;
-    const std::size_t g = light.place / lanes, lane = light.place % lanes;
+    const std::size_t g = light.lane_index / lanes, lane = light.lane_index % lanes;
     LaneValues e;
     units.irradiance(g, LanePoint(light.point), e);
     if (!(e[lane] > units.cap(g, lane))) return std::nullopt;
@@ -76,7 +78,7 @@ std::size_t stratum(std::size_t x, std::size_t y) {
   return x * side + y;
 }
 
-// The chances of the strata, as running sums: by the flux found there and beside them.
+// Cumulative probabilities of the strata, from the flux found in them and in their neighbours.
 std::vector<double> running_chances(const std::vector<double>& flux) {
   std::vector<double> chances(flux.size());
   double total = 0;
@@ -112,7 +114,8 @@ BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t se
   for (std::uint32_t j = 0; j < world.scene.transceivers.size(); ++j) {
     const std::uint64_t key = mix_key(seed, hash64(world.scene.transceivers[j].id));
     const ScrambledSobol square(key);
-    units.set_cap(j, units.peak(units.place(j) / lanes) / static_cast<float>(distances[j] * distances[j]));
+    units.set_cap(j,
+                  units.peak(units.lane_index(j) / lanes) / static_cast<float>(distances[j] * distances[j]));
     double flux = 0;
     std::uint64_t rays = 0;
     std::fill(found.begin(), found.end(), 0.0);
@@ -131,7 +134,7 @@ BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t se
       units.set_cap(j, std::numeric_limits<float>::max());
   }
   for (const Spot& spot : spots_)
-    groups_.push_back(static_cast<std::uint16_t>(units.place(spot.unit) / lanes));
+    groups_.push_back(static_cast<std::uint16_t>(units.lane_index(spot.unit) / lanes));
   std::sort(groups_.begin(), groups_.end());
   groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
 }
@@ -144,9 +147,9 @@ void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, const
     double sum = 0;
     for (const Vec3& point : points) sum += 1 / std::max(1.0, length_squared(point - from));
     const double much = spot.flux / pi * sum / static_cast<double>(points.size()) / effort.relevant;
-    const double chance = std::clamp(much, least_chance, 1.0);
+    const double chance = std::clamp(much, min_chance, 1.0);
     RandomStream random(mix_key(key.stream, spot.unit), key.batch, 0, 0x5B07);
-    if (random.unit() >= chance) continue;
+    if (random.uniform() >= chance) continue;
     const auto count =
         static_cast<std::uint32_t>(std::clamp(much * much, 1.0, static_cast<double>(effort.most)));
     const ScrambledSobol square(mix_key(mix_key(key.stream, spot.unit), key.batch));
@@ -170,7 +173,7 @@ void BrightSpots::add_near(const PathVertex& vertex, double p, double weight, Ra
   const double rise = rule_.near * rule_.near * pi * p;
   if (!(rise > 1)) return;
   const LanePoint point(vertex.end.point);
-  const auto farthest = static_cast<float>(std::max(rule_.cap_at, rule_.cap_at_most));
+  const auto farthest = static_cast<float>(std::max(rule_.min_cap_distance, rule_.max_cap_distance));
   for (const std::uint16_t g : groups_) {
     if (units_.distance(g, point) > farthest) continue;
     LaneValues e;
@@ -180,12 +183,12 @@ void BrightSpots::add_near(const PathVertex& vertex, double p, double weight, Ra
       const double whole = static_cast<double>(e[k]), cap = static_cast<double>(units_.cap(g, k));
       const double share = (std::min(whole, cap * rise) - cap) / whole;
       const std::uint32_t j = units_.column(g, k);
-      const double u1 = random.unit(), u2 = random.unit();
+      const double u1 = random.uniform(), u2 = random.uniform();
       const LightPoint light = world_.emitters.point(j, u1, u2);
       const DirectSignal signal = light_from(
           world_, j, light, vertex.end.point, false,
           [&](const Vec3& to_source) { return vertex.reflected(to_source).whole; },
-          [&] { return world_.rays.passage(vertex.end.point, light.position).share; });
+          [&] { return world_.rays.transmittance(vertex.end.point, light.position).share; });
       rays += signal.rays;
       if (signal.straight > 0)
         row.add(static_cast<std::uint32_t>(g * lanes + k), weight * share * signal.straight);

@@ -13,93 +13,93 @@
 
 namespace shelfbeam {
 
-/// How the light of a unit on the surfaces beside it is divided between two techniques: rays of the receivers
-/// (labels, vertices of paths) take min(e, C) of its irradiance e, rays from the unit the excess e - C, with
+/// Divides the light of a unit on the surfaces beside it between two techniques: rays of the receivers
+/// (labels and path vertices) take min(e, C) of its irradiance e, rays from the unit take the excess e - C,
+/// with
 ///
 ///     C = cap max(1, pi near^2 p),    p = R(theta) cos(theta_y) / (W r^2),
 ///
-/// where p is the density, per area, with which one ray of the receiver meets the point. So a ray from the
-/// unit adds no more to a receiver than its power times f (W / pi) e / (cap near^2), however close the
-/// receiver is to the surface.
+/// where p is the density per area with which one ray of the receiver samples the point. A ray from the unit
+/// thus adds at most its power times f (W / pi) e / (cap near^2) to a receiver, however close the receiver is
+/// to the surface.
 struct SpotRule {
-  /// The cap is the irradiance that the unit's largest intensity gives at a distance, m: at the larger one
-  /// where up to 16 units are within 5 m, at the smaller one where 64 are, in between with the square root of
-  /// their number. Rays of all of them would cost more than they bring; and with 2 m or more the floors of
-  /// ordinary rooms would be spots.
-  double cap_at = 0.5, cap_at_most = 1;
-  double near = 1;           ///< m; 0: the cap is the same for all receivers, and r not limited from below
-  bool for_vertices = true;  ///< whether vertices of paths are receivers, too
+  /// The cap is the irradiance that the unit's largest intensity gives at a distance, m: `max_cap_distance`
+  /// with up to 16 units within 5 m, `min_cap_distance` with 64 or more, and max_cap sqrt(16 / k) with k
+  /// units in between, because rays of all of them would cost more than they gain. With 2 m or more, the
+  /// floors of ordinary rooms would be spots.
+  double min_cap_distance = 0.5, max_cap_distance = 1;
+  double near = 1;           ///< m; 0: the cap is the same for all receivers, and 1/r^2 is not bounded
+  bool for_vertices = true;  ///< whether path vertices are receivers, too
 };
 
-/// Light of a unit on a surface, as a source of its own.
+/// Light of a unit on a surface, treated as a point source.
 struct SpotLight {
-  std::uint32_t place = 0;  ///< of the unit, UnitGroups::place
-  SurfacePoint point;       ///< its normal on the side of the unit
-  Frame frame;              ///< of the surface as its material has it
-  Vec3 incoming;            ///< unit, to the unit, in `frame`
+  std::uint32_t lane_index = 0;  ///< UnitGroups::lane_index of the unit
+  SurfacePoint point;            ///< with the normal on the side of the unit
+  Frame frame;                   ///< Frame::of_surface, in which the material is evaluated
+  Vec3 incoming;                 ///< unit length, towards the unit, in `frame`
   MaterialId material;
-  double power = 0;   ///< of a ray from the unit, W, over the chance of being drawn
+  double power = 0;   ///< of a ray from the unit, W, over its sampling probability
   double capped = 0;  ///< cap / e, below 1
 
-  /// W/sr towards a unit direction, cosine included.
+  /// W/sr towards a unit-length direction, cosine included.
   double intensity(const Scene& scene, const Vec3& direction) const;
 };
 
-/// A receiver of a spot's light, in one direction: what it makes of radiance from there, and the density of
-/// its own rays.
+/// A receiver of a spot's light, in one direction.
 struct SpotReceiver {
-  double response = 0;  ///< R, or f cos
-  double density = 0;   ///< R / W per solid angle
+  double response = 0;  ///< to radiance: R, or f cos
+  double density = 0;   ///< of its own rays per solid angle, R / W
 };
 
-/// The light of bright spots: on a wall or shelf beside a unit the irradiance is so high that few rays from
-/// elsewhere find most of its light.
+/// The light of bright spots: on a wall or shelf beside a unit, the irradiance is so high that the few rays
+/// of receivers that meet the spot would carry most of its light.
 class BrightSpots {
  public:
-  /// Finds the units that have such spots, and where their rays meet them, and sets their caps. A spot of a
-  /// unit that seems to have none is left to the rays from elsewhere altogether.
+  /// Finds the units with such spots and the strata of their rays that meet them, and sets the caps. A unit
+  /// for which no spot is found gets no cap: rays of receivers take all of its light.
   BrightSpots(const World& world, UnitGroups& units, std::uint64_t seed, const SpotRule& rule = {});
 
   std::size_t size() const { return spots_.size(); }
   const SpotRule& rule() const { return rule_; }
 
-  /// Which units are asked for how many rays: those of which the mean of these points gets this irradiance,
-  /// W/m^2, with one; with more the square of that, up to `most`; with less with a chance in proportion.
+  /// Number of rays from a unit whose excess gives the points x times `relevant` W/m^2 on average: x^2 rays,
+  /// up to `most`; for x < 1 a single ray with probability x, at least 0.02.
   struct Effort {
     double relevant;
     std::uint32_t most;
   };
 
-  /// Identifies a draw.
+  /// Identifies a sample of lights.
   struct Key {
     std::uint64_t stream = 0;
     std::uint32_t batch = 0;
   };
 
-  /// Memory that one thread works in.
+  /// Workspace of one thread.
   struct Scratch {
     std::vector<SpotLight> lights;
     std::vector<std::uint32_t> receivers;
     std::vector<Vec3> targets;
     std::vector<double> values;
-    std::vector<Passage> passages;
+    std::vector<Transmittance> transmittances;
   };
 
-  /// Draws lights for all that stands at some points; whatever the points, the expectation of their power
-  /// is the whole flux above the caps.
+  /// Samples lights for the receivers at some points. For any points, the expectation of their power is the
+  /// whole flux above the caps.
   void draw(std::span<const Vec3> points, const Effort& effort, const Key& key,
             std::vector<SpotLight>& lights, std::uint64_t& rays) const;
 
-  /// The share that rays from the unit bring to a receiver, 1 - C / e.
+  /// The share of the light that rays from the unit bring to a receiver, 1 - C / e; p as in SpotRule.
   double excess(const SpotLight& light, double p) const {
     return std::max(0.0, 1 - light.capped * std::max(1.0, rule_.near * rule_.near * pi * p));
   }
 
-  /// Calls use(k, place, value) for the receivers at some points, with what rays from units bring them.
-  /// `receive(k, direction)` gives the SpotReceiver for light from a unit direction.
+  /// Calls use(k, lane index of the unit, value) for the receivers k at some points that rays from units
+  /// reach. `receive(k, direction)` returns the SpotReceiver for light from a unit-length direction.
   template <class Receive, class Use>
-  void light_up(std::span<const Vec3> points, const Effort& effort, const Key& key, Scratch& scratch,
-                std::uint64_t& rays, const Receive& receive, const Use& use) const {
+  void add_light(std::span<const Vec3> points, const Effort& effort, const Key& key, Scratch& scratch,
+                 std::uint64_t& rays, const Receive& receive, const Use& use) const {
     if (spots_.empty() || points.empty()) return;
     draw(points, effort, key, scratch.lights, rays);
     for (const SpotLight& light : scratch.lights) {
@@ -108,7 +108,7 @@ class BrightSpots {
       scratch.values.clear();
       for (std::uint32_t k = 0; k < points.size(); ++k) {
         const auto seen = sight(points[k], light.point);
-        if (!seen) continue;  // what touches a surface from behind takes its light itself
+        if (!seen) continue;  // a receiver that touches the surface from behind takes this light itself
         const SpotReceiver receiver = receive(k, seen->direction);
         if (!(receiver.response > 0)) continue;
         const double share = excess(light, seen->area_density(receiver.density));
@@ -120,31 +120,31 @@ class BrightSpots {
         scratch.targets.push_back(points[k]);
         scratch.values.push_back(value);
       }
-      scratch.passages.resize(scratch.targets.size());
-      world_.rays.passages(light.point, scratch.targets, scratch.passages);
+      scratch.transmittances.resize(scratch.targets.size());
+      world_.rays.transmittances(light.point, scratch.targets, scratch.transmittances);
       rays += scratch.targets.size();
       for (std::size_t t = 0; t < scratch.targets.size(); ++t)
-        if (scratch.passages[t].share > 0)
-          use(scratch.receivers[t], light.place, scratch.values[t] * scratch.passages[t].share);
+        if (scratch.transmittances[t].share > 0)
+          use(scratch.receivers[t], light.lane_index, scratch.values[t] * scratch.transmittances[t].share);
     }
   }
 
-  /// What a receiver's own ray takes between the cap and C of a vertex that it has met straight on: adds
-  /// `weight` times the radiance to the row.
+  /// The light between cap and C that a receiver's own ray takes from a vertex that it met straight: adds
+  /// `weight` times its radiance to the row.
   void add_near(const PathVertex& vertex, double p, double weight, RandomStream& random, LaneRow& row,
                 std::uint64_t& rays) const;
 
  private:
   struct Spot {
     std::uint32_t unit;
-    double flux;                  ///< in the excess, roughly, W
-    std::vector<double> chances;  ///< of the strata of its rays, running sums
+    double flux;                  ///< estimated flux of the excess, W
+    std::vector<double> chances;  ///< cumulative probabilities of the strata of its rays
   };
   const World& world_;
   const UnitGroups& units_;
   SpotRule rule_;
   std::vector<Spot> spots_;
-  std::vector<std::uint16_t> groups_;  ///< that have units with spots
+  std::vector<std::uint16_t> groups_;  ///< groups of units (UnitGroups) with spots
 };
 
 }  // namespace shelfbeam

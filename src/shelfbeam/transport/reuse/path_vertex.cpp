@@ -23,9 +23,9 @@ PathVertex::PathVertex(const World& world, const RadianceCache& cache, const Cha
   albedo = has_base() ? exit * guide->base_albedo() + (1 - exit) : flat;
 }
 
-double PathVertex::exit_towards(const Vec3& place) const {
+double PathVertex::exit_towards(const Vec3& position) const {
   if (!guide->is_detailed()) return 1;
-  return guide->exit(dot(end.point.normal, normalized(place - end.point.position)));
+  return guide->exit(dot(end.point.normal, normalized(position - end.point.position)));
 }
 
 PathVertex::Reflection PathVertex::reflected(const Vec3& to_source) const {

@@ -10,10 +10,10 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double most_survival = 0.99;
+constexpr double max_survival = 0.99;
 
-// Share of the light of a vertex that does not leave by its base, as far as rays should care. Where others
-// share the base, some of them see more of it than the path at hand.
+// Share of the rays at a vertex that do not leave by its base. Where other vertices share the base, some of
+// them see more of it than this path.
 double share_otherwise(const PathVertex& vertex) {
   constexpr double least = 0.1;
   const SurfaceGuide& guide = *vertex.guide;
@@ -25,7 +25,7 @@ double share_otherwise(const PathVertex& vertex) {
   return std::clamp(coat / (coat + base), least, 1 - least);
 }
 
-// Of so many rays; one is enough for a mirror, and none for nothing.
+// Number of `rays` for this share; a smooth coat needs one, a share of 0 none.
 std::uint32_t rays_otherwise(const PathVertex& vertex, double share, std::uint32_t rays) {
   if (share == 0) return 0;
   if (!vertex.guide->has_highlight()) return 1;
@@ -35,13 +35,14 @@ std::uint32_t rays_otherwise(const PathVertex& vertex, double share, std::uint32
 
 }  // namespace
 
-// A ray's end, and the weight of the radiance from there.
+// The end of a ray and the weight of the radiance from there.
 struct Residual::Found {
   PathVertex vertex;
   double weight;
 };
 
-// Where a point sees many hundreds of units, shadow rays would take most of the time.
+// `stake_factor_`: at points that see many hundreds of units, shadow rays would otherwise take most of the
+// time.
 Residual::Residual(const World& world, const UnitGroups& units, const RadianceCache& cache,
                    const BrightSpots& spots, double requirement, const ReuseEffort& effort)
     : world_(world),
@@ -51,10 +52,10 @@ Residual::Residual(const World& world, const UnitGroups& units, const RadianceCa
       requirement_(requirement),
       reach_(static_cast<float>(0.05 * requirement)),
       effort_(effort),
-      any_loose_(units.any_loose()),
-      crowd_(std::clamp(cache.units_a_cell() / 300, 1.0, 4.0)) {}
+      any_loose_(units.any_approximate()),
+      stake_factor_(std::clamp(cache.units_per_cell() / 300, 1.0, 4.0)) {}
 
-// What bright spots send straight to the bases.
+// Adds the direct light of bright spots at the bases.
 void Residual::add_spots(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
                          Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const {
   if (spots_.size() == 0 || !spots_.rule().for_vertices) return;
@@ -73,13 +74,14 @@ void Residual::add_spots(std::span<const PathVertex> vertices, const Key& key, s
     if (!(cosine > 0)) return SpotReceiver{};
     return SpotReceiver{cosine * vertex.guide->base(cosine), cosine / pi};
   };
-  spots_.light_up(
-      scratch.targets, {0.05 * requirement_, effort_.spot_rays}, {mix_key(stream, 0x5B075), key.batch},
-      scratch.spots, rays, receive,
-      [&](std::uint32_t k, std::uint32_t place, double value) { rows[with_base[k]].base.add(place, value); });
+  spots_.add_light(scratch.targets, {0.05 * requirement_, effort_.spot_rays},
+                   {mix_key(stream, 0x5B075), key.batch}, scratch.spots, rays, receive,
+                   [&](std::uint32_t k, std::uint32_t lane_index, double value) {
+                     rows[with_base[k]].base.add(lane_index, value);
+                   });
 }
 
-// What the cache has to leave the vertex over further bounces.
+// Subtracts the radiance that leaves the vertex by further bounces according to the cache.
 void Residual::subtract_indirect(const PathVertex& vertex, ResidualRows& rows) const {
   const auto subtract = [&](LaneRow& row, double albedo) {
     if (!(albedo > 0)) return;
@@ -91,14 +93,13 @@ void Residual::subtract_indirect(const PathVertex& vertex, ResidualRows& rows) c
   subtract(rows.own, vertex.own_albedo);
 }
 
-// Looks the cache up with rays that leave by the base or otherwise; returns where the first of them has
-// ended.
+// Looks up the cache with rays that leave by the base or by other lobes; returns the end of the first ray.
 std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool by_base, std::uint32_t count,
                                                 std::uint64_t points, RandomStream& random, LaneRow& row,
                                                 std::uint64_t& rays) const {
   std::optional<Found> first, last;
   const ScrambledSobol square(points);
-  // A row of the cache is used one ray later, when it has come from memory.
+  // Uses a row of the cache one ray later, when it has arrived from memory.
   const auto use = [&](const Found& found) {
     found.vertex.look_up(units_, static_cast<float>(found.weight / count), row);
     if (!found.vertex.is_capped) return;
@@ -108,12 +109,12 @@ std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool b
   for (std::uint32_t t = 0; t < count; ++t) {
     const auto [u1, u2] = square.point(t);
     const auto scattered =
-        by_base ? vertex.scatter_by_base(u1, u2) : vertex.scatter_otherwise(random.unit(), u1, u2);
+        by_base ? vertex.scatter_by_base(u1, u2) : vertex.scatter_otherwise(random.uniform(), u1, u2);
     if (!scattered) continue;
     const double weight = scattered->weight;
-    const auto end =
-        follow_chain(world_, vertex.end.point, scattered->direction, scattered->departure, random, rays,
-                     [&](std::size_t j, double value) { row.add(units_.place(j), weight * value / count); });
+    const auto end = follow_chain(
+        world_, vertex.end.point, scattered->direction, scattered->departure, random, rays,
+        [&](std::size_t j, double value) { row.add(units_.lane_index(j), weight * value / count); });
     if (!end) continue;
     Found found{PathVertex(world_, cache_, *end), weight * end->throughput};
     found.vertex.is_capped = by_base && end->is_straight && spots_.rule().for_vertices;
@@ -126,8 +127,8 @@ std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool b
   return first;
 }
 
-// Generation by generation until no path goes on, then back: a path between white walls is too long for a
-// call of each.
+// Extends all paths generation by generation until none continues, then shares the results in reverse order.
+// Paths between white walls are too long for recursion.
 void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, Scratch& scratch,
                         std::span<ResidualRows> rows, std::uint64_t& rays) const {
   struct Level {
@@ -154,7 +155,7 @@ void Residual::estimate(std::span<const PathVertex> vertices, const Key& key, Sc
   }
 }
 
-// What vertices get but by the paths that go on, and where these go.
+// Estimates everything at the vertices but the continuing paths, and samples the vertices of these.
 void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std::uint32_t generation,
                       Scratch& scratch, std::span<ResidualRows> rows, Scratch::Generation& next,
                       std::uint64_t& rays) const {
@@ -166,10 +167,10 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
   add_spots(vertices, key, generation, scratch, rows, rays);
   for (std::size_t a = 0; a < vertices.size(); ++a) {
     const PathVertex& vertex = vertices[a];
-    const auto place = static_cast<std::uint32_t>(a);
-    RandomStream random(key.stream, key.batch, key.group, (generation << 16) + place);
+    const auto index = static_cast<std::uint32_t>(a);
+    RandomStream random(key.stream, key.batch, key.group, (generation << 16) + index);
     const std::uint64_t points = mix_key(mix_key(key.stream, (std::uint64_t{key.batch} << 32) | key.group),
-                                         (generation << 16) + place);
+                                         (generation << 16) + index);
     add_direct(vertex, random, scratch, rows[a], rays);
     add_far(vertex, random, rows[a], rays);
     subtract_indirect(vertex, rows[a]);
@@ -180,11 +181,11 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
     const auto by_base = gather(vertex, true, of_base, points, random, rows[a].base, rays);
     const auto by_other = gather(vertex, false, others, mix_key(points, 0x0FF), random, rows[a].own, rays);
 
-    // As bright as the surface, the chance keeps the variance finite: a generation multiplies it by albedo^2
-    // over the chance.
-    const double survival = std::clamp(vertex.albedo, effort_.survival, most_survival);
+    // A survival probability equal to the albedo keeps the variance finite: a generation multiplies the
+    // variance by albedo^2 over this probability.
+    const double survival = std::clamp(vertex.albedo, effort_.survival, max_survival);
     next.chances[a] = survival * (1 - otherwise);
-    const double u = random.unit();
+    const double u = random.uniform();
     if (u >= survival) continue;
     const bool goes_by_base = u < next.chances[a];
     const std::optional<Found>& found = goes_by_base ? by_base : by_other;
@@ -192,7 +193,7 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
     const ChainEnd& end = found->vertex.end;
     next.vertices.push_back(found->vertex);
     next.continuations.push_back(
-        {place,
+        {index,
          found->weight / (goes_by_base ? next.chances[a] : survival - next.chances[a]),
          goes_by_base,
          goes_by_base && end.is_straight && found->vertex.has_base(),
@@ -200,7 +201,7 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
   }
 }
 
-// The vertices of a group, which share what their rays by the base have found.
+// The vertices of a group, which share the points that their rays by the base found.
 struct Residual::Sharers {
   std::span<const PathVertex> vertices;
   const std::vector<double>& chances;
@@ -219,14 +220,14 @@ struct Residual::Sharers {
   }
 };
 
-// What a new vertex sends to its parent and, by its base, to all of the group that see it.
+// Adds the radiance of a new vertex to its parent and, by its base, to all vertices of the group that see it.
 void Residual::share(std::span<const PathVertex> vertices, const std::vector<double>& chances,
                      const Continuation& from, const PathVertex& found, const ResidualRows& carried,
                      Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const {
   LaneRow& to_parent = from.by_base ? rows[from.parent].base : rows[from.parent].own;
   to_parent.add(carried.own, from.weight);
   if (from.is_shared)
-    share_point(world_, found.end.point, Sharers{vertices, chances, found}, from.parent, from.passage,
+    share_point(world_, found.end.point, Sharers{vertices, chances, found}, from.parent, from.transmittance,
                 scratch.sharing, rays,
                 [&](std::uint32_t a, double weight) { rows[a].base.add(carried.base, weight); });
   else

@@ -14,7 +14,7 @@
 
 namespace shelfbeam {
 
-/// Memory that one thread shares points in.
+/// Workspace of one thread for share_point.
 struct Sharing {
   struct Receiver {
     std::uint32_t index;
@@ -22,23 +22,23 @@ struct Sharing {
   };
   std::vector<Receiver> receivers;
   std::vector<Vec3> targets;
-  std::vector<Passage> passages;
+  std::vector<Transmittance> transmittances;
 };
 
-/// Path reuse (Bekaert, Sbert, Halton 2002): a point that a ray of one receiver has found serves all
-/// receivers that see it, weighted by the densities with which all of them would have found it. With n_c rays
-/// of density p_c per area, of which the share P_c goes straight on through panes that keep T_c of the light,
-/// receiver c takes
+/// Path reuse (Bekaert, Sbert, Halton 2002): a point found by a ray of one receiver serves all receivers that
+/// see it, with a weight that includes the sampling densities of all of them. Receiver c has n_c rays of
+/// density p_c per area, of which the share P_c goes straight through panes of transmittance T_c. It takes
 ///
 ///     g_c p_c T_c / sum_k n_k p_k P_k
 ///
-/// times the radiance (BalanceHeuristic; no bias: docs/methods/reuse.md). `receivers` has size(), and for
-/// each one position(c), rays(c) = n_c, density(c) = p_c, 0 where it cannot find the point, and gain(c) =
-/// g_c. `passage` is that of the finder, whose own ray has got through. Calls take(c, weight).
+/// times the radiance (BalanceHeuristic; unbiased: docs/methods/reuse.md). `receivers` has size() and, for
+/// each receiver c, position(c), rays(c) = n_c, density(c) = p_c, which is 0 if c cannot find the point, and
+/// gain(c) = g_c. `transmittance` belongs to the finder, whose ray has reached the point. Calls
+/// take(c, weight).
 template <class Receivers, class Take>
 void share_point(const World& world, const SurfacePoint& point, const Receivers& receivers,
-                 std::uint32_t finder, const Passage& passage, Sharing& memory, std::uint64_t& rays,
-                 const Take& take) {
+                 std::uint32_t finder, const Transmittance& transmittance, Sharing& memory,
+                 std::uint64_t& rays, const Take& take) {
   memory.receivers.clear();
   memory.targets.clear();
   for (std::uint32_t c = 0; c < receivers.size(); ++c) {
@@ -48,26 +48,26 @@ void share_point(const World& world, const SurfacePoint& point, const Receivers&
     memory.receivers.push_back({c, density});
     memory.targets.push_back(receivers.position(c));
   }
-  memory.passages.resize(memory.targets.size());
-  world.rays.passages(point, memory.targets, memory.passages);
+  memory.transmittances.resize(memory.targets.size());
+  world.rays.transmittances(point, memory.targets, memory.transmittances);
   rays += memory.targets.size();
   memory.receivers.push_back({finder, receivers.density(finder)});
-  memory.passages.push_back(passage);
+  memory.transmittances.push_back(transmittance);
 
   BalanceHeuristic balance;
   for (std::size_t t = 0; t < memory.receivers.size(); ++t) {
     const auto& [c, density] = memory.receivers[t];
-    balance.add(receivers.rays(c) * density * memory.passages[t].probability);
+    balance.add(receivers.rays(c) * density * memory.transmittances[t].probability);
   }
   if (!balance.can_be_drawn()) return;
   for (std::size_t t = 0; t < memory.receivers.size(); ++t) {
     const auto& [c, density] = memory.receivers[t];
-    if (memory.passages[t].share == 0) continue;
-    take(c, balance.estimate(receivers.gain(c) * density * memory.passages[t].share));
+    if (memory.transmittances[t].share == 0) continue;
+    take(c, balance.estimate(receivers.gain(c) * density * memory.transmittances[t].share));
   }
 }
 
-/// L - h at a vertex, in the two parts of PathVertex: of the base, without its exit, and the path's own.
+/// L - h at a vertex, in the two parts of PathVertex: the base without its exit factor, and the path's own.
 struct ResidualRows {
   explicit ResidualRows(std::size_t groups) : base(groups), own(groups) {}
   void clear() {
@@ -78,29 +78,30 @@ struct ResidualRows {
   LaneRow base, own;
 };
 
-/// How much is spent where on paths; tau is the smallest requirement.
+/// Numbers of rays and paths; tau is the smallest requirement.
 struct ReuseEffort {
-  std::uint32_t lookups = 128;  ///< rays a label and batch that only look the cache up
-  std::uint32_t points = 3;     ///< K: first hits a label and batch from which paths start
-  /// Of tau: units with more at stake at a vertex get a shadow ray, others one in proportion. More where
-  /// units are many.
+  std::uint32_t lookups = 128;  ///< rays per label and batch that only look up the cache
+  std::uint32_t points = 3;     ///< K: first hits per label and batch at which paths start
+  /// Share of tau. A unit whose importance at a vertex is larger always gets a shadow ray, other units get
+  /// one with a probability in proportion. Multiplied by up to 4 where many units are in reach.
   double stake = 0.05;
-  std::uint32_t gather_rays = 24;        ///< that look the cache up at such a point,
-  std::uint32_t later_gather_rays = 16;  ///< and at later vertices
-  std::size_t group = 96;                ///< vertices that share their continuations
-  std::uint32_t spot_rays = 8;           ///< from a unit at most, for a cluster or the vertices of a group
+  std::uint32_t gather_rays = 24;        ///< rays that look up the cache from such a first hit
+  std::uint32_t later_gather_rays = 16;  ///< rays that look up the cache from a later vertex
+  std::size_t group = 96;                ///< max number of vertices that share their continuations
+  std::uint32_t spot_rays = 8;           ///< max rays from a unit, for a cluster or a group of vertices
   SpotRule spots = {};
-  double survival = 0.7;  ///< least chance of a continuation; brighter surfaces have their albedo
+  double survival = 0.7;  ///< min probability of a continuation; brighter surfaces use their albedo
 };
 
-/// The difference between the radiance that leaves vertices and what the cache says, L - h, for all units at
-/// once, without bias: shadow rays to units chosen by what is at stake, several rays that look up the cache
-/// for what comes over further bounces, and one that goes on to where the same is asked of it. Vertices of a
-/// group share those that go on by their base (share_point). docs/methods/reuse.md has the quantities.
+/// Unbiased estimate of L - h, the radiance that leaves vertices minus its approximation by the cache, for
+/// all units at once. At each vertex, shadow rays go to units chosen by importance, and several rays look up
+/// the cache for the light of further bounces. One of these rays continues the path, and the estimate repeats
+/// at its end. Vertices of a group share the continuations by their bases (share_point).
+/// docs/methods/reuse.md defines the quantities.
 class Residual {
  public:
-  /// `requirement`: the smallest signal that matters. Units that may give a twentieth of it to a vertex are
-  /// all considered there.
+  /// `requirement`: the smallest requirement. At a vertex, shadow rays consider all units that may give a
+  /// twentieth of it there.
   Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, const BrightSpots& spots,
            double requirement, const ReuseEffort& effort);
 
@@ -110,37 +111,37 @@ class Residual {
     std::uint32_t batch = 0, group = 0;
   };
 
-  /// A path that goes on.
+  /// A path that continues.
   struct Continuation {
     std::uint32_t parent;
-    double weight;  ///< of what the new vertex sends to its parent, over the chance of going on
+    double weight;  ///< of the radiance from the new vertex to its parent, over the survival probability
     bool by_base;
     bool is_shared;
-    Passage passage;  ///< straight from the parent
+    Transmittance transmittance;  ///< of the straight connection from the parent
   };
 
-  /// A ray that asks for V in e V - e v, the straight light of a unit or shining surface j at a vertex less
-  /// what the cache has of it.
+  /// A ray that determines V in e V - e v, the direct light of a unit or emitting surface j at a vertex minus
+  /// its approximation by the cache.
   struct ShadowRay {
-    std::uint32_t place = 0;       ///< of j, UnitGroups::place
+    std::uint32_t lane_index = 0;  ///< UnitGroups::lane_index of j
     LightPoint light = {};         ///< on j
-    double weight = 1;             ///< 1 / q_j, q_j being the chance with which j is asked
-    double taken = 1;              ///< min(e, cap) / e: the share that is not left to rays from bright spots
-    double h_base = 0, h_own = 0;  ///< what the cache makes of min(e, cap) v, in the parts of PathVertex
+    double weight = 1;             ///< 1 / q_j; q_j is the probability that j gets a shadow ray
+    double taken = 1;              ///< min(e, cap) / e; rays from bright spots bring the rest
+    double h_base = 0, h_own = 0;  ///< radiance of min(e, cap) v in the cache, in the parts of PathVertex
   };
 
-  /// Memory that one thread works in.
+  /// Workspace of one thread.
   struct Scratch {
     struct Generation {
       std::vector<PathVertex> vertices;
       std::vector<ResidualRows> rows;
-      std::vector<Continuation> continuations;  ///< that have led to the vertices
-      std::vector<double> chances;              ///< of their parents to go on by the base
+      std::vector<Continuation> continuations;  ///< the paths that led to the vertices
+      std::vector<double> chances;              ///< q of each parent, to continue by its base
     };
     std::deque<Generation> generations;
-    std::vector<std::uint16_t> list;            ///< groups of units in reach of a vertex,
-    std::vector<float> irradiance, importance;  ///< e_j and s_j of their lanes,
-    std::vector<std::uint8_t> zeros;            ///< and v_j where the cache knows nothing
+    std::vector<std::uint16_t> list;            ///< groups of units in reach of a vertex
+    std::vector<float> irradiance, importance;  ///< e_j and s_j of their lanes
+    std::vector<std::uint8_t> zeros;            ///< v_j of groups that the cache omits
     std::vector<ShadowRay> shadow_rays;
     std::vector<Vec3> targets;
     std::vector<float> shares;  ///< V
@@ -149,7 +150,7 @@ class Residual {
     BrightSpots::Scratch spots;
   };
 
-  /// Puts the differences into the rows, which are clear, one a vertex.
+  /// Adds L - h of each vertex to its row; the rows are empty before.
   void estimate(std::span<const PathVertex> vertices, const Key& key, Scratch& scratch,
                 std::span<ResidualRows> rows, std::uint64_t& rays) const;
 
@@ -182,7 +183,7 @@ class Residual {
   float reach_;
   ReuseEffort effort_;
   bool any_loose_;
-  double crowd_;  ///< of units in reach, 1 or more: so many times more must be at stake for a shadow ray
+  double stake_factor_;  ///< factor on ReuseEffort::stake where many units are in reach, at least 1
 };
 
 }  // namespace shelfbeam

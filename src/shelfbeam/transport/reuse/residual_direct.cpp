@@ -1,4 +1,4 @@
-// The straight light of units at a vertex, less the cache's: shadow rays of Residual.
+// Residual's shadow rays: the direct light of units at a vertex minus its approximation by the cache.
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ struct Arrived {
   std::uint64_t rays;
 };
 
-// What comes from a point of source j to a vertex, as light_from has it, and is reflected there.
+// Light from a point of source j that a vertex reflects, by light_from.
 template <class Share>
 Arrived arrive(const World& world, std::size_t j, const LightPoint& light, const PathVertex& vertex,
                bool images, const Share& share_of) {
@@ -33,8 +33,8 @@ Arrived arrive(const World& world, std::size_t j, const LightPoint& light, const
 
 }  // namespace
 
-// The groups in reach of a vertex, those of its cell first, with the irradiance e_j that every unit would
-// give with nothing in between and the importance s_j of a shadow ray to it. Returns the sum of these.
+// Lists the groups in reach of a vertex, the groups of its cell first, with the unoccluded irradiance e_j of
+// every unit and the importance s_j of a shadow ray to it. Returns the sum of the importances.
 double Residual::weigh_units(const PathVertex& vertex, Scratch& scratch) const {
   const LanePoint point(vertex.end.point);
   std::vector<std::uint16_t>& list = scratch.list;
@@ -48,9 +48,9 @@ double Residual::weigh_units(const PathVertex& vertex, Scratch& scratch) const {
   scratch.zeros.resize(units_.size() * lanes);
   scratch.irradiance.resize(units_.size() * lanes);
   scratch.importance.resize(units_.size() * lanes);
-  // Where light may come that e_j does not know of.
+  // Above 0 where light may arrive that e_j does not include.
   const SurfaceGuide& guide = *vertex.guide;
-  const float floor = guide.is_loose() || world_.mirrors.size() > 0 || any_loose_ ? 0.002F : 0;
+  const float floor = guide.is_approximate() || world_.mirrors.size() > 0 || any_loose_ ? 0.002F : 0;
   const LaneScatter* const scatter = guide.is_detailed() ? &vertex.scatter : nullptr;
   const auto weigh = [&](std::size_t first, std::size_t count, const std::uint8_t* share) {
     return LaneKernels::importance(units_, list.data() + first, count, point, vertex.is_capped, share, floor,
@@ -62,12 +62,12 @@ double Residual::weigh_units(const PathVertex& vertex, Scratch& scratch) const {
   return static_cast<double>(known + others);
 }
 
-// Shadow rays to units, each with the chance q_j = min(1, s_j / (stake tau)), by systematic sampling: a comb
-// with teeth at whole numbers over the running sum of the chances.
+// Chooses units for shadow rays, each with probability q_j = min(1, s_j / (stake tau)), by systematic
+// sampling: equally spaced points over the cumulative sum of the probabilities.
 void Residual::choose_units(const PathVertex& vertex, RandomStream& random, Scratch& scratch) const {
   const LanePoint point(vertex.end.point);
-  const double scale = 1 / (effort_.stake * crowd_ * requirement_);
-  double sum = random.unit();
+  const double scale = 1 / (effort_.stake * stake_factor_ * requirement_);
+  double sum = random.uniform();
   double tooth = 1;
   for (std::size_t c = 0; c < scratch.list.size(); ++c) {
     const std::size_t g = scratch.list[c], width = units_.count(g);
@@ -79,11 +79,11 @@ void Residual::choose_units(const PathVertex& vertex, RandomStream& random, Scra
       tooth += 1;
       const std::uint32_t j = units_.column(g, k);
       if (!world_.emitters.is_transceiver(j)) continue;
-      ShadowRay ray{.place = static_cast<std::uint32_t>(g * lanes + k), .weight = 1 / chance};
+      ShadowRay ray{.lane_index = static_cast<std::uint32_t>(g * lanes + k), .weight = 1 / chance};
       if (world_.emitters.is_point(j)) {
         ray.light = world_.emitters.point(j, 0, 0);
       } else {
-        const double u1 = random.unit(), u2 = random.unit();
+        const double u1 = random.uniform(), u2 = random.uniform();
         ray.light = world_.emitters.point(j, u1, u2);
       }
       const float e = scratch.irradiance[lane], cap = units_.cap(g, k);
@@ -102,36 +102,38 @@ void Residual::add_direct(const PathVertex& vertex, RandomStream& random, Scratc
                           ResidualRows& rows, std::uint64_t& rays) const {
   scratch.shadow_rays.clear();
   if (weigh_units(vertex, scratch) > 0) choose_units(vertex, random, scratch);
-  // Surfaces that shine are few, and the cache does not know them.
+  // Emitting surfaces are few, and the cache omits them.
   for (std::size_t j = world_.scene.transceivers.size(); j < world_.emitters.size(); ++j) {
-    const double u1 = random.unit(), u2 = random.unit();
-    scratch.shadow_rays.push_back({.place = units_.place(j), .light = world_.emitters.point(j, u1, u2)});
+    const double u1 = random.uniform(), u2 = random.uniform();
+    scratch.shadow_rays.push_back(
+        {.lane_index = units_.lane_index(j), .light = world_.emitters.point(j, u1, u2)});
   }
   scratch.targets.clear();
   for (const ShadowRay& ray : scratch.shadow_rays) scratch.targets.push_back(ray.light.position);
   scratch.shares.resize(scratch.targets.size());
   world_.rays.shares(vertex.end.point, scratch.targets, scratch.shares);
   rays += scratch.targets.size();
-  // Over mirrors comes little light for many rays: it is asked for at some vertices only.
+  // Mirror paths carry little light for many rays, so only some vertices evaluate them.
   constexpr double mirror_chance = 0.25;
-  const bool has_images = world_.mirrors.size() > 0 && random.unit() < mirror_chance;
+  const bool has_images = world_.mirrors.size() > 0 && random.uniform() < mirror_chance;
   for (std::size_t t = 0; t < scratch.shadow_rays.size(); ++t) {
     const ShadowRay& ray = scratch.shadow_rays[t];
-    const std::size_t j = units_.column(ray.place / lanes, ray.place % lanes);
+    const std::size_t j = units_.column(ray.lane_index / lanes, ray.lane_index % lanes);
     const auto [parts, traced] =
         arrive(world_, j, ray.light, vertex, has_images && world_.emitters.is_transceiver(j),
                [&] { return static_cast<double>(scratch.shares[t]); });
     rays += traced > 1 ? traced - 1 : 0;
     const auto add = [&](LaneRow& row, const DirectSignal& light, double h) {
       const double value = light.straight * ray.taken + light.mirrored / mirror_chance - h;
-      if (value != 0) row.add(ray.place, ray.weight * value);
+      if (value != 0) row.add(ray.lane_index, ray.weight * value);
     };
     add(rows.base, parts.base, ray.h_base);
     add(rows.own, parts.own, ray.h_own);
   }
 }
 
-// One of the units out of reach that the cache leaves out, too; near ones are likelier.
+// Samples one of the units that are out of reach and not in the cache, with a probability in proportion to
+// the bound on its group's irradiance.
 void Residual::add_far(const PathVertex& vertex, RandomStream& random, ResidualRows& rows,
                        std::uint64_t& rays) const {
   if (vertex.row.count == units_.size()) return;
@@ -147,7 +149,7 @@ void Residual::add_far(const PathVertex& vertex, RandomStream& random, ResidualR
   double total = 0;
   for (std::size_t g = 0, next = 0; g < units_.size(); ++g) total += weight(g, next);
   if (!(total > 0)) return;
-  double left = random.unit() * total;
+  double left = random.uniform() * total;
   for (std::size_t g = 0, next = 0; g < units_.size(); ++g) {
     const double own = weight(g, next);
     if (own <= left) {
@@ -157,23 +159,23 @@ void Residual::add_far(const PathVertex& vertex, RandomStream& random, ResidualR
     const std::size_t count = units_.count(g);
     const std::size_t k = to_index(random.bits(), static_cast<std::uint32_t>(count));
     const std::uint32_t j = units_.column(g, k);
-    const double u1 = random.unit(), u2 = random.unit();
+    const double u1 = random.uniform(), u2 = random.uniform();
     const LightPoint light = world_.emitters.point(j, u1, u2);
     const auto [parts, traced] = arrive(world_, j, light, vertex, true, [&] {
-      return world_.rays.passage(vertex.end.point, light.position).share;
+      return world_.rays.transmittance(vertex.end.point, light.position).share;
     });
     rays += traced;
-    double taken = 1;  // of its light: not that of bright spots
+    double taken = 1;  // share of its light that rays from bright spots do not bring
     if (vertex.is_capped) {
       LaneValues irradiance;
       units_.irradiance(g, point, irradiance);
       if (irradiance[k] > units_.cap(g, k)) taken = static_cast<double>(units_.cap(g, k) / irradiance[k]);
     }
-    const auto place = static_cast<std::uint32_t>(g * lanes + k);
+    const auto lane_index = static_cast<std::uint32_t>(g * lanes + k);
     const double scale = total * static_cast<double>(count) / own;
     const auto add = [&](LaneRow& row, const DirectSignal& part) {
       const double value = part.straight * taken + part.mirrored;
-      if (value != 0) row.add(place, value * scale);
+      if (value != 0) row.add(lane_index, value * scale);
     };
     add(rows.base, parts.base);
     add(rows.own, parts.own);

@@ -23,8 +23,8 @@ namespace shelfbeam {
 namespace {
 
 constexpr std::size_t largest_cluster = 96;
-// The cache keeps what is above this share of the smallest requirement.
-constexpr double least_share = 0.005;
+// The cache keeps irradiances above this share of the smallest requirement.
+constexpr double min_share = 0.005;
 
 double smallest_requirement(const Scene& scene) {
   double smallest = std::numeric_limits<double>::infinity();
@@ -43,10 +43,10 @@ struct ReuseEstimator::Impl {
     std::vector<LaneRow> labels;
     std::vector<ResidualRows> points;
     std::vector<SurfacePoint> at;
-    // Points found by rays of labels: the vertices there, and whose they are.
+    // First hits of the labels' rays: their vertices, and the labels that found them.
     struct Found {
       std::uint32_t owner;
-      double weight;  // of the radiance that comes from there
+      double weight;  // of the radiance from there
       bool is_shared;
     };
     std::vector<PathVertex> vertices;
@@ -62,20 +62,20 @@ struct ReuseEstimator::Impl {
         effort(e),
         units(w),
         spots(w, units, mix_key(s, hash64("bright spots")), e.spots),
-        cache(w, units, static_cast<float>(least_share * requirement), mix_key(s, hash64("radiance cache")),
+        cache(w, units, static_cast<float>(min_share * requirement), mix_key(s, hash64("radiance cache")),
               control),
         residual(w, units, cache, spots, requirement, e) {
     std::vector<std::uint32_t> columns(w.emitters.size());
     std::iota(columns.begin(), columns.end(), 0U);
     for (LabelCluster& cluster : cluster_labels(w, largest_cluster)) {
-      // A cluster is known by its first label.
+      // The first label identifies a cluster.
       keys.push_back(mix_key(s, hash64(w.scene.labels[cluster.front()].id)));
       blocks.push_back({std::move(cluster), columns});
     }
   }
 
-  // The cache's light on every label, by many rays that only look it up, and that of sources which they meet
-  // over mirrors.
+  // Adds the cache's light on every label, from many rays that only look up the cache, and the light of
+  // sources that these rays meet over mirrors.
   void look_up(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
                std::uint64_t& rays) const {
     for (std::size_t c = 0; c < block.rows.size(); ++c) {
@@ -86,7 +86,7 @@ struct ReuseEstimator::Impl {
       RandomStream random(key, batch, static_cast<std::uint32_t>(c), 1);
       const ScrambledSobol square(mix_key(mix_key(key, batch), 2 * c));
       const bool is_point = world.receivers.is_point(i);
-      // A row of the cache is used one ray later, when it has come from memory.
+      // Uses a row of the cache one ray later, when it has arrived from memory.
       struct Found {
         PathVertex vertex;
         float weight;
@@ -104,12 +104,12 @@ struct ReuseEstimator::Impl {
         if (!drawn) continue;
         SurfacePoint from = work.at[c];
         if (!is_point) {
-          const double u3 = random.unit(), u4 = random.unit();
+          const double u3 = random.uniform(), u4 = random.uniform();
           from = world.receivers.point(i, u3, u4);
         }
         const auto end = follow_chain(
             world, from, world.receivers.frame(i).to_world(drawn->direction), Departure::scattered, random,
-            rays, [&](std::size_t j, double value) { row.add(units.place(j), weight * value); });
+            rays, [&](std::size_t j, double value) { row.add(units.lane_index(j), weight * value); });
         if (!end) continue;
         Found found{PathVertex(world, cache, *end), static_cast<float>(weight * end->throughput), 0};
         found.vertex.is_capped = end->is_straight;
@@ -122,7 +122,7 @@ struct ReuseEstimator::Impl {
     }
   }
 
-  // What bright spots send straight to the labels.
+  // Adds the direct light of bright spots at the labels.
   void add_spots(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
                  std::uint64_t& rays) const {
     work.targets.clear();
@@ -131,13 +131,14 @@ struct ReuseEstimator::Impl {
       const double response = world.receivers.response(block.rows[c], from);
       return SpotReceiver{response, response / integral(world.receivers.responsivity(block.rows[c]))};
     };
-    spots.light_up(
-        work.targets, {0.05 * requirement, effort.spot_rays}, {mix_key(key, 0x5B075), batch},
-        work.residual.spots, rays, receive,
-        [&](std::uint32_t c, std::uint32_t place, double value) { work.labels[c].add(place, value); });
+    spots.add_light(work.targets, {0.05 * requirement, effort.spot_rays}, {mix_key(key, 0x5B075), batch},
+                    work.residual.spots, rays, receive,
+                    [&](std::uint32_t c, std::uint32_t lane_index, double value) {
+                      work.labels[c].add(lane_index, value);
+                    });
   }
 
-  // What the cache misses, at some points for each label.
+  // Adds the residual at some points per label.
   void add_residual(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
                     std::uint64_t& rays) const {
     std::uint32_t group = 0;
@@ -172,7 +173,7 @@ struct ReuseEstimator::Impl {
     flush();
   }
 
-  // The labels of a cluster, which share a point. All of them send K rays, which `gain` has: W_c / K.
+  // The labels of a cluster, which share a point. Each sends K rays; `gain` contains 1 / K, so `rays` is 1.
   struct Sharers {
     const Impl& impl;
     const Block& block;
@@ -189,7 +190,7 @@ struct ReuseEstimator::Impl {
     }
   };
 
-  // Every label of the cluster takes what the base of a point sends to it.
+  // Adds the radiance from the bases of points to all labels that see them, the rest to their finders.
   void share_points(const Block& block, Workspace& work, std::uint64_t& rays) const {
     for (std::size_t b = 0; b < work.vertices.size(); ++b) {
       const auto& [owner, weight, is_shared] = work.found[b];
@@ -206,9 +207,8 @@ struct ReuseEstimator::Impl {
     }
   }
 
-  // Whether a label or source is large for its distance, so that a batch's direct light takes several
-  // samples.
-  bool looks_large(std::size_t i, std::size_t j) const {
+  // Whether label or source is so large for their distance that direct light takes several samples per batch.
+  bool needs_strata(std::size_t i, std::size_t j) const {
     constexpr double much = 0.1;
     if (j >= world.scene.transceivers.size()) return true;
     const auto& size = world.scene.type_of(world.scene.labels[i]).size;
@@ -217,16 +217,17 @@ struct ReuseEstimator::Impl {
     return extent > much * length(unit.position - world.scene.labels[i].position);
   }
 
-  // Units too far or too weak to matter are asked for their direct light in some batches only.
+  // Probability that a batch samples the direct light of an entry; below 1 for units too far or too weak to
+  // matter.
   double direct_chance(std::size_t i, std::size_t j) const {
     constexpr double seldom = 0.125, little = 0.01;
     if (j >= world.scene.transceivers.size()) return 1;
     const double away = length(world.scene.transceivers[j].position - world.scene.labels[i].position);
-    const double most = static_cast<double>(units.peak(units.place(j) / lanes)) / (away * away);
+    const double most = static_cast<double>(units.peak(units.lane_index(j) / lanes)) / (away * away);
     return most > little * world.scene.type_of(world.scene.labels[i]).requirement() ? 1 : seldom;
   }
 
-  // Density per area with which a label's rays hit a point, but for what stands between.
+  // Density per area with which a label's rays sample a point, without visibility.
   double pdf_of(std::uint32_t label, const SurfacePoint& at, const SurfacePoint& there) const {
     const auto seen = sight(at.position, there);
     if (!seen) return 0;
@@ -279,7 +280,7 @@ bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelT
   work.at.clear();
   for (std::size_t c = 0; c < block.rows.size(); ++c) {
     RandomStream random(key, batch, static_cast<std::uint32_t>(c), 0);
-    const double u1 = random.unit(), u2 = random.unit();
+    const double u1 = random.uniform(), u2 = random.uniform();
     work.at.push_back(world.receivers.point(block.rows[c], u1, u2));
   }
   impl_->look_up(block, key, batch, work, values.rays);
@@ -292,20 +293,20 @@ bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelT
   for (std::size_t c = 0; c < block.rows.size(); ++c) {
     const std::uint32_t i = block.rows[c];
     LaneRow& row = work.labels[c];
-    const bool has_areas = !world.receivers.is_point(i) || impl_->units.any_loose() ||
+    const bool has_areas = !world.receivers.is_point(i) || impl_->units.any_approximate() ||
                            world.emitters.size() > world.scene.transceivers.size();
     work.direct.assign(has_areas ? n : 0, 0);
     for (std::size_t j = 0; j < work.direct.size(); ++j) {
       if (is_point_to_point(world, i, j)) continue;
       const PathKey path{mix_key(mix_key(key, i), j), batch, 0};
       const double chance = impl_->direct_chance(i, j);
-      if (to_unit(path.draw(0, 1)[0]) >= chance) continue;
+      if (to_uniform(path.draw(0, 1)[0]) >= chance) continue;
       const DirectSignal signal =
-          sample_direct(world, i, j, path, impl_->looks_large(i, j) ? 3 : 1, impl_->rules);
+          sample_direct(world, i, j, path, impl_->needs_strata(i, j) ? 3 : 1, impl_->rules);
       values.rays += signal.rays;
       if (signal.straight + signal.mirrored == 0) continue;
       work.direct[j] = signal.straight / chance;
-      row.add(impl_->units.place(j), (signal.straight + signal.mirrored) / chance);
+      row.add(impl_->units.lane_index(j), (signal.straight + signal.mirrored) / chance);
     }
     for (const std::uint16_t g : row.groups())
       for (std::size_t k = 0; k < impl_->units.count(g); ++k) {

@@ -10,11 +10,11 @@
 
 namespace shelfbeam {
 
-/// Path reuse over clusters of labels with a radiance cache as control variate; docs/methods/reuse.md has the
-/// mathematics. An item is a cluster.
+/// Path reuse over clusters of labels, with a radiance cache as control variate (docs/methods/reuse.md). An
+/// item is a cluster.
 class ReuseEstimator : public Estimator {
  public:
-  /// Builds the cache: some seconds for a large store. `world` must outlive the estimator.
+  /// Builds the cache, which takes some seconds for a large store. `world` must outlive the estimator.
   /// Throws Interrupted when cancelled.
   ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort = {},
                  const RunControl& control = {});

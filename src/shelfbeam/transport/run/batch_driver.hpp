@@ -18,7 +18,7 @@
 
 namespace shelfbeam::detail {
 
-/// Computes batches of an estimator's items, many at a time, and hands them out in their order.
+/// Computes batches of an estimator's items, many at a time, and delivers them in order.
 class BatchDriver {
  public:
   /// Calls `sampled` after every batch of an item, from any thread.
@@ -27,25 +27,24 @@ class BatchDriver {
       std::function<void()> sampled = [] {})
       : scene_(scene), estimator_(estimator), control_(control), sampled_(std::move(sampled)) {}
 
-  /// How many batches of so many items should be computed at once: several where items are few, so that
-  /// threads need not wait for the largest.
+  /// Number of batches per item to compute at once: several if items are few, so that threads need not wait
+  /// for the largest item.
   static std::uint32_t at_once(std::size_t items) {
     constexpr std::size_t enough_tasks = 16;
     return static_cast<std::uint32_t>(std::max<std::size_t>(1, enough_tasks / items));
   }
 
-  /// Computes `count` batches from `first` on, of each of these items, on the threads of the present arena.
-  /// Whichever thread was first, take(item, batch, values) gets the batches of an item in their order, those
-  /// of different items from several threads; and when all items have handed out a batch, goes_on(batch)
-  /// says whether they shall hand out the next one, or all that is left has been in vain. When cancelled
-  /// no item hands out more than its first batch.
+  /// Computes `count` batches of each item, from batch `first` on, on the threads of the current arena. Calls
+  /// take(item, batch, values) for the batches of an item in order, and for different items from several
+  /// threads. Once all items have delivered a batch, goes_on(batch) returns whether to deliver the next one
+  /// or to discard the rest. When cancelled, no item delivers more than its first batch.
   template <class Take, class GoesOn>
   void run(std::span<const std::uint32_t> items, std::uint32_t first, std::uint32_t count, const Take& take,
-           const GoesOn& goes_on) {
+           const GoesOn& should_continue) {
     const std::size_t n = items.size();
     if (count > 1 && waiting_.size() < n * count) waiting_.resize(n * count);
     is_complete_.assign(n * count, 0);
-    for_parts(n * count, [&](std::size_t begin, std::size_t end) {
+    parallel_for_ranges(n * count, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end && !control_.cancelled(); ++k) {
         const std::uint32_t item = items[k % n], batch = first + static_cast<std::uint32_t>(k / n);
         BatchValues& values = count > 1 ? waiting_[k] : values_.local();
@@ -56,15 +55,15 @@ class BatchDriver {
     });
     for (std::uint32_t b = 0; b < count; ++b) {
       if (count > 1)
-        for_parts(n, [&](std::size_t begin, std::size_t end) {
+        parallel_for_ranges(n, [&](std::size_t begin, std::size_t end) {
           for (std::size_t k = begin; k < end; ++k)
             if (is_complete_[b * n + k] != 0) take(items[k], first + b, waiting_[b * n + k]);
         });
-      if (!goes_on(first + b) || control_.cancelled()) return;
+      if (!should_continue(first + b) || control_.cancelled()) return;
     }
   }
 
-  /// Of all batches that were computed, in vain or not.
+  /// Totals over all computed batches, discarded ones included.
   std::uint64_t batches() const { return batches_; }
   std::uint64_t rays() const { return rays_; }
   const ShadowRays& shadow_rays() const { return shadow_rays_; }

@@ -1,4 +1,4 @@
-#include "shelfbeam/transport/run/engine.hpp"
+#include "shelfbeam/transport/run/batch_scheduler.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,8 @@ std::size_t entries(const Estimator::Block& block) {
   return block.rows.size() * block.columns.size();
 }
 
-// Whether an item's batches have direct light: the estimator's own, or that of ends with an area.
+// Whether an item's batches include direct light: if the estimator samples it, or if a label or source has an
+// area.
 bool has_direct(const World& world, const Estimator& estimator, std::size_t item) {
   const auto& block = estimator.block(item);
   return estimator.samples_direct() ||
@@ -32,7 +33,8 @@ bool has_direct(const World& world, const Estimator& estimator, std::size_t item
 
 }  // namespace
 
-std::size_t Engine::bytes(const World& world, const Estimator& estimator, const SimulationOptions& options) {
+std::size_t BatchScheduler::bytes(const World& world, const Estimator& estimator,
+                                  const SimulationOptions& options) {
   std::size_t total = 0;
   for (std::size_t item = 0; item < estimator.items(); ++item)
     total += sizeof(ItemSums) + sizeof(double) * ItemSums::size(entries(estimator.block(item)),
@@ -41,8 +43,9 @@ std::size_t Engine::bytes(const World& world, const Estimator& estimator, const 
   return total;
 }
 
-Engine::Engine(const World& world, const Estimator& estimator, const SimulationOptions& options,
-               const std::string& hash, const RunControl& control)
+BatchScheduler::BatchScheduler(const World& world, const Estimator& estimator,
+                               const SimulationOptions& options, const std::string& hash,
+                               const RunControl& control)
     : world_(world),
       estimator_(estimator),
       options_(options),
@@ -61,11 +64,11 @@ Engine::Engine(const World& world, const Estimator& estimator, const SimulationO
                         static_cast<std::uint32_t>(estimator.items()));
 }
 
-CheckpointIdentity Engine::identity(const std::string& hash) const {
+CheckpointIdentity BatchScheduler::identity(const std::string& hash) const {
   std::string stop = fmt::format("samples {}", options_.samples);
   if (options_.relative_error)
     stop = fmt::format("relative-error {} above {} max-samples {}", options_.relative_error->error,
-                       options_.relative_error->above, options_.relative_error->most_samples);
+                       options_.relative_error->above, options_.relative_error->max_samples);
   else if (options_.time_s)
     stop = "time";
   return {{"program version", std::string(program_version())},
@@ -82,7 +85,7 @@ CheckpointIdentity Engine::identity(const std::string& hash) const {
           {"items", fmt::format("{}", estimator_.items())}};
 }
 
-bool Engine::run() {
+bool BatchScheduler::run() {
   resume();
   started_ = Clock::now();
   std::vector<std::uint32_t> todo;
@@ -103,14 +106,14 @@ bool Engine::run() {
       save_checkpoint();
       return false;
     }
-    foresee();
+    predict_total();
     save_checkpoint_if_due();
   }
 }
 
-// Whether the running items, all of which have `round` batches or more, need no more.
-bool Engine::is_done(std::uint32_t round) {
-  if (round < least_batches || round < most_batches()) return false;
+// Whether the running items, which all have at least `round` batches, need no more.
+bool BatchScheduler::is_done(std::uint32_t round) {
+  if (round < min_batches || round < max_batches()) return false;
   if (control_.cancelled()) return false;
   if (options_.time_s) return seconds() + last_batch_s_ > *options_.time_s;
   if (!options_.relative_error || !is_stopping_point(round)) return false;
@@ -119,31 +122,30 @@ bool Engine::is_done(std::uint32_t round) {
   return all.is_enough() || (round >= judged_batches && all.is_hopeless());
 }
 
-// Items do not overtake those that are ahead of them after an interruption, for all are judged together.
-std::uint32_t Engine::batches_at_once(std::size_t items, std::uint32_t round) const {
-  std::uint32_t end = round < least_batches ? least_batches : limit_;
+// After a run is resumed, items do not overtake the items ahead of them, because all are judged together.
+std::uint32_t BatchScheduler::batches_at_once(std::size_t items, std::uint32_t round) const {
+  std::uint32_t end = round < min_batches ? min_batches : limit_;
   for (std::size_t item = 0; item < sums_.size(); ++item)
     if (is_running(item) && sums_[item].batches > round) end = std::min(end, sums_[item].batches);
   return std::min(BatchDriver::at_once(items), end - round);
 }
 
-// The next batches of items, each added to its item's sums after those before it.
-void Engine::sample(const std::vector<std::uint32_t>& items, std::uint32_t round) {
+// Computes the next batches of the items and adds them in order to the items' sums.
+void BatchScheduler::sample(const std::vector<std::uint32_t>& items, std::uint32_t round) {
   const auto add = [&](std::uint32_t item, std::uint32_t batch, const BatchValues& values) {
     if (is_running(item) && sums_[item].batches == batch) sums_[item].add(values);
   };
-  // Time does not undo what is done.
+  // A time limit discards no computed batches.
   driver_.run(items, round, batches_at_once(items.size(), round), add, [&](std::uint32_t batch) {
     judge(items, batch + 1);
     return options_.time_s || !is_done(batch + 1);
   });
 }
 
-// Pauses the items that are precise enough after so many batches, or never will be, if this is a point to
-// look at it.
-void Engine::judge(const std::vector<std::uint32_t>& items, std::uint32_t round) {
+// At a stopping point, pauses the items that are precise enough after `round` batches or cannot become so.
+void BatchScheduler::judge(const std::vector<std::uint32_t>& items, std::uint32_t round) {
   if (!options_.relative_error || !is_stopping_point(round)) return;
-  for_parts(items.size(), [&](std::size_t first, std::size_t last) {
+  parallel_for_ranges(items.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const std::uint32_t item = items[k];
       if (sums_[item].batches != round || paused_[item] != 0) continue;
@@ -154,41 +156,41 @@ void Engine::judge(const std::vector<std::uint32_t>& items, std::uint32_t round)
   });
 }
 
-std::uint32_t Engine::fewest_batches() const {
+std::uint32_t BatchScheduler::fewest_batches() const {
   std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
   for (const ItemSums& sums : sums_) fewest = std::min(fewest, sums.batches);
   return fewest;
 }
 
-std::uint32_t Engine::most_batches() const {
+std::uint32_t BatchScheduler::max_batches() const {
   std::uint32_t most = 0;
   for (const ItemSums& sums : sums_) most = std::max(most, sums.batches);
   return most;
 }
 
-std::uint64_t Engine::batches() const {
+std::uint64_t BatchScheduler::batches() const {
   std::uint64_t all = 0;
   for (const ItemSums& sums : sums_) all += sums.batches;
   return all;
 }
 
-double Engine::seconds() const {
+double BatchScheduler::seconds() const {
   return std::chrono::duration<double>(Clock::now() - started_).count();
 }
 
-// Errors fall with the square root of the batches.
-double Engine::seconds_to_halve() const {
+// Errors fall with the square root of the number of batches.
+double BatchScheduler::seconds_to_halve() const {
   const auto now = static_cast<double>(driver_.batches()), all = now + static_cast<double>(done_before_);
   return now > 0 ? seconds() / now * 3 * all : 0;
 }
 
-void Engine::resume() {
+void BatchScheduler::resume() {
   if (!checkpoint_ || !options_.checkpoint.resume) return;
   checkpoint_->load([&](std::uint32_t item, const CheckpointState& state) {
     ItemSums& sums = sums_[item];
     if (state.values.size() != sums.values.size() || state.batches > limit_)
-      throw InputError(checkpoint_->path().string(), "does not fit the simulation",
-                       "delete it, or begin anew without resuming", Setting::resumption);
+      throw InputError(checkpoint_->path().string(), "does not match the simulation",
+                       "delete it, or start again without resuming", Setting::resumption);
     std::copy(state.values.begin(), state.values.end(), sums.values.begin());
     sums.batches = state.batches;
   });
@@ -200,7 +202,7 @@ void Engine::resume() {
   for (const auto& [batches, items] : by_batches) judge(items, batches);
 }
 
-void Engine::save_checkpoint() {
+void BatchScheduler::save_checkpoint() {
   if (!checkpoint_) return;
   const double begun = seconds();
   checkpoint_->save([&](std::uint32_t item) {
@@ -210,26 +212,26 @@ void Engine::save_checkpoint() {
   save_took_ = saved_at_ - begun;
 }
 
-void Engine::try_to_save() noexcept {
+void BatchScheduler::try_to_save() noexcept {
   try {
     save_checkpoint();
-  } catch (const std::exception&) {  // the file still has what it had
+  } catch (const std::exception&) {  // the file keeps the previous checkpoint
   }
 }
 
-// Writing takes at most a twentieth of the time.
-void Engine::save_checkpoint_if_due() {
+// Saving takes at most a twentieth of the run time.
+void BatchScheduler::save_checkpoint_if_due() {
   const double interval = options_.checkpoint.interval_s;
   if (interval == 0 || seconds() - saved_at_ > std::max(interval, 20 * save_took_)) save_checkpoint();
 }
 
-// How much work there will be in all, as far as the errors so far tell; for those who watch only.
-void Engine::foresee() {
+// Predicts the total number of batches from the current errors, for the progress report only.
+void BatchScheduler::predict_total() {
   if (control_.progress == nullptr) return;
-  const std::uint32_t most = most_batches();
+  const std::uint32_t most = max_batches();
   const auto all = static_cast<double>(done_before_ + driver_.batches());
-  if (most >= next_look_) {
-    next_look_ = most < least_batches ? 2 * most : most + most / 16;
+  if (most >= next_report_) {
+    next_report_ = most < min_batches ? 2 * most : most + most / 16;
     const double share = options_.relative_error ? options_.relative_error->above : 0.3;
     const double error = survey_.errors(share).relative.quantile(0.99);
     const std::scoped_lock lock(report_mutex_);
@@ -240,7 +242,7 @@ void Engine::foresee() {
   if (options_.time_s) predicted_ = all * std::max(1.0, *options_.time_s / seconds());
 }
 
-void Engine::report() {
+void BatchScheduler::report() {
   if (control_.progress == nullptr) return;
   const std::unique_lock lock(report_mutex_, std::try_to_lock);
   if (!lock.owns_lock()) return;

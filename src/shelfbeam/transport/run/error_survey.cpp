@@ -41,7 +41,7 @@ Precision ErrorSurvey::precision(std::size_t item, const RelativeError& wanted) 
 Reachable ErrorSurvey::reachable(std::size_t item, const RelativeError& wanted) const {
   const std::uint32_t batches = sums_[item].batches;
   const double samples = static_cast<double>(estimator_.samples_per_batch()) * batches;
-  return {reachable_error(batches, static_cast<double>(wanted.most_samples) / samples),
+  return {reachable_error(batches, static_cast<double>(wanted.max_samples) / samples),
           batches >= last_flagged_batches};
 }
 
@@ -51,7 +51,7 @@ double ErrorSurvey::requirement(std::size_t i) const {
 
 ErrorSurvey::Shortfall ErrorSurvey::shortfall(const RelativeError& wanted, std::size_t named) const {
   Shortfall found;
-  // Of all entries few are named: only these get their ids.
+  // Only the few listed entries get their ids.
   struct Rank {
     bool is_out_of_reach;
     double error;
@@ -67,9 +67,9 @@ ErrorSurvey::Shortfall ErrorSurvey::shortfall(const RelativeError& wanted, std::
       const double limit = relevance_limit(means, requirement(i), wanted.above);
       for (std::size_t c = 0; c < means.size(); ++c) {
         if (!(means[c] > limit)) continue;
-        const Standing stands = standing(means[c], errors[c], flags[c] != 0, wanted, reachable);
-        if (stands == Standing::precise) continue;
-        const Rank rank{stands == Standing::hopeless, errors[c] / means[c]};
+        const EntryStatus stands = entry_status(means[c], errors[c], flags[c] != 0, wanted, reachable);
+        if (stands == EntryStatus::precise) continue;
+        const Rank rank{stands == EntryStatus::unreachable, errors[c] / means[c]};
         const auto at = std::upper_bound(found.worst.begin(), found.worst.end(), rank, comes_first);
         if (found.worst.size() == named && at == found.worst.end()) continue;
         found.worst.insert(at, {world_.scene.labels[i].id, world_.emitters.id(columns[c]), rank.error,
@@ -83,7 +83,7 @@ ErrorSurvey::Shortfall ErrorSurvey::shortfall(const RelativeError& wanted, std::
 
 ErrorSurvey::Errors ErrorSurvey::errors(double above) const {
   tbb::enumerable_thread_specific<Errors> parts;
-  for_parts(sums_.size(), [&](std::size_t first, std::size_t last) {
+  parallel_for_ranges(sums_.size(), [&](std::size_t first, std::size_t last) {
     Errors& part = parts.local();
     for (std::size_t item = first; item < last; ++item) {
       if (sums_[item].batches < 2) continue;
@@ -106,7 +106,7 @@ ErrorSurvey::Errors ErrorSurvey::errors(double above) const {
 }
 
 bool is_stopping_point(std::uint32_t batches) {
-  std::uint64_t point = least_batches;
+  std::uint64_t point = min_batches;
   while (point < batches) point += point / 16;
   return point == batches;
 }
@@ -116,13 +116,13 @@ double relevance_limit(std::span<const double> means, double requirement, double
   return means.empty() ? 0 : share * *std::max_element(means.begin(), means.end());
 }
 
-Standing standing(double mean, double standard_error, bool is_flagged, const RelativeError& wanted,
-                  const Reachable& reachable) {
+EntryStatus entry_status(double mean, double standard_error, bool is_flagged, const RelativeError& wanted,
+                         const Reachable& reachable) {
   const double most = wanted.error * mean;
-  if (!is_flagged && standard_error <= most) return Standing::precise;
+  if (!is_flagged && standard_error <= most) return EntryStatus::precise;
   const bool is_hopeless =
       (is_flagged && reachable.flags_are_final) || standard_error > most * reachable.error;
-  return is_hopeless ? Standing::hopeless : Standing::open;
+  return is_hopeless ? EntryStatus::unreachable : EntryStatus::open;
 }
 
 Precision count_precise(std::span<const double> means, std::span<const double> standard_errors,
@@ -133,9 +133,9 @@ Precision count_precise(std::span<const double> means, std::span<const double> s
   for (std::size_t k = 0; k < means.size(); ++k) {
     if (!(means[k] > limit)) continue;
     ++result.relevant;
-    const Standing found = standing(means[k], standard_errors[k], flags[k] != 0, wanted, reachable);
-    result.precise += found == Standing::precise ? 1 : 0;
-    result.hopeless += found == Standing::hopeless ? 1 : 0;
+    const EntryStatus found = entry_status(means[k], standard_errors[k], flags[k] != 0, wanted, reachable);
+    result.precise += found == EntryStatus::precise ? 1 : 0;
+    result.unreachable += found == EntryStatus::unreachable ? 1 : 0;
   }
   return result;
 }

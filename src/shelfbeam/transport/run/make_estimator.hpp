@@ -11,20 +11,20 @@
 
 namespace shelfbeam {
 
-/// The estimator that the options ask for. Throws InputError where they do not fit the scene, Interrupted
+/// Creates the estimator of the options. Throws InputError if the options do not fit the scene, Interrupted
 /// when cancelled.
 std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options,
                                           const RunControl& control = {});
 
-/// The batches that give the samples asked for, or the most that a relative error may take; at least
-/// `least_batches` for their spread. Any number where time decides.
+/// Max number of batches per item: the number that gives the requested samples, or max_samples of a relative
+/// error; at least `min_batches`, for their spread. Unlimited with a time limit.
 std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& options);
 
-/// Throws InputError, naming the size, when a simulation would need more than `options.memory`. The first,
-/// which needs no more than the scene, counts what is sure before anything large is made; the second counts
+/// Throws InputError that names the size if a simulation needs more than `options.memory`. The first overload
+/// needs only the scene and gives a lower bound before anything large is allocated; the second counts
 /// everything.
-void expect_room(const Scene& scene, const SimulationOptions& options, bool keeps_matrix);
-void expect_room(const World& world, const Estimator& estimator, const SimulationOptions& options,
-                 bool keeps_matrix);
+void require_memory(const Scene& scene, const SimulationOptions& options, bool keeps_matrix);
+void require_memory(const World& world, const Estimator& estimator, const SimulationOptions& options,
+                    bool keeps_matrix);
 
 }  // namespace shelfbeam

@@ -6,8 +6,9 @@
 
 namespace shelfbeam::detail {
 
-MatrixRows::MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums, const KnownLight& known,
-                       std::size_t rows, std::size_t bounce_layers, std::size_t length_layers)
+MatrixRows::MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums,
+                       const AnalyticDirect& known, std::size_t rows, std::size_t bounce_layers,
+                       std::size_t length_layers)
     : estimator_(estimator),
       sums_(sums),
       known_(known),
@@ -30,8 +31,7 @@ MatrixRows::MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& 
   }
 }
 
-// Fills a row with what is `known` of column j, and for the items with sampled(item's sums, entry) +
-// known(j).
+// Fills a row with known(j) for each column j, plus sampled(item's sums, entry) for the entries of items.
 template <class Known, class Sampled>
 void MatrixRows::fill_with(std::size_t row, std::span<float> values, const Known& known,
                            const Sampled& sampled) const {

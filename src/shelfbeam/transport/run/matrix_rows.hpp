@@ -9,15 +9,15 @@
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
+#include "shelfbeam/transport/tally/analytic_direct.hpp"
 #include "shelfbeam/transport/tally/estimator.hpp"
-#include "shelfbeam/transport/tally/known_light.hpp"
 
 namespace shelfbeam::detail {
 
-/// The signal matrix as the items' sums and the light known in closed form have it.
+/// The rows of the signal matrix, from the items' sums and the analytic direct light.
 class MatrixRows : public SignalRows {
  public:
-  MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums, const KnownLight& known,
+  MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums, const AnalyticDirect& known,
              std::size_t rows, std::size_t bounce_layers, std::size_t length_layers);
 
   void fill(Quantity quantity, std::size_t row, std::span<float> values) const override;
@@ -28,12 +28,12 @@ class MatrixRows : public SignalRows {
   std::size_t bounce_layers() const override { return bounce_layers_; }
   std::size_t length_layers() const override { return length_layers_; }
 
-  /// The batches behind a row: the fewest of the items that it has entries of.
+  /// Number of batches of a row: the minimum over the items with entries in the row.
   std::uint32_t batches(std::size_t row) const;
 
  private:
   struct Part {
-    std::uint32_t item, row;  ///< of the item's block
+    std::uint32_t item, row;  ///< item, and row within its block
   };
 
   // Calls use(item, row within its block) for the items of a row.
@@ -48,18 +48,18 @@ class MatrixRows : public SignalRows {
 
   const Estimator& estimator_;
   const std::vector<ItemSums>& sums_;
-  const KnownLight& known_;
+  const AnalyticDirect& known_;
   std::size_t bounce_layers_, length_layers_;
-  std::vector<std::uint32_t> tall_;  ///< items that have all rows
-  std::vector<std::size_t> starts_;  ///< of each row in `parts_`
-  std::vector<Part> parts_;          ///< of the other items
+  std::vector<std::uint32_t> tall_;  ///< items with all rows
+  std::vector<std::size_t> starts_;  ///< index of each row in `parts_`
+  std::vector<Part> parts_;          ///< by row, of the other items
 };
 
-/// A matrix without entries: what is known of labels and sources.
+/// A matrix without entries: its labels, sources and provenance.
 SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint64_t seed,
                          const std::string& estimator);
 
-/// The same with its entries.
+/// The same matrix with its entries.
 SignalMatrix filled(SignalMatrix head, const SignalRows& rows);
 
 }  // namespace shelfbeam::detail

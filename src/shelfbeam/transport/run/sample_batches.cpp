@@ -7,13 +7,13 @@
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/transport/run/batch_driver.hpp"
 #include "shelfbeam/transport/run/make_estimator.hpp"
-#include "shelfbeam/transport/tally/known_light.hpp"
+#include "shelfbeam/transport/tally/analytic_direct.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-// Hands out the rows of a batch.
+// Calls `take` for the rows of a batch.
 void hand_out(const Estimator::Block& block, std::vector<BatchValues::Value> values,
               const std::function<void(const BatchRow&)>& take) {
   std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.entry < b.entry; });
@@ -32,16 +32,16 @@ void hand_out(const Estimator::Block& block, std::vector<BatchValues::Value> val
 
 BatchRun sample_batches(const Scene& scene, const SimulationOptions& options, std::uint32_t batches,
                         const std::function<void(const BatchRow&)>& take, const RunControl& control) {
-  const ThreadsAllowed allowed(control.threads);
+  const ThreadLimit allowed(control.threads);
   BatchRun run;
   run.batches = batches;
   with_threads(control.threads, [&] {
-    expect_room(scene, options, false);
+    require_memory(scene, options, false);
     const World world(scene);
     const auto estimator = make_estimator(world, options, control);
     run.samples_per_batch = estimator->samples_per_batch();
     const std::size_t rows = world.receivers.size(), columns = world.emitters.size();
-    const detail::KnownLight known(world, options.rules(), control);
+    const detail::AnalyticDirect known(world, options.rules(), control);
     if (!known.is_complete()) throw Interrupted("the simulation was stopped");
     run.known.resize(rows * columns);
     for (std::size_t i = 0; i < rows; ++i)
@@ -49,7 +49,7 @@ BatchRun sample_batches(const Scene& scene, const SimulationOptions& options, st
         run.known[i * columns + j] = static_cast<float>(known.straight(i, j) + known.mirrored(i, j));
     for (std::size_t item = 0; item < estimator->items(); ++item)
       if (estimator->block(item).columns.size() != columns)
-        throw InputError("strategy particle", "has no batches of whole rows", "use another strategy",
+        throw InputError("strategy particle", "does not sample whole rows", "use another strategy",
                          Setting::strategy);
     std::vector<std::uint32_t> items(estimator->items());
     std::iota(items.begin(), items.end(), 0U);

@@ -9,7 +9,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
-#include "shelfbeam/transport/run/engine.hpp"
+#include "shelfbeam/transport/run/batch_scheduler.hpp"
 #include "shelfbeam/transport/run/make_estimator.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
 
@@ -17,38 +17,39 @@ namespace shelfbeam {
 
 namespace {
 
-// How many entries a summary names that have not reached the error asked for.
+// Max number of entries that a summary lists with more than the required error.
 constexpr std::size_t named_entries = 10;
 
-constexpr auto too_early = "the simulation was stopped before it had two batches of samples";
+constexpr auto too_early = "the simulation was stopped before it completed two batches of samples";
 
-void find_unmet(const RelativeError& wanted, const detail::Engine& engine, SimulationSummary& summary) {
-  auto found = engine.survey().shortfall(wanted, named_entries);
+void find_unmet(const RelativeError& wanted, const detail::BatchScheduler& scheduler,
+                SimulationSummary& summary) {
+  auto found = scheduler.survey().shortfall(wanted, named_entries);
   if (found.precision.is_enough()) return;
   summary.unmet_error = wanted.error;
   summary.unmet = found.precision.relevant - found.precision.precise;
-  summary.out_of_reach = found.precision.hopeless;
+  summary.out_of_reach = found.precision.unreachable;
   summary.worst_unmet = std::move(found.worst);
 }
 
-SimulationSummary summarise(const SignalMatrix& head, const detail::Engine& engine) {
+SimulationSummary summarise(const SignalMatrix& head, const detail::BatchScheduler& scheduler) {
   SimulationSummary summary;
   summary.labels = head.rows();
   summary.candidates = head.columns();
   const auto by_batches = [](const LabelRow& a, const LabelRow& b) { return a.batches < b.batches; };
   const auto [least, most] = std::minmax_element(head.labels.begin(), head.labels.end(), by_batches);
-  summary.least_samples = least->samples;
-  summary.least_batches = least->batches;
-  summary.most_samples = most->samples;
-  summary.most_batches = most->batches;
-  summary.batches = engine.batches();
-  summary.resumed_batches = engine.resumed_batches();
-  summary.has_checkpoint = engine.has_checkpoint();
-  summary.rays = engine.rays();
-  summary.shadow_rays = engine.shadow_rays();
-  summary.seconds_to_halve = engine.seconds_to_halve();
+  summary.min_samples = least->samples;
+  summary.min_batches = least->batches;
+  summary.max_samples = most->samples;
+  summary.max_batches = most->batches;
+  summary.batches = scheduler.batches();
+  summary.resumed_batches = scheduler.resumed_batches();
+  summary.has_checkpoint = scheduler.has_checkpoint();
+  summary.rays = scheduler.rays();
+  summary.shadow_rays = scheduler.shadow_rays();
+  summary.seconds_to_halve = scheduler.seconds_to_halve();
   for (ErrorQuantiles& errors : summary.errors) {
-    const auto [histogram, flagged] = engine.survey().errors(errors.above);
+    const auto [histogram, flagged] = scheduler.survey().errors(errors.above);
     errors.entries = histogram.count();
     errors.flagged = flagged;
     errors.median = histogram.quantile(0.5);
@@ -58,43 +59,43 @@ SimulationSummary summarise(const SignalMatrix& head, const detail::Engine& engi
   return summary;
 }
 
-// Runs a simulation and calls use(head, rows): the matrix but for its entries, and these.
+// Runs a simulation and calls use(head, rows): the matrix without its entries, and the entries.
 template <class Use>
 SimulationSummary run(const Scene& scene, const SimulationOptions& options, bool keeps_matrix,
                       const RunControl& control, Use use) {
   const auto start = std::chrono::steady_clock::now();
-  const ThreadsAllowed allowed(control.threads);
+  const ThreadLimit allowed(control.threads);
   SimulationSummary summary;
   with_threads(control.threads, [&] {
-    expect_room(scene, options, keeps_matrix);
+    require_memory(scene, options, keeps_matrix);
     const World world(scene);
     const auto estimator = make_estimator(world, options, control);
-    expect_room(world, *estimator, options, keeps_matrix);
+    require_memory(world, *estimator, options, keeps_matrix);
     const std::string hash = scene_hash(scene);
-    detail::Engine engine(world, *estimator, options, hash, control);
+    detail::BatchScheduler scheduler(world, *estimator, options, hash, control);
     try {
-      const bool complete = engine.run();
-      if (engine.fewest_batches() < 2 || !engine.known().is_complete())
-        throw engine.has_checkpoint()
-            ? Interrupted(std::string(too_early) + "; resuming goes on from its checkpoint",
+      const bool complete = scheduler.run();
+      if (scheduler.fewest_batches() < 2 || !scheduler.known().is_complete())
+        throw scheduler.has_checkpoint()
+            ? Interrupted(std::string(too_early) + "; resuming continues from its checkpoint",
                           Setting::resumption)
             : Interrupted(too_early);
       SignalMatrix head = detail::matrix_head(scene, hash, options.seed, estimator->name());
       head.length_step = options.by_length.step;
-      const detail::MatrixRows rows(*estimator, engine.sums(), engine.known(), head.rows(),
+      const detail::MatrixRows rows(*estimator, scheduler.sums(), scheduler.known(), head.rows(),
                                     options.bounce_layers(), options.length_layers());
       for (std::size_t i = 0; i < head.rows(); ++i) {
         head.labels[i].batches = rows.batches(i);
         head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator->samples_per_batch();
       }
-      summary = summarise(head, engine);
+      summary = summarise(head, scheduler);
       summary.complete = complete;
-      if (complete && options.relative_error) find_unmet(*options.relative_error, engine, summary);
-      if (options.has_fixed_samples()) summary.asked_samples = options.samples;
+      if (complete && options.relative_error) find_unmet(*options.relative_error, scheduler, summary);
+      if (options.has_fixed_samples()) summary.requested_samples = options.samples;
       use(std::move(head), rows);
     } catch (const OutputError& error) {
-      engine.try_to_save();
-      if (!engine.has_checkpoint()) throw;
+      scheduler.try_to_save();
+      if (!scheduler.has_checkpoint()) throw;
       throw OutputError(error, checkpoint_remains, Setting::resumption);
     }
   });

@@ -10,9 +10,9 @@
 
 namespace shelfbeam {
 
-/// To add an estimator: a value and a name here, a case in make_estimator.cpp.
+/// To add an estimator, add a value and a name here and a case in make_estimator.cpp.
 enum class EstimatorKind {
-  uniform,  ///< the paper's, with its strategies
+  uniform,  ///< the paper's estimator, with its strategies
   reuse     ///< path reuse (docs/methods/reuse.md); strategy, heuristic, bounces and layers do not apply
 };
 template <>
@@ -20,58 +20,57 @@ inline constexpr auto names_of<EstimatorKind> = std::to_array<Named<EstimatorKin
     {{"reuse", EstimatorKind::reuse}, {"uniform", EstimatorKind::uniform}});
 
 enum class DirectLight {
-  sampled,  ///< by the paths' first connection, as in the paper
-  exact     ///< apart: between points in closed form, once; else by stratified samples in every batch
+  sampled,  ///< by the first connection of paths, as in the paper
+  exact     ///< separately: between points once in closed form, otherwise by stratified samples per batch
 };
 template <>
 inline constexpr auto names_of<DirectLight> =
     std::to_array<Named<DirectLight>>({{"sampled", DirectLight::sampled}, {"exact", DirectLight::exact}});
 
-/// When a simulation is precise enough: 99 % of the entries that matter have this relative standard error,
-/// and one that can be trusted.
+/// A simulation is precise enough when 99 % of the entries that matter have at most this relative standard
+/// error and are not flagged.
 struct RelativeError {
   double error = 0.05;
-  double above = 0.3;  ///< entries matter whose mean exceeds this share of their label's requirement
-  /// First rays per label. A label all of whose entries are precise or would need more stops after
-  /// `judged_batches`, and the simulation where more than 1 % of all entries would need more.
-  std::uint64_t most_samples = 1'000'000;
+  double above = 0.3;  ///< entries matter if their mean exceeds this share of their label's requirement
+  /// Max number of first rays per label. From `judged_batches` on, an item stops if each of its entries is
+  /// precise enough or would need more rays, and the simulation ends if more than 1 % of all entries would.
+  std::uint64_t max_samples = 1'000'000;
 };
 
-/// Fewer batches say too little about their spread to stop by it.
-inline constexpr std::uint32_t least_batches = 16;
+/// Minimum number of batches for a stop by errors; the spread of fewer batches is too uncertain.
+inline constexpr std::uint32_t min_batches = 16;
 
-/// Where a simulation keeps what it has while it works (docs/formats/checkpoint.md).
+/// Where and how often a running simulation saves its state (docs/formats/checkpoint.md).
 struct CheckpointOptions {
-  std::filesystem::path path = {};  ///< empty: nothing is kept
-  bool resume = false;              ///< begin with what the file has, if there is one
-  /// Least time between two checkpoints; they also take no more than some 5 % of the time. 0: one after every
-  /// batch, whatever it takes.
+  std::filesystem::path path = {};  ///< empty: no checkpoint
+  bool resume = false;              ///< continue from the file if it exists
+  /// Minimum time between two checkpoints, which also take at most about 5 % of the run time. 0: a checkpoint
+  /// after every round of batches, whatever time it takes.
   double interval_s = 10;
 };
 
-/// With a given number of samples the uniform estimator deals them out evenly over so many batches.
+/// Number of batches over which the uniform estimator distributes a given number of samples evenly.
 inline constexpr std::uint32_t batch_count = 32;
 
-/// Its batches where the number of them is open.
+/// Samples per batch of the uniform estimator if the number of batches is not fixed.
 inline constexpr std::uint64_t open_samples_per_batch = 64;
 
 struct SimulationOptions {
   EstimatorKind estimator = EstimatorKind::reuse;
-  /// First rays a label; particles a transceiver. The simulation ends with these, unless one of the next two
-  /// says otherwise.
+  /// First rays per label (for particles, per source). Ignored with `relative_error` or `time_s`.
   std::uint64_t samples = 10000;
   DirectLight direct = DirectLight::sampled;
   std::uint64_t seed = 1;
   Strategy strategy = Strategy::mis;
   Heuristic heuristic = Heuristic::balance;
   std::uint32_t max_bounces = PathRules::no_limit;
-  bool by_bounce = false;  ///< fill SignalMatrix::by_bounce; needs max_bounces
-  /// Fill SignalMatrix::by_length; needs walks that sample direct light, too.
+  bool by_bounce = false;  ///< fill SignalMatrix::by_bounce; requires max_bounces
+  /// Fill SignalMatrix::by_length; requires walks that also sample direct light.
   LengthSteps by_length = {};
 
-  std::optional<RelativeError> relative_error = {};  ///< ends when this is reached
-  std::optional<double> time_s = {};  ///< ends before this is over, but not before `least_batches`
-  std::size_t memory = 0;             ///< bytes that may be used; 0: any number
+  std::optional<RelativeError> relative_error = {};  ///< stop when the matrix is precise enough
+  std::optional<double> time_s = {};                 ///< time limit; at least `min_batches` are computed
+  std::size_t memory = 0;                            ///< memory limit, bytes; 0: none
   CheckpointOptions checkpoint = {};
 
   PathRules rules() const {
@@ -81,13 +80,13 @@ struct SimulationOptions {
   std::size_t bounce_layers() const { return by_bounce ? std::size_t{max_bounces} + 1 : 0; }
   std::size_t length_layers() const { return by_length.count; }
   std::size_t layers() const { return bounce_layers() + length_layers(); }
-  /// Something that only the uniform estimator has is asked for.
+  /// Whether an option requires the uniform estimator.
   bool needs_uniform() const {
     return strategy != Strategy::mis || heuristic != Heuristic::balance ||
            max_bounces != PathRules::no_limit || layers() > 0;
   }
   bool has_fixed_samples() const { return !relative_error && !time_s; }
-  /// First rays a label and batch of the uniform estimator: `samples` rounded up to a whole number a batch.
+  /// First rays per label and batch of the uniform estimator: `samples` over `batch_count`, rounded up.
   std::uint64_t uniform_samples_per_batch() const {
     if (!has_fixed_samples()) return open_samples_per_batch;
     return std::max<std::uint64_t>(1, (samples + batch_count - 1) / batch_count);

@@ -11,37 +11,37 @@
 
 namespace shelfbeam {
 
-/// Relative standard errors of the entries above a share of their label's requirement, good to 1 %.
+/// Relative standard errors of the entries above a share of their label's requirement, accurate to 1 %.
 struct ErrorQuantiles {
   double above = 0;
-  std::uint64_t entries = 0, flagged = 0;  ///< flagged: the error is not to be trusted (SignalMatrix::flags)
+  std::uint64_t entries = 0, flagged = 0;  ///< flagged: the error is not reliable (SignalMatrix::flags)
   double median = 0, p90 = 0, p99 = 0;
 };
 
-/// An entry that kept a simulation from the relative error that was asked for.
+/// An entry that did not reach the required relative error.
 struct UnmetEntry {
   std::string label, source;  ///< ids
   double relative_error = 0;
   bool is_flagged = false;       ///< SignalMatrix::flags
-  bool is_out_of_reach = false;  ///< whether more samples, up to RelativeError::most_samples, would not help
+  bool is_out_of_reach = false;  ///< whether even RelativeError::max_samples would not suffice
 };
 
-/// What a simulation did and how good its matrix is.
+/// The effort of a simulation and the errors of its matrix.
 struct SimulationSummary {
-  bool complete = true;  ///< false: cancelled; the rows say how many batches each label got
+  bool complete = true;  ///< false: cancelled; the rows give the number of batches of each label
   std::size_t labels = 0, candidates = 0;
-  std::uint64_t least_samples = 0, most_samples = 0;  ///< first rays a label
-  std::optional<std::uint64_t> asked_samples;         ///< where their number was to end the simulation
-  std::uint32_t least_batches = 0, most_batches = 0;
-  std::uint64_t batches = 0;          ///< of all items of the work
-  std::uint64_t resumed_batches = 0;  ///< of these, what came from the checkpoint
-  bool has_checkpoint = false;        ///< that this run has saved or gone on from
-  std::uint64_t rays = 0;             ///< traced in this run, not before a resumption
-  ShadowRays shadow_rays;             ///< of these; all 0 where no walks from labels are connected
+  std::uint64_t min_samples = 0, max_samples = 0;  ///< first rays per label, over all labels
+  std::optional<std::uint64_t> requested_samples;  ///< SimulationOptions::samples, if they end the simulation
+  std::uint32_t min_batches = 0, max_batches = 0;
+  std::uint64_t batches = 0;          ///< of all items
+  std::uint64_t resumed_batches = 0;  ///< of these, batches from the checkpoint
+  bool has_checkpoint = false;        ///< whether this run saved a checkpoint or continued from one
+  std::uint64_t rays = 0;             ///< traced in this run, not before it was resumed
+  ShadowRays shadow_rays;             ///< of these rays; all 0 without connections of walks from labels
   double seconds = 0;                 ///< of this run
-  double seconds_to_halve = 0;        ///< predicted from there on, until the errors are half as large
-  /// A relative error that was asked for and is out of reach (RelativeError::most_samples), how many entries
-  /// fall short of it, how many of these would at the end, too, and the worst of them.
+  double seconds_to_halve = 0;        ///< predicted further time to halve the errors
+  /// If the required relative error is out of reach (RelativeError::max_samples): this error, the number of
+  /// entries that exceed it, the number of these that still would after max_samples, and the worst entries.
   std::optional<double> unmet_error;
   std::uint64_t unmet = 0, out_of_reach = 0;
   std::vector<UnmetEntry> worst_unmet;

@@ -1,4 +1,4 @@
-#include "shelfbeam/transport/tally/known_light.hpp"
+#include "shelfbeam/transport/tally/analytic_direct.hpp"
 
 #include <atomic>
 #include <vector>
@@ -16,13 +16,13 @@ bool has_mirrored(const World& world, const PathRules& rules) {
 
 }  // namespace
 
-std::size_t KnownLight::bytes(const World& world, const PathRules& rules) {
+std::size_t AnalyticDirect::bytes(const World& world, const PathRules& rules) {
   if (rules.samples_direct) return 0;
   return world.receivers.size() * world.emitters.size() * sizeof(float) *
          (has_mirrored(world, rules) ? 2 : 1);
 }
 
-KnownLight::KnownLight(const World& world, const PathRules& rules, const RunControl& control)
+AnalyticDirect::AnalyticDirect(const World& world, const PathRules& rules, const RunControl& control)
     : columns_(world.emitters.size()) {
   if (rules.samples_direct) return;
   const std::size_t entries = world.receivers.size() * columns_;
@@ -30,7 +30,7 @@ KnownLight::KnownLight(const World& world, const PathRules& rules, const RunCont
   if (has_mirrored(world, rules)) mirrored_.resize(entries);
   std::atomic<std::uint64_t> rays{0};
   std::atomic<bool> cancelled{false};
-  for_parts(world.receivers.size(), [&](std::size_t first, std::size_t last) {
+  parallel_for_ranges(world.receivers.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (control.cancelled()) {
         cancelled = true;
@@ -55,8 +55,8 @@ KnownLight::KnownLight(const World& world, const PathRules& rules, const RunCont
   complete_ = !cancelled;
 }
 
-// Straight ways only: many rays from one point.
-std::uint64_t KnownLight::fill_row(const World& world, std::size_t i) {
+// Straight connections only: many rays from one point.
+std::uint64_t AnalyticDirect::fill_row(const World& world, std::size_t i) {
   const SurfacePoint at = world.receivers.point(i, 0, 0);
   std::vector<std::size_t> columns;
   std::vector<double> values;

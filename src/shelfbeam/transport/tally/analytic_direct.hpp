@@ -10,15 +10,15 @@
 
 namespace shelfbeam::detail {
 
-/// The light between point labels and point sources in closed form, for estimators that leave it out.
-class KnownLight {
+/// Analytic direct light between point labels and point sources, for estimators that do not sample it.
+class AnalyticDirect {
  public:
-  /// Bytes for a world of so many entries.
+  /// Memory for this world, in bytes.
   static std::size_t bytes(const World& world, const PathRules& rules);
 
-  /// All of it, on the threads of the present arena; nothing where `rules` sample it. May end early when
-  /// cancelled.
-  KnownLight(const World& world, const PathRules& rules, const RunControl& control);
+  /// Computes all entries on the threads of the current arena, or none if `rules` sample direct light. May
+  /// end early when cancelled.
+  AnalyticDirect(const World& world, const PathRules& rules, const RunControl& control);
 
   double straight(std::size_t i, std::size_t j) const { return at(straight_, i, j); }
   double mirrored(std::size_t i, std::size_t j) const { return at(mirrored_, i, j); }

@@ -17,15 +17,15 @@
 
 namespace shelfbeam {
 
-/// What one batch of one item gives: means over its samples, of the entries that are not zero.
+/// The result of one batch of one item: means over its samples, for the entries that are not zero.
 struct BatchValues {
   struct Value {
     std::uint32_t entry = 0;  ///< within the item's block; each entry at most once
     double total = 0;         ///< the signal
-    double direct = 0;        ///< the part of it without any reflection
+    double direct = 0;        ///< the part of the signal without a bounce
   };
   struct LayerValue {
-    std::uint32_t layer = 0;  ///< as SignalRows::fill_layer counts them
+    std::uint32_t layer = 0;  ///< index as in SignalRows::fill_layer
     std::uint32_t entry = 0;
     double value = 0;
   };
@@ -36,17 +36,17 @@ struct BatchValues {
   }
 
   std::vector<Value> values;
-  std::vector<LayerValue> layers;  ///< only of estimators that tell paths apart
-  std::uint64_t rays = 0;          ///< traced in all; not cleared
+  std::vector<LayerValue> layers;  ///< only with layers by bounce or path length
+  std::uint64_t rays = 0;          ///< total rays traced; not cleared
   ShadowRays shadow_rays;          ///< of walks from labels; not cleared
 };
 
-/// One way to estimate the signal matrix. The work is dealt out in items (labels, clusters of labels or light
-/// sources), each with its own block of the matrix: some rows times some columns. No entry is in two blocks.
+/// A method to estimate the signal matrix. The work is divided into items (labels, clusters of labels or
+/// light sources), each with its own block of the matrix: some rows times some columns. No entry is in two
+/// blocks.
 ///
-/// A batch of an item is a pure function of (seed, item, batch): batches are independent of each other, each
-/// gives every entry of the block without bias, and they may be computed in any order by any number of
-/// threads.
+/// A batch of an item is a pure function of (seed, item, batch). Batches are independent of each other, each
+/// estimates every entry of the block without bias, and any number of threads may compute them in any order.
 class Estimator {
  public:
   /// The rows and columns of the matrix that an item fills, ascending; entry r * columns.size() + c of its
@@ -60,44 +60,43 @@ class Estimator {
   virtual std::size_t items() const = 0;
   virtual const Block& block(std::size_t item) const = 0;
 
-  /// First rays a label (particles a source) in a batch.
+  /// First rays per label (for particles, per source) in a batch.
   virtual std::uint64_t samples_per_batch() const = 0;
 
-  /// Whether batches hold the light between point labels and point sources that comes without a walk;
-  /// otherwise it is known in closed form (direct.hpp) and not part of them.
+  /// Whether batches include the direct light between point labels and point sources; otherwise
+  /// AnalyticDirect computes it.
   virtual bool samples_direct() const = 0;
 
-  /// The name and settings that a signal file carries.
+  /// The name and settings, for the signal file.
   virtual std::string name() const = 0;
 
-  /// Memory for its own tables, in bytes.
+  /// Memory for the estimator's own tables, in bytes.
   virtual std::size_t bytes() const { return 0; }
 
   /// Fills `values` (cleared before) with the batch's mean of every entry of the block that is not zero.
-  /// False: cancelled on the way; the batch does not count.
+  /// Returns false if cancelled; the batch then does not count.
   virtual bool sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
                       BatchValues& values) const = 0;
 };
 
-/// Throws std::runtime_error if a signal of a batch is not a finite number, naming label and source: a defect
-/// that no file and no plan may carry on.
+/// Throws std::runtime_error that names label and source if a signal of a batch is not a finite number. Such
+/// a defect must not reach a file or a plan.
 inline void expect_numbers(const Scene& scene, const Estimator::Block& block, const BatchValues& values) {
   for (const BatchValues::Value& value : values.values) {
     if (std::isfinite(value.total) && std::isfinite(value.direct)) continue;
     const std::uint32_t row = block.rows[value.entry / block.columns.size()];
     const std::uint32_t column = block.columns[value.entry % block.columns.size()];
     throw std::runtime_error(fmt::format(
-        "the signal of label '{}' from {} came out as {}; please report this with the store",
-        scene.labels[row].id,
+        "the signal of label '{}' from {} is {}; please report this with the store", scene.labels[row].id,
         column < scene.transceivers.size() ? fmt::format("transceiver '{}'", scene.transceivers[column].id)
                                            : std::string("an emitting surface"),
         std::isfinite(value.total) ? value.direct : value.total));
   }
 }
 
-/// Sums over the batches of one item, for every entry of its block. A batch adds to the entries that it
-/// names; batches are added in their order, so the sums do not depend on threads. All state is in `values`
-/// and `batches`: both together continue a simulation to the bit.
+/// Sums over the batches of one item, for every entry of its block. Batches are added in their order, so the
+/// sums do not depend on threads. All state is in `values` and `batches`: a simulation that continues from
+/// both gives the same result bit by bit.
 class ItemSums {
  public:
   ItemSums(std::size_t entries, bool with_direct, std::size_t layers)
@@ -131,14 +130,14 @@ class ItemSums {
     return {static_cast<double>(batches), at[0], at[1], at[2]};
   }
   double direct(std::size_t entry) const { return direct_ == none ? 0 : values[direct_ + entry] / batches; }
-  /// Without cubes.
+  /// Without the sum of cubes.
   PowerSums layer_entry(std::size_t k, std::size_t entry) const {
     const double* const at = values.data() + layer(k, entry);
     return {static_cast<double>(batches), at[0], at[1]};
   }
 
-  /// Sum, sum of squares and of cubes of every entry, then direct parts, then sum and sum of squares of
-  /// layers.
+  /// Sum, sum of squares and sum of cubes of every entry, then the sums of direct parts, then sum and sum of
+  /// squares of every layer entry.
   std::vector<double> values;
   std::uint32_t batches = 0;
 

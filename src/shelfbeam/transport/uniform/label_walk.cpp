@@ -39,7 +39,7 @@ class LabelWalk {
       from_ = receivers.point(label_, 0, 0);
     } else {
       const auto place = key_.draw(0, 1);
-      from_ = receivers.point(label_, to_unit(place[2]), to_unit(place[3]));
+      from_ = receivers.point(label_, to_uniform(place[2]), to_uniform(place[3]));
     }
     vertex_ = from_.position;
     if (rules_.samples_direct && rules_.strategy != Strategy::walk)
@@ -48,7 +48,7 @@ class LabelWalk {
           [&](const Vec3& to_source) {
             return pdf(receivers.responsivity(label_), receivers.frame(label_).to_local(to_source));
           });
-    const auto drawn = sample(receivers.responsivity(label_), to_unit(random[1]), to_unit(random[2]));
+    const auto drawn = sample(receivers.responsivity(label_), to_uniform(random[1]), to_uniform(random[2]));
     if (!drawn) return false;
     direction_ = receivers.frame(label_).to_world(drawn->direction);
     weight_at_label_ = throughput_ =
@@ -57,7 +57,7 @@ class LabelWalk {
     return true;
   }
 
-  // Scores the connection and goes on; false where the walk ends.
+  // Adds the connection and samples the next direction; false if the walk ends.
   bool scatter(const Hit& hit, std::uint32_t step) {
     const Material& material = world_.material(hit);
     const bool is_pane = std::holds_alternative<ThinDielectric>(material);
@@ -75,9 +75,10 @@ class LabelWalk {
           },
           [&](const Vec3& to_source) { return pdf(material, outgoing, frame.to_local(to_source)); });
 
-    // The number that chose the source may choose the lobe, too: connection and continuation are terms of a
-    // sum.
-    const auto next = sample(material, outgoing, to_unit(random[0]), to_unit(random[1]), to_unit(random[2]));
+    // The random number that chose the source may also choose the lobe, because connection and continuation
+    // are terms of a sum.
+    const auto next =
+        sample(material, outgoing, to_uniform(random[0]), to_uniform(random[1]), to_uniform(random[2]));
     if (!next) return false;
     throughput_ *= next->weight;
     from_ = hit.point;
@@ -97,14 +98,14 @@ class LabelWalk {
                                   : Departure::scattered;
     }
     const double survival = survival_probability(throughput_ / weight_at_label_);
-    if (to_unit(random[3]) >= survival) return false;
+    if (to_uniform(random[3]) >= survival) return false;
     throughput_ /= survival;
     return true;
   }
 
-  // Next-event estimation with one source: at a surface the path has one more bounce than the walk has made
-  // so far. For a direction `scatter` gives f |cos|, at the label R, and `density` that with which the walk
-  // would have gone there.
+  // Next event estimation with one source. At a surface, the path has one more bounce than the walk so far.
+  // For a direction, `scatter` returns f |cos| (R at the label), and `density` the density with which the
+  // walk samples it.
   template <class Scatter, class Density>
   void connect_to_source(const SurfacePoint& at, std::uint32_t choice, std::uint32_t step,
                          const Scatter& scatter, const Density& density) {
@@ -119,7 +120,7 @@ class LabelWalk {
       light = emitters.point(j, 0, 0);
     } else {
       const auto place = key_.draw(step, 1);
-      light = emitters.point(j, to_unit(place[0]), to_unit(place[1]));
+      light = emitters.point(j, to_uniform(place[0]), to_uniform(place[1]));
     }
     const double weight = n_ * (step == 0 ? 1 : throughput_);
     ++tally_.shadow_rays.connections;
@@ -133,18 +134,19 @@ class LabelWalk {
           return scattered > 0 ? scattered * emitters.intensity(j, light, way.from_second) : 0;
         },
         [&](double open, const Connection& way) {
-          const Passage passage = world_.rays.passage(at, light.position);
+          const Transmittance transmittance = world_.rays.transmittance(at, light.position);
           ++tally_.rays;
           ++tally_.shadow_rays.traced;
-          if (passage.share == 0) {
+          if (transmittance.share == 0) {
             ++tally_.shadow_rays.occluded;
             return;
           }
           const double share = rules_.strategy == Strategy::mis && !is_point
                                    ? mis_weight(rules_.heuristic, light_pdf(light, at.position) / n_,
-                                                density(way.from_first) * passage.probability)
+                                                density(way.from_first) * transmittance.probability)
                                    : 1;
-          tally_.add(bounces, j, open * passage.share * share, travelled + std::sqrt(way.length_squared));
+          tally_.add(bounces, j, open * transmittance.share * share,
+                     travelled + std::sqrt(way.length_squared));
         },
         [&](double value, const Connection& way) {
           tally_.rays += 2;
@@ -152,7 +154,7 @@ class LabelWalk {
         });
   }
 
-  // Sources that the walk meets on its way to the next surface, and that surface itself where it shines.
+  // Adds the discs that the walk meets before the next surface, and this surface if it emits.
   void score_sources(const std::optional<Hit>& hit) {
     if (rules_.strategy == Strategy::nee && departure_ == Departure::scattered) return;
     if (bounces_ == 0 && !rules_.samples_direct) return;
@@ -178,16 +180,16 @@ class LabelWalk {
   Tally& tally_;
   const std::uint32_t n_;
 
-  SurfacePoint from_;      // where the next ray starts
-  Vec3 direction_;         // where it goes
-  double throughput_ = 1;  // beta (2.20), with the weight at the label
+  SurfacePoint from_;      // origin of the next ray
+  Vec3 direction_;         // direction of the next ray
+  double throughput_ = 1;  // beta (2.20), including the weight at the label
   double weight_at_label_ = 1;
   std::uint32_t bounces_ = 0;
-  Vec3 vertex_;           // the last vertex that is not a pane gone straight through,
-  double passed_ = 0;     // how far from it the ray starts,
-  double travelled_ = 0;  // the length of the path up to it,
-  double pdf_ = 0;        // the density of the direction drawn there times the chance to pass the panes,
-  Departure departure_ = Departure::scattered;  // and which lobe gave it
+  Vec3 vertex_;           // the last vertex; a pane passed straight through is not a vertex
+  double passed_ = 0;     // distance from this vertex to the origin of the next ray
+  double travelled_ = 0;  // length of the path up to this vertex
+  double pdf_ = 0;        // density of the direction sampled there times the probability of passing the panes
+  Departure departure_ = Departure::scattered;  // from this vertex
 };
 
 }  // namespace

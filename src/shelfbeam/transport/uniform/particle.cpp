@@ -28,8 +28,8 @@ class Particle {
  private:
   bool leave_source() {
     const auto random = key_.draw(0);
-    const auto emitted = world_.emitters.emit(
-        source_, {to_unit(random[0]), to_unit(random[1]), to_unit(random[2]), to_unit(random[3])});
+    const auto emitted = world_.emitters.emit(source_, {to_uniform(random[0]), to_uniform(random[1]),
+                                                        to_uniform(random[2]), to_uniform(random[3])});
     if (!emitted) return false;
     from_ = {emitted->from.position, emitted->from.normal};
     if (rules_.samples_direct)
@@ -42,7 +42,7 @@ class Particle {
     return true;
   }
 
-  // Connects to the labels and goes on; false where the particle ends.
+  // Connects to the labels and samples the next direction; false if the particle ends.
   bool scatter(const Hit& hit, std::uint32_t step) {
     const Material& material = world_.material(hit);
     const bool is_pane = std::holds_alternative<ThinDielectric>(material);
@@ -56,7 +56,8 @@ class Particle {
       });
 
     const auto random = key_.draw(step);
-    const auto next = sample(material, incoming, to_unit(random[0]), to_unit(random[1]), to_unit(random[2]));
+    const auto next =
+        sample(material, incoming, to_uniform(random[0]), to_uniform(random[1]), to_uniform(random[2]));
     if (!next) return false;
     flux_ *= next->weight;
     from_ = hit.point;
@@ -71,19 +72,19 @@ class Particle {
       specular_ = next->specular;
     }
     const double survival = survival_probability(flux_ / initial_flux_);
-    if (to_unit(random[3]) >= survival) return false;
+    if (to_uniform(random[3]) >= survival) return false;
     flux_ /= survival;
     return true;
   }
 
-  // Next-event estimation with every label. `scatter` gives f |cos| towards a direction, in 1/sr (at the
+  // Next event estimation with every label. `scatter` returns f |cos| towards a direction, in 1/sr (at the
   // source the intensity, W/sr).
   template <class Scatter>
   void connect_to_labels(const SurfacePoint& at, double flux, std::uint32_t step, const Scatter& scatter) {
     const std::uint32_t bounces = step == 0 ? 0 : bounces_ + 1;
     const Receivers& receivers = world_.receivers;
     const auto place = key_.draw(step, 1);
-    const double u1 = to_unit(place[0]), u2 = to_unit(place[1]);
+    const double u1 = to_uniform(place[0]), u2 = to_uniform(place[1]);
     for (std::size_t i = 0; i < receivers.size(); ++i) {
       const Vec3 label = receivers.point(i, u1, u2).position;
       connect(
@@ -96,7 +97,7 @@ class Particle {
           },
           [&](double open, const Connection&) {
             ++tally_.rays;
-            tally_.add(bounces, i, open * world_.rays.passage(at, label).share);
+            tally_.add(bounces, i, open * world_.rays.transmittance(at, label).share);
           },
           [&](double value, const Connection&) {
             tally_.rays += 2;
@@ -105,7 +106,7 @@ class Particle {
     }
   }
 
-  // Rectangles that the particle meets after a mirror or refraction, which no connection can reach.
+  // Adds the rectangles that the particle meets after a mirror or refraction, where no connection finds them.
   void score_labels(const std::optional<Hit>& hit) {
     if (!specular_) return;
     const double farthest =
@@ -121,14 +122,14 @@ class Particle {
   const PathRules& rules_;
   Tally& tally_;
 
-  SurfacePoint from_;        // where the next ray starts
-  Vec3 direction_;           // where it goes
+  SurfacePoint from_;        // origin of the next ray
+  Vec3 direction_;           // direction of the next ray
   double flux_ = 0;          // W
   double initial_flux_ = 0;  // W
   std::uint32_t bounces_ = 0;
-  Vec3 vertex_;            // the last vertex that is not a pane gone straight through,
-  double passed_ = 0;      // how far from it the ray starts,
-  bool specular_ = false;  // and whether a specular lobe gave its direction
+  Vec3 vertex_;            // the last vertex; a pane passed straight through is not a vertex
+  double passed_ = 0;      // distance from this vertex to the origin of the next ray
+  bool specular_ = false;  // whether a specular lobe gave the direction
 };
 
 }  // namespace

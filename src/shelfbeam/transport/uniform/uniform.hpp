@@ -11,12 +11,13 @@
 
 namespace shelfbeam {
 
-/// The paper's estimator, and the strategies that it is compared with: every label has walks of its own (for
-/// particles every source its own particles), and a connection tries one uniformly chosen source.
+/// The paper's estimator and the strategies that it is compared with. Every label has its own walks (for
+/// `particle`, every source its own particles), and a walk's connection tries one uniformly chosen source.
 class UniformEstimator : public Estimator {
  public:
-  /// With `by_bounce` batches tell the bounces apart, for which `rules` must limit them; with `by_length` the
-  /// lengths of the paths, for which these must be walks that sample direct light, too.
+  /// With `by_bounce`, batches have a layer per number of bounces, which `rules` must limit. With
+  /// `by_length`, they have a layer per class of path length; this requires walks that also sample direct
+  /// light.
   UniformEstimator(const World& world, const PathRules& rules, std::uint64_t seed,
                    std::uint64_t samples_per_batch, bool by_bounce = false,
                    const LengthSteps& by_length = {});
@@ -38,15 +39,15 @@ class UniformEstimator : public Estimator {
   std::uint64_t seed_;
   std::uint32_t per_batch_;
   bool by_bounce_, by_source_;
-  std::size_t width_;   ///< entries of an item
-  std::size_t levels_;  ///< of the sums over paths: direct and reflected, or one for each number of bounces
+  std::size_t width_;   ///< entries per item
+  std::size_t levels_;  ///< of Tally: direct and reflected, or one per number of bounces
   LengthSteps by_length_;
   std::vector<Block> blocks_;
   std::vector<std::uint64_t> label_keys_, source_keys_;
 };
 
-/// Strata each way of the direct light between a label and a source in a batch (sample_direct): for as many
-/// samples in all `width` entries as connections would have been made, in whole squares.
+/// Strata per dimension for the direct light between a label and a source in a batch (sample_direct), so that
+/// the squares over all `width` entries take about as many samples as the walks' connections would.
 std::uint32_t direct_strata(std::uint32_t samples, std::size_t width);
 
 }  // namespace shelfbeam

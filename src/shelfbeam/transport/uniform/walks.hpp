@@ -10,9 +10,9 @@
 
 namespace shelfbeam {
 
-/// Sums of contributions by number of bounces (the last level takes all from there on) and by index: of a
-/// transceiver for walks from a label, of a label for particles. The same
-/// contributions are also summed by the length of their paths, if there are steps of it.
+/// Sums of contributions by number of bounces (the last level includes all larger numbers) and by index: of a
+/// source for walks from a label, of a label for particles. With length steps, the same contributions are
+/// also summed by path length.
 class Tally {
  public:
   Tally(std::size_t width, std::size_t levels, const LengthSteps& lengths = {})
@@ -28,7 +28,7 @@ class Tally {
   double sum(std::size_t level, std::size_t k) const { return sums_[level * width_ + k]; }
   double sum_of_length(std::size_t step, std::size_t k) const { return sum(levels_ + step, k); }
 
-  std::uint64_t rays = 0;  ///< traced in all
+  std::uint64_t rays = 0;  ///< total rays traced
   ShadowRays shadow_rays;  ///< of walks from labels
 
  private:
@@ -38,17 +38,18 @@ class Tally {
 };
 
 /// One random walk from label i (2.7, started at the sensor, with the errata), for the strategies walk, nee
-/// and mis: the first direction by the label's responsivity, the others by the materials; connections to one
-/// source chosen uniformly among n, so p_e = 1/n; Russian roulette on the throughput (2.18).
+/// and mis. The label's responsivity is sampled for the first direction, the materials for the others; each
+/// connection goes to one of n sources, chosen uniformly, so p_e = 1/n; Russian roulette uses the throughput
+/// (2.18).
 ///
 /// Adds its contributions to `tally` (n wide).
 void walk_from_label(const World& world, std::size_t i, const PathKey& key, const PathRules& rules,
                      Tally& tally);
 
-/// One particle from source j: a share of its flux is followed from surface to surface, at each of which (and
-/// at the source) it is connected to every label; labels of some size are also met by it after mirrors and
-/// refraction. An implementation of the same integral as `walk_from_label` that shares with it the materials
-/// and devices, but no estimator.
+/// One particle from source j, which carries flux from surface to surface. Each surface and the source are
+/// connected to every label; after a mirror or a refraction, the particle also meets labels with an area. An
+/// implementation of the same integral as `walk_from_label` that shares materials and devices with it, but no
+/// estimator.
 ///
 /// Adds its contributions to `tally` (m wide).
 void follow_particle(const World& world, std::size_t j, const PathKey& key, const PathRules& rules,

@@ -29,7 +29,7 @@ bool has_labels(const Scene& scene, bool points) {
 
 using Wanted = std::function<bool(const Material&)>;
 
-// Names of the materials of this kind that something is made of.
+// Names of the materials in use that satisfy `wanted`.
 std::string used_materials(const Scene& scene, const Wanted& wanted) {
   const std::vector<bool> used = scene.used_materials();
   std::vector<std::string> found;
@@ -38,18 +38,18 @@ std::string used_materials(const Scene& scene, const Wanted& wanted) {
   return fmt::format("{}", fmt::join(found, ", "));
 }
 
-// Ways from end to end, or to one end, over mirrors and through glass that no connection takes.
+// Paths over mirrors and through glass that no connection finds, between label and source or to one of them.
 std::vector<std::string> unconnected_light(const Scene& scene, const char* way) {
   std::vector<std::string> result;
   const PlaneMirrors mirrors(scene);
   if (mirrors.size() > 1)
     result.push_back(fmt::format("light {} over two or more mirrors in succession ({})", way,
-                                 used_materials(scene, mirrors_a_share)));
+                                 used_materials(scene, is_partly_specular)));
   if (const std::string solids = used_materials(scene, refracts_smoothly); !solids.empty())
     result.push_back(fmt::format("light {} refracted by solid glass ({})", way, solids));
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
-    if (mirrors.left_out()[m] > 0)
-      result.push_back(fmt::format("light {} over {} small mirrors of '{}'", way, mirrors.left_out()[m],
+    if (mirrors.omitted()[m] > 0)
+      result.push_back(fmt::format("light {} over {} small mirrors of '{}'", way, mirrors.omitted()[m],
                                    scene.materials[m].name));
   return result;
 }
@@ -69,7 +69,7 @@ std::vector<std::string> chance_light(const Scene& scene, Strategy strategy) {
   std::vector<std::string> found;
   const auto add_without_images = [&](bool exists, const char* way) {
     const std::string bending = used_materials(scene, [](const Material& material) {
-      return mirrors_a_share(material) || refracts_smoothly(material);
+      return is_partly_specular(material) || refracts_smoothly(material);
     });
     if (exists && !bending.empty())
       found.push_back(fmt::format("light {} over mirrors and through solid glass ({})", way, bending));

@@ -8,14 +8,14 @@
 
 namespace shelfbeam {
 
-/// The kinds of light that a strategy cannot find in this scene and leaves out of the signals, a sentence
-/// each; empty where every path is covered. A point transceiver (for particles: a point label) is joined to a
-/// surface or label straight, through panes and over one plane mirror; longer ways over mirrors and through
-/// solid glass end at a point that no random direction meets.
+/// One sentence for each kind of light that a strategy cannot find in this scene and omits from the signals;
+/// empty if every path is covered. A connection joins a point transceiver (for particles: a point label) to a
+/// surface or label: straight, through panes, or over one plane mirror. Longer paths over mirrors and paths
+/// through solid glass end at a point that no random direction meets.
 std::vector<std::string> uncovered_light(const Scene& scene, Strategy strategy = Strategy::mis);
 
-/// The kinds of light that a strategy finds only by chance, a sentence each: standard errors are large, and
-/// entries that rest on little of it are flagged (SignalMatrix::flags).
+/// One sentence for each kind of light that a strategy finds only by chance. Such light has large standard
+/// errors, and entries that rest on a few such paths are flagged (SignalMatrix::flags).
 std::vector<std::string> chance_light(const Scene& scene, Strategy strategy = Strategy::mis);
 
 }  // namespace shelfbeam

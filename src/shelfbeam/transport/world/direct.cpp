@@ -7,10 +7,10 @@ namespace shelfbeam {
 
 namespace {
 
-// The strata (a, b) of the source meet those of the label that (m a - b, a + m b) modulo an odd side gives,
-// shifted at random: a lattice in four dimensions. Every pair of coordinates takes every pair of strata once
-// where m and m^2 + 1 have no divisor in common with the side; near its square root m leaves no short wave
-// unseen.
+// A lattice in four dimensions: stratum (a, b) of the source is paired with stratum (m a - b, a + m b) of the
+// label, modulo an odd side and with a random shift. Every pair of coordinates takes every pair of strata
+// once if m and m^2 + 1 are coprime to the side. An m near the square root of the side avoids short vectors
+// in the dual lattice.
 std::uint32_t multiplier(std::uint32_t side) {
   auto m = static_cast<std::uint32_t>(std::lround(std::sqrt(side)));
   while (std::gcd(m, side) != 1 || std::gcd(m * m + 1, side) != 1) ++m;
@@ -25,7 +25,7 @@ DirectSignal direct_signal(const World& world, std::size_t i, std::size_t j, con
       world, j, light, label,
       rules.uses_images(world.receivers.is_point(i), world.emitters.is_transceiver(j)),
       [&](const Vec3& direction) { return world.receivers.response(i, direction); },
-      [&] { return world.rays.passage(label, light.position).share; });
+      [&] { return world.rays.transmittance(label, light.position).share; });
 }
 
 bool is_point_to_point(const World& world, std::size_t i, std::size_t j) {
@@ -46,7 +46,7 @@ DirectSignal sample_direct(const World& world, std::size_t i, std::size_t j, con
     for (std::uint32_t b = 0; b < side; ++b) {
       const auto u = key.draw(1 + a * side + b);
       const auto coordinate = [&](std::uint32_t stratum, std::uint32_t bits) {
-        return (stratum % side + to_unit(bits)) / side;
+        return (stratum % side + to_uniform(bits)) / side;
       };
       const double u1 = coordinate(m * a + (side - b) + shift1, u[0]),
                    u2 = coordinate(a + m * b + shift2, u[1]);

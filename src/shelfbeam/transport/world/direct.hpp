@@ -9,10 +9,10 @@
 
 namespace shelfbeam {
 
-/// What goes from a source to a label without a walk.
+/// The signal of connections from a source to a label without a walk.
 struct DirectSignal {
-  double straight = 0;  ///< through panes at most
-  double mirrored = 0;  ///< over one plane mirror, if the rules look for these from end to end
+  double straight = 0;  ///< of the straight connection, attenuated by panes
+  double mirrored = 0;  ///< of mirror paths, if PathRules::uses_images
   std::uint64_t rays = 0;
 
   DirectSignal& operator+=(const DirectSignal& other) {
@@ -23,9 +23,9 @@ struct DirectSignal {
   }
 };
 
-/// Light from a point of source j to a point (connect): the sums over the straight way and over plane mirrors
-/// of weight(unit direction) I_j(omega) / d^2 times the share that gets through. `share_of` gives that of the
-/// straight way, and is asked only if it matters.
+/// Light from a point of source j to a point `at` (connect): weight(direction) I_j(omega) / d^2 times the
+/// transmittance, for the straight connection and summed over mirror paths. `share_of` returns the
+/// transmittance of the straight connection; it is called only if the rest of the product is not 0.
 template <class Weight, class Share>
 DirectSignal light_from(const World& world, std::size_t j, const LightPoint& light, const SurfacePoint& at,
                         bool images, const Weight& weight, const Share& share_of) {
@@ -47,16 +47,16 @@ DirectSignal light_from(const World& world, std::size_t j, const LightPoint& lig
   return signal;
 }
 
-/// Between a point of the source and a point of the label, in closed form: R(theta) I_j(omega) / d^2 times
-/// visibility.
+/// Direct light from a point of the source to a point of the label, in closed form: R(theta) I_j(omega) / d^2
+/// times the transmittance.
 DirectSignal direct_signal(const World& world, std::size_t i, std::size_t j, const SurfacePoint& label,
                            const LightPoint& light, const PathRules& rules);
 
-/// Whether label and source are both points, so that the closed form is all.
+/// Whether label and source are both points, so that the closed form needs no sampling.
 bool is_point_to_point(const World& world, std::size_t i, std::size_t j);
 DirectSignal direct_between_points(const World& world, std::size_t i, std::size_t j, const PathRules& rules);
 
-/// The mean over label and source of `direct_signal`, estimated from a lattice of at least
+/// Estimates the mean of `direct_signal` over the areas of label and source with a lattice of at least
 /// `at_least`^2 strata.
 DirectSignal sample_direct(const World& world, std::size_t i, std::size_t j, const PathKey& key,
                            std::uint32_t at_least, const PathRules& rules);

@@ -12,7 +12,7 @@ namespace shelfbeam {
 
 namespace {
 
-// Shirley and Chiu's map of the square onto the unit disc, which keeps strata compact.
+// Shirley and Chiu's map of the square to the disc of radius 1, which keeps strata compact.
 std::array<double, 2> disc_point(double u1, double u2) {
   const double a = 2 * u1 - 1, b = 2 * u2 - 1;
   if (a == 0 && b == 0) return {0, 0};
@@ -89,7 +89,7 @@ std::optional<Emitted> Emitters::emit(std::size_t j, const std::array<double, 4>
     if (!drawn) return std::nullopt;
     return Emitted{from, unit.frame.to_world(drawn->direction), power(*unit.emission)};
   }
-  // Half of the numbers go to either side.
+  // Each side gets half of the random numbers.
   const bool above = u[0] < 0.5;
   const Vec3 local = sample_cosine_hemisphere(2 * u[0] - (above ? 0 : 1), u[1]);
   if (local.z <= 0) return std::nullopt;

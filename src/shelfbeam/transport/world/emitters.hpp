@@ -15,8 +15,8 @@ namespace shelfbeam {
 /// A point of a light source.
 struct LightPoint {
   Vec3 position;
-  Vec3 normal;      ///< unit, of the disc or surface
-  double area = 0;  ///< of the whole source, m^2; 0: the source is a point
+  Vec3 normal;      ///< unit length, of the disc or surface
+  double area = 0;  ///< of the whole source, m^2; 0 for a point source
 };
 
 /// Light that leaves a source.
@@ -26,7 +26,7 @@ struct Emitted {
   double flux = 0;  ///< of the whole source, W
 };
 
-/// The light sources of a scene, a column of the signal matrix each: transceivers (points and discs), then
+/// The light sources of a scene, one column of the signal matrix each: transceivers (points and discs), then
 /// emitting surfaces.
 class Emitters {
  public:
@@ -40,19 +40,19 @@ class Emitters {
   bool is_transceiver(std::size_t j) const { return j < units_.size(); }
   bool is_point(std::size_t j) const { return j < units_.size() && units_[j].area == 0; }
 
-  /// A point of the source, uniform over its area, from two uniform numbers.
+  /// Samples a point of the source uniformly over its area, from two uniform random numbers.
   LightPoint point(std::size_t j, double u1, double u2) const;
 
-  /// Radiant intensity in W/sr that the whole source would have if all of it were at `from`, towards a unit
-  /// direction: I for transceivers, L A |cos| for surfaces.
+  /// Radiant intensity in W/sr of the whole source, concentrated at `from`, towards a unit-length direction:
+  /// I for transceivers, L A |cos| for surfaces.
   double intensity(std::size_t j, const LightPoint& from, const Vec3& direction) const;
 
-  /// A point and a direction in proportion to what is emitted, from uniform numbers. Nothing where the draw
-  /// has no density.
+  /// Samples a point and a direction in proportion to the emitted radiance, from uniform random numbers; no
+  /// value if the sample has density 0.
   std::optional<Emitted> emit(std::size_t j, const std::array<double, 4>& u) const;
 
   /// Calls use(j, light point, radiance towards the ray's origin) for every disc that a ray crosses between
-  /// two distances.
+  /// the distances `nearest` and `farthest`.
   template <class Use>
   void each_disc(const RayScene& rays, const Vec3& origin, const Vec3& direction, double nearest,
                  double farthest, Use use) const {
@@ -71,9 +71,9 @@ class Emitters {
     }
   }
 
-  /// The emitting surface that a material belongs to.
+  /// Column of the emitting surface with this material.
   std::optional<std::size_t> surface_of(MaterialId material) const;
-  /// Radiance of an emitting surface in W/(m^2 sr), and its area on one side in m^2.
+  /// Radiance of an emitting surface in W/(m^2 sr) and the area of one of its sides in m^2.
   double radiance(std::size_t j) const { return surfaces_[j - units_.size()].radiance; }
   double area(std::size_t j) const { return surfaces_[j - units_.size()].areas.back(); }
 
@@ -85,9 +85,9 @@ class Emitters {
     const Emission* emission;
     const std::string* id;
   };
-  struct DiscPlane {  ///< discs of a grid lie in one: a ray meets it once for all of them
+  struct DiscPlane {  ///< all discs of a grid lie in one plane, which a ray intersects once
     Vec3 normal;
-    double offset;  ///< normal . p of its points
+    double offset;  ///< dot(normal, p) for its points p
     std::vector<std::uint32_t> discs;
   };
   struct Triangle {
@@ -98,15 +98,15 @@ class Emitters {
     MaterialId material;
     double radiance;
     std::vector<Triangle> triangles;
-    std::vector<double> areas;  ///< running sum
+    std::vector<double> areas;  ///< cumulative, by triangle
   };
   std::vector<Unit> units_;
   std::vector<DiscPlane> disc_planes_;
   std::vector<Surface> surfaces_;
 };
 
-/// Density per solid angle, seen from `seen_from`, with which Emitters::point draws this point; infinite for
-/// points, which only a connection can reach.
+/// Density per solid angle, seen from `seen_from`, with which Emitters::point samples this point; infinite
+/// for point sources, which only a connection can reach.
 double light_pdf(const LightPoint& point, const Vec3& seen_from);
 
 }  // namespace shelfbeam

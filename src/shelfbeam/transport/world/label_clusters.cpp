@@ -10,13 +10,13 @@ namespace shelfbeam {
 
 namespace {
 
-// What a label looks upon lies before it: its point for all comparisons stands this far out, in metres.
+// Labels are compared by their eyes: the points this far in front of them, in metres.
 constexpr double step_out = 0.8;
-// How many times as many neighbours are asked as a cluster holds.
+// Neighbours that are tested for visibility, as a multiple of the cluster size.
 constexpr std::size_t candidates = 4;
 
-// How far it is to what stands opposite, panes apart.
-double room_before(const World& world, const SurfacePoint& at) {
+// Distance to the opposite surface, ignoring panes.
+double opposite_distance(const World& world, const SurfacePoint& at) {
   SurfacePoint from = at;
   for (;;) {
     const auto hit = world.rays.intersect(from, at.normal);
@@ -34,11 +34,12 @@ std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most) {
   std::vector<Vec3> eyes(m);
   for (std::size_t i = 0; i < m; ++i) {
     const SurfacePoint at = world.receivers.point(i, 0.5, 0.5);
-    // No farther than half way to what stands opposite.
-    eyes[i] = at.position + at.normal * std::min(step_out, room_before(world, at) / 2);
+    // At most half way to the opposite surface.
+    eyes[i] = at.position + at.normal * std::min(step_out, opposite_distance(world, at) / 2);
   }
 
-  // From one end of the store to the other: the nearest labels that the first one left sees, from eye to eye.
+  // From one end of the store to the other, the first remaining label forms a cluster with the nearest labels
+  // that it sees, from eye to eye.
   std::vector<std::uint32_t> left(m);
   std::iota(left.begin(), left.end(), 0U);
   std::stable_sort(left.begin(), left.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -61,7 +62,7 @@ std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most) {
     targets.clear();
     for (const auto& [distance, i] : near) targets.push_back(eyes[i]);
     seen.assign(asked, 0);
-    // In open air no side of a point matters.
+    // The eye is in open air, where the sign of the normal has no effect.
     world.rays.shares({eyes[first], world.receivers.frame(first).z}, targets, seen);
     LabelCluster cluster{first};
     for (std::size_t k = 0; k < asked && cluster.size() < most; ++k)

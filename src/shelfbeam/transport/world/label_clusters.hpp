@@ -8,12 +8,12 @@
 
 namespace shelfbeam {
 
-/// Labels that look upon the same surroundings, ascending; no label is in two clusters.
+/// Labels with the same surroundings, ascending; no label is in two clusters.
 using LabelCluster = std::vector<std::uint32_t>;
 
 /// Groups labels by position and normal: the two sides of an aisle, whose labels face each other, belong
-/// together, the two faces of a shelf do not. A cluster holds at most `most` labels, and only such as see, a
-/// step out from the shelf, a common point: the same of its first label.
+/// together; the two faces of a shelf do not. A cluster has at most `most` labels. The first label sees all
+/// others, from eye to eye: an eye is a point in front of a label.
 std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most);
 
 }  // namespace shelfbeam

@@ -4,24 +4,24 @@
 
 namespace shelfbeam {
 
-// Multiple importance sampling (2.7.3; Veach 1997, chapter 9). Where techniques k draw n_k samples each of
-// the same paths, with densities p_k in one measure, a sample x that technique i has drawn counts
+// Multiple importance sampling (2.7.3; Veach 1997, chapter 9). If each technique k draws n_k samples of the
+// same paths, with densities p_k in one measure, a sample x of technique i contributes
 //
 //     w_i f(x) / (n_i p_i),        w_i = (n_i p_i)^b / sum_k (n_k p_k)^b,            (2.19)
 //
-// all p_k at x. The weights of a path sum to 1 over the techniques, so the estimate has no bias.
+// with all p_k at x. The weights of a path sum to 1 over the techniques, so the estimate is unbiased.
 
-/// w_i of one of two techniques, from its density and that of the other, each times its number of samples.
+/// w_i for two techniques: `own` is n_i p_i, `other` is n_k p_k of the other technique.
 inline double mis_weight(Heuristic heuristic, double own, double other) {
   const double ratio = other / own;
   return 1 / (1 + (heuristic == Heuristic::power ? ratio * ratio : ratio));
 }
 
-/// The balance heuristic of any number of techniques: the weight cancels the density of the technique that
-/// has drawn x, so whichever it was, x counts f(x) / sum_k n_k p_k.
+/// The balance heuristic for any number of techniques. The weight cancels the density of the technique that
+/// sampled x, so x contributes f(x) / sum_k n_k p_k for every technique.
 class BalanceHeuristic {
  public:
-  /// n_k p_k of another technique.
+  /// Adds n_k p_k of a technique.
   void add(double density) { sum_ += density; }
   bool can_be_drawn() const { return sum_ > 0; }
   double estimate(double f) const { return f / sum_; }

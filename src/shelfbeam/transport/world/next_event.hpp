@@ -12,20 +12,20 @@
 
 namespace shelfbeam {
 
-/// Next-event estimation (2.7.2): joins a vertex x of a path to a point y that no random direction need meet,
-/// of a source or, where the path comes from a source, of a label. Each way between them, the straight one
-/// and, with `over_mirrors`, those over one plane mirror, contributes
+/// Next event estimation (2.7.2): connects a vertex x of a path to a point y of a source or, if the path
+/// starts at a source, of a label. The straight connection and, with `over_mirrors`, each mirror path
+/// contribute
 ///
 ///     f_r cos(theta_x) I(y) / d^2 V.
 ///
-/// That is the paper's f_r L_e G / p(y) with G as in (2.11): a source of area A whose points are drawn with
-/// density p(y) = 1 / A would have the intensity I = L_e A cos(theta_y) if all of it were at y. At a label R
-/// stands for f_r cos(theta_x), or for I where it is the end.
+/// This is the paper's f_r L_e G / p(y) with G as in (2.11): a source of area A, sampled with density
+/// p(y) = 1 / A, has the intensity I = L_e A cos(theta_y) if it is concentrated at y. At a label, R replaces
+/// f_r cos(theta_x) if the label is x, and I if it is y.
 ///
-/// `ends(connection)` is the product for both ends. `straight(open, connection)` gets what the straight way
-/// contributes if V is 1, unless that is 0: callers trace V themselves, one by one or in packets.
-/// `mirrored(value, connection)` gets contributions with V, which takes two rays: the mirror's reflectance,
-/// panes and obstacles.
+/// `ends(connection)` returns the product of the factors at both ends. `straight(open, connection)` receives
+/// the contribution of the straight connection for V = 1, unless it is 0: callers trace V themselves, singly
+/// or in packets. `mirrored(value, connection)` receives the contribution of a mirror path including V (the
+/// mirror's reflectance, panes and obstacles), for which `connect` traces two rays.
 template <class Ends, class Straight, class Mirrored>
 void connect(const World& world, const SurfacePoint& vertex, const Vec3& end, bool over_mirrors, Ends&& ends,
              Straight&& straight, Mirrored&& mirrored) {
@@ -39,25 +39,26 @@ void connect(const World& world, const SurfacePoint& vertex, const Vec3& end, bo
   }
   if (!over_mirrors) return;
   for (std::size_t g = 0; g < world.mirrors.size(); ++g) {
-    const auto bent = world.mirrors.bend(g, vertex.position, end);
-    if (!bent) continue;
-    const double open = ends(*bent) / bent->length_squared;
-    if (open > 0) mirrored(open * world.mirrors.share(g, *bent, vertex, end, world.rays), *bent);
+    const auto mirror_path = world.mirrors.mirror_path(g, vertex.position, end);
+    if (!mirror_path) continue;
+    const double open = ends(*mirror_path) / mirror_path->length_squared;
+    if (open > 0)
+      mirrored(open * world.mirrors.share(g, *mirror_path, vertex, end, world.rays), *mirror_path);
   }
 }
 
-/// How a point of a surface is seen from elsewhere.
+/// Direction, angle and distance at which a position sees a point of a surface.
 struct Sight {
-  Vec3 direction;  ///< unit, to the surface
-  double cosine;   ///< of its angle of incidence, above 0
-  double squared;  ///< distance, m^2
+  Vec3 direction;  ///< unit length, to the surface
+  double cosine;   ///< of the angle of incidence, above 0
+  double squared;  ///< distance squared, m^2
 
-  /// The density per area of rays that leave in this direction with some density per solid angle p:
-  /// p cos(theta) / r^2, as dA cos(theta) / r^2 is the solid angle of dA (2.10).
+  /// Converts a density p per solid angle to a density per area of the surface: p cos(theta) / r^2, because
+  /// dA cos(theta) / r^2 is the solid angle of dA (2.10).
   double area_density(double p) const { return p * cosine / squared; }
 };
 
-/// Nothing where the point is seen from behind, its normal being that of the side which is meant.
+/// No value if `from` is behind the surface; the normal of `to` selects its side.
 inline std::optional<Sight> sight(const Vec3& from, const SurfacePoint& to) {
   const Vec3 way = to.position - from;
   const double squared = length_squared(way);
@@ -68,8 +69,8 @@ inline std::optional<Sight> sight(const Vec3& from, const SurfacePoint& to) {
   return Sight{direction, cosine, squared};
 }
 
-/// The same density for rays that leave a surface with p = cos(theta') / pi: G / pi, with the geometry term G
-/// (2.11) but for what stands between. 0 where one side is seen from behind.
+/// Density per area at `to` of rays that leave `from` with p = cos(theta') / pi per solid angle: G / pi, with
+/// the geometry term G (2.11) without visibility. 0 if either point is behind the other's surface.
 inline double cosine_area_density(const SurfacePoint& from, const SurfacePoint& to) {
   const Vec3 way = to.position - from.position;
   const double squared = length_squared(way);

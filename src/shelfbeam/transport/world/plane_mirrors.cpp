@@ -10,10 +10,10 @@ namespace shelfbeam {
 
 namespace {
 
-// Planes are one where they agree to this, relative to the size of the scene and in the normal.
+// Tolerance of coplanarity, in the normal and, relative to the size of the scene, in the offset.
 constexpr double same_plane = 1e-6;
 
-// Normals that look to opposite sides belong to the same plane.
+// Opposite normals belong to the same plane.
 Vec3 canonical(const Vec3& n) {
   const double lead = std::abs(n.x) > 0.5 ? n.x : std::abs(n.y) > 0.5 ? n.y : n.z;
   return lead < 0 ? -n : n;
@@ -21,19 +21,19 @@ Vec3 canonical(const Vec3& n) {
 
 }  // namespace
 
-bool mirrors_a_share(const Material& material) {
+bool is_partly_specular(const Material& material) {
   return specular_reflectance(material, {0, 0, 1}) > 0;
 }
 
 PlaneMirrors::PlaneMirrors(const Scene& scene) : scene_(scene), left_out_(scene.materials.size()) {
   std::vector<bool> is_mirror;
-  for (const NamedMaterial& named : scene.materials) is_mirror.push_back(mirrors_a_share(named.material));
+  for (const NamedMaterial& named : scene.materials) is_mirror.push_back(is_partly_specular(named.material));
   const TriangleMesh& mesh = scene.mesh;
   const double size = std::max(1.0, length(scene.upper - scene.lower));
   constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  // Groups by rounded plane; a plane on the edge between two roundings may make two groups, which only costs
-  // time.
+  // Groups triangles by rounded plane. A plane on the edge between two roundings may give two groups; this
+  // only costs time.
   std::map<std::array<std::int64_t, 4>, std::uint32_t> index;
   std::vector<Mirror> groups;
   std::vector<std::uint32_t> group_of(mesh.triangles.size(), std::numeric_limits<std::uint32_t>::max());
@@ -65,7 +65,7 @@ PlaneMirrors::PlaneMirrors(const Scene& scene) : scene_(scene), left_out_(scene.
                    [&](std::uint32_t a, std::uint32_t b) { return groups[a].area > groups[b].area; });
   std::vector<std::uint32_t> kept(groups.size(), std::numeric_limits<std::uint32_t>::max());
   for (const std::uint32_t g : order) {
-    if (mirrors_.size() == most_mirrors || groups[g].area < least_area) break;
+    if (mirrors_.size() == max_mirrors || groups[g].area < min_area) break;
     kept[g] = static_cast<std::uint32_t>(mirrors_.size());
     Mirror mirror = groups[g];
     const Vec3 slack{10 * same_plane * size, 10 * same_plane * size, 10 * same_plane * size};
@@ -82,7 +82,8 @@ PlaneMirrors::PlaneMirrors(const Scene& scene) : scene_(scene), left_out_(scene.
   }
 }
 
-std::optional<Connection> PlaneMirrors::bend(std::size_t g, const Vec3& first, const Vec3& second) const {
+std::optional<Connection> PlaneMirrors::mirror_path(std::size_t g, const Vec3& first,
+                                                    const Vec3& second) const {
   const Mirror& mirror = mirrors_[g];
   const double a = dot(mirror.normal, first) - mirror.offset, b = dot(mirror.normal, second) - mirror.offset;
   if (!(a * b > 0)) return std::nullopt;
@@ -93,7 +94,7 @@ std::optional<Connection> PlaneMirrors::bend(std::size_t g, const Vec3& first, c
     if (at[axis] < mirror.low[axis] || at[axis] > mirror.high[axis]) return std::nullopt;
   const double squared = length_squared(whole);
   if (!(squared > 0)) return std::nullopt;
-  // By the law of reflection, which holds its digits where `second` all but touches the mirror.
+  // The law of reflection stays precise where `second` almost touches the mirror.
   const Vec3 from_first = whole / std::sqrt(squared);
   return Connection{from_first, mirror.normal * (2 * dot(mirror.normal, from_first)) - from_first, squared};
 }
@@ -109,7 +110,7 @@ double PlaneMirrors::share(std::size_t g, const Connection& way, const SurfacePo
     const double cosine = -dot(hit->point.normal, way.from_first);
     if (mirror_of_[hit->triangle] == g) {
       share *= specular_reflectance(material, {std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine});
-      return share > 0 ? share * rays.passage(hit->point, second).share : 0;
+      return share > 0 ? share * rays.transmittance(hit->point, second).share : 0;
     }
     const auto* pane = std::get_if<ThinDielectric>(&material);
     if (pane == nullptr) return 0;

@@ -11,55 +11,55 @@
 
 namespace shelfbeam {
 
-/// Whether a surface reflects a share as a mirror does.
-bool mirrors_a_share(const Material& material);
+/// Whether a surface reflects a share of the light specularly.
+bool is_partly_specular(const Material& material);
 
-/// The way from one point to another, straight or over one mirror.
+/// A connection between two points, straight or over one mirror.
 struct Connection {
-  Vec3 from_first;   ///< unit, from the first point to the second or to the mirror
-  Vec3 from_second;  ///< unit, from the second point likewise
+  Vec3 from_first;   ///< unit length, from the first point to the second or to the mirror
+  Vec3 from_second;  ///< unit length, from the second point to the first or to the mirror
   double length_squared = 0;
 };
 
-/// The flat mirrors of a scene: groups of coplanar triangles that reflect a share as a mirror does (smooth
-/// metal, glass, panes, smooth coats). No walk can join a point to a point, or to one drawn on a disc, over a
-/// mirror; the mirror image of the one can be seen from the other, and its light is computed exactly.
+/// The plane mirrors of a scene: groups of coplanar triangles that reflect a share of the light specularly
+/// (smooth metal, glass, panes, smooth coats). No walk can join two given points over a mirror, but one point
+/// sees the mirror image of the other, so the light of this mirror path is computed exactly.
 ///
-/// Only the largest groups count, at most `most_mirrors` of at least `least_area`: every connection tries
-/// each of them.
+/// Only the `max_mirrors` largest groups of at least `min_area` count, because every connection tries each of
+/// them.
 class PlaneMirrors {
  public:
-  static constexpr std::size_t most_mirrors = 64;
-  static constexpr double least_area = 0.01;  ///< m^2
+  static constexpr std::size_t max_mirrors = 64;
+  static constexpr double min_area = 0.01;  ///< m^2
 
   explicit PlaneMirrors(const Scene& scene);
 
   std::size_t size() const { return mirrors_.size(); }
 
-  /// Whether a triangle belongs to one of them.
+  /// Whether a triangle belongs to one of these mirrors.
   bool contains(std::uint32_t triangle) const { return mirror_of_[triangle] < mirrors_.size(); }
 
-  /// Triangles that mirror a share but belong to no group that counts, by material.
-  const std::vector<std::size_t>& left_out() const { return left_out_; }
+  /// Number of specular triangles of each material that belong to none of these mirrors.
+  const std::vector<std::size_t>& omitted() const { return left_out_; }
 
-  /// The way over the plane of mirror g, if both points lie on one side of it and the way meets the mirror's
-  /// bounding box.
-  std::optional<Connection> bend(std::size_t g, const Vec3& first, const Vec3& second) const;
+  /// The mirror path over the plane of mirror g, if both points are on the same side of the plane and the
+  /// path meets the mirror's bounding box.
+  std::optional<Connection> mirror_path(std::size_t g, const Vec3& first, const Vec3& second) const;
 
-  /// The share of the light that takes this way: reflectance of the mirror where it is met, panes, obstacles.
+  /// Transmittance of a mirror path: reflectance at the mirror, panes and obstacles.
   double share(std::size_t g, const Connection& way, const SurfacePoint& first, const Vec3& second,
                const RayScene& rays) const;
 
  private:
   struct Mirror {
     Vec3 normal;
-    double offset = 0;  ///< normal . p of its points
+    double offset = 0;  ///< dot(normal, p) for its points p
     Vec3 low, high;
     double area = 0;
   };
   const Scene& scene_;
   std::vector<Mirror> mirrors_;
-  std::vector<std::uint32_t> mirror_of_;  ///< by triangle; size() where there is none
+  std::vector<std::uint32_t> mirror_of_;  ///< by triangle; size() for none
   std::vector<std::size_t> left_out_;
 };
 

@@ -27,10 +27,10 @@ struct Release {
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
 
-// What single precision loses of a coordinate, relative to the largest one.
+// Single-precision rounding error of a coordinate, relative to the largest coordinate.
 constexpr double rounding = 1.0 / (1 << 24);
-// Rays start this many such losses off a surface, and end four times as far before a point, where a surface
-// that it touches may be met at a flat angle. A quarter of either is enough for all that tests have found.
+// Offsets of rays in multiples of this error: at the start from a surface, and at the end from the target,
+// whose surface a ray may meet at a grazing angle. A quarter of either suffices in all tests.
 constexpr double steps = 16, end_steps = 64;
 
 struct Float3 {
@@ -98,19 +98,18 @@ void aim(RTCRay& ray, const Float3& origin, const Float3& direction, float end) 
 struct Triangle {
   Vec3 corner, edge1, edge2;
   MaterialId material;
-  std::uint32_t number;  // in the mesh
+  std::uint32_t number;  // index in the mesh
 
-  // From the barycentric coordinates the point lies in the triangle's plane to rounding, however long the
-  // ray.
+  // Barycentric coordinates give a point in the triangle's plane to rounding, however long the ray is.
   SurfacePoint point(double u, double v) const {
     return {corner + edge1 * u + edge2 * v, normalized(cross(edge1, edge2))};
   }
 };
 
-// Triangles of one kind, in their own Embree scene: Embree's ray masks, which could tell kinds apart, are not
-// built into every package of it.
+// Triangles of one kind in an Embree scene of their own. Ray masks could separate the kinds, but not every
+// package of Embree is built with them.
 struct TriangleSet {
-  std::vector<Triangle> triangles;  // by Embree's number
+  std::vector<Triangle> triangles;  // by Embree's primID
   EmbreeScene scene;
 
   void add(const TriangleMesh& mesh, std::uint32_t number) {
@@ -122,7 +121,7 @@ struct TriangleSet {
 
   const Triangle& hit_by(const RTCRayHit& ray) const { return triangles[ray.hit.primID]; }
 
-  // Whether the ray hits one of them; it ends there then.
+  // Shortens the ray to its first hit in this set; false if it hits nothing.
   bool cut(RTCRayHit& ray) const {
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     trace(scene.get(), ray);
@@ -166,15 +165,15 @@ EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const std::vector<
 struct RayScene::Impl {
   Device device;
   std::vector<std::optional<ThinDielectric>> pane;  // by material
-  TriangleSet opaque, panes;                        // `panes` has no scene where there are none
-  double step = 0;                                  // m, how far from a surface rays start,
-  double end = 0;                                   // and how far before a point they end
+  TriangleSet opaque, panes;                        // `panes` has no Embree scene if it is empty
+  double step = 0;                                  // distance from a surface at which rays start, m
+  double end = 0;                                   // distance before a point at which rays end, m
 
   Float3 leave(const SurfacePoint& from, const Vec3& direction) const {
     return to_float(from.position + from.normal * std::copysign(step, dot(from.normal, direction)));
   }
 
-  // A ray that ends shortly before a point.
+  // A ray that ends slightly before a point.
   RTCRay ray_to(const SurfacePoint& from, const Vec3& to) const {
     const Float3 target = to_float(to);
     const Vec3 way = to - from.position;
@@ -222,24 +221,27 @@ std::optional<Hit> RayScene::intersect(const SurfacePoint& from, const Vec3& dir
              triangle->number};
 }
 
-Passage RayScene::passage(const SurfacePoint& from, const Vec3& to) const {
+Transmittance RayScene::transmittance(const SurfacePoint& from, const Vec3& to) const {
   RTCRay shadow = impl_->ray_to(from, to);
   trace(impl_->opaque.scene.get(), shadow);
   if (shadow.tfar < 0) return {0, 0};
-  return impl_->panes.scene ? through_panes(from, to) : Passage{};
+  return impl_->panes.scene ? through_panes(from, to) : Transmittance{};
 }
 
-void RayScene::passages(const SurfacePoint& from, std::span<const Vec3> to, std::span<Passage> result) const {
-  each_passage(from, to, [&](std::size_t k, const Passage& passage) { result[k] = passage; });
+void RayScene::transmittances(const SurfacePoint& from, std::span<const Vec3> to,
+                              std::span<Transmittance> result) const {
+  each_transmittance(from, to,
+                     [&](std::size_t k, const Transmittance& transmittance) { result[k] = transmittance; });
 }
 
 void RayScene::shares(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const {
-  each_passage(from, to,
-               [&](std::size_t k, const Passage& passage) { result[k] = static_cast<float>(passage.share); });
+  each_transmittance(from, to, [&](std::size_t k, const Transmittance& transmittance) {
+    result[k] = static_cast<float>(transmittance.share);
+  });
 }
 
 template <class Use>
-void RayScene::each_passage(const SurfacePoint& from, std::span<const Vec3> to, const Use& use) const {
+void RayScene::each_transmittance(const SurfacePoint& from, std::span<const Vec3> to, const Use& use) const {
   constexpr std::size_t width = 16;
   for (std::size_t first = 0; first < to.size(); first += width) {
     const std::size_t count = std::min(width, to.size() - first);
@@ -265,16 +267,16 @@ void RayScene::each_passage(const SurfacePoint& from, std::span<const Vec3> to, 
     }
     if (impl_->panes.scene) trace(impl_->panes.scene.get(), valid, rays);
     for (std::size_t k = 0; k < count; ++k)
-      use(first + k, is_blocked[k]      ? Passage{0, 0}
+      use(first + k, is_blocked[k]      ? Transmittance{0, 0}
                      : rays.tfar[k] < 0 ? through_panes(from, to[first + k])
-                                        : Passage{});
+                                        : Transmittance{});
   }
 }
 
-Passage RayScene::through_panes(const SurfacePoint& from, const Vec3& to) const {
+Transmittance RayScene::through_panes(const SurfacePoint& from, const Vec3& to) const {
   const Vec3 direction = normalized(to - from.position);
-  Passage passage;
-  for (SurfacePoint at = from; passage.share > 0;) {
+  Transmittance transmittance;
+  for (SurfacePoint at = from; transmittance.share > 0;) {
     RTCRayHit ray{impl_->ray_to(at, to), {}};
     if (!impl_->panes.cut(ray)) break;
     const Triangle& pane = impl_->panes.hit_by(ray);
@@ -282,10 +284,10 @@ Passage RayScene::through_panes(const SurfacePoint& from, const Vec3& to) const 
     if (dot(to - at.position, direction) <= 0) break;
     const auto [reflected, transmitted] =
         pane_shares(*impl_->pane[pane.material.value], dot(at.normal, direction));
-    passage.share *= transmitted;
-    passage.probability *= transmitted > 0 ? transmitted / (reflected + transmitted) : 0;
+    transmittance.share *= transmitted;
+    transmittance.probability *= transmitted > 0 ? transmitted / (reflected + transmitted) : 0;
   }
-  return passage;
+  return transmittance;
 }
 
 }  // namespace shelfbeam

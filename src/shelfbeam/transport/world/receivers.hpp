@@ -10,7 +10,7 @@
 
 namespace shelfbeam {
 
-/// The labels of a scene as sensors, a row of the signal matrix each: points, and rectangles over which the
+/// The labels of a scene as sensors, one row of the signal matrix each: points, and rectangles over which the
 /// signal is averaged. The width of a rectangle is horizontal.
 class Receivers {
  public:
@@ -27,7 +27,7 @@ class Receivers {
   std::size_t size() const { return labels_.size(); }
   bool is_point(std::size_t i) const { return labels_[i].width == 0; }
 
-  /// A point of the label, uniform over its area, from two uniform numbers.
+  /// Samples a point of the label uniformly over its area, from two uniform random numbers.
   SurfacePoint point(std::size_t i, double u1, double u2) const {
     const Sensor& label = labels_[i];
     if (label.width == 0) return {label.position, label.frame.z};
@@ -39,13 +39,13 @@ class Receivers {
   const Frame& frame(std::size_t i) const { return labels_[i].frame; }
   const Responsivity& responsivity(std::size_t i) const { return *labels_[i].responsivity; }
 
-  /// R towards a unit direction.
+  /// R towards a unit-length direction.
   double response(std::size_t i, const Vec3& direction) const {
     return shelfbeam::response(*labels_[i].responsivity, dot(direction, labels_[i].frame.z));
   }
 
-  /// Calls use(i, signal per watt) for every rectangle that a ray crosses between two distances: a flux along
-  /// the ray gives R / (cos A) times itself, averaged over the area.
+  /// Calls use(i, signal per watt) for every rectangle that a ray crosses between the distances `nearest` and
+  /// `farthest`: a watt along the ray gives the signal R / (A cos), averaged over the area A.
   template <class Use>
   void each_rectangle(const RayScene& rays, const Vec3& origin, const Vec3& direction, double nearest,
                       double farthest, Use use) const {

@@ -9,28 +9,28 @@
 
 namespace shelfbeam {
 
-/// Where a ray ends that is led on by mirrors, panes and smooth glass: at the first surface that scatters.
+/// The first surface that scatters, which a ray meets after any number of mirrors, panes and smooth glass.
 struct ChainEnd {
-  SurfacePoint point;  ///< its normal on the side from which the ray came
-  Vec3 outside;        ///< the triangle's own normal, which materials go by
-  Vec3 outgoing;       ///< unit, back along the ray
+  SurfacePoint point;  ///< with the normal on the side from which the ray came
+  Vec3 outside;        ///< normal by the triangle's winding, as materials need it
+  Vec3 outgoing;       ///< unit length, back along the ray
   MaterialId material;
-  bool is_imaged = false;                    ///< on a plane mirror that counts
-  Departure arrived = Departure::scattered;  ///< of the ray's last part
+  bool is_imaged = false;                    ///< on a mirror of PlaneMirrors
+  Departure arrived = Departure::scattered;  ///< of the last segment
   double throughput = 1;
-  bool is_straight = true;  ///< nothing was met on the way but panes, straight through; this had the
-  double probability = 1;   ///< chance that Passage has
+  bool is_straight = true;  ///< whether the ray went straight, through nothing but panes
+  double probability = 1;   ///< that it went straight through these panes (Transmittance::probability)
 };
 
-/// Follows a ray from `from`. Sources that it meets are scored, use(j, throughput x radiance), where no
-/// connection could have found them (Departure). Straight on through panes does not count: connections pass
-/// them, too.
+/// Follows a ray from `from`. Calls use(j, throughput x radiance) for the sources that it meets and that no
+/// connection could have found (Departure). Straight passage through panes does not change this, because
+/// connections pass panes, too.
 template <class Use>
 std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3 direction,
                                      Departure departure, RandomStream& random, std::uint64_t& rays,
                                      const Use& use) {
-  Vec3 vertex = from.position;  // the last point that is not a pane gone straight through,
-  double passed = 0;            // and how far from it the ray starts
+  Vec3 vertex = from.position;  // the last vertex; a pane passed straight through is not a vertex
+  double passed = 0;            // distance from this vertex to the origin of the ray
   ChainEnd end;
   for (int step = 0;; ++step) {
     const auto hit = world.rays.intersect(from, direction);
@@ -60,7 +60,7 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
     }
     const Frame frame = Frame::of_surface(hit->point.normal);
     const Vec3 outgoing = frame.to_local(-direction);
-    const double u_lobe = random.unit(), u1 = random.unit(), u2 = random.unit();
+    const double u_lobe = random.uniform(), u1 = random.uniform(), u2 = random.uniform();
     const auto next = sample(material, outgoing, u_lobe, u1, u2);
     if (!next) return std::nullopt;
     end.throughput *= next->weight;
@@ -77,10 +77,10 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
       departure = after_specular(departure,
                                  next->direction.z * outgoing.z > 0 && world.mirrors.contains(hit->triangle));
     }
-    // Between two mirrors a ray would never end. No roulette makes it heavier than it was at first.
+    // Russian roulette on the throughput, because between two mirrors a ray would never end.
     if (step >= 8 && !end.is_straight) {
       const double survival = std::clamp(end.throughput, 0.05, 0.95);
-      if (random.unit() >= survival) return std::nullopt;
+      if (random.uniform() >= survival) return std::nullopt;
       end.throughput /= survival;
     }
   }

@@ -13,15 +13,15 @@
 
 namespace shelfbeam {
 
-/// A scene smaller than a metre, so many times as large that it has some, with all intensities times the
-/// square of that: every signal is the same, (2.14) being a sum of I cos cos / d^2 over surfaces in units of
-/// d^2. The factor is a power of two, so nothing is rounded. Nothing where the scene is a metre large.
+/// A scene smaller than 1 m, enlarged to 4 to 8 m, with all intensities multiplied by the square of the
+/// factor. Every signal stays the same, because (2.14) is a sum of I cos cos / d^2 over surfaces whose areas
+/// scale as d^2. The factor is a power of two, so nothing is rounded. No value for a scene of 1 m or more.
 ///
-/// What estimators choose for stores, the half-metre cells of the radiance cache among it, then serves a box
-/// of millimetres as well.
+/// Lengths that estimators choose for stores, such as the half-metre cells of the radiance cache, then also
+/// suit a box of some millimetres.
 std::optional<Scene> enlarged(const Scene& scene);
 
-/// Uniform numbers in the order in which they are asked for; which ones follows from what they are for alone.
+/// A sequence of uniform random numbers that depends on the key and (a, b, c) alone.
 class RandomStream {
  public:
   RandomStream(std::uint64_t key, std::uint32_t a, std::uint32_t b, std::uint32_t c)
@@ -34,7 +34,7 @@ class RandomStream {
     }
     return words_[used_++];
   }
-  double unit() { return to_unit(bits()); }
+  double uniform() { return to_uniform(bits()); }
 
  private:
   std::uint64_t key_;
@@ -43,7 +43,7 @@ class RandomStream {
   std::size_t used_ = 4;
 };
 
-/// A scene as paths see it; a very small one enlarged.
+/// A scene prepared for light transport; a very small scene is enlarged.
 struct World {
   explicit World(const Scene& s)
       : own(enlarged(s)),
@@ -65,19 +65,19 @@ struct World {
   PlaneMirrors mirrors;
 };
 
-/// Identifies one path: its random numbers follow from this alone.
+/// Identifies one path; its random numbers depend on this key alone.
 struct PathKey {
-  std::uint64_t stream = 0;  ///< of seed and label or transceiver
+  std::uint64_t stream = 0;  ///< from the seed and the label or source
   std::uint32_t batch = 0;
   std::uint32_t sample = 0;  ///< within the batch
 
-  /// Four random words for a vertex; a block for each purpose.
+  /// Four random words for a vertex; each purpose has a block of its own.
   std::array<std::uint32_t, 4> draw(std::uint32_t vertex, std::uint32_t block = 0) const {
     return philox({vertex, sample, batch, block}, stream);
   }
 };
 
-/// Russian roulette on the throughput (2.18): however bright the surfaces, a path ends at last.
+/// Russian roulette on the throughput (2.18). The maximum ends paths even between lossless surfaces.
 inline double survival_probability(double throughput) {
   return std::min(0.98, throughput);
 }

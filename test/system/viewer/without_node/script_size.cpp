@@ -1,4 +1,4 @@
-// Prints how many bytes the embedded script of the 3-D view has.
+// Prints the size of the embedded script of the 3-D view in bytes.
 
 #include <iostream>
 #include <string_view>

@@ -23,9 +23,9 @@ struct Case {
   std::vector<Probe> probes;
 };
 
-// The corpus numbers its intensities: 10 (stored plane + 1) + vertical angle, both counted from 0. So the
-// value at an angle says which plane it came from; the probes were worked out by hand from the formats'
-// rules.
+// The intensities of the corpus are numbered: 10 (stored plane + 1) + vertical angle, both counted from 0.
+// The value at an angle therefore identifies its plane. The expected values were derived by hand from the
+// rules of the formats.
 const std::vector<Case> cases{
     {"1986_axial.ies",  // factor 2 x 0.5 x 0.5
      {{0, 0, 5}, {30, 123, 5.5}, {75, 300, 6.25}, {90, 10, 6.5}, {91, 10, 0}}},
@@ -39,7 +39,7 @@ const std::vector<Case> cases{
       {60, 270, 32},
       {30, 315, 21},
       {15, 22.5, 15.5}}},
-    {"1995_bilateral_negative_sizes.ies",  // the 7 is no factor any more
+    {"1995_bilateral_negative_sizes.ies",  // the 7 is not a factor in this format
      {{60, 0, 12}, {30, 90, 21}, {30, 180, 31}, {30, 270, 21}, {30, 225, 26}}},
     {"2002_90_to_270_absolute.ies",
      {{30, 0, 31},
@@ -96,8 +96,8 @@ bool holds(const DirectionTable& table, const std::vector<Probe>& probes, double
   });
 }
 
-// Tolerance 1e-9 of values around 30: conversion of degrees costs some 1e-13. Control: the same profile
-// turned by 90 degrees must not fit, unless it is symmetric about the axis.
+// Tolerance 1e-9 for values around 30: converting degrees costs about 1e-13. Control: the same profile
+// rotated by 90 degrees must not fit, unless it is symmetric about the axis.
 TEST(Photometry, EverySymmetryIsUnfoldedToTheRightPlanes) {
   for (const auto& [file, probes] : cases) {
     const DirectionTable table = test::read_photometry(test::corpus_folder / file);
@@ -116,7 +116,7 @@ TEST(Photometry, TheWholeCorpusIsProbed) {
   EXPECT_EQ(probed, present);
 }
 
-// An IES file gives cd: the integral is the flux in lm, here by Simpson's rule to 1e-12.
+// An IES file gives cd, so the integral is the flux in lm, computed here by Simpson's rule to 1e-12.
 TEST(Photometry, TheIntegralIsTheFluxOfTheFile) {
   double flux = 0;
   constexpr int steps = 3000;
@@ -129,7 +129,7 @@ TEST(Photometry, TheIntegralIsTheFluxOfTheFile) {
   const DirectionTable table = read_ies(test::corpus_folder / "1986_axial.ies");
   EXPECT_NEAR(table.integral() / flux, 1, 1e-10);
   EXPECT_NEAR(table.with_integral(0.25).integral(), 0.25, 1e-15);
-  // The shape is the file's: factors cancel.
+  // Only the shape depends on the file: factors cancel.
   std::string text = read_file(test::corpus_folder / "1986_axial.ies");
   text.replace(text.find("1 1000 2"), 8, "3 -1 777");
   const DirectionTable scaled = parse_ies(text, "scaled");
@@ -137,8 +137,8 @@ TEST(Photometry, TheIntegralIsTheFluxOfTheFile) {
   EXPECT_NEAR(value_at(scaled.with_integral(2), 40, 0), value_at(table.with_integral(2), 40, 0), 1e-14);
 }
 
-// Both files of a profile hold the same digits: they differ by the rounding of degrees and factors, some
-// 1e-13. Control: a turn by one degree shows.
+// Both files of a profile contain the same digits; they differ by the rounding of degrees and factors, about
+// 1e-13. Control: a rotation by one degree is detected.
 TEST(Photometry, TheProjectsProfilesAreTheSameInBothFormats) {
   for (const std::string name : {"wide-ceiling", "narrow-aisle", "batwing"}) {
     const DirectionTable ies = read_ies(test::data_folder / (name + ".ies")).with_integral(1);
@@ -155,7 +155,7 @@ TEST(Photometry, TheProjectsProfilesAreTheSameInBothFormats) {
   }
 }
 
-// The files claim 1000 lm for 1000 lm of lamps; their digits and their steps of 5 degrees lose below 1 %.
+// The files state 1000 lm for 1000 lm of lamps. Rounded digits and steps of 5 degrees lose below 1 %.
 TEST(Photometry, TheProjectsProfilesHaveTheFluxTheyClaim) {
   for (const std::string name : {"wide-ceiling", "narrow-aisle", "batwing"}) {
     EXPECT_NEAR(read_ies(test::data_folder / (name + ".ies")).integral(), 1000, 10) << name;

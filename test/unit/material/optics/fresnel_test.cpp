@@ -16,7 +16,7 @@ TEST(Fresnel, OfADielectricHasItsKnownValues) {
   for (const double n : {1.0, 1.33, 1.5, 2.4, 1 / 1.5}) {
     const double normal = (n - 1) / (n + 1);
     EXPECT_NEAR(fresnel_dielectric(1, n), normal * normal, rounding);
-    // At Brewster's angle, tan = n, no p light is reflected, and half of R_s is left.
+    // At Brewster's angle, tan = n, no p light is reflected, and half of R_s remains.
     const double r_s = (n * n - 1) / (n * n + 1), brewster = std::cos(std::atan(n));
     EXPECT_NEAR(fresnel_dielectric(brewster, n), r_s * r_s / 2, rounding);
     if (n > 1) {
@@ -24,7 +24,7 @@ TEST(Fresnel, OfADielectricHasItsKnownValues) {
       EXPECT_NEAR(fresnel_dielectric(0, n), 1, rounding);
     }
   }
-  // 45 degrees on glass, worked by hand from Snell's law: sin_t = 0.4714, R_s = 0.09201, R_p = R_s^2.
+  // 45 degrees on glass, computed by hand from Snell's law: sin_t = 0.4714, R_s = 0.09201, R_p = R_s^2.
   const double r_s = 0.0920134, by_hand = (r_s + r_s * r_s) / 2;
   EXPECT_NEAR(fresnel_dielectric(std::sqrt(0.5), 1.5), by_hand, 1e-6);
 }
@@ -58,8 +58,8 @@ struct Metal {
   double eta, k, normal;
 };
 
-// At 940 nm, interpolated in the tables that data/materials_940nm.json names; the reflectance at normal
-// incidence is ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2), computed apart to five digits.
+// At 940 nm, interpolated in the tables named in data/materials_940nm.json. The reflectance at normal
+// incidence is ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2), computed separately to five digits.
 TEST(Fresnel, OfMetalsIsThatOfIndependentArithmetic) {
   for (const Metal& m : {Metal{0.196, 6.021, 0.97920}, Metal{1.674, 8.608, 0.91758},
                          Metal{2.939, 3.680, 0.59543}, Metal{3.357, 3.546, 0.57449}}) {

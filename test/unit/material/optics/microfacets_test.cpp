@@ -19,7 +19,7 @@ using test::SphereCells;
 
 const std::vector<test::Roughness> roughnesses{{0.05, 0.05}, {0.3, 0.3}, {1, 1}, {0.1, 0.4}};
 
-// Quadrature to 1e-4. The control leaves the cosine out.
+// Quadrature to 1e-4. The control omits the cosine.
 TEST(Microfacets, CoverTheSurface) {
   for (const Microfacets& m : all_facets(roughnesses)) {
     SCOPED_TRACE(name_of(m));
@@ -28,8 +28,9 @@ TEST(Microfacets, CoverTheSurface) {
   }
 }
 
-// What a viewer sees of the facets is the surface's projected area: exact for Smith's masking, quadrature to
-// 1e-4; to 0.35 % for its rational approximation. The control is the masking of a rougher surface.
+// The visible area of the facets is the surface's projected area. This is exact for Smith's masking
+// (quadrature to 1e-4), and to 0.35 % for its rational approximation. The control is the masking of a rougher
+// surface.
 TEST(Microfacets, ShowTheProjectedAreaOfTheSurface) {
   for (const Microfacets& m : all_facets(roughnesses)) {
     if (m.masking == Masking::cook_torrance) continue;
@@ -52,7 +53,7 @@ TEST(Microfacets, ShowTheProjectedAreaOfTheSurface) {
   }
 }
 
-// The paper's isotropic forms, written out; rounding of the exponentials.
+// The paper's isotropic forms, compared within the rounding of the exponentials.
 TEST(Microfacets, AreThePapersIsotropicForms) {
   for (const double alpha : {0.05, 0.3, 1.0})
     for (const double angle : {0.0, 20.0, 50.0, 75.0, 89.0}) {
@@ -72,7 +73,7 @@ TEST(Microfacets, AreThePapersIsotropicForms) {
         EXPECT_NEAR(beckmann.masking_of(h, {0, 0, 1}),
                     2 / (1 + std::erf(a) + std::exp(-a * a) / (a * std::sqrt(pi))), 1e-12);  // (2.28)
       }
-      // An anisotropic form differs, and does so with the azimuth.
+      // An anisotropic form differs, and depends on the azimuth.
       const auto brushed = make_microfacets(FacetDistribution::ggx, alpha, alpha / 2);
       if (angle > 0) {
         EXPECT_NE(brushed.density(h), d_ggx);
@@ -82,7 +83,7 @@ TEST(Microfacets, AreThePapersIsotropicForms) {
     }
 }
 
-// Walter et al. claim 0.35 %. The control: the exact form is not within a tenth of that everywhere.
+// Walter et al. state 0.35 %. The control: the exact form is not within a tenth of that everywhere.
 TEST(Microfacets, RationalMaskingIsWithinItsClaimOfTheExactOne) {
   using enum FacetDistribution;
   const auto exact = make_microfacets(beckmann, 1, 1);

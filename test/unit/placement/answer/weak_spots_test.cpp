@@ -18,7 +18,7 @@ SignalTable two_seasons() {
                        {"empty", "empty.csv", test::make_table({}, 3)}});
 }
 
-// Unit 2 alone would do in summer; winter needs the other two.
+// In summer unit 2 alone suffices; winter requires the other two.
 TEST(Scenarios, OnePlacementServesAll) {
   const SignalTable table = two_seasons();
   const Placement found = place(table, {}, {});

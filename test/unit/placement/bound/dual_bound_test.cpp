@@ -19,18 +19,19 @@ using detail::DualBound;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// In these answers some unit gives a label so much of what it requires; anything does where it is 0.
+/// Restricts selections: some unit gives a label at least this share of its requirement. A share of 0 is no
+/// restriction.
 struct Strongest {
   std::uint32_t label = 0;
   double share = 0;
 
-  bool holds(const SignalTable& table, const Question& question,
+  bool holds(const SignalTable& table, const PlacementProblem& problem,
              const std::vector<std::uint32_t>& selected) const {
     if (share == 0) return true;
-    const double requirement = requirement_of(table.labels[label], question.model);
+    const double requirement = requirement_of(table.labels[label], problem.model);
     for (const SignalEntry& entry : table.row(label)) {
       const bool is_chosen = std::count(selected.begin(), selected.end(), entry.transceiver) > 0;
-      const bool is_enough = question.model == CommunicationModel::cooperative
+      const bool is_enough = problem.model == CommunicationModel::cooperative
                                  ? entry.signal / requirement >= share
                                  : is_met(entry.signal, requirement);
       if (is_chosen && is_enough) return true;
@@ -39,12 +40,12 @@ struct Strongest {
   }
 };
 
-/// The least cost of such an answer, and of those with every column.
+/// The minimum cost of such a selection, and of such selections that contain each column.
 struct Least {
   double cost = infinite;
   std::vector<double> with;
 
-  Least(const SignalTable& table, const Question& question, const std::vector<double>& costs,
+  Least(const SignalTable& table, const PlacementProblem& problem, const std::vector<double>& costs,
         const detail::AnswerSet& answers, const Strongest& strongest = {})
       : with(table.columns(), infinite) {
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
@@ -61,16 +62,16 @@ struct Least {
         return std::count(answers.without.begin(), answers.without.end(), j) > 0;
       };
       if (std::any_of(selected.begin(), selected.end(), is_out)) continue;
-      if (!strongest.holds(table, question, selected)) continue;
-      if (!check_selection(table, question, selected).met()) continue;
+      if (!strongest.holds(table, problem, selected)) continue;
+      if (!check_selection(table, problem, selected).met()) continue;
       cost = std::min(cost, sum);
       for (const std::uint32_t j : selected) with[j] = std::min(with[j], sum);
     }
   }
 };
 
-/// Every label's row, with random A and, for answers of limited size, with random shares.
-std::vector<BoundRow> random_rows(const SignalTable& table, std::size_t most_units,
+/// A row per label with random A and, for selections of limited size, random shares.
+std::vector<BoundRow> random_rows(const SignalTable& table, std::size_t max_units,
                                   test::RandomTables& random) {
   std::vector<BoundRow> rows;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
@@ -82,8 +83,7 @@ std::vector<BoundRow> random_rows(const SignalTable& table, std::size_t most_uni
       rows.push_back(cut);
     }
     for (int k = 0; k < 2; ++k)
-      rows.push_back(
-          {i, {}, random.real(0, 1.1) / static_cast<double>(std::max<std::size_t>(most_units, 1))});
+      rows.push_back({i, {}, random.real(0, 1.1) / static_cast<double>(std::max<std::size_t>(max_units, 1))});
   }
   return rows;
 }
@@ -92,14 +92,14 @@ double rounding(double value) {
   return 1e-9 * std::max(1.0, std::abs(value));
 }
 
-// Multipliers from anywhere: most prove little, none may prove too much.
+// Arbitrary multipliers: most prove little, none may prove too much.
 TEST(DualBound, HoldsForAnyMultipliers) {
   test::RandomTables random(17, {.labels = 6, .transceivers = 8, .mounts = true});
   int tight = 0, useless = 0, too_much = 0;
   for (int k = 0; k < 1500; ++k) {
     const SignalTable table = random.next();
-    const Question question = random.next_question();
-    std::vector<double> cost = first_objective(table, question);
+    const PlacementProblem problem = random.next_problem();
+    std::vector<double> cost = first_objective(table, problem);
     if (random.chance(0.2))
       for (double& c : cost) c *= random.real(-1, 1);
     const auto units = [&](int least) {
@@ -115,8 +115,8 @@ TEST(DualBound, HoldsForAnyMultipliers) {
     if (table.rows() > 0 && random.chance(0.3))
       strongest = {static_cast<std::uint32_t>(random.whole(0, static_cast<int>(table.rows()) - 1)),
                    random.real(0.05, 1)};
-    const Least least(table, question, cost, answers, strongest);
-    const Least least_of_all(table, question, cost, {});
+    const Least least(table, problem, cost, answers, strongest);
+    const Least min_of_all(table, problem, cost, {});
     std::vector<BoundRow> rows = random_rows(table, std::min(answers.most, table.columns()), random);
     if (strongest.share > 0) rows.push_back({.label = strongest.label, .strongest = strongest.share});
     const double largest = cost.empty() ? 1 : *std::max_element(cost.begin(), cost.end());
@@ -125,7 +125,7 @@ TEST(DualBound, HoldsForAnyMultipliers) {
       const double size = largest * std::pow(2.0, -l);
       for (std::size_t i = 0; i < rows.size(); ++i)
         y.push_back(random.chance(0.3) ? random.real(0, size) : 0);
-      const DualBound dual = dual_bound(table, question, rows, y, cost, answers);
+      const DualBound dual = dual_bound(table, problem, rows, y, cost, answers);
       ASSERT_LE(dual.bound, least.cost + rounding(least.cost)) << k;
       if (dual.bound > 0.7 * least.cost && least.cost > 0 && least.cost < infinite) ++tight;
       for (std::size_t j = 0; j < table.columns(); ++j) {
@@ -133,10 +133,10 @@ TEST(DualBound, HoldsForAnyMultipliers) {
         ASSERT_GE(dual.if_chosen[j], dual.bound - rounding(dual.bound));
       }
 
-      // Negative control: for all answers the same rows prove too much now and then.
-      if (dual.bound > least_of_all.cost + 1e-3 * largest) ++too_much;
+      // Negative control: without the restriction the same rows sometimes prove too much.
+      if (dual.bound > min_of_all.cost + 1e-3 * largest) ++too_much;
 
-      // No answer that is worth it is lost.
+      // No selection of this cost is lost.
       const double worth = least.cost;
       if (worth == infinite) continue;
       for (const std::uint32_t j : useless_columns(dual, worth + rounding(worth))) {
@@ -150,21 +150,21 @@ TEST(DualBound, HoldsForAnyMultipliers) {
   EXPECT_GT(useless, 500);
 }
 
-// The triangle: LP bound 1.5, every column reduced to nothing.
+// The triangle: LP bound 1.5, and all reduced costs are 0.
 TEST(DualBound, IsTheLpBoundAtItsMultipliers) {
   const SignalTable table = test::make_table({{1, 1, 0}, {0, 1, 1}, {1, 0, 1}}, 3);
   const std::vector<BoundRow> rows = {{0, {}}, {1, {}}, {2, {}}};
-  const Question question{.model = CommunicationModel::non_cooperative};
+  const PlacementProblem problem{.model = CommunicationModel::non_cooperative};
   const std::vector<double> cost(3, 1.0);
-  const DualBound dual = dual_bound(table, question, rows, std::vector<double>(3, 0.5), cost);
+  const DualBound dual = dual_bound(table, problem, rows, std::vector<double>(3, 0.5), cost);
   EXPECT_NEAR(dual.bound, 1.5, 1e-12);
   EXPECT_LT(dual.bound, 1.5);
   for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(dual.reduced_cost[j], 0, 1e-12);
 
-  // The same multipliers with a sign lost, of unknown worth or too large prove less, not more.
+  // The same multipliers with a wrong sign, NaN or too large prove less, not more.
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double wrong : {-0.5, nan, infinite, 100.0, 1e300, 1e308})
-    EXPECT_LT(dual_bound(table, question, rows, std::vector<double>{0.5, 0.5, wrong}, cost).bound, 1.5);
+    EXPECT_LT(dual_bound(table, problem, rows, std::vector<double>{0.5, 0.5, wrong}, cost).bound, 1.5);
 }
 
 TEST(DualBound, KnowsKnapsackCovers) {
@@ -175,7 +175,7 @@ TEST(DualBound, KnowsKnapsackCovers) {
   EXPECT_NEAR(row.bound, 0.25, 1e-6);
   const std::vector<BoundRow> cut = {{0, {0}}};
   EXPECT_NEAR(dual_bound(table, {}, cut, std::vector<double>{1.0}, cost).bound, 1, 1e-6);
-  // Where A is enough alone, the inequality says nothing.
+  // If A alone suffices, the inequality is void.
   const std::vector<BoundRow> nothing = {{0, {0, 1}}};
   EXPECT_NEAR(dual_bound(table, {}, nothing, std::vector<double>{1.0}, cost).bound, 0, 1e-9);
 }
@@ -200,23 +200,23 @@ TEST(DualBound, KnowsHowManyUnitsThereAre) {
 }
 
 TEST(DualBound, KnowsThePigeonholePrinciple) {
-  // Three units are enough, but of two one must give a half.
+  // Three units suffice, but one of two must give a half.
   const SignalTable table = test::make_table({{0.6, 0.45, 0.45, 0.45}}, 4);
   const std::vector<double> cost = {1, 0, 0, 0};
-  const auto bound = [&](double share, std::size_t most_units) {
+  const auto bound = [&](double share, std::size_t max_units) {
     const std::vector<BoundRow> rows = {{0, {}, share}};
-    return dual_bound(table, {}, rows, std::vector<double>{1.0}, cost, {.most = most_units}).bound;
+    return dual_bound(table, {}, rows, std::vector<double>{1.0}, cost, {.most = max_units}).bound;
   };
   EXPECT_NEAR(bound(0.46, 2), 1, 1e-9);
   EXPECT_LE(bound(0.3, 3), 0);
-  // Where all units together give as much below the share as the label needs, it says nothing.
+  // If all units together meet the requirement with signals below the share, the row is void.
   EXPECT_NEAR(bound(0.5, 2), 0, 1e-9);
   EXPECT_NEAR(bound(0.46, 3), 0, 1e-9);
   EXPECT_NEAR(bound(0.46, detail::AnswerSet().most), 0, 1e-9);
 }
 
-// Two units of which one gives the label all it needs and the other half: where a unit gives it all, or where
-// the strong one is out, one unit or nothing is left.
+// Two units, of which one gives the label its requirement and the other half of it. Either a unit must give
+// all, which leaves one unit, or the strong unit is excluded, which leaves none.
 TEST(DualBound, KnowsTheCasesOfALabel) {
   const SignalTable table = test::make_table({{1, 0.5}}, 2);
   const std::vector<double> price{1, 1};
@@ -238,20 +238,21 @@ TEST(DualBound, KnowsTheCasesOfALabel) {
 }
 
 TEST(DualBound, CountsOneUnitAMountingPoint) {
-  // Label 0 is met by units 0 and 1, label 1 by 2 and 3; 1 and 2 are options of one point.
+  // Units 0 and 1 reach label 0, units 2 and 3 label 1; units 1 and 2 are options of one point.
   SignalTable table = test::make_table({{1, 1, 0, 0}, {0, 0, 1, 1}}, 4);
   table.mounts = {{1, 2}};
   const std::vector<double> cost = {3, 1, 1, 3};
   const std::vector<BoundRow> rows = {{0, {}}, {1, {}}};
-  const Question question{.model = CommunicationModel::non_cooperative};
-  // With 3 a label: 6 - 2 (one of the two options) = 4, which is the optimum; 2 without the point.
-  EXPECT_NEAR(dual_bound(table, question, rows, std::vector<double>{3, 3}, cost).bound, 4, 1e-9);
+  const PlacementProblem problem{.model = CommunicationModel::non_cooperative};
+  // With multiplier 3 per label: 6 - 2 (one of the two options) = 4, which is the optimum; 2 without the
+  // point.
+  EXPECT_NEAR(dual_bound(table, problem, rows, std::vector<double>{3, 3}, cost).bound, 4, 1e-9);
   table.mounts.clear();
-  EXPECT_NEAR(dual_bound(table, question, rows, std::vector<double>{3, 3}, cost).bound, 2, 1e-9);
+  EXPECT_NEAR(dual_bound(table, problem, rows, std::vector<double>{3, 3}, cost).bound, 2, 1e-9);
 
   table.mounts = {{1, 2}};
   table.transceivers[2].installed = true;
-  const DualBound installed = dual_bound(table, question, rows, std::vector<double>{3, 1}, cost);
+  const DualBound installed = dual_bound(table, problem, rows, std::vector<double>{3, 1}, cost);
   EXPECT_NEAR(installed.bound, 4, 1e-9);
   EXPECT_EQ(installed.if_chosen[1], infinite);
   EXPECT_EQ(useless_columns(installed, 4), (std::vector<std::uint32_t>{1, 3}));

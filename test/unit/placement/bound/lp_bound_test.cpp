@@ -17,9 +17,10 @@ using detail::LpBound;
 
 class LpBounds : public testing::TestWithParam<milp::Backend> {
  protected:
-  static LpBound bound(const SignalTable& table, const Question& question, const std::vector<double>& cost,
-                       const detail::LpBoundOptions& options = {}, const RunControl& control = {}) {
-    return lp_bound(table, question, cost, GetParam(), options, control);
+  static LpBound bound(const SignalTable& table, const PlacementProblem& problem,
+                       const std::vector<double>& cost, const detail::LpBoundOptions& options = {},
+                       const RunControl& control = {}) {
+    return lp_bound(table, problem, cost, GetParam(), options, control);
   }
 };
 
@@ -30,9 +31,9 @@ std::string name(const testing::TestParamInfo<milp::Backend>& info) {
 INSTANTIATE_TEST_SUITE_P(Every, LpBounds, testing::ValuesIn(milp::backends().begin(), milp::backends().end()),
                          name);
 
-/// The relaxation with all its rows at once; infinite where it has no solution.
-double relaxation(const milp::Backend& backend, const SignalTable& table, const Question& question) {
-  milp::Model model = placement_model(table, question);
+/// The relaxation with all rows at once; infinite if infeasible.
+double relaxation(const milp::Backend& backend, const SignalTable& table, const PlacementProblem& problem) {
+  milp::Model model = placement_model(table, problem);
   for (milp::Column& column : model.columns) column.integer = false;
   for (std::size_t i = 0; i < table.rows(); ++i)
     for (milp::Entry& entry : model.rows[i].entries) entry.value = std::min(entry.value, 1.0);
@@ -43,21 +44,21 @@ double rounding(double value) {
   return 1e-9 * std::max(1.0, std::abs(value));
 }
 
-// Never above the optimum, and the relaxation's own value but for the cuts.
+// Never above the optimum; equal to the relaxation's value except for the cuts.
 TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
   test::RandomTables random(29, {.labels = 12, .transceivers = 10, .mounts = true});
   int compared = 0, above_relaxation = 0, above_half = 0, wrong_above = 0;
   for (int k = 0; k < 600; ++k) {
     const SignalTable table = random.next();
-    const Question question = random.next_question();
-    const test::BruteForce truth(table, question);
+    const PlacementProblem problem = random.next_problem();
+    const test::BruteForce truth(table, problem);
     if (!truth.feasible) continue;
-    const double best = question.combination == Combination::lexicographic ? static_cast<double>(truth.fewest)
-                                                                           : truth.best_sum;
-    const std::vector<double> cost = first_objective(table, question);
-    const LpBound plain = bound(table, question, cost, {.cuts = false});
-    const LpBound cut = bound(table, question, cost);
-    const double relaxed = relaxation(GetParam(), table, question);
+    const double best = problem.combination == Combination::lexicographic ? static_cast<double>(truth.fewest)
+                                                                          : truth.best_sum;
+    const std::vector<double> cost = first_objective(table, problem);
+    const LpBound plain = bound(table, problem, cost, {.cuts = false});
+    const LpBound cut = bound(table, problem, cost);
+    const double relaxed = relaxation(GetParam(), table, problem);
     EXPECT_LE(plain.dual.bound, best + rounding(best)) << k;
     EXPECT_LE(cut.dual.bound, best + rounding(best)) << k;
     EXPECT_LE(plain.dual.bound, relaxed + 1e-6 * std::max(1.0, relaxed)) << k;
@@ -67,17 +68,17 @@ TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
     ++compared;
     if (cut.dual.bound > relaxed + 1e-3 * best) ++above_relaxation;
 
-    // What is returned says what it says: the bound is that of these rows and multipliers.
+    // The returned rows and multipliers prove the returned bound.
     ASSERT_EQ(cut.y.size(), cut.rows.size());
-    EXPECT_EQ(dual_bound(table, question, cut.rows, cut.y, cost).bound, cut.dual.bound);
-    // Negative controls: where labels asked for more, the bound would be wrong; and with half of every
-    // multiplier something is lost.
+    EXPECT_EQ(dual_bound(table, problem, cut.rows, cut.y, cost).bound, cut.dual.bound);
+    // Negative controls: with larger requirements the bound would be wrong, and half of every multiplier
+    // proves less.
     SignalTable wrong = table;
     for (auto& label : wrong.labels) label.requirement *= 1.6, label.single_requirement *= 1.6;
-    if (dual_bound(wrong, question, cut.rows, cut.y, cost).bound > best + 1e-3 * best) ++wrong_above;
+    if (dual_bound(wrong, problem, cut.rows, cut.y, cost).bound > best + 1e-3 * best) ++wrong_above;
     std::vector<double> half = cut.y;
     for (double& y : half) y /= 2;
-    if (dual_bound(table, question, cut.rows, half, cost).bound < cut.dual.bound - 1e-3 * best) ++above_half;
+    if (dual_bound(table, problem, cut.rows, half, cost).bound < cut.dual.bound - 1e-3 * best) ++above_half;
   }
   EXPECT_GT(compared, 150);
   EXPECT_GT(above_relaxation, 10);
@@ -85,7 +86,7 @@ TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
   EXPECT_GT(wrong_above, 10);
 }
 
-/// Labels that need two or three units of many.
+/// Labels that need two or three of many units.
 SignalTable a_few_together(test::RandomTables& random) {
   std::vector<std::vector<double>> matrix(10, std::vector<double>(11, 0.0));
   for (auto& row : matrix)
@@ -93,8 +94,8 @@ SignalTable a_few_together(test::RandomTables& random) {
   return test::make_table(matrix, 11);
 }
 
-// Never above the fewest units and often better than the relaxation. By cases more is shown than by one
-// linear program, and never that the fewest units are too few.
+// Never above the minimum count and often better than the relaxation. Case distinctions prove more than one
+// linear program, and never that the minimum count is infeasible.
 TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
   test::RandomTables random(31, {.labels = 12, .transceivers = 11, .mounts = true});
   CancelToken cancelled;
@@ -103,24 +104,24 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
   for (int k = 0; k < 500; ++k) {
     SCOPED_TRACE(k);
     const SignalTable table = random.chance(0.3) ? random.next() : a_few_together(random);
-    const Question question{
+    const PlacementProblem problem{
         .model = random.chance(0.9) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative,
         .redundant = random.chance(0.2)};
-    const test::BruteForce truth(table, question);
+    const test::BruteForce truth(table, problem);
     if (!truth.feasible) continue;
-    const detail::CountBound found = detail::count_bound(table, question, GetParam(), milp::infinity, {});
+    const detail::CountBound found = detail::count_bound(table, problem, GetParam(), milp::infinity, {});
     ASSERT_LE(found.count, truth.fewest);
     ASSERT_GE(static_cast<double>(found.count), found.relaxation.dual.bound);
     EXPECT_TRUE(found.complete);
     better += static_cast<double>(found.count) >= found.relaxation.dual.bound + 1;
     exact += found.count == truth.fewest;
-    if (question.model == CommunicationModel::non_cooperative) continue;
+    if (problem.model == CommunicationModel::non_cooperative) continue;
 
     const std::vector<double> ones(table.columns(), 1.0);
     for (const std::size_t most : {truth.fewest - std::min<std::size_t>(truth.fewest, 1), truth.fewest}) {
-      const LpBound limited = bound(table, question, ones, {.answers = {.most = most}});
+      const LpBound limited = bound(table, problem, ones, {.answers = {.most = most}});
       const auto is_shown = [&](double seconds, const RunControl& control) {
-        return needs_more(table, question, GetParam(), most, limited, seconds, control);
+        return prove_count_exceeds(table, problem, GetParam(), most, limited, seconds, control);
       };
       if (most == truth.fewest) {
         ASSERT_FALSE(is_shown(milp::infinity, {}));
@@ -139,19 +140,19 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
   EXPECT_GT(closed, open / 3);
 }
 
-// The second objective at the fewest units: the count is part of the LP and of its bound.
+// The second objective at the minimum count: the count is part of the LP and of its bound.
 TEST_P(LpBounds, OfTheSecondObjectiveKnowTheCount) {
   test::RandomTables random(37, {.labels = 12, .transceivers = 10, .mounts = true});
   int compared = 0, better = 0;
   for (int k = 0; k < 800; ++k) {
     const SignalTable table = random.next();
-    Question question = random.next_question();
-    question.combination = Combination::lexicographic;
-    const test::BruteForce truth(table, question);
+    PlacementProblem problem = random.next_problem();
+    problem.combination = Combination::lexicographic;
+    const test::BruteForce truth(table, problem);
     if (!truth.feasible || truth.best_at_fewest == 0) continue;
-    const std::vector<double> cost = objective_coefficients(table, question);
-    const LpBound with = bound(table, question, cost, {.answers = {truth.fewest, truth.fewest}});
-    const LpBound without = bound(table, question, cost);
+    const std::vector<double> cost = objective_coefficients(table, problem);
+    const LpBound with = bound(table, problem, cost, {.answers = {truth.fewest, truth.fewest}});
+    const LpBound without = bound(table, problem, cost);
     EXPECT_LE(with.dual.bound, truth.best_at_fewest + rounding(truth.best_at_fewest)) << k;
     EXPECT_GE(with.dual.bound, without.dual.bound - 1e-6 * truth.best_at_fewest) << k;
     ++compared;
@@ -162,7 +163,7 @@ TEST_P(LpBounds, OfTheSecondObjectiveKnowTheCount) {
 }
 
 // Two units each give 0.8 to one label and 0.2 to the four others: the relaxation is 3.125, and four units
-// leave some label 0.8.
+// leave some label at 0.8.
 TEST_P(LpBounds, OfTheCountAskWhetherFewAreEnough) {
   std::vector<std::vector<double>> matrix(5, std::vector<double>(10, 0.2));
   for (std::size_t i = 0; i < 5; ++i) matrix[i][2 * i] = matrix[i][2 * i + 1] = 0.8;
@@ -175,17 +176,17 @@ TEST_P(LpBounds, OfTheCountAskWhetherFewAreEnough) {
 
 TEST_P(LpBounds, EndWithoutTimeOrWhenCancelled) {
   SignalTable table = test::make_table({{1, 1, 0}, {0, 1, 1}, {1, 0, 1}}, 3);
-  const Question question{.model = CommunicationModel::non_cooperative};
+  const PlacementProblem problem{.model = CommunicationModel::non_cooperative};
   const std::vector<double> cost(3, 1.0);
   table.transceivers[0].installed = true;
-  const LpBound timeless = bound(table, question, cost, {.time_limit_s = 0});
+  const LpBound timeless = bound(table, problem, cost, {.time_limit_s = 0});
   EXPECT_FALSE(timeless.complete);
   EXPECT_NEAR(timeless.dual.bound, 1, 1e-9);  // the installed unit
   EXPECT_EQ(timeless.y.size(), timeless.rows.size());
   CancelToken token;
   token.request();
-  EXPECT_NEAR(bound(table, question, cost, {}, {.cancel = &token}).dual.bound, 1, 1e-9);
-  EXPECT_NEAR(bound(table, question, cost).dual.bound, 2, 1e-9);
+  EXPECT_NEAR(bound(table, problem, cost, {}, {.cancel = &token}).dual.bound, 1, 1e-9);
+  EXPECT_NEAR(bound(table, problem, cost).dual.bound, 2, 1e-9);
 }
 
 TEST_P(LpBounds, DoNotDependOnThreads) {
@@ -201,7 +202,7 @@ TEST_P(LpBounds, DoNotDependOnThreads) {
   EXPECT_LE(one.dual.bound, 5);
 }
 
-// 680 x 600; fewer rows are enough.
+// 680 x 600; fewer rows suffice.
 TEST_P(LpBounds, OfTheSupermarketNeedFewRows) {
   const SignalTable table =
       read_signal_table(SHELFBEAM_SOURCE_DIR "/test/data/instances/super_s1_e0_part.txt.gz");

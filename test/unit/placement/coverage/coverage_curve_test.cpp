@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/coverage/curve.hpp"
+#include "shelfbeam/placement/coverage/coverage_curve.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,7 @@
 
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/answer/weak_spots.hpp"
-#include "shelfbeam/placement/coverage/reach_bound.hpp"
+#include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
@@ -22,29 +22,30 @@ namespace {
 using test::BruteForce;
 
 constexpr test::RandomTableLimits everything{
-    .labels = 8, .transceivers = 10, .mounts = true, .apart = true, .redundant = true};
+    .labels = 8, .transceivers = 10, .mounts = true, .conflicts = true, .redundant = true};
 
-// What single units reach bounds what two reach: 4 and 3 of 6 labels, though 7 together.
-TEST(ReachBound, ByHand) {
+// The labels that single units reach bound those of two: 4 and 3 of 6 labels, although 7 together.
+TEST(CoverageBound, ByHand) {
   const SignalTable table =
       test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
-  const Question question{CommunicationModel::non_cooperative};
-  ReachBound bound(table, question, 2);
+  const PlacementProblem problem{CommunicationModel::non_cooperative};
+  CoverageBound bound(table, problem, 2);
   EXPECT_EQ(bound.labels(1), 6U) << "nothing is known yet";
   bound.improve(1, 4, 1, {});
   EXPECT_EQ(bound.labels(1), 4U) << "one step with all multipliers 1";
   EXPECT_EQ(bound.labels(2), 6U);
 }
 
-// Valid for every number of units after any number of steps towards any of them; tight often, not always.
-TEST(ReachBound, HoldsWhateverTheStepsWere) {
+// The bound is valid for every number of units after any number of steps towards any of them, and often but
+// not always tight.
+TEST(CoverageBound, HoldsWhateverTheStepsWere) {
   test::RandomTables tables(81, everything);
   int tight = 0, loose = 0, all = 0;
   for (int k = 0; k < 3000; ++k) {
     const SignalTable table = tables.next();
-    const Question question = tables.next_question();
-    const auto best = BruteForce::budgets(table, question);
-    ReachBound bound(table, question, table.columns());
+    const PlacementProblem problem = tables.next_problem();
+    const auto best = BruteForce::budgets(table, problem);
+    CoverageBound bound(table, problem, table.columns());
     for (int times = tables.whole(1, 3); times > 0; --times) {
       const auto units = static_cast<std::size_t>(tables.whole(0, static_cast<int>(table.columns())));
       if (!best[units]) continue;
@@ -68,14 +69,14 @@ TEST(PlacementCurve, EnclosesTheBestForEveryNumber) {
   int points = 0, lower_is_best = 0, upper_is_best = 0, below = 0;
   for (int k = 0; k < 6000; ++k) {
     const SignalTable table = tables.next();
-    const Question question = tables.next_question();
-    const BruteForce brute(table, question);
+    const PlacementProblem problem = tables.next_problem();
+    const BruteForce brute(table, problem);
     if (!brute.feasible) continue;
     const std::vector<std::uint32_t>& selected = brute.at_fewest;
     std::size_t first = 0;
     for (const auto& unit : table.transceivers) first += unit.installed ? 1 : 0;
-    const auto best = BruteForce::budgets(table, question);
-    const ReachCurve found = reach_curve(table, question, selected);
+    const auto best = BruteForce::budgets(table, problem);
+    const CoverageCurve found = coverage_curve(table, problem, selected);
     EXPECT_TRUE(found.is_complete);
     EXPECT_EQ(found.selected, selected) << "fewer units do not exist";
     const std::vector<CurvePoint>& curve = found.points;
@@ -103,20 +104,20 @@ TEST(PlacementCurve, EnclosesTheBestForEveryNumber) {
   EXPECT_GT(below, 0);
 }
 
-// Against leaving out one unit after the other.
+// Compares with omitting one unit after the other.
 TEST(Critical, AreTheLabelsThatHangOnOneUnit) {
   test::RandomTables tables(83, {.redundant = true});
   int some = 0, none_where_one_may_fail = 0;
   for (int k = 0; k < 3000; ++k) {
     const SignalTable table = tables.next();
-    const Question question = tables.next_question();
+    const PlacementProblem problem = tables.next_problem();
     std::vector<std::uint32_t> selected;
     for (std::uint32_t j = 0; j < table.columns(); ++j)
       if (tables.chance(0.5)) selected.push_back(j);
-    Question nothing_fails = question;
+    PlacementProblem nothing_fails = problem;
     nothing_fails.redundant = false;
     const Check with_all = check_selection(table, nothing_fails, selected);
-    const auto critical = critical_units(table, question, selected);
+    const auto critical = critical_units(table, problem, selected);
     ASSERT_EQ(critical.size(), selected.size());
     std::size_t labels = 0;
     for (std::size_t s = 0; s < selected.size(); ++s) {
@@ -130,7 +131,7 @@ TEST(Critical, AreTheLabelsThatHangOnOneUnit) {
       labels += expected.size();
     }
     some += labels > 0;
-    if (question.redundant && check_selection(table, question, selected).met()) {
+    if (problem.redundant && check_selection(table, problem, selected).met()) {
       EXPECT_EQ(labels, 0U);
       ++none_where_one_may_fail;
     }
@@ -139,7 +140,7 @@ TEST(Critical, AreTheLabelsThatHangOnOneUnit) {
   EXPECT_GT(none_where_one_may_fail, 100);
 }
 
-ReachCurve curve_of(std::vector<CurvePoint> points, std::vector<std::uint32_t> selected) {
+CoverageCurve curve_of(std::vector<CurvePoint> points, std::vector<std::uint32_t> selected) {
   return {std::move(points), std::move(selected)};
 }
 
@@ -151,10 +152,10 @@ TEST(PlacementCurve, AgreesWithItsPlacement) {
   stopped.count_lower_bound = stopped.lower_bound = 1;
   stopped.ties_settled = true;
 
-  // Two units do, which the curve has seen, and it has proven that one does not.
+  // The curve found that two units suffice, and proved that one does not.
   Placement placement = stopped;
-  ReachCurve curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
-  agree(placement, curve, table);
+  CoverageCurve curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
+  reconcile_bounds(placement, curve, table);
   EXPECT_EQ(placement.selected, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(placement.objective_value, 2);
   EXPECT_EQ(placement.count_lower_bound, 2);
@@ -164,51 +165,52 @@ TEST(PlacementCurve, AgreesWithItsPlacement) {
   EXPECT_FALSE(placement.ties_settled);
   EXPECT_EQ(curve.points.size(), 2U);
 
-  // What the placement has proven: fewer than two miss a label.
+  // The placement proved that fewer than two miss a label.
   placement = stopped;
   placement.count_lower_bound = placement.lower_bound = 2;
   placement.bound_proof = BoundProof::log;
   curve = curve_of({{1, 2, 3}, {2, 2, 3}, {3, 3, 3}}, placement.selected);
-  agree(placement, curve, table);
+  reconcile_bounds(placement, curve, table);
   EXPECT_EQ(curve.points[0].at_most, 2U);
   EXPECT_EQ(curve.points[1].at_most, 3U);
   EXPECT_EQ(placement.bound_proof, BoundProof::log);
   EXPECT_EQ(placement.count(), 3U);
   EXPECT_EQ(placement.status, Status::stopped);
 
-  // A second objective: the number's bound rises, that of the objective stays, and prices are no count.
+  // With a second objective the bound on the count rises, that of the objective stays, and costs are not a
+  // count.
   placement = stopped;
-  placement.question = {CommunicationModel::non_cooperative, Objective::links};
+  placement.problem = {CommunicationModel::non_cooperative, Objective::links};
   placement.objective_value = 99;
   curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
-  agree(placement, curve, table);
+  reconcile_bounds(placement, curve, table);
   EXPECT_EQ(placement.objective_value, 3);
   EXPECT_EQ(placement.count_lower_bound, 2);
   EXPECT_EQ(placement.lower_bound, 1);
   EXPECT_EQ(placement.status, Status::stopped);
   placement = stopped;
-  placement.question.combination = Combination::weighted;
+  placement.problem.combination = Combination::weighted;
   curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
-  agree(placement, curve, table);
+  reconcile_bounds(placement, curve, table);
   EXPECT_EQ(placement.count(), 3U);
   EXPECT_EQ(placement.lower_bound, 1);
 }
 
-// The greedy method's placement and bound are often not the best, and the curve often knows better.
+// The greedy method's placement and bound are often not optimal, and the curve is often better.
 TEST(PlacementCurve, ContradictsNoPlacement) {
   test::RandomTables tables(84, everything);
   int fewer = 0, raised = 0, capped = 0;
   for (int k = 0; k < 9000; ++k) {
     const SignalTable table = tables.next();
-    const Question question = tables.next_question();
-    Placement placement = place(table, question, {.solver = SolverChoice::greedy});
+    const PlacementProblem problem = tables.next_problem();
+    Placement placement = place(table, problem, {.solver = SolverChoice::greedy});
     if (!placement.has_selection()) continue;
     const Placement before = placement;
-    ReachCurve curve = reach_curve(table, question, placement.selected);
+    CoverageCurve curve = coverage_curve(table, problem, placement.selected);
     const std::vector<CurvePoint> alone = curve.points;
-    agree(placement, curve, table);
-    const BruteForce brute(table, question);
-    ASSERT_TRUE(check_selection(table, question, placement.selected).met());
+    reconcile_bounds(placement, curve, table);
+    const BruteForce brute(table, problem);
+    ASSERT_TRUE(check_selection(table, problem, placement.selected).met());
     ASSERT_LE(placement.count_lower_bound, static_cast<double>(brute.fewest));
     ASSERT_LE(placement.lower_bound, placement.objective_value * (1 + 1e-12));
     for (const CurvePoint& point : curve.points) {
@@ -216,7 +218,7 @@ TEST(PlacementCurve, ContradictsNoPlacement) {
       ASSERT_EQ(point.at_most == table.rows(), is_enough || table.rows() == 0) << k;
       ASSERT_LE(point.at_least, point.at_most) << k;
       ASSERT_TRUE(point.at_least < table.rows() || point.units >= placement.count() ||
-                  question.combination == Combination::weighted);
+                  problem.combination == Combination::weighted);
     }
     fewer += placement.count() < before.count();
     raised += placement.count_lower_bound > before.count_lower_bound;
@@ -228,13 +230,14 @@ TEST(PlacementCurve, ContradictsNoPlacement) {
   EXPECT_GT(capped, 5);
 }
 
-// Without the limit this takes some ten seconds.
+// Without the limit this takes about ten seconds.
 TEST(PlacementCurve, SaysThatItWasCutShort) {
   const SignalTable table = test::dense_table(3000, 800);
   const Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
   const test::ProcessorTime spent;
-  const ReachCurve curve = reach_curve(table, {}, greedy.selected, {.threads = 1},
-                                       std::chrono::steady_clock::now() + std::chrono::milliseconds(300));
+  const CoverageCurve curve =
+      coverage_curve(table, {}, greedy.selected, {.threads = 1},
+                     std::chrono::steady_clock::now() + std::chrono::milliseconds(300));
   EXPECT_LT(spent.seconds(), 4);
   EXPECT_FALSE(curve.is_complete);
   EXPECT_EQ(curve.points.size(), greedy.count());
@@ -242,7 +245,7 @@ TEST(PlacementCurve, SaysThatItWasCutShort) {
   EXPECT_NE(placement_json(greedy, table, curve).find("\"curve_complete\": false"), std::string::npos);
 }
 
-// What fresh samples have certified is not exchanged for something that they have not seen.
+// A selection certified by independent samples is not replaced by one that they have not examined.
 TEST(PlacementCurve, LeavesASelectionThatIsToStay) {
   const SignalTable table =
       test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
@@ -250,7 +253,7 @@ TEST(PlacementCurve, LeavesASelectionThatIsToStay) {
   ASSERT_EQ(greedy.count(), 3U);
   Placement certified = greedy;
   add_curve(greedy, table, 60);
-  const ReachCurve curve = add_curve(certified, table, 60, {}, true);
+  const CoverageCurve curve = add_curve(certified, table, 60, {}, true);
   EXPECT_EQ(greedy.count(), 2U);
   EXPECT_EQ(certified.count(), 3U);
   EXPECT_EQ(certified.count_lower_bound, greedy.count_lower_bound);
@@ -261,7 +264,7 @@ TEST(PlacementCurve, LeavesASelectionThatIsToStay) {
 TEST(PlacementCurve, IsWritten) {
   const SignalTable table = test::make_table({{1, 0}, {1, 0}, {0, 1}}, 2);
   const Placement found = place(table, {}, {});
-  const std::string json = placement_json(found, table, reach_curve(table, {}, found.selected));
+  const std::string json = placement_json(found, table, coverage_curve(table, {}, found.selected));
   const auto expect = [&](const std::string& part) {
     std::string flat = json;
     std::erase_if(flat, [](char c) { return c == ' ' || c == '\n'; });

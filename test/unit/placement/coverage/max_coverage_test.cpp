@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/coverage/budget.hpp"
+#include "shelfbeam/placement/coverage/max_coverage.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -23,25 +23,25 @@ constexpr auto coop = CommunicationModel::cooperative;
 constexpr auto alone = CommunicationModel::non_cooperative;
 
 constexpr test::RandomTableLimits everything{
-    .labels = 8, .transceivers = 10, .mounts = true, .apart = true, .redundant = true};
+    .labels = 8, .transceivers = 10, .mounts = true, .conflicts = true, .redundant = true};
 constexpr test::RandomTableLimits pairs_only{
-    .labels = 8, .transceivers = 10, .apart = true, .redundant = true};
+    .labels = 8, .transceivers = 10, .conflicts = true, .redundant = true};
 
 std::size_t installed(const SignalTable& table) {
   return static_cast<std::size_t>(std::count_if(table.transceivers.begin(), table.transceivers.end(),
                                                 [](const auto& unit) { return unit.installed; }));
 }
 
-/// A number of units that may be asked for; 0 is among them.
+/// A valid number of units, including 0.
 std::size_t some_units(test::RandomTables& tables, const SignalTable& table) {
   return static_cast<std::size_t>(
       tables.whole(static_cast<int>(installed(table)),
                    std::max(static_cast<int>(installed(table)), static_cast<int>(table.columns()) / 2)));
 }
 
-void expect_consistent(const SignalTable& table, const Question& question, std::size_t units,
-                       const Reach& reach) {
-  const Check check = check_selection(table, question, reach.selected);
+void expect_consistent(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
+                       const MaxCoverage& reach) {
+  const Check check = check_selection(table, problem, reach.selected);
   EXPECT_TRUE(check.allowed());
   EXPECT_EQ(check.unmet, reach.missed);
   EXPECT_EQ(table.rows() - check.unmet.size(), reach.reached);
@@ -59,14 +59,13 @@ void run(const milp::Backend& backend, std::uint64_t seed, int cases) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     test::RandomTables& tables = k % 8 < 4 ? with_all : with_pairs;
     const SignalTable table = tables.next();
-    const Question question = tables.next_question();
+    const PlacementProblem problem = tables.next_problem();
     const std::size_t units = some_units(tables, table);
-    const auto brute = BruteForce::budgets(table, question);
+    const auto brute = BruteForce::budgets(table, problem);
     const BruteForce::Budget best = brute[std::min(units, table.columns())].value();
-    const Reach reach =
-        reach_most(table, question, units, {.backend = std::string(backend.name), .step_limit = 1 << 20},
-                   {.threads = 1});
-    expect_consistent(table, question, units, reach);
+    const MaxCoverage reach = maximise_coverage(
+        table, problem, units, {.backend = std::string(backend.name), .step_limit = 1 << 20}, {.threads = 1});
+    expect_consistent(table, problem, units, reach);
     EXPECT_LE(reach.reached, best.reached);
     EXPECT_GE(reach.upper_bound, best.reached);
     if (reach.status == Status::optimal) {
@@ -79,7 +78,7 @@ void run(const milp::Backend& backend, std::uint64_t seed, int cases) {
     one_more_reaches_more += units < table.columns() && brute[units + 1]->reached != best.reached;
   }
   EXPECT_GT(one_more_reaches_more, cases / 4);  // negative control
-  EXPECT_LE(stopped, cases / 500);  // solvers give up now and then on tables that are made to mislead them
+  EXPECT_LE(stopped, cases / 500);  // solvers sometimes give up on tables that are made to mislead them
 }
 
 class PlacementBudget : public testing::TestWithParam<milp::Backend> {};
@@ -100,24 +99,24 @@ TEST_P(PlacementBudgetSlow, EqualsEnumerationOnManyMore) {
   run(GetParam(), 72, 20000);
 }
 
-// Without an exact solver: never more than is possible, never a bound that is less, and often both are met.
+// Without an exact solver: never more than possible, never a smaller bound, and both are often tight.
 TEST(Budget, GreedyAndItsBoundEncloseTheBest) {
   test::RandomTables tables(73, everything);
   int met = 0, tight = 0, below = 0, loose = 0, cases = 3000;
   for (int k = 0; k < cases; ++k) {
     const SignalTable table = tables.next();
-    const Question question = tables.next_question();
+    const PlacementProblem problem = tables.next_problem();
     const std::size_t units = some_units(tables, table);
-    const std::size_t best = BruteForce::budgets(table, question)[units].value().reached;
-    const Reach reach = reach_most(table, question, units, {.solver = SolverChoice::greedy});
-    expect_consistent(table, question, units, reach);
+    const std::size_t best = BruteForce::budgets(table, problem)[units].value().reached;
+    const MaxCoverage reach = maximise_coverage(table, problem, units, {.solver = SolverChoice::greedy});
+    expect_consistent(table, problem, units, reach);
     ASSERT_LE(reach.reached, best) << k;
     ASSERT_GE(reach.upper_bound, best) << k;
     EXPECT_EQ(reach.status, reach.reached == reach.upper_bound ? Status::optimal : Status::feasible);
     met += reach.reached == best;
     tight += reach.upper_bound == best;
-    below += reach.reached < best;      // negative controls: it is not always the best,
-    loose += reach.upper_bound > best;  // and the bound not always it
+    below += reach.reached < best;      // negative controls: greedy is not always optimal,
+    loose += reach.upper_bound > best;  // and the bound not always tight
   }
   EXPECT_GT(met, cases * 9 / 10);
   EXPECT_GT(tight, cases / 2);
@@ -125,58 +124,59 @@ TEST(Budget, GreedyAndItsBoundEncloseTheBest) {
   EXPECT_GT(loose, 50);
 }
 
-// Unit 2 is the greedy choice, and 0 with 1 reach one label more.
+// Unit 2 is the greedy choice; 0 and 1 together reach one label more.
 TEST(Budget, ByHand) {
   const SignalTable table =
       test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
   for (const auto model : {coop, alone}) {
-    Reach reach = reach_most(table, {model}, 1, {});
+    MaxCoverage reach = maximise_coverage(table, {model}, 1, {});
     EXPECT_EQ(reach.selected, std::vector<std::uint32_t>{2});
     EXPECT_EQ(reach.reached, 4U);
     EXPECT_EQ(reach.upper_bound, 4U);
     EXPECT_EQ(reach.missed, (std::vector<std::uint32_t>{2, 5}));
     for (const std::size_t units : {std::size_t{2}, std::size_t{3}, std::size_t{50}, std::size_t{1} << 32,
                                     std::numeric_limits<std::size_t>::max()}) {
-      reach = reach_most(table, {model}, units, {});
+      reach = maximise_coverage(table, {model}, units, {});
       EXPECT_EQ(reach.selected, (std::vector<std::uint32_t>{0, 1})) << "fewest units that reach all";
       EXPECT_EQ(reach.status, Status::optimal);
     }
-    EXPECT_EQ(reach_most(table, {.model = model, .redundant = true}, 1, {}).upper_bound, 0U);
-    EXPECT_EQ(reach_most(table, {.model = model, .redundant = true}, 3, {}).reached, 4U);
+    EXPECT_EQ(maximise_coverage(table, {.model = model, .redundant = true}, 1, {}).upper_bound, 0U);
+    EXPECT_EQ(maximise_coverage(table, {.model = model, .redundant = true}, 3, {}).reached, 4U);
   }
 }
 
-// Nothing was cut short, so nothing was stopped.
+// No step was interrupted, so the result is not marked as stopped.
 TEST(Budget, TellsWhereTheTableIsTooLarge) {
   const SignalTable table = dense_table(900, 450);  // 405,000 entries
-  const Reach reach = reach_most(table, {}, 6, {});
+  const MaxCoverage reach = maximise_coverage(table, {}, 6, {});
   EXPECT_TRUE(reach.too_large);
   EXPECT_EQ(reach.status, Status::feasible);
   EXPECT_EQ(reach.solver, "greedy");
   EXPECT_EQ(reach.bound_proof, BoundProof::dual);
   EXPECT_GT(reach.gap(), 0);
   EXPECT_LT(reach.gap(), 1);
-  EXPECT_FALSE(reach_most(dense_table(20, 10), {}, 3, {}).too_large);
+  EXPECT_FALSE(maximise_coverage(dense_table(20, 10), {}, 3, {}).too_large);
 }
 
-// Without the limit this takes some ten seconds of search, and as much for the bound.
+// Without the limit this takes about ten seconds of search, and as much for the bound.
 TEST(Budget, KeepsToTheTimeLimit) {
   const SignalTable table = dense_table(4000, 1000);
   const test::ProcessorTime spent;
-  const Reach reach = reach_most(table, {}, 7, {.time_limit_s = 0.5}, {.threads = 1});
+  const MaxCoverage reach = maximise_coverage(table, {}, 7, {.time_limit_s = 0.5}, {.threads = 1});
   EXPECT_EQ(reach.status, Status::stopped);
   EXPECT_LT(reach.reached, reach.upper_bound);
-  const Reach small = reach_most(dense_table(200, 100), {}, 7, {.time_limit_s = 0.5}, {.threads = 1});
+  const MaxCoverage small =
+      maximise_coverage(dense_table(200, 100), {}, 7, {.time_limit_s = 0.5}, {.threads = 1});
   EXPECT_LT(spent.seconds(), 8);
   EXPECT_EQ(small.status, Status::stopped);
 }
 
 TEST(Budget, WritesItsAnswer) {
   const SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
-  Reach reach = reach_most(table, {}, 1, {});
+  MaxCoverage reach = maximise_coverage(table, {}, 1, {});
   reach.seconds = 0.5;
   reach.solver = "highs";
-  EXPECT_EQ(reach_json(reach, table), R"({
+  EXPECT_EQ(coverage_json(reach, table), R"({
   "format": 1,
   "model": "cooperative",
   "survives_failure": false,
@@ -203,11 +203,11 @@ TEST(Budget, WritesItsAnswer) {
 
 TEST(Budget, RejectsWhatItCannotAnswer) {
   SignalTable table = test::make_table({{1, 1}}, 2);
-  test::expect_input_error([&] { reach_most(table, {}, 1, {.backend = "cplex"}); }, "cplex");
+  test::expect_input_error([&] { maximise_coverage(table, {}, 1, {.backend = "cplex"}); }, "cplex");
   table.transceivers[0].installed = table.transceivers[1].installed = true;
-  test::expect_input_error([&] { reach_most(table, {}, 1, {}); }, "number of units", "2 units are installed");
+  test::expect_input_error([&] { maximise_coverage(table, {}, 1, {}); }, "number of units: ", "2 units");
   table.labels[0].requirement = 0;
-  test::expect_input_error([&] { reach_most(table, {}, 2, {}); }, "L0", "set one for all labels");
+  test::expect_input_error([&] { maximise_coverage(table, {}, 2, {}); }, "label L0: ");
 }
 
 }  // namespace

@@ -14,14 +14,14 @@
 namespace shelfbeam {
 namespace {
 
-constexpr Question alone{.model = CommunicationModel::non_cooperative};
+constexpr PlacementProblem alone{.model = CommunicationModel::non_cooperative};
 
-std::optional<std::vector<std::uint32_t>> search(const SignalTable& table, const Question& question,
+std::optional<std::vector<std::uint32_t>> search(const SignalTable& table, const PlacementProblem& problem,
                                                  const std::vector<std::uint32_t>& start, std::uint64_t moves,
                                                  std::uint32_t seed = 1) {
   const std::vector<double> ones(table.columns(), 1.0);
   const detail::Reduction reduction = detail::reduce_cover(table, alone, ones);
-  return detail::cover_search(table, question, reduction, start, {moves}, seed, {});
+  return detail::cover_search(table, problem, reduction, start, {moves}, seed, {});
 }
 
 std::vector<std::uint32_t> everything(const SignalTable& table) {
@@ -30,8 +30,7 @@ std::vector<std::uint32_t> everything(const SignalTable& table) {
   return all;
 }
 
-// Starting from all columns, two walks reach the best value that is known, whichever of these seeds they
-// have.
+// Starting from all columns, two walks reach the best known value with each of these seeds.
 TEST(CoverSearch, FindsTheKnownOptima) {
   const struct {
     SignalTable table;
@@ -46,7 +45,8 @@ TEST(CoverSearch, FindsTheKnownOptima) {
     }
 }
 
-// Installed units stay, the same seed gives the same selection, and what is no better is not returned.
+// Installed units stay, the same seed gives the same selection, and a selection that is not better is not
+// returned.
 TEST(CoverSearch, KeepsWhatIsInstalledAndClaimsNothing) {
   SignalTable table = test::affine_lines(3);
   table.transceivers[5].installed = table.transceivers[6].installed = true;
@@ -66,7 +66,7 @@ TEST(CoverSearch, LeavesOtherQuestionsAlone) {
   const auto all = everything(table);
   EXPECT_FALSE(search(table, {}, all, 1000));
   EXPECT_FALSE(search(table, {.model = alone.model, .redundant = true}, all, 1000));
-  table.apart = {{0, 1}};
+  table.conflicts = {{0, 1}};
   EXPECT_FALSE(search(table, alone, all, 1000));
 }
 

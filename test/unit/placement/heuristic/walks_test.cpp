@@ -23,18 +23,18 @@ using Search = decltype(&local_search);
 constexpr auto coop = CommunicationModel::cooperative;
 constexpr auto alone = CommunicationModel::non_cooperative;
 
-std::optional<Columns> found_by(Search search, const SignalTable& table, const Question& question,
+std::optional<Columns> found_by(Search search, const SignalTable& table, const PlacementProblem& problem,
                                 const Columns& start, const Effort& effort, const RunControl& control = {}) {
-  const SearchProblem problem(table, question);
-  return search(problem, SearchMatrix(table, question.model), start, effort, 1, control);
+  const SearchInstance instance(table, problem);
+  return search(instance, SearchMatrix(table, problem.model), start, effort, 1, control);
 }
 
 struct Tally {
   int started = 0, could_gain = 0, gained = 0, best = 0;
 };
 
-// From some answer: never anything but a better one, with what is installed, the same for any number of
-// threads, and nearly always one of the best.
+// From a feasible selection: returns only better ones, with installed units, equal for any number of threads,
+// and nearly always optimal.
 Tally run(Search search, std::uint64_t seed, int cases, const test::RandomTableLimits& limits,
           std::uint64_t moves) {
   test::RandomTables random(seed, limits);
@@ -42,19 +42,19 @@ Tally run(Search search, std::uint64_t seed, int cases, const test::RandomTableL
   for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = random.next();
-    const Question question = search == &anneal ? Question{} : random.next_question();
-    const SearchProblem problem(table, question);
+    const PlacementProblem problem = search == &anneal ? PlacementProblem{} : random.next_problem();
+    const SearchInstance instance(table, problem);
     const auto value_of = [&](const Columns& selected) {
-      if (question.combination == Combination::weighted)
-        return static_cast<double>(problem.cost_of(selected));
+      if (problem.combination == Combination::weighted)
+        return static_cast<double>(instance.cost_of(selected));
       return static_cast<double>(selected.size());
     };
-    const auto answers = test::BruteForce::answers(table, question);
+    const auto answers = test::BruteForce::answers(table, problem);
     if (answers.empty()) continue;
     const Columns& start =
         answers[static_cast<std::size_t>(random.whole(0, static_cast<int>(answers.size()) - 1))].columns;
-    const auto found = found_by(search, table, question, start, {moves}, {.threads = 1});
-    EXPECT_EQ(found_by(search, table, question, start, {moves}, {.threads = 4}), found);
+    const auto found = found_by(search, table, problem, start, {moves}, {.threads = 1});
+    EXPECT_EQ(found_by(search, table, problem, start, {moves}, {.threads = 4}), found);
     double least = value_of(start);
     for (const auto& answer : answers) least = std::min(least, value_of(answer.columns));
     ++tally.started;
@@ -63,7 +63,7 @@ Tally run(Search search, std::uint64_t seed, int cases, const test::RandomTableL
     if (!found) continue;
     ++tally.gained;
     EXPECT_LT(value_of(*found), value_of(start));
-    EXPECT_TRUE(check_selection(table, question, *found).met());
+    EXPECT_TRUE(check_selection(table, problem, *found).met());
     EXPECT_TRUE(std::any_of(answers.begin(), answers.end(),
                             [&](const auto& answer) { return answer.columns == *found; }));
   }
@@ -75,13 +75,13 @@ TEST(Walks, FindValidAndMostlyTheBestSelections) {
     Search search;
     test::RandomTableLimits limits;
     std::uint64_t moves;
-    double best;  ///< part of them at least
+    double best;  ///< at least this share
   } kinds[] = {{local_search, {.transceivers = 10}, 300, 0.9},
                {local_search,
-                {.labels = 6, .transceivers = 10, .mounts = true, .apart = true, .redundant = true},
+                {.labels = 6, .transceivers = 10, .mounts = true, .conflicts = true, .redundant = true},
                 300,
                 0.8},
-               {anneal, {.labels = 12, .transceivers = 11, .mounts = true, .apart = true}, 3000, 0.95}};
+               {anneal, {.labels = 12, .transceivers = 11, .mounts = true, .conflicts = true}, 3000, 0.95}};
   for (const auto& kind : kinds) {
     const Tally tally = run(kind.search, 1, 1200, kind.limits, kind.moves);
     EXPECT_GT(tally.could_gain, 150);
@@ -93,17 +93,18 @@ TEST(Walks, FindValidAndMostlyTheBestSelections) {
 TEST(Walks, OfLocalSearchTakeUnitsThatCostNothing) {
   SignalTable table = test::make_table({{1, 0, 1}, {0, 1, 1}}, 3);
   table.transceivers[0].cost = table.transceivers[1].cost = 0;
-  const Question question{coop, Objective::count, Combination::weighted};
-  EXPECT_EQ(found_by(local_search, table, question, {2}, {20000}), (Columns{0, 1}));
-  EXPECT_EQ(found_by(local_search, table, question, {0, 1}, {20000}), std::nullopt) << "nothing costs less";
+  const PlacementProblem problem{coop, Objective::count, Combination::weighted};
+  EXPECT_EQ(found_by(local_search, table, problem, {2}, {20000}), (Columns{0, 1}));
+  EXPECT_EQ(found_by(local_search, table, problem, {0, 1}, {20000}), std::nullopt) << "nothing costs less";
 }
 
 TEST(Walks, OfAnnealingLeaveOtherQuestionsAlone) {
   const SignalTable table = test::make_table({{1, 1}}, 2);
-  for (const Question& question :
-       {Question{alone}, Question{.combination = Combination::weighted}, Question{.redundant = true}}) {
-    EXPECT_FALSE(can_anneal(question));
-    EXPECT_EQ(found_by(anneal, table, question, {0, 1}, {20000}), std::nullopt);
+  for (const PlacementProblem& problem :
+       {PlacementProblem{alone}, PlacementProblem{.combination = Combination::weighted},
+        PlacementProblem{.redundant = true}}) {
+    EXPECT_FALSE(can_anneal(problem));
+    EXPECT_EQ(found_by(anneal, table, problem, {0, 1}, {20000}), std::nullopt);
   }
   EXPECT_EQ(found_by(anneal, table, {}, {0, 1}, {20000}).value_or(Columns{}).size(), 1U);
 }
@@ -123,8 +124,8 @@ TEST(Walks, EndWithoutLabelsAndTimeAndWhenCancelled) {
   EXPECT_EQ(found_by(anneal, table, {}, {0, 1}, {}, {.cancel = &cancel}), std::nullopt);
 }
 
-// More labels than a search begins with, and sums and links that single precision takes for met and the rule
-// does not: such labels must be asked for more, not for ever.
+// More labels than a search begins with, and sums and links that meet the requirement in single precision but
+// not by the rule. Such labels must enter the search, but not endlessly.
 TEST(Walks, GetPastLabelsThatAreMetInSinglePrecisionOnly) {
   constexpr std::size_t labels = 600;
   const std::pair<Search, CommunicationModel> kinds[] = {
@@ -148,7 +149,7 @@ TEST(WalksSlow, FindTheBestKnownOfTheSupermarket) {
   const struct {
     Search search;
     std::uint64_t moves;
-    std::size_t best;  ///< annealing finds one unit fewer than exchanges ever found
+    std::size_t best;  ///< annealing finds one unit fewer than exchanges
   } kinds[] = {{local_search, 200'000, 26}, {anneal, 10'000'000, 25}};
   for (const auto& kind : kinds) {
     const auto found = found_by(kind.search, table, {}, greedy_selection(table, {}), {kind.moves});
@@ -159,8 +160,8 @@ TEST(WalksSlow, FindTheBestKnownOfTheSupermarket) {
 }
 #endif
 
-// Units in a row, each heard by labels near it: the most similar are the neighbours, and of those that may be
-// chosen only.
+// Units in a row, each reaching labels near it: the most similar units are the neighbours, among those that
+// may be chosen.
 TEST(SimilarColumns, AreNeighboursInARow) {
   constexpr std::size_t n = 100;
   std::vector<std::vector<double>> matrix(n, std::vector<double>(n));

@@ -41,7 +41,7 @@ TEST(PlacementExport, DividesRowsByTheirRequirementAndClipsNothing) {
 TEST(PlacementExport, HasARowForEveryPointWithOptionsAndEveryPairThatIsKeptApart) {
   SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
   table.mounts = {{0, 2}};
-  table.apart = {{1, 3}};
+  table.conflicts = {{1, 3}};
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
     const milp::Model built = placement_model(table, {model});
     ASSERT_EQ(built.rows.size(), 3U);
@@ -77,25 +77,24 @@ TEST(PlacementExport, LetsEveryUnitFail) {
 TEST(PlacementExport, RefusesFailuresOfALargeMatrix) {
   const SignalTable table =
       test::make_table(std::vector<std::vector<double>>(6, std::vector<double>(2000, 1.0)), 2000);
-  test::expect_input_error([&] { placement_model(table, {.redundant = true}); }, "survives a failure",
-                           "23988000 entries");
+  test::expect_input_error([&] { placement_model(table, {.redundant = true}); }, "23988000 entries");
 }
 
-// Both files, read back by every solver, have the optimum that `place` proves; both within a gap of 1e-6.
+// Both files, read by every solver, have the optimum that `place` proves; both within a gap of 1e-6.
 TEST(PlacementExport, HasTheOptimumOfThePlacement) {
   const test::TempFolder folder;
   test::RandomTables plain(51, {.labels = 6, .transceivers = 8, .borderline = false});
   test::RandomTables with_options(52, {.labels = 6, .transceivers = 8, .borderline = false, .mounts = true});
   test::RandomTables beyond(
-      53, {.labels = 4, .transceivers = 8, .borderline = false, .apart = true, .redundant = true});
+      53, {.labels = 4, .transceivers = 8, .borderline = false, .conflicts = true, .redundant = true});
   int feasible = 0, control = 0, mount_control = 0, beyond_control = 0;
   for (int k = 0; k < 450; ++k) {
     test::RandomTables& tables = k % 3 == 0 ? plain : k % 3 == 1 ? with_options : beyond;
     const SignalTable table = tables.next();
-    Question question = tables.next_question();
-    if (question.combination == Combination::lexicographic) question.objective = Objective::count;
-    const Placement found = place(table, question, {});
-    const milp::Model model = placement_model(table, question);
+    PlacementProblem problem = tables.next_problem();
+    if (problem.combination == Combination::lexicographic) problem.objective = Objective::count;
+    const Placement found = place(table, problem, {});
+    const milp::Model model = placement_model(table, problem);
     milp::write_mps(model, folder / "model.mps");
     milp::write_lp(model, folder / "model.lp");
     for (const char* file : {"model.mps", "model.lp"}) {
@@ -111,8 +110,8 @@ TEST(PlacementExport, HasTheOptimumOfThePlacement) {
         EXPECT_NEAR(result.primal_bound, found.objective_value, 2e-6 * found.objective_value);
       }
     }
-    // Negative controls: another optimum now and then without its first row, without the rows of failures and
-    // of pairs, and without those of the mounting points.
+    // Negative controls: some optima differ without the first row, without the rows of failures and
+    // conflicts, and without those of the mounting points.
     const auto is_less = [&](const milp::Model& relaxed) {
       const milp::Result result = milp::backends().front().solve(relaxed, {}, {});
       return result.primal_bound < found.objective_value * (1 - 1e-5);
@@ -121,11 +120,11 @@ TEST(PlacementExport, HasTheOptimumOfThePlacement) {
     if (!model.rows.empty()) without_first.rows.erase(without_first.rows.begin());
     without_points.rows.resize(table.rows());
     SignalTable together = table;
-    together.apart.clear();
+    together.conflicts.clear();
     mount_control += !table.mounts.empty() && is_less(without_points);
     if (found.status == Status::infeasible) continue;
     control += is_less(without_first);
-    beyond_control += k % 3 == 2 && is_less(model_without_failures(together, question));
+    beyond_control += k % 3 == 2 && is_less(model_without_failures(together, problem));
   }
   EXPECT_GT(feasible, 200);
   EXPECT_GT(control, 10);

@@ -19,10 +19,10 @@ using Columns = std::vector<std::uint32_t>;
 using milp::Result;
 using milp::Termination;
 
-constexpr Question count_question{};
+constexpr PlacementProblem count_problem{};
 const SolveFunction real_solver = milp::backends().front().solve;
 
-/// A solver that answers from a list, then with the real one; remembers what it was asked.
+/// A solver that returns results from a list, then those of a real solver, and records its calls.
 struct Script {
   std::vector<Result> answers;
   std::vector<milp::Model> asked;
@@ -36,21 +36,22 @@ struct Script {
   }
 };
 
-MipAnswer answer(const SignalTable& table, const Question& question, const SolveFunction& solve) {
-  return place_by_mip(table, question, greedy_selection(table, question), solve, milp::infinity, {});
+MipResult answer(const SignalTable& table, const PlacementProblem& problem, const SolveFunction& solve) {
+  return place_by_mip(table, problem, greedy_selection(table, problem), solve, milp::infinity, {});
 }
 
-// Unit 0 alone lacks 5e-8 of label 0: less than the 1e-6 that solvers allow, more than the 1e-9 of the rule.
+// Unit 0 alone misses 5e-8 of label 0: less than the 1e-6 that solvers tolerate, more than the 1e-9 of the
+// rule.
 SignalTable nearly_met() {
   return test::make_table({{1 - 5e-8, 0.3, 0.2}, {1.0, 0.8, 0.4}}, 3);
 }
 
-// The rows of failures come as they are needed.
+// The rows of failures are added as needed.
 TEST(PlacementMip, LetsUnitsFailAsNeeded) {
   const SignalTable table = test::make_table({{0.9, 0.8, 0.7, 0.3, 0.2}}, 5);
   Script script;
   script.answers = {{Termination::optimal, 2, 2, {0, 1, 1, 0, 0}}};
-  const MipAnswer found =
+  const MipResult found =
       place_by_mip(table, {.redundant = true}, Columns{0, 1, 2, 3, 4}, script.function(), milp::infinity, {});
   EXPECT_EQ(found.placement.status, Status::optimal);
   EXPECT_EQ(found.placement.count(), 3U);
@@ -63,14 +64,14 @@ TEST(PlacementMip, LetsUnitsFailAsNeeded) {
       << "whichever of the two fails, too little is left";
 }
 
-// Unit 0 alone is what a solver takes for an answer. What cuts it off is as short as it can be: the rejected
-// selection is extended by what is too weak to help, whatever points these units share.
+// A solver accepts unit 0 alone. The cut against it is as short as possible: the rejected selection is
+// extended by units that are too weak to help, regardless of shared points.
 TEST(PlacementMip, CutsOffWhatTheCheckerRejects) {
   struct Case {
     SignalTable table;
     Columns cut;
   };
-  // 1e-9 and 2e-8 leave 2.8e-8 lacking; 3e-8 more would do.
+  // With 1e-9 and 2e-8, 2.8e-8 is missing; 3e-8 more would suffice.
   Case cases[] = {{nearly_met(), {1, 2}},
                   {test::make_table({{1 - 5e-8, 1e-9, 3e-8, 2e-8, 0.5, 0.5}}, 6), {2, 4, 5}},
                   {test::make_table({{1 - 5e-8, 2e-8, 1e-9, 0.5, 0.5}}, 5), {3, 4}}};
@@ -80,7 +81,7 @@ TEST(PlacementMip, CutsOffWhatTheCheckerRejects) {
     std::vector<double> claimed(table.columns(), 0.0);
     claimed[0] = 1;
     script.answers = {{Termination::optimal, 1, 1, claimed}};
-    const MipAnswer found = place_by_mip(table, count_question, {}, script.function(), milp::infinity, {});
+    const MipResult found = place_by_mip(table, count_problem, {}, script.function(), milp::infinity, {});
     ASSERT_EQ(script.asked.size(), 2U);
     EXPECT_FALSE(found.solver_failed);
     EXPECT_EQ(found.placement.status, Status::optimal);
@@ -99,7 +100,7 @@ TEST(PlacementMip, CutsOffWhatTheCheckerRejects) {
         ++calls;
         return backend.solve(model, options, control);
       };
-      EXPECT_EQ(place_by_mip(table, count_question, {}, counting, milp::infinity, {}).placement.count(), 2U);
+      EXPECT_EQ(place_by_mip(table, count_problem, {}, counting, milp::infinity, {}).placement.count(), 2U);
       EXPECT_GE(calls, 2) << backend.name << " has seen a cut";
     }
   }
@@ -111,20 +112,21 @@ TEST(PlacementMip, GivesUpOnASolverThatIgnoresCuts) {
     ++calls;
     return Result{Termination::optimal, 1, 1, {1, 0, 0}};
   };
-  const MipAnswer found = answer(nearly_met(), count_question, stubborn);
+  const MipResult found = answer(nearly_met(), count_problem, stubborn);
   EXPECT_EQ(calls, 2);
   EXPECT_TRUE(found.solver_failed);
   EXPECT_EQ(found.placement.status, Status::stopped);
-  EXPECT_TRUE(check_selection(nearly_met(), count_question, found.placement.selected).met());
+  EXPECT_TRUE(check_selection(nearly_met(), count_problem, found.placement.selected).met());
   EXPECT_EQ(found.placement.count_lower_bound, 1);
 }
 
-// Two units are needed (greedy takes three): what remains when the solver is of no use.
+// Two units are needed (greedy takes three); used with solvers that fail.
 SignalTable greedy_trap() {
   return test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
 }
 
-// Bounds are rounded up, and one that reaches the selection is a proof, whatever stopped the solver.
+// Bounds are rounded up, and a bound equal to the selection's value is a proof, even if the solver was
+// stopped.
 TEST(PlacementMip, KeepsWhatASolverIsGoodFor) {
   const struct {
     Result result;
@@ -157,15 +159,15 @@ TEST(PlacementMip, KeepsWhatASolverIsGoodFor) {
   }
 }
 
-// Two points with two options each: {0, 3} and {1, 2} meet both labels, {0, 2} and {1, 3} only one.
+// Two points with two options each: {0, 3} and {1, 2} reach both labels, {0, 2} and {1, 3} only one.
 SignalTable two_points() {
   SignalTable table = test::make_table({{1, 0, 1, 0}, {0, 1, 0, 1}}, 4);
   table.mounts = {{0, 1}, {2, 3}};
   return table;
 }
 
-// No start, and nothing looked at before: "there is none" rests on the solver alone, near the rule's edge
-// too. Half of the tables have options. Optima are proven within a relative gap of 1e-6.
+// There is no start and no preprocessing: infeasibility rests on the solver alone, also near the rule's edge.
+// Half of the tables have options. Optima are proven within a relative gap of 1e-6.
 TEST(PlacementMip, EqualsEnumerationWithoutAStart) {
   for (const milp::Backend& backend : milp::backends()) {
     test::RandomTables plain(43), with_options(44, {.mounts = true});
@@ -174,9 +176,9 @@ TEST(PlacementMip, EqualsEnumerationWithoutAStart) {
       SCOPED_TRACE(testing::Message() << backend.name << " " << k);
       test::RandomTables& tables = k % 2 == 0 ? plain : with_options;
       const SignalTable table = tables.next();
-      const Question question = tables.next_question();
-      const test::BruteForce brute(table, question);
-      const Placement found = place_by_mip(table, question, {}, backend.solve, milp::infinity, {}).placement;
+      const PlacementProblem problem = tables.next_problem();
+      const test::BruteForce brute(table, problem);
+      const Placement found = place_by_mip(table, problem, {}, backend.solve, milp::infinity, {}).placement;
       if (found.status == Status::stopped) {
         ++stopped;
         continue;
@@ -184,7 +186,7 @@ TEST(PlacementMip, EqualsEnumerationWithoutAStart) {
       ASSERT_EQ(found.status == Status::infeasible, !brute.feasible);
       (brute.feasible ? optimal : infeasible) += 1;
       if (!brute.feasible) continue;
-      const double best = brute.best(question);
+      const double best = brute.best(problem);
       EXPECT_NEAR(found.objective_value, best, 2e-6 * best);
     }
     EXPECT_GT(infeasible, 200);
@@ -195,8 +197,8 @@ TEST(PlacementMip, EqualsEnumerationWithoutAStart) {
 
 TEST(PlacementMip, MayStopWithoutASelection) {
   for (const auto combination : {Combination::lexicographic, Combination::weighted}) {
-    const Question question{CommunicationModel::cooperative, Objective::links, combination};
-    const MipAnswer nothing = place_by_mip(two_points(), question, {}, {}, 0, {});
+    const PlacementProblem problem{CommunicationModel::cooperative, Objective::links, combination};
+    const MipResult nothing = place_by_mip(two_points(), problem, {}, {}, 0, {});
     EXPECT_EQ(nothing.placement.status, Status::stopped);
     EXPECT_TRUE(nothing.placement.selected.empty());
     EXPECT_TRUE(std::isinf(nothing.placement.objective_value));
@@ -206,7 +208,7 @@ TEST(PlacementMip, MayStopWithoutASelection) {
 
     Script script;
     script.answers = {{Termination::limit, milp::infinity, 1.5, {}}};
-    const MipAnswer stopped = place_by_mip(two_points(), question, {}, script.function(), milp::infinity, {});
+    const MipResult stopped = place_by_mip(two_points(), problem, {}, script.function(), milp::infinity, {});
     EXPECT_EQ(script.asked.size(), 1U);
     EXPECT_FALSE(stopped.solver_failed);
     EXPECT_EQ(stopped.placement.status, Status::stopped);
@@ -214,8 +216,7 @@ TEST(PlacementMip, MayStopWithoutASelection) {
 
     script.asked.clear();
     script.answers = {Result{}};
-    EXPECT_TRUE(
-        place_by_mip(two_points(), question, {}, script.function(), milp::infinity, {}).solver_failed);
+    EXPECT_TRUE(place_by_mip(two_points(), problem, {}, script.function(), milp::infinity, {}).solver_failed);
   }
 }
 
@@ -225,8 +226,8 @@ TEST(PlacementMip, NoSolverGetsTwoUnitsToAPoint) {
     std::vector<double> solution(4, 0.0);
     for (const std::uint32_t j : claimed) solution[j] = 1;
     script.answers = {{Termination::optimal, static_cast<double>(claimed.size()), 1, solution}};
-    const MipAnswer found =
-        place_by_mip(two_points(), count_question, {}, script.function(), milp::infinity, {});
+    const MipResult found =
+        place_by_mip(two_points(), count_problem, {}, script.function(), milp::infinity, {});
     EXPECT_TRUE(found.solver_failed);
     EXPECT_TRUE(found.placement.selected.empty());
     EXPECT_EQ(found.placement.status, Status::stopped);
@@ -234,62 +235,63 @@ TEST(PlacementMip, NoSolverGetsTwoUnitsToAPoint) {
 }
 
 TEST(PlacementMip, StopsBetweenTheTwoObjectives) {
-  const Question question{CommunicationModel::non_cooperative, Objective::links};
+  const PlacementProblem problem{CommunicationModel::non_cooperative, Objective::links};
   SignalTable table =
       test::make_table({{1, 1, 0, 1}, {1, 0, 1, 1}, {1, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 1, 1}}, 4);
   // Two units suffice. Links: {0, 2} 7, {0, 3} 7, {1, 2} 5.
   Script count_unproven;
   count_unproven.answers = {{Termination::limit, 2, 1, {1, 0, 0, 1}}};
-  Placement found = answer(table, question, count_unproven.function()).placement;
+  Placement found = answer(table, problem, count_unproven.function()).placement;
   EXPECT_EQ(count_unproven.asked.size(), 1U);
   EXPECT_EQ(found.status, Status::stopped);
   EXPECT_EQ(found.count_lower_bound, 1);
   EXPECT_EQ(found.objective_value, 7);
-  EXPECT_EQ(found.lower_bound, 2);  // the cheapest single unit
+  EXPECT_EQ(found.lower_bound, 2);  // the unit with the lowest cost
 
   Script second_unproven;
   second_unproven.answers = {{Termination::optimal, 2, 2, {1, 0, 0, 1}}, {Termination::limit, 7, 4.2, {}}};
-  found = answer(table, question, second_unproven.function()).placement;
+  found = answer(table, problem, second_unproven.function()).placement;
   EXPECT_EQ(second_unproven.asked.size(), 2U);
   EXPECT_EQ(found.status, Status::stopped);
   EXPECT_EQ(found.count_lower_bound, 2);
   EXPECT_EQ(found.objective_value, 7);
-  EXPECT_EQ(found.lower_bound, 5);  // 4.2 rounded up; the two cheapest units, 2 + 3, say so too
+  EXPECT_EQ(found.lower_bound, 5);  // 4.2 rounded up; the two cheapest units, 2 + 3, give the same
   EXPECT_NEAR(found.gap(), 2.0 / 7, 1e-12);
 
-  found = answer(table, question, real_solver).placement;
+  found = answer(table, problem, real_solver).placement;
   EXPECT_EQ(found.selected, (Columns{1, 2}));
   EXPECT_EQ(found.status, Status::optimal);
 }
 
 TEST(PlacementMip, DropsOnlyWhatIsNegligibleAndStaysExact) {
-  // Four entries of 9e-9 are taken out of the row, and three of them are needed: 1 - 2e-8 lacks 1.9e-8.
+  // Four entries of 9e-9 are removed from the row, although three of them are needed: 1 - 2e-8 misses 1.9e-8.
   const SignalTable table = test::make_table({{1 - 2e-8, 9e-9, 9e-9, 9e-9, 9e-9}}, 5);
   for (const milp::Backend& backend : milp::backends()) {
-    const MipAnswer found = answer(table, count_question, backend.solve);
+    const MipResult found = answer(table, count_problem, backend.solve);
     EXPECT_EQ(found.placement.status, Status::optimal) << backend.name;
     EXPECT_EQ(found.placement.count(), 4U) << backend.name;
   }
 }
 
-// A price of 5 beside costs of 1e-8: far beyond what solvers tell apart, unless dear units are left out.
+// A cost of 5 beside costs of 1e-8: solvers cannot distinguish the latter unless expensive units are
+// excluded.
 TEST(PlacementMip, TellsSmallCostsApartBesideLargeOnes) {
   SignalTable table = test::make_table({{0.75, 0.5, 1.0, 0.25, 1.0}, {0.25, 0.25, 0.5, 0.5, 1.0}}, 5);
   for (auto& unit : table.transceivers) unit.cost = 0;
   table.transceivers[4].cost = 5;
   for (auto& label : table.labels) label.signal_cost = 1e-8;
-  const Question question{CommunicationModel::cooperative, Objective::signal, Combination::weighted};
-  const double best = test::BruteForce(table, question).best_sum;
+  const PlacementProblem problem{CommunicationModel::cooperative, Objective::signal, Combination::weighted};
+  const double best = test::BruteForce(table, problem).best_sum;
   for (const milp::Backend& backend : milp::backends()) {
     const Placement found =
-        place_by_mip(table, question, Columns{0, 1, 2, 3}, backend.solve, milp::infinity, {}).placement;
+        place_by_mip(table, problem, Columns{0, 1, 2, 3}, backend.solve, milp::infinity, {}).placement;
     EXPECT_EQ(found.status, Status::optimal) << backend.name;
     EXPECT_NEAR(found.objective_value / best, 1, 1e-9) << backend.name;
     EXPECT_NEAR(found.lower_bound / best, 1, 2e-6) << backend.name;
   }
 }
 
-// However a solver is stopped, bounds hold and selections meet everything; where it is not, answers are
+// For any stopping point of a solver, bounds hold and selections reach all labels; without one, results are
 // exact.
 TEST(PlacementMip, BoundsHoldWhateverStopsTheSolver) {
   test::RandomTables plain(41), with_options(42, {.mounts = true});
@@ -298,8 +300,8 @@ TEST(PlacementMip, BoundsHoldWhateverStopsTheSolver) {
     SCOPED_TRACE(k);
     test::RandomTables& tables = k % 2 == 0 ? plain : with_options;
     const SignalTable table = tables.next();
-    const Question question = tables.next_question();
-    const test::BruteForce brute(table, question);
+    const PlacementProblem problem = tables.next_problem();
+    const test::BruteForce brute(table, problem);
     if (!brute.feasible) continue;
     const SolveFunction moody = [&](const auto& model, const auto& options, const auto& run) {
       Result result = real_solver(model, options, run);
@@ -310,13 +312,13 @@ TEST(PlacementMip, BoundsHoldWhateverStopsTheSolver) {
       if (tables.chance(0.5)) result.solution.clear();
       return result;
     };
-    std::optional<Columns> start = greedy_selection(table, question);
-    if (!check_selection(table, question, *start).met() || (k % 2 == 1 && tables.chance(0.3))) start.reset();
-    const Placement found = place_by_mip(table, question, start, moody, milp::infinity, {}).placement;
-    const double best = brute.best(question);
+    std::optional<Columns> start = greedy_selection(table, problem);
+    if (!check_selection(table, problem, *start).met() || (k % 2 == 1 && tables.chance(0.3))) start.reset();
+    const Placement found = place_by_mip(table, problem, start, moody, milp::infinity, {}).placement;
+    const double best = brute.best(problem);
     const double slack = 2e-6 * best;
     const bool has_answer = std::isfinite(found.objective_value);
-    ASSERT_TRUE(has_answer ? check_selection(table, question, found.selected).met()
+    ASSERT_TRUE(has_answer ? check_selection(table, problem, found.selected).met()
                            : !start && found.selected.empty() && found.status == Status::stopped);
     empty_handed += !has_answer;
     EXPECT_LE(found.count_lower_bound, static_cast<double>(brute.fewest));

@@ -12,27 +12,27 @@
 namespace shelfbeam {
 namespace {
 
-// Both bounds against enumeration; the same bounds with one unit more must be wrong now and then.
+// Compares both bounds with enumeration; with one unit more, the same bounds must sometimes be wrong.
 TEST(PlacementBounds, HoldForEverySelection) {
   test::RandomTables plain(3), with_options(4, {.mounts = true});
   int tight = 0;
   for (int k = 0; k < 2000; ++k) {
     test::RandomTables& tables = k % 2 == 0 ? plain : with_options;
     const SignalTable table = tables.next();
-    Question question = tables.next_question();
-    question.combination = Combination::weighted;
-    const test::BruteForce brute(table, question);
+    PlacementProblem problem = tables.next_problem();
+    problem.combination = Combination::weighted;
+    const test::BruteForce brute(table, problem);
     if (!brute.feasible) continue;
-    const std::size_t count = least_count(table, question);
+    const std::size_t count = trivial_count_bound(table, problem);
     EXPECT_LE(count, brute.fewest);
     tight += count == brute.fewest;
 
-    const std::vector<double> cost = first_objective(table, question);
+    const std::vector<double> cost = first_objective(table, problem);
     const CostBounds bounds(table, cost);
     const double slack = 1e-12 * brute.best_sum;
     EXPECT_LE(bounds.cheapest(brute.fewest), brute.best_sum + slack);
     EXPECT_LE(bounds.fewest(brute.best_sum), brute.fewest);
-    const CostBounds second(table, objective_coefficients(table, question));
+    const CostBounds second(table, objective_coefficients(table, problem));
     EXPECT_LE(second.cheapest(brute.fewest), brute.best_at_fewest * (1 + 1e-12));
   }
   EXPECT_GT(tight, 50);
@@ -50,16 +50,16 @@ TEST(PlacementBounds, PayInstalledUnitsAlways) {
   EXPECT_EQ(bounds.fewest(10), 1U);
   EXPECT_EQ(bounds.fewest(10.1), 2U);
   EXPECT_EQ(bounds.fewest(15.1), 3U);
-  EXPECT_EQ(least_count(table, {}), 1U);
+  EXPECT_EQ(trivial_count_bound(table, {}), 1U);
   table.entries[1].signal = 0.5;
-  EXPECT_EQ(least_count(table, {}), 2U);
+  EXPECT_EQ(trivial_count_bound(table, {}), 2U);
 }
 
 TEST(PlacementBounds, RoundUpWholeCostsOnly) {
   const SignalTable table = test::make_table({}, 2);
   const CostBounds whole(table, std::vector<double>{1, 2});
   EXPECT_EQ(whole.rounded(4.3), 5);
-  EXPECT_EQ(whole.rounded(4.0000001), 4);  // what a solver may be off
+  EXPECT_EQ(whole.rounded(4.0000001), 4);  // within a solver's tolerance
   EXPECT_EQ(whole.rounded(4.00001), 5);
   EXPECT_EQ(whole.rounded(3.9999999), 4);
   EXPECT_EQ(whole.rounded(-INFINITY), -INFINITY);

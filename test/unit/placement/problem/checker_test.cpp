@@ -60,7 +60,7 @@ TEST(PlacementChecker, TakesAwayTheStrongestUnitWhereOneMayFail) {
   EXPECT_EQ(check.unmet, (Columns{1, 2}));
   check = check_selection(example(), {.model = alone, .redundant = true}, Columns{0, 1, 3});
   EXPECT_EQ(check.signal, (std::vector<double>{0.5, 0.0, 0.0}));
-  // A signal of any size that fails leaves the others as they are, to the last bit.
+  // A failing signal of any size leaves the others unchanged to the last bit.
   const SignalTable table = test::make_table({{0.5, 1e30, 0.5}}, 3);
   EXPECT_EQ(check_selection(table, {.redundant = true}, Columns{0, 1, 2}).signal[0], 1.0);
   EXPECT_FALSE(check_selection(table, {.redundant = true}, Columns{1}).met());
@@ -85,7 +85,7 @@ TEST(PlacementChecker, NamesPointsAndPairsThatAreBroken) {
   EXPECT_EQ(check.crowded, (Columns{0, 1}));
   EXPECT_FALSE(check.met());
   table.mounts.clear();
-  table.apart = {{0, 2}, {1, 3}};
+  table.conflicts = {{0, 2}, {1, 3}};
   check = check_selection(table, {coop}, Columns{0, 1, 2});
   EXPECT_TRUE(check.unmet.empty());
   EXPECT_EQ(check.too_close, Columns{0});
@@ -103,16 +103,16 @@ TEST(PlacementChecker, HandlesTablesWithoutLabelsOrUnits) {
   EXPECT_FALSE(check_selection(test::make_table({{}}, 0), {alone}, Columns{}).met());
 }
 
-// A selection is broken by taking out a unit that some label cannot do without; the checker must name just
-// those labels. Recomputed here from the dense definition.
+// Removes a unit that some label requires; the checker must report exactly the missed labels, which the test
+// recomputes from the dense definition.
 TEST(PlacementChecker, RejectsBrokenSelections) {
   test::RandomTables tables(5);
   int broken = 0;
   for (int k = 0; k < 1000; ++k) {
     const SignalTable table = tables.next();
-    const Question question = tables.next_question();
-    const Columns whole = greedy_selection(table, question);
-    if (whole.empty() || !check_selection(table, question, whole).met()) continue;
+    const PlacementProblem problem = tables.next_problem();
+    const Columns whole = greedy_selection(table, problem);
+    if (whole.empty() || !check_selection(table, problem, whole).met()) continue;
     for (const std::uint32_t removed : whole) {
       Columns rest = whole;
       std::erase(rest, removed);
@@ -124,12 +124,12 @@ TEST(PlacementChecker, RejectsBrokenSelections) {
           sum += in ? entry.signal : 0;
           largest = std::max(largest, in ? entry.signal : 0);
         }
-        const bool met = question.model == coop ? sum >= table.labels[i].requirement * (1 - 1e-9)
-                                                : largest >= table.labels[i].single_requirement * (1 - 1e-9);
+        const bool met = problem.model == coop ? sum >= table.labels[i].requirement * (1 - 1e-9)
+                                               : largest >= table.labels[i].single_requirement * (1 - 1e-9);
         if (!met) expected.push_back(i);
       }
       broken += !expected.empty();
-      EXPECT_EQ(check_selection(table, question, rest).unmet, expected);
+      EXPECT_EQ(check_selection(table, problem, rest).unmet, expected);
     }
   }
   EXPECT_GT(broken, 1000);

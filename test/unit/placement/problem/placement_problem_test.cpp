@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 #include <limits>
 
@@ -46,7 +46,7 @@ TEST(PlacementInstance, LinksCountOneWhereNobodyPricedThem) {
   EXPECT_FALSE(label_costs(table, Objective::signal).unit);
   EXPECT_FALSE(label_costs(table, Objective::count).unit);
   EXPECT_EQ(objective_coefficients(table, {alone, Objective::links}), (Values{1, 1, 0}));
-  table.labels[1].link_cost = 0.5;  // one price is enough to mean the others as they are
+  table.labels[1].link_cost = 0.5;  // one given cost suffices to keep the others as they are
   EXPECT_EQ(objective_coefficients(table, {alone, Objective::links}), (Values{0.5, 0, 0}));
 }
 
@@ -62,17 +62,17 @@ TEST(PlacementInstance, RejectsLabelsWithoutRequirement) {
        {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     SignalTable table = example();
     table.labels[1].requirement = wrong;
-    test::expect_input_error([&] { check_question(table, {coop}); }, "L1", "set one for all labels");
-    EXPECT_NO_THROW(check_question(table, {alone}));
+    test::expect_input_error([&] { check_problem(table, {coop}); }, "label L1: ");
+    EXPECT_NO_THROW(check_problem(table, {alone}));
     table.labels[1].single_requirement = wrong;
-    test::expect_input_error([&] { check_question(table, {alone}); }, "L1", "set one for all labels");
+    test::expect_input_error([&] { check_problem(table, {alone}); }, "label L1: ");
   }
 }
 
 TEST(PlacementInstance, RejectsSharesThatAreNone) {
   for (const double wrong : {0.0, -0.5, std::numeric_limits<double>::quiet_NaN()}) {
-    const Question question{coop, Objective::effective_links, Combination::lexicographic, wrong};
-    test::expect_input_error([&] { check_question(example(), question); }, "share of effective links");
+    const PlacementProblem problem{coop, Objective::effective_links, Combination::lexicographic, wrong};
+    test::expect_input_error([&] { check_problem(example(), problem); }, "share of effective links");
   }
 }
 

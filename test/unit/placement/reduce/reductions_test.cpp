@@ -18,7 +18,7 @@ using detail::reduce_cover;
 using detail::Reduction;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr Question alone{.model = CommunicationModel::non_cooperative};
+constexpr PlacementProblem alone{.model = CommunicationModel::non_cooperative};
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
@@ -28,11 +28,11 @@ bool holds_pair(const std::vector<std::uint32_t>& selected, const Pairs& forbidd
                      [&](const auto& pair) { return in(pair.first) && in(pair.second); });
 }
 
-/// The least cost of `fixed` with any of `columns` that meets the labels, at most one unit a mounting point
-/// and none of the forbidden pairs in it.
-double least_cost(const SignalTable& table, const std::vector<double>& cost,
-                  const std::vector<std::uint32_t>& fixed, const std::vector<std::uint32_t>& columns,
-                  const std::vector<std::uint32_t>& labels, const Pairs& forbidden) {
+/// The minimum cost of `fixed` with any of `columns` that reach the labels, with at most one unit per
+/// mounting point and without conflicts.
+double min_cost(const SignalTable& table, const std::vector<double>& cost,
+                const std::vector<std::uint32_t>& fixed, const std::vector<std::uint32_t>& columns,
+                const std::vector<std::uint32_t>& labels, const Pairs& forbidden) {
   double best = infinite;
   for (std::uint32_t set = 0; set < (std::uint32_t{1} << columns.size()); ++set) {
     std::vector<std::uint32_t> selected = fixed;
@@ -56,22 +56,22 @@ std::vector<std::uint32_t> all(std::size_t count) {
   return result;
 }
 
-double least_cost(const SignalTable& table, const std::vector<double>& cost, const Pairs& forbidden) {
+double min_cost(const SignalTable& table, const std::vector<double>& cost, const Pairs& forbidden) {
   std::vector<std::uint32_t> installed, others;
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     (table.transceivers[j].installed ? installed : others).push_back(j);
-  return least_cost(table, cost, installed, others, all(table.rows()), forbidden);
+  return min_cost(table, cost, installed, others, all(table.rows()), forbidden);
 }
 
-/// The same after a reduction: the parts one by one, and every label looked at again in the end.
-double reduced_least_cost(const SignalTable& table, const std::vector<double>& cost,
-                          const Reduction& reduction, const Pairs& forbidden) {
+/// The same after a reduction: solves the parts one by one, and checks every label at the end.
+double reduced_min_cost(const SignalTable& table, const std::vector<double>& cost, const Reduction& reduction,
+                        const Pairs& forbidden) {
   if (reduction.infeasible || holds_pair(reduction.forced, forbidden)) return infinite;
   double sum = 0;
   for (const std::uint32_t j : reduction.forced) sum += cost[j];
   const double forced = sum;
   for (const detail::CoverPart& part : reduction.parts)
-    sum += least_cost(table, cost, reduction.forced, part.columns, part.labels, forbidden) - forced;
+    sum += min_cost(table, cost, reduction.forced, part.columns, part.labels, forbidden) - forced;
   return sum;
 }
 
@@ -82,7 +82,7 @@ struct Case {
   std::vector<bool> pinned;
 };
 
-/// Every label is reached by two or three units of its half of the shop, which reductions rarely solve.
+/// Two or three units of its half of the shop reach every label; reductions rarely solve such problems.
 SignalTable two_halves(test::RandomTables& random) {
   std::vector<std::vector<double>> matrix(static_cast<std::size_t>(random.whole(6, 14)),
                                           std::vector<double>(10, 0.0));
@@ -127,9 +127,9 @@ TEST(Reductions, KeepTheOptimum) {
   int without_costs = 0, without_pins = 0, without_points = 0;
   for (int k = 0; k < 6000; ++k) {
     const Case one = random_case(random);
-    const double expected = least_cost(one.table, one.cost, one.forbidden);
+    const double expected = min_cost(one.table, one.cost, one.forbidden);
     const Reduction reduction = reduce_cover(one.table, alone, one.cost, one.pinned);
-    const double found = reduced_least_cost(one.table, one.cost, reduction, one.forbidden);
+    const double found = reduced_min_cost(one.table, one.cost, reduction, one.forbidden);
     if (expected == infinite) {
       ++infeasible;
       EXPECT_EQ(found, infinite) << k;
@@ -142,16 +142,16 @@ TEST(Reductions, KeepTheOptimum) {
     if (!reduction.forced.empty()) ++forced;
     if (!one.forbidden.empty()) ++with_pairs;
 
-    // Negative controls: who ignores costs, other constraints or mounting points loses the optimum.
+    // Negative controls: ignoring costs, other constraints or mounting points misses the optimum.
     const std::vector<double> ones(one.cost.size(), 1.0);
     const auto lost = [&](const Reduction& wrong) {
-      return reduced_least_cost(one.table, one.cost, wrong, one.forbidden) > expected + 1e-9;
+      return reduced_min_cost(one.table, one.cost, wrong, one.forbidden) > expected + 1e-9;
     };
     if (lost(reduce_cover(one.table, alone, ones, one.pinned))) ++without_costs;
     if (lost(reduce_cover(one.table, alone, one.cost))) ++without_pins;
-    SignalTable apart = one.table;
-    apart.mounts.clear();
-    if (lost(reduce_cover(apart, alone, one.cost, one.pinned))) ++without_points;
+    SignalTable conflicts = one.table;
+    conflicts.mounts.clear();
+    if (lost(reduce_cover(conflicts, alone, one.cost, one.pinned))) ++without_points;
   }
   EXPECT_GT(infeasible, 100);
   EXPECT_GT(shrunk, 500);
@@ -164,7 +164,7 @@ TEST(Reductions, KeepTheOptimum) {
 }
 
 TEST(Reductions, SolveWhatIsEasy) {
-  // Label 2 has unit 1 alone; that meets label 1 as well; unit 0 then does what 2 does for less.
+  // Only unit 1 reaches label 2, and it also reaches label 1. Unit 0 then replaces unit 2 at a lower cost.
   const SignalTable table = test::make_table({{1, 0, 1}, {1, 1, 1}, {0, 1, 0}}, 3);
   const Reduction reduction = reduce_cover(table, alone, std::vector<double>{1, 5, 2});
   EXPECT_EQ(reduction.forced, (std::vector<std::uint32_t>{0, 1}));
@@ -186,7 +186,7 @@ TEST(Reductions, SplitIntoParts) {
   EXPECT_EQ(reduction.parts[0].labels, (std::vector<std::uint32_t>{0, 2, 3}));
   EXPECT_EQ(reduction.parts[0].columns, (std::vector<std::uint32_t>{0, 1, 2}));
   EXPECT_EQ(reduction.parts[1].labels, (std::vector<std::uint32_t>{1, 4, 5}));
-  // A point, or constraints unknown here, hold parts together.
+  // Shared points, or unknown constraints, keep parts together.
   SignalTable shared = table;
   shared.mounts = {{2, 3}};
   EXPECT_EQ(reduce_cover(shared, alone, cost).parts.size(), 1U);
@@ -196,7 +196,7 @@ TEST(Reductions, SplitIntoParts) {
 TEST(Reductions, SeeWhatIsOutOfReach) {
   EXPECT_TRUE(
       reduce_cover(test::make_table({{1, 0}, {0, 0}}, 2), alone, std::vector<double>(2, 1.0)).infeasible);
-  // Each label has a unit, but both are options of one point.
+  // Each label has a unit, but both units are options of one point.
   SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
   table.mounts = {{0, 1}};
   EXPECT_TRUE(reduce_cover(table, alone, std::vector<double>(2, 1.0)).infeasible);

@@ -17,23 +17,23 @@ namespace {
 
 using test::BruteForce;
 
-Proof prove(const SignalTable& table, const Question& question, std::size_t units,
+Proof prove(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
             std::int64_t cost = std::numeric_limits<std::int64_t>::max()) {
-  const SearchProblem problem(table, question);
-  const SearchMatrix all(table, question.model);
+  const SearchInstance instance(table, problem);
+  const SearchMatrix all(table, problem.model);
   TreeGoal goal;
-  goal.most_units = units;
-  goal.most_cost = cost;
-  return TreeSearch(problem, all).run(goal, {.wants_proof = true}, {.threads = 2}).proof;
+  goal.max_units = units;
+  goal.max_cost = cost;
+  return TreeSearch(instance, all).run(goal, {.wants_proof = true}, {.threads = 2}).proof;
 }
 
-bool holds(const SignalTable& table, const Question& question, const Proof& proof) {
-  return judge_proof(table, question, proof) == ProofVerdict::holds;
+bool holds(const SignalTable& table, const PlacementProblem& problem, const Proof& proof) {
+  return judge_proof(table, problem, proof) == ProofVerdict::holds;
 }
 
-constexpr Question alone{.model = CommunicationModel::non_cooperative};
+constexpr PlacementProblem alone{.model = CommunicationModel::non_cooperative};
 
-// A9 has 5 as its optimum: the log of 4 has branches, filters and sums.
+// The optimum of A9 is 5; the log that excludes 4 has branches, filters and sums.
 struct NineLines {
   SignalTable table = test::affine_lines(2);
   Proof proof = prove(table, alone, 4);
@@ -55,7 +55,7 @@ TEST(Proof, ThatWasTamperedWithIsRefused) {
     return !holds(a9.table, alone, proof);
   };
   EXPECT_TRUE(refused([](Proof& p) { p.is_complete = false; }));
-  EXPECT_TRUE(refused([](Proof& p) { p.most_units = 5; }));
+  EXPECT_TRUE(refused([](Proof& p) { p.max_units = 5; }));
   EXPECT_TRUE(refused([](Proof& p) { p.steps.pop_back(); }));
   EXPECT_TRUE(refused([](Proof& p) { p.steps.push_back(Proof::single_fails); }));
   EXPECT_TRUE(refused([](Proof& p) { p.steps.clear(); }));
@@ -77,19 +77,19 @@ TEST(Proof, ThatWasTamperedWithIsRefused) {
     })) << weight;
 }
 
-// One child of the last branch less, its steps too: what it would have proven is missing.
+// Without one child of the last branch and its steps, the proof is incomplete.
 TEST(Proof, WithoutAChildIsRefused) {
   const SignalTable table =
       test::cover_table({{0, 1}, {2, 3}, {0, 2}, {1, 3}, {0, 3}, {1, 2}}, 4);  // needs 3
   Proof proof;
   proof.is_complete = true;
-  proof.most_units = 2;
-  proof.most_cost = std::numeric_limits<std::int64_t>::max();
+  proof.max_units = 2;
+  proof.max_cost = std::numeric_limits<std::int64_t>::max();
   proof.rows = {0, 1, 2, 3, 4, 5};
   proof.steps = {Proof::branch, 0, 0, 2, 0, Proof::single_fails, 1, Proof::single_fails};
   EXPECT_TRUE(holds(table, alone, proof));
-  for (const std::uint32_t left_out : {0U, 1U}) {
-    proof.steps = {Proof::branch, 0, 0, 1, 1 - left_out, Proof::single_fails};
+  for (const std::uint32_t omitted : {0U, 1U}) {
+    proof.steps = {Proof::branch, 0, 0, 1, 1 - omitted, Proof::single_fails};
     EXPECT_FALSE(holds(table, alone, proof));
   }
   proof.steps = {Proof::branch, 0, 0, 2, 0, Proof::single_fails, 7, Proof::single_fails};
@@ -98,17 +98,17 @@ TEST(Proof, WithoutAChildIsRefused) {
   EXPECT_FALSE(holds(table, alone, proof)) << "label 0 is met by unit 0";
 }
 
-// A single unit of cost 8 does; with a price so high that its gain drowns in rounding it must not seem
-// useless.
+// A single unit of cost 8 suffices. With a price so high that its gain is lost in rounding, it must not
+// appear useless.
 TEST(Proof, WithABadPriceIsRefused) {
   SignalTable table = test::make_table({{1, 0.25}}, 2);
   table.transceivers[0].cost = 8;
-  const Question question{CommunicationModel::cooperative, Objective::count, Combination::weighted};
-  const SearchProblem problem(table, question);
+  const PlacementProblem problem{CommunicationModel::cooperative, Objective::count, Combination::weighted};
+  const SearchInstance instance(table, problem);
   Proof proof;
   proof.is_complete = true;
-  proof.most_units = 1;
-  proof.most_cost = problem.cost[0];
+  proof.max_units = 1;
+  proof.max_cost = instance.cost[0];
   proof.rows = {0};
   proof.weights = {{{1.0F}}};
   for (const float price :
@@ -116,24 +116,24 @@ TEST(Proof, WithABadPriceIsRefused) {
         std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
     const auto bits = std::bit_cast<std::uint32_t>(price);
     proof.steps = {Proof::sum_fails, 0, bits};
-    EXPECT_FALSE(holds(table, question, proof)) << price;
+    EXPECT_FALSE(holds(table, problem, proof)) << price;
     proof.steps = {Proof::filter, 0, bits, Proof::single_fails};
-    EXPECT_FALSE(holds(table, question, proof)) << price;
+    EXPECT_FALSE(holds(table, problem, proof)) << price;
   }
-  proof.most_cost -= 1;
+  proof.max_cost -= 1;
   proof.steps = {Proof::single_fails};
-  EXPECT_TRUE(holds(table, question, proof));
+  EXPECT_TRUE(holds(table, problem, proof));
 }
 
-// Where no column is left to choose, the chosen ones may do.
+// If no column remains to choose, the chosen ones may suffice.
 TEST(Proof, ThatNoFurtherUnitHelpsDoesNotDenyTheChosenOnes) {
   SignalTable table = test::make_table({{1, 0}}, 2);
   table.transceivers[0].installed = true;
   table.mounts = {{0, 1}};
   Proof proof;
   proof.is_complete = true;
-  proof.most_units = 2;
-  proof.most_cost = std::numeric_limits<std::int64_t>::max();
+  proof.max_units = 2;
+  proof.max_cost = std::numeric_limits<std::int64_t>::max();
   proof.rows = {0};
   proof.steps = {Proof::single_fails};
   EXPECT_FALSE(holds(table, alone, proof));
@@ -183,18 +183,18 @@ void mutate(test::RandomTables& random, Proof& proof) {
       if (!proof.rows.empty()) proof.rows[place(proof.rows.size())] = word();
       break;
     default:
-      if (random.chance(0.5) && proof.most_cost < std::numeric_limits<std::int64_t>::max() - 3)
-        proof.most_cost += random.whole(-3, 3);
+      if (random.chance(0.5) && proof.max_cost < std::numeric_limits<std::int64_t>::max() - 3)
+        proof.max_cost += random.whole(-3, 3);
       else
-        proof.most_units += static_cast<std::size_t>(random.whole(-1, 1));
+        proof.max_units += static_cast<std::size_t>(random.whole(-1, 1));
   }
 }
 
-// Whether enumeration knows a selection that a proof denies.
-bool is_false(const SearchProblem& problem, const std::vector<BruteForce::Answer>& answers,
+// Whether enumeration contains a selection that a proof excludes.
+bool is_false(const SearchInstance& instance, const std::vector<BruteForce::Answer>& answers,
               const Proof& proof) {
   return std::any_of(answers.begin(), answers.end(), [&](const auto& answer) {
-    return answer.columns.size() <= proof.most_units && problem.cost_of(answer.columns) <= proof.most_cost;
+    return answer.columns.size() <= proof.max_units && instance.cost_of(answer.columns) <= proof.max_cost;
   });
 }
 
@@ -202,40 +202,40 @@ struct Fuzzed {
   int proofs = 0, accepted = 0, refused = 0, of_falsehoods = 0;
 };
 
-// Proofs that hold, made to claim more and changed at random: no falsehood is ever proven.
+// Valid proofs with stronger claims and random changes: no false claim is ever proven.
 Fuzzed fuzz(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
   test::RandomTables random(seed, limits);
   Fuzzed fuzzed;
   for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = random.next();
-    const Question question = random.next_question();
-    const SearchProblem problem(table, question);
-    const auto answers = BruteForce::answers(table, question);
+    const PlacementProblem problem = random.next_problem();
+    const SearchInstance instance(table, problem);
+    const auto answers = BruteForce::answers(table, problem);
     std::size_t fewest = table.columns() + 1;
     std::int64_t cheapest = std::numeric_limits<std::int64_t>::max();
     for (const auto& answer : answers) {
       fewest = std::min(fewest, answer.columns.size());
-      cheapest = std::min(cheapest, problem.cost_of(answer.columns));
+      cheapest = std::min(cheapest, instance.cost_of(answer.columns));
     }
     const bool by_cost = !answers.empty() && cheapest > 0 && random.chance(0.5);
     if (fewest == 0) continue;
     const Proof proof =
-        by_cost ? prove(table, question, table.columns(), cheapest - 1) : prove(table, question, fewest - 1);
+        by_cost ? prove(table, problem, table.columns(), cheapest - 1) : prove(table, problem, fewest - 1);
     EXPECT_TRUE(proof.is_complete);
-    EXPECT_TRUE(holds(table, question, proof));
+    EXPECT_TRUE(holds(table, problem, proof));
     ++fuzzed.proofs;
     Proof raised = proof;
     if (by_cost)
-      raised.most_cost = cheapest;
+      raised.max_cost = cheapest;
     else
-      raised.most_units = fewest;
-    EXPECT_TRUE(answers.empty() || !holds(table, question, raised));
+      raised.max_units = fewest;
+    EXPECT_TRUE(answers.empty() || !holds(table, problem, raised));
     for (int m = 0; m < 12; ++m) {
       Proof changed = random.chance(0.5) ? proof : raised;
       for (int times = random.whole(1, 3); times > 0; --times) mutate(random, changed);
-      const bool accepted = holds(table, question, changed);
-      const bool falsehood = is_false(problem, answers, changed);
+      const bool accepted = holds(table, problem, changed);
+      const bool falsehood = is_false(instance, answers, changed);
       EXPECT_FALSE(accepted && falsehood);
       (accepted ? fuzzed.accepted : fuzzed.refused) += 1;
       fuzzed.of_falsehoods += falsehood;
@@ -247,7 +247,7 @@ Fuzzed fuzz(std::uint64_t seed, int cases, const test::RandomTableLimits& limits
 TEST(Proof, NoMutationProvesAFalsehood) {
   const Fuzzed plain = fuzz(1, 1500, {.transceivers = 9});
   const Fuzzed more =
-      fuzz(2, 1500, {.labels = 6, .transceivers = 9, .mounts = true, .apart = true, .redundant = true});
+      fuzz(2, 1500, {.labels = 6, .transceivers = 9, .mounts = true, .conflicts = true, .redundant = true});
   for (const Fuzzed& fuzzed : {plain, more}) {
     EXPECT_GT(fuzzed.proofs, 1000);
     EXPECT_GT(fuzzed.accepted, 500) << "some changes do no harm";
@@ -258,7 +258,7 @@ TEST(Proof, NoMutationProvesAFalsehood) {
 
 TEST(ProofSlow, NoMutationProvesAFalsehoodOfManyMore) {
   fuzz(3, 30000, {.transceivers = 10});
-  fuzz(4, 30000, {.labels = 6, .transceivers = 10, .mounts = true, .apart = true, .redundant = true});
+  fuzz(4, 30000, {.labels = 6, .transceivers = 10, .mounts = true, .conflicts = true, .redundant = true});
 }
 
 }  // namespace

@@ -21,26 +21,26 @@ using Columns = std::vector<std::uint32_t>;
 using Kind = TreeGoal::Kind;
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
 
-// What enumeration says about a goal.
+// The result of enumeration for a goal.
 struct Expected {
   std::vector<BruteForce::Answer> allowed;
-  std::optional<std::int64_t> least_cost;
+  std::optional<std::int64_t> min_cost;
   std::optional<Columns> widest;
 
-  Expected(const SearchProblem& problem, const TreeGoal& goal)
-      : Expected(problem, goal, BruteForce::answers(problem.table, problem.question)) {}
+  Expected(const SearchInstance& instance, const TreeGoal& goal)
+      : Expected(instance, goal, BruteForce::answers(instance.table, instance.problem)) {}
 
-  Expected(const SearchProblem& problem, const TreeGoal& goal, std::vector<BruteForce::Answer> answers)
+  Expected(const SearchInstance& instance, const TreeGoal& goal, std::vector<BruteForce::Answer> answers)
       : allowed(std::move(answers)) {
     std::erase_if(allowed, [&](const BruteForce::Answer& answer) {
-      return answer.columns.size() > goal.most_units || problem.cost_of(answer.columns) > goal.most_cost;
+      return answer.columns.size() > goal.max_units || instance.cost_of(answer.columns) > goal.max_cost;
     });
     const auto rank = [&](const BruteForce::Answer& answer) {
       return std::tuple(-answer.margin, answer.columns.size(),
-                        BruteForce::ids(problem.table, answer.columns));
+                        BruteForce::ids(instance.table, answer.columns));
     };
     for (const auto& answer : allowed)
-      least_cost = std::min(least_cost.value_or(no_limit), problem.cost_of(answer.columns));
+      min_cost = std::min(min_cost.value_or(no_limit), instance.cost_of(answer.columns));
     if (!allowed.empty())
       widest = std::min_element(allowed.begin(), allowed.end(), [&](const auto& a, const auto& b) {
                  return rank(a) < rank(b);
@@ -48,7 +48,7 @@ struct Expected {
   }
 };
 
-bool agrees(const SearchProblem& problem, const TreeGoal& goal, const TreeAnswer& answer,
+bool agrees(const SearchInstance& instance, const TreeGoal& goal, const TreeResult& answer,
             const Expected& expected) {
   const auto is_allowed = [&] {
     return std::any_of(expected.allowed.begin(), expected.allowed.end(),
@@ -59,7 +59,7 @@ bool agrees(const SearchProblem& problem, const TreeGoal& goal, const TreeAnswer
     case Kind::any:
       return answer.selected.has_value() != expected.allowed.empty();
     case Kind::cheapest:
-      return answer.selected ? problem.cost_of(*answer.selected) == expected.least_cost
+      return answer.selected ? instance.cost_of(*answer.selected) == expected.min_cost
                              : expected.allowed.empty();
     case Kind::widest:
       return answer.selected.value_or(goal.start) == expected.widest;
@@ -67,33 +67,33 @@ bool agrees(const SearchProblem& problem, const TreeGoal& goal, const TreeAnswer
   return false;
 }
 
-TreeAnswer search(const SearchProblem& problem, const TreeGoal& goal, unsigned threads = 1) {
-  const SearchMatrix all(problem.table, problem.question.model);
-  return TreeSearch(problem, all).run(goal, {.wants_proof = true}, {.threads = threads});
+TreeResult search(const SearchInstance& instance, const TreeGoal& goal, unsigned threads = 1) {
+  const SearchMatrix all(instance.table, instance.problem.model);
+  return TreeSearch(instance, all).run(goal, {.wants_proof = true}, {.threads = threads});
 }
 
-// A goal that is neither trivial nor impossible too often; `answers` are those of the whole question.
-TreeGoal random_goal(test::RandomTables& random, const SearchProblem& problem,
+// A goal that is seldom trivial or impossible; `answers` are the selections of the whole problem.
+TreeGoal random_goal(test::RandomTables& random, const SearchInstance& instance,
                      const std::vector<BruteForce::Answer>& answers) {
   TreeGoal goal;
   goal.kind = static_cast<Kind>(random.whole(0, answers.empty() ? 1 : 2));
   const auto some = [&]() -> const BruteForce::Answer& {
     return answers[static_cast<std::size_t>(random.whole(0, static_cast<int>(answers.size()) - 1))];
   };
-  const int n = static_cast<int>(problem.table.columns());
-  goal.most_units = static_cast<std::size_t>(random.whole(0, n));
+  const int n = static_cast<int>(instance.table.columns());
+  goal.max_units = static_cast<std::size_t>(random.whole(0, n));
   if (!answers.empty() && random.chance(0.7)) {
     std::size_t fewest = answers.front().columns.size();
     for (const auto& answer : answers) fewest = std::min(fewest, answer.columns.size());
-    goal.most_units =
+    goal.max_units =
         fewest + static_cast<std::size_t>(random.whole(0, 2)) - (random.chance(0.3) && fewest > 0);
   }
-  if (!answers.empty() && random.chance(0.4)) goal.most_cost = problem.cost_of(some().columns);
+  if (!answers.empty() && random.chance(0.4)) goal.max_cost = instance.cost_of(some().columns);
   if (goal.kind == Kind::widest) {
     const BruteForce::Answer& start = some();
     goal.start = start.columns;
-    goal.most_units = std::max(goal.most_units, start.columns.size());
-    goal.most_cost = std::max(goal.most_cost, problem.cost_of(start.columns));
+    goal.max_units = std::max(goal.max_units, start.columns.size());
+    goal.max_cost = std::max(goal.max_cost, instance.cost_of(start.columns));
   }
   return goal;
 }
@@ -108,21 +108,21 @@ void run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
   for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = random.next();
-    const Question question = random.next_question();
-    const SearchProblem problem(table, question);
-    const auto answers = BruteForce::answers(table, question);
-    const TreeGoal goal = random_goal(random, problem, answers);
-    const TreeAnswer answer = search(problem, goal);
-    EXPECT_TRUE(agrees(problem, goal, answer, Expected(problem, goal, answers)))
+    const PlacementProblem problem = random.next_problem();
+    const SearchInstance instance(table, problem);
+    const auto answers = BruteForce::answers(table, problem);
+    const TreeGoal goal = random_goal(random, instance, answers);
+    const TreeResult answer = search(instance, goal);
+    EXPECT_TRUE(agrees(instance, goal, answer, Expected(instance, goal, answers)))
         << "kind " << static_cast<int>(goal.kind);
     (answer.selected ? tally.found : tally.proven) += 1;
     for (const unsigned threads : {2U, 4U})
       if (goal.kind == Kind::widest) {
-        EXPECT_EQ(search(problem, goal, threads).selected, answer.selected);
+        EXPECT_EQ(search(instance, goal, threads).selected, answer.selected);
       }
     if (goal.kind != Kind::widest && answer.proof.is_complete) {
       ++tally.checked;
-      EXPECT_EQ(judge_proof(table, question, answer.proof), ProofVerdict::holds);
+      EXPECT_EQ(judge_proof(table, problem, answer.proof), ProofVerdict::holds);
     }
   }
   EXPECT_GT(tally.found, cases / 5);
@@ -132,16 +132,15 @@ void run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
 
 TEST(TreeSearch, EqualsEnumeration) {
   run(1, 4000, {.transceivers = 11});
-  run(2, 4000, {.labels = 6, .transceivers = 11, .mounts = true, .apart = true, .redundant = true});
+  run(2, 4000, {.labels = 6, .transceivers = 11, .mounts = true, .conflicts = true, .redundant = true});
 }
 
 TEST(TreeSearchSlow, EqualsEnumerationOnManyMore) {
   run(3, 40000, {.transceivers = 12});
-  run(4, 40000, {.labels = 6, .transceivers = 12, .mounts = true, .apart = true, .redundant = true});
+  run(4, 40000, {.labels = 6, .transceivers = 12, .mounts = true, .conflicts = true, .redundant = true});
 }
 
-// More labels than a search begins with: most of them alike, so that few of those matter and the others turn
-// up.
+// More labels than a search begins with: most are alike, so that few matter and the others enter later.
 TEST(TreeSearch, TakesInRowsWhereItBeganWithFew) {
   test::RandomTables random(5);
   int found = 0;
@@ -157,18 +156,18 @@ TEST(TreeSearch, TakesInRowsWhereItBeganWithFew) {
         if (random.chance(density)) entry += 0.25 * random.whole(0, 4);
     }
     const SignalTable table = test::make_table(matrix, columns);
-    Question question = random.next_question();
-    question.redundant = random.chance(0.2);
-    const SearchProblem problem(table, question);
-    const auto answers = BruteForce::answers(table, question);
-    const TreeGoal goal = random_goal(random, problem, answers);
-    const Expected expected(problem, goal, answers);
-    const SearchMatrix all(table, question.model);
+    PlacementProblem problem = random.next_problem();
+    problem.redundant = random.chance(0.2);
+    const SearchInstance instance(table, problem);
+    const auto answers = BruteForce::answers(table, problem);
+    const TreeGoal goal = random_goal(random, instance, answers);
+    const Expected expected(instance, goal, answers);
+    const SearchMatrix all(table, problem.model);
     for (const std::size_t rows : {std::size_t{1}, std::size_t{0}}) {
-      TreeSearch tree(problem, all);
+      TreeSearch tree(instance, all);
       if (rows > 0) tree.begin_with(Columns{7}, std::vector<double>{1.0});
-      const TreeAnswer answer = tree.run(goal, {.wants_proof = true}, {.threads = 2});
-      EXPECT_TRUE(agrees(problem, goal, answer, expected));
+      const TreeResult answer = tree.run(goal, {.wants_proof = true}, {.threads = 2});
+      EXPECT_TRUE(agrees(instance, goal, answer, expected));
       found += answer.selected.has_value();
     }
   }
@@ -181,21 +180,21 @@ TEST(TreeSearch, EndsAtItsLimitsAndSaysSo) {
   for (auto& row : matrix)
     for (double& entry : row) entry = random.real(0, 0.3);
   const SignalTable table = test::make_table(matrix, 60);
-  const Question question;
-  const SearchProblem problem(table, question);
-  const SearchMatrix all(table, question.model);
+  const PlacementProblem problem;
+  const SearchInstance instance(table, problem);
+  const SearchMatrix all(table, problem.model);
   TreeGoal goal;
-  goal.most_units = 7;
-  const TreeAnswer few = TreeSearch(problem, all).run(goal, {{.steps = 100}}, {});
+  goal.max_units = 7;
+  const TreeResult few = TreeSearch(instance, all).run(goal, {{.steps = 100}}, {});
   EXPECT_FALSE(few.is_complete);
   EXPECT_LT(few.nodes, 1000U);
   CancelToken token;
   token.request();
-  const TreeAnswer none = TreeSearch(problem, all).run(goal, {.wants_proof = true}, {.cancel = &token});
+  const TreeResult none = TreeSearch(instance, all).run(goal, {.wants_proof = true}, {.cancel = &token});
   EXPECT_FALSE(none.is_complete);
   EXPECT_FALSE(none.selected);
   EXPECT_FALSE(none.proof.is_complete);
-  EXPECT_NE(judge_proof(table, question, none.proof), ProofVerdict::holds);
+  EXPECT_NE(judge_proof(table, problem, none.proof), ProofVerdict::holds);
 }
 
 TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
@@ -204,21 +203,21 @@ TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
   for (int k = 0; k < 30 && !HasFailure(); ++k) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = test::scattered_table(random, 150, 40);
-    const Question question;
-    const SearchProblem problem(table, question);
-    const SearchMatrix all(table, question.model);
+    const PlacementProblem problem;
+    const SearchInstance instance(table, problem);
+    const SearchMatrix all(table, problem.model);
     TreeGoal goal;
     goal.kind = k % 3 == 0 ? Kind::any : k % 3 == 1 ? Kind::cheapest : Kind::widest;
-    goal.most_units = static_cast<std::size_t>(random.whole(4, 6));
+    goal.max_units = static_cast<std::size_t>(random.whole(4, 6));
     const auto look = [&](std::uint64_t work, unsigned threads) {
-      return TreeSearch(problem, all).run(goal, {.work = work}, {.threads = threads});
+      return TreeSearch(instance, all).run(goal, {.work = work}, {.threads = threads});
     };
     std::optional<double> margin;
     std::vector<float> memory;
     for (const std::uint64_t work : {300'000U, 3'000'000U, 30'000'000U}) {
-      const TreeAnswer one = look(work, 1);
+      const TreeResult one = look(work, 1);
       for (const unsigned threads : {2U, 4U, 4U}) {
-        const TreeAnswer more = look(work, threads);
+        const TreeResult more = look(work, threads);
         EXPECT_EQ(more.selected, one.selected);
         EXPECT_EQ(more.nodes, one.nodes);
         EXPECT_EQ(more.is_complete, one.is_complete);
@@ -226,14 +225,14 @@ TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
       complete += one.is_complete;
       open_and_found += !one.is_complete && one.selected.has_value();
       if (one.is_complete && goal.kind != Kind::any) {
-        const TreeAnswer whole = search(problem, goal, 2);
+        const TreeResult whole = search(instance, goal, 2);
         EXPECT_EQ(whole.selected.has_value(), one.selected.has_value());
         if (goal.kind == Kind::widest) {
           EXPECT_EQ(whole.selected, one.selected);
         }
       }
       if (goal.kind != Kind::widest || !one.selected) continue;
-      const double now = margin_of(table, question, all, *one.selected, memory).smallest;
+      const double now = margin_of(table, problem, all, *one.selected, memory).smallest;
       if (margin) {
         EXPECT_GE(now, *margin);
         more_with_more_work += now > *margin;
@@ -246,18 +245,18 @@ TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
   EXPECT_GT(more_with_more_work, 0);
 }
 
-// Signals far beyond every requirement: single precision stops telling them apart, the answer does not.
+// Signals far above every requirement: single precision no longer distinguishes them, but the result does.
 TEST(TreeSearch, TellsLargeMarginsApart) {
   const SignalTable table = test::make_table({{3e6, 5e8, 0, 4e8}, {3e6, 2e6, 7e7, 4e8}}, 4);
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
-    const Question question{model};
-    const SearchProblem problem(table, question);
+    const PlacementProblem problem{model};
+    const SearchInstance instance(table, problem);
     for (const std::size_t units : {1U, 2U, 3U, 4U}) {
       TreeGoal goal;
       goal.kind = Kind::widest;
-      goal.most_units = units;
+      goal.max_units = units;
       goal.start = {0};
-      EXPECT_TRUE(agrees(problem, goal, search(problem, goal), Expected(problem, goal))) << units;
+      EXPECT_TRUE(agrees(instance, goal, search(instance, goal), Expected(instance, goal))) << units;
     }
   }
 }

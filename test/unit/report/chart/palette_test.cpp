@@ -27,7 +27,7 @@ TEST(Palette, SignalColoursKeepTheirOrderInGrey) {
   EXPECT_TRUE(grows_in_grey(viridis));
   EXPECT_EQ(viridis(0), "#440154");
   EXPECT_EQ(viridis(1), "#fde725");
-  // Negative control: blue to red over green does not.
+  // Negative control: a scale from blue to red by way of green does not.
   EXPECT_FALSE(grows_in_grey([](double t) { return t < 0.4 ? "#0000ff" : t < 0.7 ? "#00ff00" : "#ff0000"; }));
 }
 
@@ -36,7 +36,7 @@ TEST(Palette, MarginClassesRespectTheRuleOfWhatIsMet) {
   EXPECT_EQ(margin_class(-2, false), 1U);
   EXPECT_EQ(margin_class(0, true), 2U);
   EXPECT_EQ(margin_class(-1e-9, true), 2U);   // met within the tolerance
-  EXPECT_EQ(margin_class(1e-12, false), 1U);  // never shown as met
+  EXPECT_EQ(margin_class(1e-12, false), 1U);  // never displayed as met
   EXPECT_EQ(margin_class(1, true), 3U);
   EXPECT_EQ(margin_class(9.99, true), 5U);
   EXPECT_EQ(margin_class(30, true), 6U);

@@ -16,7 +16,7 @@
 namespace shelfbeam {
 namespace {
 
-/// Signals of 40 labels from 3 units; measured as 5 times that, up and down by half a decibel.
+/// Signals of 40 labels from 3 units. Measured values are 5 times as large, plus or minus half a decibel.
 struct Survey {
   SignalMatrix matrix;
   std::vector<ComparedPair> pairs;
@@ -44,8 +44,8 @@ TEST(ComparisonReport, PageIsWellFormedAndHoldsTheNumbers) {
   EXPECT_EQ(test::fault(html), "");
   const std::string text = test::read_markup(html).text;
   for (const std::string& piece :
-       {std::string("m<1>.csv beside s.h5"), significant(comparison.factor, 4),
-        significant(comparison.factor_interval.low, 4), fixed(comparison.ninety_residual, 2),
+       {std::string("m<1>.csv compared with s.h5"), significant(comparison.factor, 4),
+        significant(comparison.factor_interval.low, 4), fixed(comparison.residual_quantile_90, 2),
         std::string("2 outliers"), std::string("A&\"2\""), std::string("T<1>"),
         std::string("1 pair without a positive signal on both sides is not drawn")})
     EXPECT_NE(text.find(piece), std::string::npos) << piece;

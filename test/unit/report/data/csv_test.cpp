@@ -65,7 +65,7 @@ TEST(LabelsCsv, ReadsBackAsWhatThePlacementDoes) {
     EXPECT_EQ(row[12], serving);
     EXPECT_EQ(row[13], strongest);
     EXPECT_EQ(row[14], "");
-    // Negative control: a signal off by one part in 10^7 is another one.
+    // Negative control: a signal that is off by one part in 10^7 differs.
     EXPECT_FALSE(same(row[9], signal * (1 + 1e-7)));
   }
 }

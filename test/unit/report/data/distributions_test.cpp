@@ -18,7 +18,7 @@ std::uint64_t total(const Bins& bins) {
   return std::accumulate(bins.counts.begin(), bins.counts.end(), bins.below + bins.above);
 }
 
-// Do the counts equal those of a plain loop over all bins and values?
+// Whether the counts are equal to those of a plain loop over all bins and values.
 bool holds(const Bins& bins, const std::vector<double>& values) {
   for (std::size_t k = 0; k < bins.counts.size(); ++k) {
     std::uint64_t count = 0;
@@ -103,16 +103,16 @@ TEST(Sampling, SummaryEqualsAPlainRecomputation) {
   EXPECT_EQ(summary.entries, 240U);
   EXPECT_EQ(summary.zeros, zeros);
   EXPECT_EQ(summary.relevant, relative.size());
-  EXPECT_LT(relative.size(), 240U - zeros);  // the limit at 0.3 does leave some out
+  EXPECT_LT(relative.size(), 240U - zeros);  // the limit at 0.3 does omit some
   EXPECT_NEAR(summary.mean,
               std::accumulate(relative.begin(), relative.end(), 0.0) / static_cast<double>(relative.size()),
               1e-12);
   EXPECT_DOUBLE_EQ(summary.worst, relative.back());
   EXPECT_DOUBLE_EQ(summary.median, quantile(relative, 0.5));
-  EXPECT_EQ(summary.least_samples, 1000U);
-  EXPECT_EQ(summary.most_samples, 1290U);
-  EXPECT_EQ(summary.least_batches, 8U);
-  EXPECT_EQ(summary.most_batches, 9U);
+  EXPECT_EQ(summary.min_samples, 1000U);
+  EXPECT_EQ(summary.max_samples, 1290U);
+  EXPECT_EQ(summary.min_batches, 8U);
+  EXPECT_EQ(summary.max_batches, 9U);
 }
 
 TEST(Sampling, AMatrixMayLackErrors) {

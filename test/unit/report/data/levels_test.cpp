@@ -9,8 +9,8 @@
 namespace shelfbeam {
 namespace {
 
-// Every label once, each level within the band, levels apart, and no level could have taken the next one's
-// first.
+// Whether every label occurs once, each level is within the band, levels are separate, and no level could
+// include the first label of the next.
 bool are_levels(const std::vector<ShelfLevel>& levels, const std::vector<double>& heights) {
   std::set<std::uint32_t> seen;
   for (std::size_t k = 0; k < levels.size(); ++k) {
@@ -43,7 +43,8 @@ TEST(Levels, JoinsNeighbouringHeights) {
 TEST(Levels, HoldForRandomHeightsAndTheCheckRejectsWrongOnes) {
   for (std::uint32_t trial = 0; trial < 200; ++trial) {
     std::vector<double> heights;
-    for (std::uint32_t k = 0; k < 40; ++k) heights.push_back(2.5 * to_unit(philox({trial, k, 0, 0}, 1)[0]));
+    for (std::uint32_t k = 0; k < 40; ++k)
+      heights.push_back(2.5 * to_uniform(philox({trial, k, 0, 0}, 1)[0]));
     auto levels = shelf_levels(heights);
     ASSERT_TRUE(are_levels(levels, heights)) << trial;
     ASSERT_GT(levels.size(), 1U);

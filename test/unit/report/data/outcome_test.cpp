@@ -17,19 +17,20 @@ using test::random_matrix;
 
 Placement some_units(std::uint32_t columns, std::uint32_t trial, CommunicationModel model) {
   Placement placement;
-  placement.question.model = model;
+  placement.problem.model = model;
   placement.status = Status::feasible;
   for (std::uint32_t j = 0; j < columns; ++j)
-    if (to_unit(philox({j, trial, 5, 0}, 3)[0]) < 0.5) placement.selected.push_back(j);
+    if (to_uniform(philox({j, trial, 5, 0}, 3)[0]) < 0.5) placement.selected.push_back(j);
   return placement;
 }
 
-// All numbers of an outcome against plain double loops and the checker that guards every placement. Both
-// sides add the same 32-bit values in the same order in double precision, so equality is exact.
+// Compares all numbers of an outcome with plain double loops and with the checker that examines every
+// placement. Both sides add the same 32-bit values in the same order in double precision, so equality is
+// exact.
 bool agrees(const Outcome& outcome, const SignalMatrix& matrix, const Placement& placement) {
   const SignalTable table = make_signal_table(matrix);
   const auto check_of = [&](std::vector<std::uint32_t> selected) {
-    return check_selection(table, placement.question, selected);
+    return check_selection(table, placement.problem, selected);
   };
   const Check check = check_of(placement.selected);
   std::vector<std::uint32_t> all(matrix.columns());
@@ -38,7 +39,7 @@ bool agrees(const Outcome& outcome, const SignalMatrix& matrix, const Placement&
   const auto unmet = [](const Check& c, std::uint32_t i) {
     return std::find(c.unmet.begin(), c.unmet.end(), i) != c.unmet.end();
   };
-  const bool adds_up = placement.question.model == CommunicationModel::cooperative;
+  const bool adds_up = placement.problem.model == CommunicationModel::cooperative;
 
   for (std::uint32_t i = 0; i < matrix.rows(); ++i) {
     const LabelOutcome& label = outcome.labels[i];
@@ -92,7 +93,7 @@ TEST(Outcome, EqualsAPlainRecomputation) {
       if (placement.selected.empty()) continue;
       const Outcome outcome = outcome_of(matrix, placement);
       ASSERT_TRUE(agrees(outcome, matrix, placement)) << trial;
-      // Negative control: the smallest change of one chosen entry must be noticed where it counts.
+      // Negative control: the smallest relevant change of one chosen entry must be noticed.
       float& entry = matrix.mean[3 * 6 + placement.selected.front()];
       const bool counts =
           model == CommunicationModel::cooperative || outcome.labels[3].strongest == placement.selected[0];
@@ -111,7 +112,7 @@ TEST(Outcome, CountsWhatTheWorstFailureLeaves) {
   Placement placement;
   placement.selected = {0, 1};
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
-    placement.question = {.model = model, .redundant = true};
+    placement.problem = {.model = model, .redundant = true};
     const Outcome outcome = outcome_of(matrix, placement);
     EXPECT_TRUE(outcome.labels[0].met);
     EXPECT_EQ(outcome.labels[0].signal, 1);
@@ -136,24 +137,24 @@ TEST(Outcome, KnownValues) {
   EXPECT_TRUE(outcome.labels[0].met);
   EXPECT_DOUBLE_EQ(outcome.labels[0].margin(), 0);
   EXPECT_DOUBLE_EQ(outcome.labels[1].margin(), 10 * std::log10(4));
-  EXPECT_EQ(outcome.labels[0].strongest, 0U);  // the first of equals
+  EXPECT_EQ(outcome.labels[0].strongest, 0U);  // the first of equal signals
   EXPECT_DOUBLE_EQ(outcome.labels[1].best, 4.5);
   EXPECT_EQ(outcome.labels[1].reached_by, (std::vector<std::uint32_t>{1}));
   EXPECT_EQ(outcome.units[0].needed_by, 1U);
   EXPECT_EQ(outcome.units[1].needed_by, 2U);
   EXPECT_EQ(outcome.units[0].strongest_for, 1U);
-  EXPECT_EQ(outcome.met_by_direct, 1U);
+  EXPECT_EQ(outcome.met_by_direct_light, 1U);
   EXPECT_EQ(outcome.redundant, 0U);
-  EXPECT_EQ(outcome.served_by(0), (std::vector<std::uint32_t>{0}));  // reaches none alone: strongest for it
+  EXPECT_EQ(outcome.served_by(0), (std::vector<std::uint32_t>{0}));  // reached by none alone
   EXPECT_EQ(outcome.served_by(1), (std::vector<std::uint32_t>{1}));
   EXPECT_EQ(outcome.direct_shares(), (std::vector<double>{0.75, 0.25}));
 
-  matrix.labels[0].requirement = 1;  // now both units reach it, whichever is the stronger
+  matrix.labels[0].requirement = 1;  // now both units reach it
   EXPECT_EQ(outcome_of(matrix, placement).redundant, 1U);
   EXPECT_EQ(outcome_of(matrix, placement).served_by(1), (std::vector<std::uint32_t>{0, 1}));
   matrix.labels[0].requirement = 2;
 
-  placement.question.model = CommunicationModel::non_cooperative;
+  placement.problem.model = CommunicationModel::non_cooperative;
   const Outcome alone = outcome_of(matrix, placement);
   EXPECT_FALSE(alone.labels[0].met);
   EXPECT_DOUBLE_EQ(alone.labels[0].margin(), 10 * std::log10(0.5));
@@ -172,31 +173,31 @@ TEST(Outcome, KnowsWhatHangsOnFlaggedEntries) {
   const auto hangs = [&](std::vector<std::uint8_t> flags) {
     matrix.flags = std::move(flags);
     const Outcome outcome = outcome_of(matrix, placement, certificate);
-    EXPECT_EQ(outcome.on_flagged, outcome.labels[0].rests_on_flagged ? 1U : 0U);
-    return outcome.labels[0].rests_on_flagged;
+    EXPECT_EQ(outcome.flagged_labels, outcome.labels[0].depends_on_flagged ? 1U : 0U);
+    return outcome.labels[0].depends_on_flagged;
   };
   EXPECT_FALSE(hangs({}));
   EXPECT_FALSE(hangs({0, 0, 0, 0}));
   EXPECT_FALSE(hangs({1, 0, 0, 0}));  // 1 + 2 remain
   EXPECT_TRUE(hangs({1, 0, 1, 0}));
   EXPECT_FALSE(hangs({0, 0, 0, 1}));  // was not chosen
-  certificate = Certificate{};        // fresh samples say more than the matrix
+  certificate = Certificate{};        // verdicts from independent samples replace those of the matrix
   for (const Verdict verdict : {Verdict::reached, Verdict::missed, Verdict::undecided}) {
     certificate->labels = {LabelVerdict{verdict}};
     EXPECT_EQ(hangs({1, 0, 1, 0}), verdict == Verdict::undecided);
   }
   certificate.reset();
-  placement.question.model = CommunicationModel::non_cooperative;
+  placement.problem.model = CommunicationModel::non_cooperative;
   EXPECT_FALSE(hangs({1, 1, 0, 0}));
   EXPECT_TRUE(hangs({1, 0, 1, 0}));
-  placement.question.redundant = true;  // two must do
+  placement.problem.redundant = true;  // two must reach it
   EXPECT_FALSE(hangs({0, 1, 0, 0}));
   EXPECT_TRUE(hangs({1, 0, 0, 0}));
-  placement.question = {};
-  matrix.labels[0].requirement = 7;  // what is not reached may be, where an error is too small
+  placement.problem = {};
+  matrix.labels[0].requirement = 7;  // a missed label may be reached if an error is too small
   EXPECT_TRUE(hangs({0, 1, 0, 0}));
   EXPECT_FALSE(hangs({0, 0, 0, 1}));
-  matrix.mean[1] = 0.1F;  // too little to matter
+  matrix.mean[1] = 0.1F;  // too small to matter
   EXPECT_FALSE(hangs({0, 1, 0, 0}));
   placement.selected.clear();
   EXPECT_FALSE(hangs({1, 1, 1, 1}));
@@ -207,14 +208,14 @@ TEST(Outcome, TheBestIsOfOneOptionAMountingPoint) {
   matrix.mean = {1, 0.5F, 0.25F, 2};
   const auto best = [&](CommunicationModel model) {
     Placement placement;
-    placement.question.model = model;
+    placement.problem.model = model;
     return outcome_of(matrix, placement).labels[0].best;
   };
   EXPECT_EQ(best(CommunicationModel::cooperative), 3.75);
   matrix.transceivers[3].position = matrix.transceivers[0].position;
   EXPECT_EQ(best(CommunicationModel::cooperative), 2.75);
   EXPECT_EQ(best(CommunicationModel::non_cooperative), 2);
-  matrix.transceivers[0].installed = true;  // and keeps its point
+  matrix.transceivers[0].installed = true;  // and stays at its point
   EXPECT_EQ(best(CommunicationModel::cooperative), 1.75);
   EXPECT_EQ(best(CommunicationModel::non_cooperative), 1);
 }

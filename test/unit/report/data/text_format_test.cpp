@@ -67,10 +67,10 @@ TEST(IdRanges, JoinsOnlyWhatFollowsEachOther) {
 }
 
 TEST(IdRanges, LeavesAloneWhatARangeWouldMisread) {
-  for (const Ids& apart : {Ids{"L2", "L1"}, Ids{"L1", "L1"}, Ids{"L1", "M2"}, Ids{"L9", "L010"},
-                           Ids{"L09", "L010"}, Ids{"belt", "rack"}, Ids{"a", "a1"}, Ids{"", "1"}})
-    EXPECT_EQ(id_ranges(apart), apart) << apart[0];
-  // More digits than fit 64 bits: the leading ones belong to the prefix.
+  for (const Ids& conflicts : {Ids{"L2", "L1"}, Ids{"L1", "L1"}, Ids{"L1", "M2"}, Ids{"L9", "L010"},
+                               Ids{"L09", "L010"}, Ids{"belt", "rack"}, Ids{"a", "a1"}, Ids{"", "1"}})
+    EXPECT_EQ(id_ranges(conflicts), conflicts) << conflicts[0];
+  // With more digits than fit 64 bits, the leading ones belong to the prefix.
   EXPECT_EQ(id_ranges(Ids{"123456789012345678901", "123456789012345678902"}),
             (Ids{"123456789012345678901…456789012345678902"}));
 }

@@ -20,7 +20,8 @@ struct Drawn {
   }
 };
 
-// Square pillars of half a metre, too small for their ids, at these corners in a room, usually of 25 x 18 m.
+// Square pillars of half a metre, too small for their ids, with these corners in a room of 25 x 18 m by
+// default.
 Drawn draw(const std::vector<Vec2>& corners, const Vec3& label = {1, 1, 1}, const Vec3& room = {25, 18, 4}) {
   Store store = sample_store::empty_store("Pillars", room);
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -75,7 +76,7 @@ TEST(FixtureIds, AreJoinedByALineWhereNothingNearIsFree) {
   EXPECT_GE(drawn.count("line"), 1U);
 }
 
-// Neighbours 3 m apart in a hall of 120 m: ids of the usual size would lie over one another.
+// Neighbours 3 m apart in a hall of 120 m: ids of the usual size would overlap.
 TEST(FixtureIds, AreSmallerWhereAMetreIs) {
   std::vector<Vec2> row;
   row.reserve(9);

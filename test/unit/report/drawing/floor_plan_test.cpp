@@ -37,7 +37,7 @@ TEST(FloorPlan, DrawsAMountingPointOnce) {
       if (css == element.attributes.end() || css->second != "cand" || data == element.attributes.end())
         continue;
       const auto& d = data->second;
-      // Each cross has one M; so has the one in the key.
+      // Each cross has one M, including the one in the key.
       count += static_cast<std::size_t>(std::count(d.begin(), d.end(), 'M'));
     }
     return count;
@@ -65,13 +65,13 @@ TEST(FloorPlan, ShowsWhichWayAUnitLeans) {
   const auto has = [&](const char* text) {
     return floor_plan_svg(make_scene(store)).find(text) != std::string::npos;
   };
-  EXPECT_FALSE(has("class=\"aim\"") || has("leaning this way"));
+  EXPECT_FALSE(has("class=\"aim\"") || has("tilted this way"));
   store.transceivers[0].value.axis = {0, 0.6, -0.8};
-  EXPECT_TRUE(has("l0 -12\" class=\"aim\"") && has("leaning this way"));  // north is up
+  EXPECT_TRUE(has("l0 -12\" class=\"aim\"") && has("tilted this way"));  // north is up
 }
 
-// Two blocks in the shape of an L: what the plan fills is the L, not its hull. Each block is seen as its top
-// and its bottom, whose triangles run opposite ways in the mesh.
+// Two blocks that form an L: the plan fills the L, not its hull. Each block is seen as its top and its
+// bottom, whose triangles have opposite orientations in the mesh.
 TEST(FloorPlan, DrawsAMeshAsItIs) {
   Store store = sample_store::kiosk();
   MeshFixture mesh{"L", {0.5, 0.5, 0}, 0, 1, {{"m", {}, {}, {}}}};
@@ -99,7 +99,7 @@ TEST(FloorPlan, DrawsAMeshAsItIs) {
   }
   EXPECT_EQ(triangles, 8U);
   EXPECT_GT(least, 0) << "turned another way, it would be a hole";
-  EXPECT_NEAR(area, 2 * 2 * 2 * 0.5, 0.01);  // m^2; a tenth of a unit is below 1 mm here
+  EXPECT_NEAR(area, 2 * 2 * 2 * 0.5, 0.01);  // m^2; a tenth of a drawing unit is below 1 mm here
   const std::string svg = floor_plan_svg(scene);
   EXPECT_EQ(test::count_of("class=\"mesh\"", svg), 1U);
   EXPECT_EQ(test::count_of("class=\"outline\"", svg), 1U)
@@ -119,7 +119,7 @@ TEST(FloorPlan, ShowsDoors) {
   EXPECT_EQ(drawn("door"), 0);
   auto& gondola = std::get<Gondola>(store.fixtures[0].value);
   gondola.doors = gondola.material;
-  // One for each face with boards, in the plan and twice in the elevation.
+  // One per face with boards in the plan, and two in the elevation.
   EXPECT_EQ(drawn("door"), 3 * static_cast<std::ptrdiff_t>(gondola.faces.size()));
   EXPECT_GT(drawn("casing"), 0);
 }
@@ -144,8 +144,8 @@ TEST(FloorPlan, DrawsFromTheLowestToTheHighestAndLeavesOutOnlyWhatABoardHides) {
       continue;
     }
     ++hidden;
-    // Each corner of a hidden part lies below a board of its fixture: inside the board's outline, with 1 nm
-    // to spare for the rounding of a turned corner.
+    // Each corner of a hidden part is below a board of its fixture: inside the board's outline, with a margin
+    // of 1 nm for the rounding of a rotated corner.
     const bool covered = std::any_of(scene.parts.begin(), scene.parts.end(), [&](const Part& board) {
       if (board.kind != PartKind::board || board.fixture != scene.parts[k].fixture) return false;
       if (board.bottom < scene.parts[k].top - 1e-6) return false;
@@ -169,7 +169,7 @@ TEST(FloorPlan, DrawsFromTheLowestToTheHighestAndLeavesOutOnlyWhatABoardHides) {
 
 TEST(Elevation, ShowsTheFixtureWithMostLabels) {
   const Scene scene = make_scene(sample_store::supermarket());
-  const auto fixture = fixture_with_most_labels(scene);
+  const auto fixture = fixture_with_max_labels(scene);
   ASSERT_TRUE(fixture);
   std::vector<std::size_t> counts;
   for (const FixtureOutline& outline : scene.fixtures)
@@ -194,7 +194,7 @@ TEST(Elevation, AStoreWithoutLabelsOnFixturesHasNone) {
   std::get<Gondola>(store.fixtures[0].value).labels.reset();
   store.labels.push_back({Label{"L", {0.5, 0.5, 1}, {1, 0, 0}, {}}, "list"});
   const Scene scene = make_scene(store);
-  EXPECT_FALSE(fixture_with_most_labels(scene));
+  EXPECT_FALSE(fixture_with_max_labels(scene));
   EXPECT_EQ(test::read_markup(floor_plan_svg(scene)).problem, "");
 }
 

@@ -1,5 +1,5 @@
-// Every sentence of an answer once, as terminal and page have it: test/data/messages.txt. Other tests ask for
-// values.
+// Tests every sentence of a result once, as terminal and page show it: test/data/messages.txt. Other tests
+// check values.
 
 #include <algorithm>
 #include <functional>
@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/report/messages/headline.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 
+#include "support/snapshot.hpp"
 #include "unit/report/supermarket_report.hpp"
 
 namespace shelfbeam {
@@ -25,9 +25,9 @@ using test::Supermarket;
 constexpr auto alone = CommunicationModel::non_cooperative;
 constexpr auto weighted = Combination::weighted;
 
-Placement of_units(std::size_t count, double bound, Status status, const Question& question = {}) {
+Placement of_units(std::size_t count, double bound, Status status, const PlacementProblem& problem = {}) {
   Placement placement;
-  placement.question = question;
+  placement.problem = problem;
   placement.status = status;
   placement.selected.resize(count);
   std::iota(placement.selected.begin(), placement.selected.end(), 0U);
@@ -58,11 +58,11 @@ void say_selections(Sentences& to) {
   to.heading("selection");
   to.say(units_reach(1) + " " + labels_reached(1, 1), units_reach(2) + " " + labels_reached(1200, 1200));
   to.say(labels_reached(3, 1200), no_selection_reaches(12),
-         "x" + std::string(whichever_fails({.redundant = true})));
+         "x" + std::string(failure_clause({.redundant = true})));
   for (const char* solver : {"greedy", "search", "highs 1.10.0"}) {
     Placement none;
     none.solver = solver;
-    to.say(fmt::format("{}: '{}'", solver, who_gave_up(none)));
+    to.say(fmt::format("{}: '{}'", solver, method_without_result(none)));
   }
 }
 
@@ -74,7 +74,7 @@ void say_bounds(Sentences& to) {
     to.say(terminal_bound(placement), page_bound(placement));
   for (const auto proof :
        {BoundProof::trivial, BoundProof::dual, BoundProof::log, BoundProof::search, BoundProof::solver})
-    to.say(behind_bound(proof));
+    to.say(bound_proof_text(proof));
   Placement proven = of_units(2, 2, Status::optimal);
   to.say(proof_sentence(proven));
   proven.ties_settled = true;
@@ -82,14 +82,14 @@ void say_bounds(Sentences& to) {
   for (const auto status : {Status::optimal, Status::feasible, Status::infeasible, Status::stopped})
     to.say(status_name(status));
   to.heading("objective");
-  const Question links{.objective = Objective::links}, signal{.objective = Objective::signal};
-  const Question cost{.combination = weighted};
-  const Question both{.objective = Objective::effective_links, .combination = weighted, .share = 0.5};
+  const PlacementProblem links{.objective = Objective::links}, signal{.objective = Objective::signal};
+  const PlacementProblem cost{.combination = weighted};
+  const PlacementProblem both{.objective = Objective::effective_links, .combination = weighted, .share = 0.5};
   for (Placement placement : {of_units(2, 2, Status::optimal), of_units(2, 2, Status::optimal, links),
                               of_units(2, 1, Status::stopped, links), of_units(2, 2, Status::stopped, signal),
                               of_units(2, 1, Status::optimal, cost), of_units(2, 1, Status::stopped, both)}) {
-    placement.unit_costs = placement.question.share < 1;
-    to.say(objective_name(placement.question), objective_sentence(placement));
+    placement.unit_costs = placement.problem.share < 1;
+    to.say(objective_name(placement.problem), objective_sentence(placement));
   }
 }
 
@@ -98,20 +98,21 @@ void say_what_is_out_of_reach(Sentences& to) {
   for (const bool redundant : {false, true}) {
     Placement placement;
     placement.unreachable.resize(1200);
-    placement.question.redundant = redundant;
+    placement.problem.redundant = redundant;
     to.say(terminal_out_of_reach(placement, false), terminal_out_of_reach(placement, true));
-    placement.question.model = alone;
+    placement.problem.model = alone;
     to.say(terminal_out_of_reach(placement, false));
   }
-  to.say(why_nothing({}, false), why_nothing({.redundant = true}, true), why_nothing({}, true));
+  to.say(no_signal_reason({}, false), no_signal_reason({.redundant = true}, true),
+         no_signal_reason({}, true));
   to.say(dark_labels(1), dark_labels(1200));
   Placement placement;
-  to.say(kept_apart(placement), not_all_at_once(why_exclusive(placement, true)));
+  to.say(conflict_sentence(placement), not_all_together(conflict_reason(placement, true)));
   placement.forbidden_pairs = 1;
-  to.say(kept_apart(placement), why_exclusive(placement, false));
+  to.say(conflict_sentence(placement), conflict_reason(placement, false));
   placement.forbidden_pairs = 1200;
   placement.min_spacing = 2.5;
-  to.say(kept_apart(placement), why_exclusive(placement, true));
+  to.say(conflict_sentence(placement), conflict_reason(placement, true));
 }
 
 void say_certificates(Sentences& to) {
@@ -128,7 +129,7 @@ void say_certificates(Sentences& to) {
                                 {verdict});
     to.say(certificate_sentence(plan));
   };
-  const Question redundant{.redundant = true};
+  const PlacementProblem redundant{.redundant = true};
   Placement nothing;
   nothing.objective_value = std::numeric_limits<double>::infinity();
   to.say(certificate_sentence({nothing}));
@@ -159,7 +160,7 @@ void find_nothing(Supermarket& s, Status status, std::vector<Unreachable> unreac
   s.placement.unreachable = std::move(unreachable);
 }
 
-// The answer on the page and what remarks it has that the usual answer has not.
+// The headline on the page, and the remarks that the usual result does not have.
 void say_headlines(Sentences& to) {
   to.heading("headline");
   constexpr const char* tones[] = {"yes", "open", "no"};
@@ -169,8 +170,8 @@ void say_headlines(Sentences& to) {
            [](Supermarket&) {},
            [](Supermarket& s) { s.placement.status = Status::stopped, s.placement.count_lower_bound -= 1.6; },
            [](Supermarket& s) { s.placement.status = Status::feasible, s.placement.count_lower_bound -= 1; },
-           [](Supermarket& s) { s.placement.question.objective = Objective::links; },
-           [](Supermarket& s) { s.placement.question.redundant = true; },
+           [](Supermarket& s) { s.placement.problem.objective = Objective::links; },
+           [](Supermarket& s) { s.placement.problem.redundant = true; },
            [](Supermarket& s) { s.placement.min_spacing = 2.5, s.placement.forbidden_pairs = 1200; },
            [](Supermarket& s) { s.matrix.transceivers[s.placement.selected[0]].installed = true; },
            [](Supermarket& s) { certify(s); },
@@ -179,9 +180,9 @@ void say_headlines(Sentences& to) {
            [=](Supermarket& s) { find_nothing(s, Status::infeasible, {weak}); },
            [=](Supermarket& s) {
              find_nothing(s, Status::infeasible, {weak});
-             s.placement.question = {.model = alone, .redundant = true};
+             s.placement.problem = {.model = alone, .redundant = true};
            },
-           // Some light is there: where one unit may fail, that of one is as good as none.
+           // There is some light, but if one unit may fail, the light of a single unit counts as none.
            [=](Supermarket& s) {
              find_nothing(s, Status::infeasible, {weak, dark});
            },
@@ -212,21 +213,19 @@ TEST(Messages, AreThoseOfTheList) {
   say_what_is_out_of_reach(said);
   say_certificates(said);
   say_headlines(said);
-  EXPECT_EQ(said.text(), read_file(SHELFBEAM_SOURCE_DIR "/test/data/messages.txt"));
+  test::expect_snapshot(said.text(), "messages.txt");
 }
 
 TEST(Headline, SaysHowManyLabelsSamplingErrorCouldTurn) {
   Supermarket s;
   const auto is_close = [](const Supermarket& store) {
-    return headline(ReportData(store.input))
-        .remarks[0]
-        .starts_with("At least one label lies so close to its requirement");
+    return headline(ReportData(store.input)).remarks[0].starts_with("At least one label is so close");
   };
   std::fill(s.matrix.standard_error.begin(), s.matrix.standard_error.end(), 0.0F);
   EXPECT_FALSE(is_close(s));
 
-  // The label of least margin is off by some amount: with half of it as standard error it is just certain
-  // (1 % to spare for the rounding to 32 bits), with a little more it is not.
+  // The standard error of the label with the smallest margin: half of the label's distance from the
+  // requirement is just certain (with 1 % for the rounding to 32 bits), a little more is not.
   const Outcome outcome = outcome_of(s.matrix, s.placement);
   const std::uint32_t row = outcome.by_margin.front();
   const LabelOutcome& label = outcome.labels[row];

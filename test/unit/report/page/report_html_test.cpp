@@ -12,6 +12,8 @@
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/report_data.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/reach.hpp"
 
 #include "unit/report/markup.hpp"
 #include "unit/report/sample_store.hpp"
@@ -93,12 +95,12 @@ TEST(ReportHtml, EveryComputedNumberIsInIt) {
   const SamplingSummary& sampling = data.sampling;
   for (const double share : {sampling.mean, sampling.median, sampling.p90, sampling.p99, sampling.worst})
     expect_text(percent(share));
-  expect_cell(grouped(sampling.least_samples));
+  expect_cell(grouped(sampling.min_samples));
   expect_cell(grouped(sampling.relevant));
   expect_text(grouped(sampling.zeros) + " of " + grouped(sampling.entries));
   const auto shares = data.outcome.direct_shares();
   for (const double q : {0.1, 0.5, 0.9}) expect_text(percent(quantile(shares, q)));
-  expect_text(grouped(data.outcome.met_by_direct) + " of " + grouped(data.outcome.labels.size()));
+  expect_text(grouped(data.outcome.met_by_direct_light) + " of " + grouped(data.outcome.labels.size()));
   const ExcessDistribution excess = excess_distribution(data.outcome);
   expect_text("Median " + significant(excess.median) + "\u00A0%, mean " + significant(excess.mean));
   for (const std::string& fact :
@@ -119,15 +121,16 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificate) {
   const std::string reached = grouped(certificate.count(Verdict::reached));
   for (const std::string& cell :
        {std::string("95\u00A0%"), reached + " of 926", std::string("37 labels"), std::string("12.5\u00A0s"),
-        certificate.open, std::string("of 926, on fresh samples")})
+        certificate.open, std::string("of 926, with independent samples")})
     EXPECT_TRUE(cells.contains(cell)) << cell;
   const std::string text = read_markup(html).text;
   for (const std::string& piece :
-       {std::string("Rounds\n\n3\n"), fmt::format("At least needed\n\n{}\n", certificate.count_lower_bound),
+       {std::string("Rounds\n\n3\n"),
+        fmt::format("Lower bound on the count\n\n{}\n", certificate.count_lower_bound),
         "Labels reached\n\n" + reached + "\n", "Missed\n\n19: " + s.matrix.labels[7].id + ", ",
         "Undecided\n\n19: " + s.matrix.labels[23].id + ", "})
     EXPECT_NE(text.find(piece), std::string::npos) << piece;
-  // The least margins carry the verdicts of their labels.
+  // The labels with the smallest margins have their verdicts in the table.
   const ReportData data(s.input);
   const std::string table = html.substr(html.find("id=\"weakest\""));
   for (std::size_t k = 0, at = 0; k < 20; ++k) {
@@ -140,35 +143,36 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificate) {
   }
 }
 
-// What the page has beyond its headline where a question or an answer is of this kind, and not otherwise.
+// The page contains sections for this kind of problem and result, and no others.
 TEST(ReportHtml, HasWhatBelongsToTheAnswer) {
   struct Case {
     std::function<void(Placement&)> change;
     std::vector<std::string> pieces;
   };
-  const auto infeasible = [](Placement& p, const Question& question, std::vector<Unreachable> unreachable) {
+  const auto infeasible = [](Placement& p, const PlacementProblem& problem,
+                             std::vector<Unreachable> unreachable) {
     p = {};
-    p.question = question;
+    p.problem = problem;
     p.status = Status::infeasible;
     p.unreachable = std::move(unreachable);
   };
   const auto usual = pieces(report_html(Supermarket().input));
   for (const auto& [change, wanted] : std::vector<Case>{
-           {[](Placement& p) { p.question.objective = Objective::links; }, {"Gap of the objective"}},
+           {[](Placement& p) { p.problem.objective = Objective::links; }, {"Gap of the objective"}},
            {[](Placement& p) { p.status = Status::stopped; }, {"stopped early"}},
            {[](Placement& p) { p.min_spacing = 2.5, p.forbidden_pairs = 1200; },
-            {"Least distance between two units", "2.5\u00A0m", "Pairs of candidates kept apart", "1,200"}},
+            {"Minimum distance between units", "2.5\u00A0m", "Excluded pairs of candidates", "1,200"}},
            {[](Placement& p) { p.bound_proof = BoundProof::dual, p.ties_settled = true; },
-            {"a dual solution, added up again from the matrix", "the one with the largest smallest margin"}},
-           {[](Placement& p) { p.question.redundant = true; },
+            {std::string(bound_proof_text(BoundProof::dual)), "this one has the largest minimum margin"}},
+           {[](Placement& p) { p.problem.redundant = true; },
             {"signals without each label's strongest unit"}},
-           {[&](Placement& p) { infeasible(p, {}, {}); }, {"each alone could be reached"}},
+           {[&](Placement& p) { infeasible(p, {}, {}); }, {"each can be reached, but not all together"}},
            {[&](Placement& p) {
               infeasible(p, {.model = CommunicationModel::non_cooperative, .redundant = true}, {{3, 1, 0}});
             },
-            {"light arrives from one place only, and the unit there may fail",
-             "The most a label could get is its signal from the best single candidate that is left when the "
-             "strongest fails."}}}) {
+            {std::string(no_signal_reason({.redundant = true}, true)),
+             "The maximum signal is the signal of the label from the best single candidate that remains if "
+             "the strongest fails."}}}) {
     Supermarket s;
     change(s.placement);
     const std::string html = report_html(s.input);
@@ -220,13 +224,13 @@ TEST(ReportHtml, MarksLabelsThatHangOnFlaggedSignals) {
     return count;
   };
   const auto facts = [&] { return pieces(test::static_report(s.input)); };
-  // Nothing is said of what is not known, nor marked where nothing is flagged.
+  // Unknown facts are not mentioned, and without flags nothing is marked.
   EXPECT_EQ(hollow(), 0U);
-  EXPECT_FALSE(facts().contains("Signals whose error is not to be trusted"));
+  EXPECT_FALSE(facts().contains("Entries with an unreliable error"));
   s.matrix.flags.assign(s.matrix.mean.size(), 0);
   EXPECT_EQ(hollow(), 0U);
-  EXPECT_TRUE(facts().contains("0 of them (0.0\u00A0%)"));
-  for (const char* text : {"hollow mark", "(not to be trusted)", "error not to be trusted: "})
+  EXPECT_TRUE(facts().contains("0 (0.0\u00A0%)"));
+  for (const char* text : {"hollow mark", "(not reliable)", "error not reliable: "})
     EXPECT_EQ(test::static_report(s.input).find(text), std::string::npos) << text;
 
   const std::uint32_t least = ReportData(s.input).outcome.by_margin.front();
@@ -236,12 +240,12 @@ TEST(ReportHtml, MarksLabelsThatHangOnFlaggedSignals) {
   EXPECT_GT(data.sampling.flagged, 0U);
   EXPECT_LT(data.sampling.flagged, s.matrix.columns());
   EXPECT_TRUE(facts().contains(fmt::format(
-      "{} of them ({})", data.sampling.flagged,
+      "{} ({})", data.sampling.flagged,
       percent(static_cast<double>(data.sampling.flagged) / static_cast<double>(data.sampling.relevant)))));
-  EXPECT_TRUE(facts().contains("error not to be trusted: 1"));
+  EXPECT_TRUE(facts().contains("error not reliable: 1"));
   const std::string html = test::static_report(s.input);
-  EXPECT_NE(html.find("Whether the label with a hollow mark is reached depends on"), std::string::npos);
-  EXPECT_NE(html.find(" (not to be trusted)</td>"), std::string::npos);
+  EXPECT_NE(html.find("The label with a hollow mark depends on"), std::string::npos);
+  EXPECT_NE(html.find(" (not reliable)</td>"), std::string::npos);
 }
 
 TEST(ReportHtml, ListsTheLabelsThatEachUnitServes) {
@@ -277,22 +281,22 @@ TEST(ReportHtml, TellsWhereChosenUnitsLook) {
   looks({std::sqrt(0.75), 0, -0.5}, "60.0° towards 0.0°");
   looks({0, -std::sqrt(0.5), -std::sqrt(0.5)}, "45.0° towards 270.0°");
   looks({0, 0, 1}, "up");
-  // But for the one that legends show.
+  // Without the one in the legend.
   const auto noses = [&] { return test::count_of("\"k aim\"", test::static_report(s.input)) - 1; };
   EXPECT_EQ(noses(), 0U);
-  EXPECT_FALSE(pieces(test::static_report(s.input)).contains("leans this way"));
+  EXPECT_FALSE(pieces(test::static_report(s.input)).contains("tilted this way"));
   unit.axis = {0.6, 0, -0.8};
   EXPECT_EQ(noses(), 1U);
-  EXPECT_TRUE(pieces(test::static_report(s.input)).contains("leans this way"));
+  EXPECT_TRUE(pieces(test::static_report(s.input)).contains("tilted this way"));
   s.scene.transceivers[s.placement.selected.front()].roll_deg = 30;
   looks({0, 1, 0}, "90.0° towards 90.0°, roll 30°");
 }
 
 TEST(ReportHtml, NamesLabelsWithoutDirectLight) {
   Supermarket s;
-  EXPECT_EQ(report_html(s.input).find("gets no direct light"), std::string::npos);
+  EXPECT_EQ(report_html(s.input).find("no direct light"), std::string::npos);
   std::fill(s.matrix.direct.begin(), s.matrix.direct.end(), 0.0F);
-  EXPECT_NE(report_html(s.input).find("one in ten gets no direct light"), std::string::npos);
+  EXPECT_NE(report_html(s.input).find("one label in ten receives no direct light"), std::string::npos);
 }
 
 TEST(ReportHtml, ExplainsThatNothingCanBeDone) {
@@ -316,7 +320,7 @@ TEST(ReportHtml, ExplainsThatNothingCanBeDone) {
     EXPECT_TRUE(cells.contains(s.matrix.labels[label.label].id));
     EXPECT_TRUE(cells.contains(unit.number(label.most)));
   }
-  // Triangles on the plans: one for each of them, and only these.
+  // Triangles on the plans: one per missed label, and no others.
   std::size_t triangles = 0;
   for (const auto& element : read_markup(html).elements)
     if (const auto href = element.attributes.find("href");
@@ -331,7 +335,7 @@ TEST(ReportHtml, ReadsWellWithoutSelectionErrorsOrDirectPart) {
   s.matrix.standard_error.clear();
   s.matrix.direct.clear();
   EXPECT_EQ(fault(report_html(s.input)), "");
-  EXPECT_NE(report_html(s.input).find("carries no standard errors"), std::string::npos);
+  EXPECT_NE(report_html(s.input).find("contains no standard errors"), std::string::npos);
   s.placement = {};
   s.placement.count_lower_bound = 3;
   s.placement.seconds = 60;

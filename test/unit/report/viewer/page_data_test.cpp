@@ -36,7 +36,7 @@ TEST(PageData, ComesBackAsItWas) {
   EXPECT_EQ(reader.get<float>("none"), std::vector<float>());
   EXPECT_EQ(reader.get<float>("floats"), floats);
   EXPECT_EQ(reader.get<double>("doubles"), doubles);
-  // Negative control: the reader notices what is damaged.
+  // Negative control: the reader detects damage.
   std::string damaged = text;
   damaged[damaged.size() / 2] = damaged[damaged.size() / 2] == 'A' ? 'B' : 'A';
   EXPECT_ANY_THROW(PageReader{damaged});

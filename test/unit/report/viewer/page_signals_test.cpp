@@ -24,11 +24,11 @@ using test::random_matrix;
 using test::read_markup;
 using test::Supermarket;
 
-// The signals of a page as a dense matrix, 0 where an entry is left out.
+// The signals of a page as a dense matrix, with 0 for omitted entries.
 struct Dense {
   std::size_t columns;
   std::vector<float> mean;
-  std::vector<double> error, direct;  // direct: share of the mean
+  std::vector<double> error, direct;  // direct is a share of the mean
 
   Dense(const PageSignals& s, std::size_t columns_) : columns(columns_) {
     const std::size_t entries = s.row_size.size() * columns;
@@ -42,25 +42,25 @@ struct Dense {
         const std::size_t place = i * columns + column;
         mean.at(place) = s.mean[at];
         if (!s.error.empty() && s.error[at] > 0)
-          error[place] = s.least_error * std::exp((s.error[at] - 1) * s.error_step) *
+          error[place] = s.min_error * std::exp((s.error[at] - 1) * s.error_step) *
                          (s.grain > 0 ? std::abs(static_cast<double>(s.mean[at])) : 1);
         if (!s.direct.empty()) direct[place] = s.direct[at] * s.direct_step;
       }
     }
   }
 
-  double received(std::size_t label, const std::vector<bool>& chosen, const Question& question) const {
+  double received(std::size_t label, const std::vector<bool>& chosen, const PlacementProblem& problem) const {
     std::vector<SignalEntry> row;
     for (std::uint32_t j = 0; j < columns; ++j)
       row.push_back({j, static_cast<double>(mean[label * columns + j])});
-    return received_signal(row, chosen, question);
+    return received_signal(row, chosen, problem);
   }
 };
 
 Placement placement_of(std::vector<std::uint32_t> selected, CommunicationModel model, bool redundant) {
   Placement placement;
-  placement.question.model = model;
-  placement.question.redundant = redundant;
+  placement.problem.model = model;
+  placement.problem.redundant = redundant;
   placement.selected = std::move(selected);
   placement.status = Status::feasible;
   return placement;
@@ -73,11 +73,11 @@ std::vector<bool> chosen_of(const SignalMatrix& matrix, const Placement& placeme
 }
 
 double whole_signal(const SignalMatrix& matrix, std::size_t label, const std::vector<bool>& chosen,
-                    const Question& question) {
+                    const PlacementProblem& problem) {
   std::vector<SignalEntry> row;
   for (std::uint32_t j = 0; j < matrix.columns(); ++j)
     row.push_back({j, static_cast<double>(matrix.mean[matrix.at(label, j)])});
-  return received_signal(row, chosen, question);
+  return received_signal(row, chosen, problem);
 }
 
 TEST(PageSignals, AreTheMatrixWhereThereIsRoom) {
@@ -86,7 +86,7 @@ TEST(PageSignals, AreTheMatrixWhereThereIsRoom) {
   const PageSignals signals = page_signals(matrix, placement);
   const Dense dense(signals, matrix.columns());
   EXPECT_EQ(dense.mean, matrix.mean);
-  EXPECT_EQ(signals.left_out, 0U);
+  EXPECT_EQ(signals.omitted, 0U);
   EXPECT_EQ(signals.largest_effect, 0);
   EXPECT_TRUE(signals.rest.empty());
   const double step = std::expm1(0.5 * signals.error_step);
@@ -103,7 +103,7 @@ TEST(PageSignals, AreTheMatrixWhereThereIsRoom) {
 TEST(PageSignals, AreRoundedToAShareOfWhatALabelNeeds) {
   SignalMatrix matrix = random_matrix(80, 50, 2);
   for (std::size_t at = 5; at < matrix.mean.size(); at += 97) {
-    matrix.mean[at] *= -1;  // as noise of a control variate may do
+    matrix.mean[at] *= -1;  // which noise of a control variate may cause
     matrix.direct[at] = 0;
   }
   const Placement placement = placement_of({1, 7, 30}, CommunicationModel::cooperative, false);
@@ -111,7 +111,7 @@ TEST(PageSignals, AreRoundedToAShareOfWhatALabelNeeds) {
     const PageSignals signals = page_signals(matrix, placement, {fineness, 0, 1.2, 0.01});
     const Dense dense(signals, matrix.columns());
     const double grain = 1.0 / fineness, step = std::expm1(0.5 * signals.error_step);
-    std::size_t left_out = 0, crossing = 0;
+    std::size_t omitted = 0, crossing = 0;
     double largest = 0, effect = 0;
     for (std::size_t i = 0; i < matrix.rows(); ++i) {
       const double need = matrix.labels[i].requirement;
@@ -120,14 +120,14 @@ TEST(PageSignals, AreRoundedToAShareOfWhatALabelNeeds) {
         const std::size_t at = matrix.at(i, j);
         const auto mean = static_cast<double>(matrix.mean[at]), shown = static_cast<double>(dense.mean[at]);
         const double off = std::abs(mean - shown) / need;
-        // What reaches a label alone still does, and nothing else.
+        // Units that reach a label alone still do, and no others.
         EXPECT_EQ(is_met(shown, need), is_met(mean, need)) << i << " " << j;
         if (mean > 0 && is_met(std::round(mean / need * fineness) * grain * need, need) != is_met(mean, need))
           ++crossing;
         of_label += off;
         largest = std::max(largest, off);
         if (mean != 0 && shown == 0) {
-          ++left_out;
+          ++omitted;
           EXPECT_LT(std::abs(mean) / need, grain);
           continue;
         }
@@ -140,11 +140,11 @@ TEST(PageSignals, AreRoundedToAShareOfWhatALabelNeeds) {
       }
       if (of_label > effect) effect = of_label;
     }
-    EXPECT_EQ(signals.left_out, left_out);
-    EXPECT_GT(left_out, 0U);
+    EXPECT_EQ(signals.omitted, omitted);
+    EXPECT_GT(omitted, 0U);
     EXPECT_DOUBLE_EQ(signals.largest_error, largest);
     EXPECT_DOUBLE_EQ(signals.largest_effect, effect);
-    // Negative control: rounded to the nearest grain, some would cross what their label needs.
+    // Negative control: rounding to the nearest grain would move some across their label's requirement.
     EXPECT_GT(crossing, 0U);
   }
 }
@@ -191,8 +191,8 @@ TEST(PageSignals, SwitchesAreOffByNoMoreThanIsSaid) {
             signals.largest_error * (adds_up ? switches + (redundant ? 2 : 0) : 1) * (1 + 1e-9);
         for (std::size_t i = 0; i < matrix.rows(); ++i) {
           const double need = matrix.labels[i].requirement;
-          const double shown = dense.received(i, chosen, placement.question);
-          const double truth = whole_signal(matrix, i, chosen, placement.question);
+          const double shown = dense.received(i, chosen, placement.problem);
+          const double truth = whole_signal(matrix, i, chosen, placement.problem);
           const double off = std::abs(shown + (adds_up ? signals.rest[i] : 0) - truth) / need;
           EXPECT_LE(off, allowed) << i << " " << switches;
           EXPECT_LE(off, signals.largest_effect + (redundant && adds_up ? 2 * signals.largest_error : 1e-9));
@@ -202,7 +202,8 @@ TEST(PageSignals, SwitchesAreOffByNoMoreThanIsSaid) {
           }
         }
       }
-      // Negative control: without what the plan's entries lack, one switch would be worse than is said.
+      // Negative control: without the rounding errors of the plan's entries, one switch would exceed the
+      // stated error.
       if (adds_up && !redundant) {
         EXPECT_GT(without_rest, signals.largest_error);
       }
@@ -222,15 +223,15 @@ TEST(PageSignals, CountThePlanAsItsFilesDo) {
         const Dense dense(signals, matrix.columns());
         std::size_t met = 0, without_rest = 0;
         for (std::size_t i = 0; i < matrix.rows(); ++i) {
-          const double kept = dense.received(i, chosen, placement.question);
+          const double kept = dense.received(i, chosen, placement.problem);
           const double signal = kept + (signals.rest.empty() ? 0 : signals.rest[i]);
           EXPECT_DOUBLE_EQ(signal, outcome.labels[i].signal) << i;
           if (is_met(signal, matrix.labels[i].requirement)) ++met;
           if (kept == outcome.labels[i].signal) ++without_rest;
         }
         EXPECT_EQ(met, outcome.met);
-        // Negative control: what is rounded is missed where it is not added again.
-        if (rounding.grains_a_need > 0) {
+        // Negative control: the rounding error is visible if it is not added again.
+        if (rounding.grains_per_requirement > 0) {
           EXPECT_LT(without_rest, matrix.rows());
         }
       }
@@ -260,7 +261,7 @@ TEST(PageSignals, StayWithinTheirBytes) {
                   signals.mean[at]);
   }
   EXPECT_EQ(pack_signals(s.matrix, s.placement, all.base64.size()).signals.grain, 0);
-  // What is always kept is, even where there is no room at all.
+  // Required entries are kept even without any memory.
   const PackedSignals least = pack_signals(s.matrix, s.placement, 1);
   EXPECT_EQ(least.signals.grain, 1);
   EXPECT_GT(least.signals.mean.size(), s.matrix.rows());
@@ -276,7 +277,7 @@ TEST(PageSignals, NeedNeitherErrorsNorDirectPart) {
         page_signals(matrix, placement_of({}, CommunicationModel::cooperative, false), rounding);
     EXPECT_TRUE(signals.error.empty());
     EXPECT_TRUE(signals.direct.empty());
-    if (rounding.grains_a_need == 0) {
+    if (rounding.grains_per_requirement == 0) {
       EXPECT_EQ(Dense(signals, 10).mean, matrix.mean);
     }
   }
@@ -339,8 +340,8 @@ TEST(PageStore, HasTheVerdictsOfACertificate) {
 TEST(ViewerSection, HasItsData) {
   const Supermarket s;
   const std::string section = viewer_section(ReportData(s.input), "let script;");
-  EXPECT_EQ(section.find("left out"), std::string::npos);
-  EXPECT_NE(section.find("to the last bit"), std::string::npos);
+  EXPECT_EQ(section.find("3-D view is missing"), std::string::npos);
+  EXPECT_NE(section.find("exact signals of signal.h5"), std::string::npos);
   EXPECT_NE(section.find("<script>let script;</script>"), std::string::npos);
 }
 
@@ -348,10 +349,7 @@ TEST(ViewerSection, SaysThatABuildWithoutNodeLeavesItOut) {
   const Supermarket s;
   const std::string section = viewer_section(ReportData(s.input), "");
   EXPECT_EQ(test::fault(section), "");
-  EXPECT_NE(
-      read_markup(section).text.find(
-          "made without Node.js or its packages, so the 3-D view was left out. Everything else is here."),
-      std::string::npos);
+  EXPECT_NE(read_markup(section).text.find("made without Node.js or its packages"), std::string::npos);
   EXPECT_EQ(section.find("<script"), std::string::npos);
   EXPECT_EQ(section.find("viewer-root"), std::string::npos);
 }
@@ -365,7 +363,7 @@ TEST(ViewerSection, OfThisBuildIsSelfContained) {
       FAIL() << "continuous integration lacks Node.js or its packages";
     GTEST_SKIP() << "this build has no 3-D view: Node.js or its packages were missing";
   }
-  // Nothing in the script ends it early.
+  // The data do not end the script early.
   EXPECT_EQ(test::count_of("</script", section), 3U);
   EXPECT_EQ(section.find("<!--"), std::string::npos);
 }

@@ -9,7 +9,7 @@
 namespace shelfbeam {
 namespace {
 
-// Exact: no tolerance. Random angles over the range and over all magnitudes, and their neighbours.
+// Exact, without tolerance: random angles over the range and over all magnitudes, and their neighbours.
 TEST(Degrees, EveryAngleFromDegreesComesBackToTheBit) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> share(0, 360), exponent(-320, 2.5);

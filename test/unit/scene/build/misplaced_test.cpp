@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/expect_input_error.hpp"
@@ -16,6 +17,10 @@ using test::expect_input_error;
 using test::Json;
 using test::sample_store;
 using test::scene_of;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
 
 Json label(const std::string& id, const std::vector<double>& position, const std::vector<double>& normal) {
   return {{"id", id}, {"position", position}, {"normal", normal}, {"type", "large"}};
@@ -35,18 +40,16 @@ TEST(Misplaced, WhatLiesInsideAFixture) {
   Json store = changed_store("/labels/0/position", "[7.2, 0.2, 1]");
   store["transceivers"]["list"][1]["position"] = {7.3, 0.3, 2.9};
   const Scene scene = scene_of(store);
-  EXPECT_EQ(
-      scene.warnings,
-      (std::vector<std::string>{
-          "store.json: labels[0]: label 'L1' lies inside fixture 'C' and hears nothing; move one of them",
-          "store.json: transceivers.list[1]: transceiver 'T2' lies inside fixture 'C', which keeps its "
-          "light; move it, or cover the place with 'keep_out'"}));
-  // On its surface and above it is not inside; nor does the hull of a mesh count.
+  EXPECT_THAT(scene.warnings,
+              ElementsAre(StartsWith("store.json: labels[0]: label 'L1' is inside fixture 'C'"),
+                          StartsWith("store.json: transceivers.list[1]: transceiver 'T2' is inside")));
+  // Points on the surface and above it are not inside; the hull of a mesh does not count either.
   for (const char* place : {"[7, 0.2, 1]", "[6.2, 4.2, 0.6]"})
     EXPECT_TRUE(scene_of(changed_store("/labels/0/position", place)).warnings.empty()) << place;
 }
 
-// The room is 8 x 6 x 3 m. A disc of 0.3 m whose axis leans by asin 0.6 stands 0.6 of its radius up.
+// The room is 8 x 6 x 3 m. A disc of 0.3 m whose axis is tilted by asin 0.6 extends upwards by 0.6 of its
+// radius.
 TEST(Misplaced, DiscsAndLabelsThatReachOutsideTheRoom) {
   const auto warnings = [](double z, double label_x) {
     Json store = sample_store();
@@ -59,12 +62,10 @@ TEST(Misplaced, DiscsAndLabelsThatReachOutsideTheRoom) {
     return scene_of(store).warnings;
   };
   EXPECT_TRUE(warnings(2.8199, 0.2001).empty());
-  EXPECT_EQ(warnings(2.83, 0.15),
-            (std::vector<std::string>{
-                "store.json: labels[0]: label 'W' reaches behind the wall x0 (-0.05 m < 0 m), where no light "
-                "goes in or out; move it inwards, or make it smaller",
-                "store.json: transceivers.list[2]: the disc of transceiver 'D' reaches above the ceiling "
-                "(3.01 m > 3 m), where no light goes in or out; move it inwards, or make it smaller"}));
+  EXPECT_THAT(warnings(2.83, 0.15),
+              ElementsAre(AllOf(StartsWith("store.json: labels[0]: label 'W' "), HasSubstr("x0 (-0.05 m")),
+                          AllOf(StartsWith("store.json: transceivers.list[2]: "), HasSubstr("'D'"),
+                                HasSubstr("ceiling (3.01 m"))));
 }
 
 TEST(Misplaced, GeneratedLabelsNameTheirFixture) {
@@ -73,34 +74,27 @@ TEST(Misplaced, GeneratedLabelsNameTheirFixture) {
       R"({ "type": "box", "id": "C", "min": [2, 0.5, 0], "max": [2.3, 0.999, 2], "material": "m" })"));
   store["transceivers"]["list"][0]["position"] = {3, 1, 0.5};
   const Scene scene = scene_of(store);
-  ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_EQ(
-      scene.warnings[0],
-      "store.json: fixtures[0]: label 'F-front-1-1' lies inside fixture 'C' and hears nothing; move one of "
-      "them");
+  EXPECT_THAT(scene.warnings,
+              ElementsAre(StartsWith("store.json: fixtures[0]: label 'F-front-1-1' is inside fixture 'C'")));
 }
 
 // The column C reaches from (7, 0, 0) to (7.5, 0.5, 3).
 TEST(Misplaced, LabelThatLooksAtAFixture) {
-  const auto warnings = warnings_with(label("W", {6.99, 0.2, 1}, {1, 0, 0}));
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(
-      warnings[0],
-      "store.json: labels[1]: label 'W' looks at fixture 'C', 1 cm in front of it; turn its normal round, or "
-      "move it to where light reaches it");
+  EXPECT_THAT(warnings_with(label("W", {6.99, 0.2, 1}, {1, 0, 0})),
+              ElementsAre(StartsWith("store.json: labels[1]: label 'W' faces fixture 'C', 1 cm")));
   struct Case {
     std::vector<double> position, normal;
     bool warned;
   };
   for (const auto& [position, normal, warned] : std::vector<Case>{
-           {{6.99, 0.2, 1}, {-1, 0, 0}, false},  // looks away
+           {{6.99, 0.2, 1}, {-1, 0, 0}, false},  // faces away
            {{6.96, 0.2, 1}, {1, 0, 0}, true},    // 4 cm
            {{6.94, 0.2, 1}, {1, 0, 0}, false},   // 6 cm
            {{6.99, 0.2, 1}, {1, 0, 1}, true},    // tilted, 1.4 cm
            {{6.99, 0.2, 1}, {1, 0, 10}, false},  // nearly along the surface, 10 cm
            {{6.99, 0.2, 1}, {0, 0, 1}, false},   // along it
-           {{7, 0.2, 1}, {1, 0, 0}, true},       // on the surface, looking in
-           {{7, 0.2, 1}, {-1, 0, 0}, false},     // on the surface, looking out
+           {{7, 0.2, 1}, {1, 0, 0}, true},       // on the surface, facing inwards
+           {{7, 0.2, 1}, {-1, 0, 0}, false},     // on the surface, facing outwards
            {{6.99, 0.52, 1}, {1, 0, 0}, false},  // beside it
            {{7.2, 0.51, 1}, {0, -1, 0}, true},   // from another side
        })
@@ -118,10 +112,8 @@ TEST(Misplaced, LabelThatLooksIntoItsShelf) {
   for (const double rotation : {0.0, 1e-9}) {
     store["fixtures"][0]["rotation_deg"] = rotation;
     const Scene scene = scene_of(store);
-    ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_TRUE(scene.warnings[0].starts_with(
-        "store.json: labels[0]: label 'turned' looks at fixture 'A', 2 cm in front of it;"))
-        << scene.warnings[0];
+    EXPECT_THAT(scene.warnings,
+                ElementsAre(StartsWith("store.json: labels[0]: label 'turned' faces fixture 'A', 2 cm")));
   }
 }
 
@@ -141,10 +133,8 @@ TEST(Misplaced, LabelsOfFixturesLookOutwardsWhateverTheirTilt) {
 }
 
 TEST(Misplaced, LabelThatLooksAtAWall) {
-  const auto warnings = warnings_with(label("W", {0.01, 3, 1}, {-1, 0, 0}));
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(
-      warnings[0].starts_with("store.json: labels[1]: label 'W' looks at the wall x0, 1 cm in front"));
+  EXPECT_THAT(warnings_with(label("W", {0.01, 3, 1}, {-1, 0, 0})),
+              ElementsAre(StartsWith("store.json: labels[1]: label 'W' faces the wall x0, 1 cm")));
   EXPECT_TRUE(warnings_with(label("W", {0.01, 3, 1}, {1, 0, 0})).empty());
   EXPECT_TRUE(warnings_with(label("W", {0, 3, 1}, {1, 0, 0})).empty());
   EXPECT_NE(warnings_with(label("W", {1, 3, 2.98}, {0, 0, 1})).at(0).find("the ceiling, 2 cm"),
@@ -160,9 +150,9 @@ TEST(Misplaced, ManyOfAKindAreCounted) {
   const auto warnings = scene_of(store).warnings;
   ASSERT_EQ(warnings.size(), 12u);
   EXPECT_NE(warnings[4].find("'in 4'"), std::string::npos);
-  EXPECT_EQ(warnings[5], "and 123 more labels that lie inside a fixture");
+  EXPECT_EQ(warnings[5], "and 123 more labels inside a fixture");
   EXPECT_NE(warnings[6].find("'at 0'"), std::string::npos);
-  EXPECT_EQ(warnings[11], "and 123 more labels that look at a surface right in front of them");
+  EXPECT_EQ(warnings[11], "and 123 more labels that face a surface right in front of them");
 }
 
 // The column C reaches from (7, 0, 0) to (7.5, 0.5, 3).
@@ -179,15 +169,11 @@ TEST(Misplaced, PartsInsideAFixture) {
     changed["transceivers"].erase("installed");
     return scene_of(changed).warnings;
   };
-  // Upright and 1 cm off the column, a disc flush with the ceiling, both as near to a side as they fit.
+  // Upright and 1 cm from the column, and a disc flush with the ceiling, both as near to a side as possible.
   EXPECT_EQ(warnings({6.99, 0.3, 1}, {-1, 0, 0}, {7.2, 0.81, 3}), std::vector<std::string>{});
-  EXPECT_EQ(
-      warnings({6.99, 0.3, 1}, {-1, 0, 0.3}, {7.2, 0.79, 2.9}),
-      (std::vector<std::string>{
-          "store.json: labels[0]: part of label 'W' lies inside fixture 'C' and hears nothing; move it, turn "
-          "it, or give its type another 'size'",
-          "store.json: transceivers.list[0]: part of transceiver 'U' lies inside fixture 'C', which keeps "
-          "its light; move it, or give its type another 'radius'"}));
+  EXPECT_THAT(warnings({6.99, 0.3, 1}, {-1, 0, 0.3}, {7.2, 0.79, 2.9}),
+              ElementsAre(StartsWith("store.json: labels[0]: part of label 'W' is inside fixture 'C'"),
+                          StartsWith("store.json: transceivers.list[0]: part of transceiver 'U' is inside")));
 }
 
 TEST(Misplaced, BeyondTheRoomSaysWhere) {
@@ -205,12 +191,9 @@ TEST(Misplaced, BeyondTheRoomSaysWhere) {
 
 TEST(Misplaced, WithoutARoomUnitsOutsideOfAllSurfaces) {
   Json store = test::gondola_store();
-  const auto warnings = scene_of(store).warnings;
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(
-      warnings[0],
-      "store.json: transceivers.list[0]: transceiver 'T' at (0, 0, 3) is outside of all surfaces, which lie "
-      "from (2, 1, 0) to (5.2, 1.9, 1.8); move it, or give the store a 'room'");
+  EXPECT_THAT(scene_of(store).warnings,
+              ElementsAre(AllOf(StartsWith("store.json: transceivers.list[0]: transceiver 'T' at (0, 0, 3) "),
+                                HasSubstr("from (2, 1, 0) to (5.2, 1.9, 1.8)"))));
   store["transceivers"]["list"][0]["position"] = {3, 1.02, 1.79};
   EXPECT_TRUE(scene_of(store).warnings.empty());
 }

@@ -19,7 +19,7 @@ using test::Json;
 using test::sample_store;
 using test::TempFolder;
 
-// Reads the resolved store back, from a folder without any other file, and compares everything.
+// Reads the resolved store from a folder without any other file, and compares everything.
 void expect_same_scene(const Store& store) {
   const Scene scene = make_scene(store);
   const std::string resolved = resolved_store_json(store, scene);
@@ -97,7 +97,7 @@ TEST(ResolvedStore, KeepsTheAnglesOfTables) {
   }
 }
 
-// Every way to write a material, and every photometric file there is: all symmetries, types C and B.
+// All notations of materials, and all photometric files: all symmetries, types C and B.
 TEST(ResolvedStore, KeepsMaterials) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(0.01, 1);
@@ -176,8 +176,8 @@ std::string hash_without_store(Scene scene) {
   return scene_hash(scene);
 }
 
-// The least change of any number of a scene, and of words, shows in what the tests above compare, and in the
-// hash of its contents.
+// The smallest change of any number or text of a scene must change both the comparison of the tests above and
+// the hash of its content.
 TEST(ResolvedStore, ComparisonAndHashSeeEveryChange) {
   const Scene scene = test::scene_of(sample_store());
   const std::string before = fingerprint(scene), hash_before = hash_without_store(scene);
@@ -188,7 +188,8 @@ TEST(ResolvedStore, ComparisonAndHashSeeEveryChange) {
       {"/fixtures/1/doors", "\"tile\""},      {"/fixtures/0/id", "\"B\""},
       {"/transceivers/installed", "[]"},
   };
-  // Bounds, directions that are made unit, numbers of vertices, an angle where the intensity is largest.
+  // Bounds, normalised directions, numbers of vertices, and the angle of the largest intensity may hide a
+  // change.
   const auto may_hide = [](const std::string& pointer) {
     for (const char* part :
          {"/keep_out/", "/spacing", "/normal/", "/grids/0/axis/", "/parts/0/faces/", "/angle_deg"})

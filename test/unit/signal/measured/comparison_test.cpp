@@ -15,15 +15,15 @@ namespace {
 
 constexpr double true_factor = 37.5;
 
-// A made-up survey: signals over 25 dB, a simulation and measurements with known errors, and errors that
-// nobody knows of.
+// A synthetic survey: signals over 25 dB, a simulation and measurements with known errors, and unknown
+// errors.
 struct Survey {
   std::size_t labels = 40, transceivers = 1;
   double simulation = 0.05;   // relative
   double measurement = 0.05;  // relative to a signal of 1 mW/m^2, with a floor
   bool errors_known = true;
   double pair_db = 0, label_db = 0, transceiver_db = 0;
-  double exponent = 1;  // measured = factor x simulated^exponent: a wrong model where not 1
+  double exponent = 1;  // measured = factor x simulated^exponent: a wrong model unless 1
 
   std::vector<ComparedPair> draw(std::uint64_t seed) const {
     std::mt19937_64 engine(seed);
@@ -48,7 +48,7 @@ struct Survey {
   }
 };
 
-/// Of how many surveys the interval holds the factor.
+/// The share of surveys whose interval contains the factor.
 template <class Change>
 double coverage(const Survey& survey, double confidence, int runs, const Change& change) {
   int held = 0;
@@ -61,8 +61,8 @@ double coverage(const Survey& survey, double confidence, int runs, const Change&
 }
 const auto as_it_is = [](std::vector<ComparedPair>&) {};
 
-// 2000 surveys: the standard error of a share of 95 % is 0.5 %, of 80 % 0.9 %. The bounds are three of
-// them, and what the approximation by Student's t may be off beside.
+// 2000 surveys: the standard error of a share of 95 % is 0.5 %, of 80 % 0.9 %. The bounds are three of them
+// plus the error of the approximation by Student's t.
 TEST(Comparison, IntervalHoldsTheFactorAsOftenAsItSays) {
   Survey survey;
   EXPECT_NEAR(coverage(survey, 0.95, 2000, as_it_is), 0.95, 0.025) << "errors known";
@@ -81,7 +81,7 @@ TEST(Comparison, IntervalOfAnotherFactorIsNoticed) {
   EXPECT_LT(coverage({}, 0.95, 500, shift), 0.5);
 }
 
-// Labels with gains of their own: 10 labels x 10 transceivers are 10 independent looks, not 100.
+// Labels with individual gains: 10 labels x 10 transceivers are 10 independent observations, not 100.
 TEST(Comparison, IntervalAllowsForGainsThatPairsShare) {
   Survey survey;
   survey.labels = survey.transceivers = 10;
@@ -154,7 +154,7 @@ TEST(Comparison, OutliersAreToldAndDoNotDecide) {
     std::vector<ComparedPair> pairs = survey.draw(seed);
     const Comparison before = compare_signals(pairs);
     false_alarms += before.outliers.empty() ? 0 : 1;
-    // Eight of sixty labels stand behind something.
+    // Eight of sixty labels are obstructed.
     std::vector<std::size_t> blocked;
     for (std::size_t k = 0; k < pairs.size() && blocked.size() < 8; ++k)
       if (before.pairs[k].use == PairUse::fitted && pairs[k].simulated > 0.05) blocked.push_back(k);
@@ -180,10 +180,10 @@ TEST(Comparison, NothingMeasuredIsAnOutlierWhereMuchIsExpected) {
         pairs.begin());
     pairs[strong].measured = 0;
     const Comparison comparison = compare_signals(pairs);
-    EXPECT_EQ(comparison.pairs[strong].use, PairUse::nothing_measured);
+    EXPECT_EQ(comparison.pairs[strong].use, PairUse::measured_zero);
     EXPECT_FALSE(comparison.pairs[strong].residual.has_value());
     EXPECT_EQ(comparison.outliers, std::vector<std::size_t>{strong}) << errors_known;
-    EXPECT_EQ(comparison.nothing_measured, 1u);
+    EXPECT_EQ(comparison.measured_zero, 1u);
     EXPECT_TRUE(comparison.factor_interval.low < comparison.factor &&
                 comparison.factor < comparison.factor_interval.high);
   }
@@ -205,7 +205,7 @@ TEST(Comparison, SignalWhereNoneIsSimulated) {
   EXPECT_TRUE(comparison.test->rejected());
 }
 
-// Noise about zero in most of the file: what is measured there has half its values below 0, and no logarithm.
+// Most measurements are noise about zero, half of them negative and without a logarithm.
 TEST(Comparison, FaintSignalsDoNotBiasTheFactor) {
   Survey survey;
   survey.labels = 30;
@@ -225,7 +225,7 @@ TEST(Comparison, FaintSignalsDoNotBiasTheFactor) {
     }
     sum += 10 * std::log10(compare_signals(pairs).factor / true_factor) / runs;
   }
-  // The logarithm of a signal of five standard errors is 0.09 dB low on the average.
+  // On average, the logarithm of a signal of five standard errors is 0.09 dB too low.
   EXPECT_NEAR(sum, 0, 0.05) << "dB";
 }
 
@@ -254,16 +254,15 @@ TEST(Comparison, AScaleOfTheMeasurementsIsTheFactorsAlone) {
   const Comparison a = compare_signals(pairs), b = compare_signals(scaled);
   EXPECT_NEAR(b.factor / a.factor, 1024, 1e-9);
   EXPECT_NEAR(b.test->statistic, a.test->statistic, 1e-9 * a.test->statistic);
-  EXPECT_NEAR(b.ninety_residual, a.ninety_residual, 1e-9);
+  EXPECT_NEAR(b.residual_quantile_90, a.residual_quantile_90, 1e-9);
 }
 
 TEST(Comparison, SaysWhatCannotBeFitted) {
   std::vector<ComparedPair> pairs = Survey{}.draw(2);
   std::vector<ComparedPair> two(pairs.begin(), pairs.begin() + 2);
-  test::expect_input_error([&] { compare_signals(two, 0.95, "m.csv"); }, "m.csv", "2 signals",
-                           "three at least");
+  test::expect_input_error([&] { compare_signals(two, 0.95, "m.csv"); }, "m.csv", "2 signals", "three");
   for (ComparedPair& pair : pairs) pair.measured = -60;
-  test::expect_input_error([&] { compare_signals(pairs, 0.95, "m.csv"); }, "m.csv", "not decibels");
+  test::expect_input_error([&] { compare_signals(pairs, 0.95, "m.csv"); }, "m.csv", "decibels");
 }
 
 // The table of docs/methods/comparison.md. 4000 surveys: three standard errors of a share of 95 % are 1 %.

@@ -65,19 +65,16 @@ TEST(NpyTable, BrokenFilesAreRefused) {
   const auto refused = [](const std::string& content, std::string_view problem) {
     expect_input_error([&] { read(content); }, "matrix.npy", problem);
   };
-  refused(npy(header(">f4", "False", "(2, 3)"), bytes(data)), "big-endian is not read");
-  refused(npy(header("<i4", "False", "(2, 3)"), bytes(data)), "of type '<i4'");
+  refused(npy(header("<i4", "False", "(2, 3)"), bytes(data)), "'<i4'");
   refused(npy(header("<f4", "Maybe", "(2, 3)"), bytes(data)), "fortran_order");
   for (const char* shape : {"(6,)", "()", "(1, 2, 3)", "(0, 3)", "(2, -3)", "(2, 5000000000)"})
-    refused(npy(header("<f4", "False", shape), bytes(data)), "the shape is");
-  refused(npy(header("<f4", "False", "(2, 4)"), bytes(data)),
-          "holds 24 bytes of data where its shape (2, 4) takes 32");
-  refused(npy(header("<f4", "False", "(2, 3)"), bytes(data) + "x"), "holds 25 bytes");
-  refused(npy(header("<f4", "False", "(4294967294, 4294967294)"), bytes(data)), "holds 24 bytes");
-  refused(npy(header("<f8", "False", "(2147483648, 4294967294)"), bytes(data)), "holds 24 bytes");
-  refused(npy("{'descr': '<f4', }\n", bytes(data)), "has no 'fortran_order'");
-  refused(npy(header("<f4", "False", "(2, 3)"), bytes(data), 9), "unknown NPY version");
-  refused(std::string("\x93NUMPY\x01\0\xff\xff", 10), "damaged, truncated");
+    refused(npy(header("<f4", "False", shape), bytes(data)), shape);
+  refused(npy(header("<f4", "False", "(2, 3)"), bytes(data) + "x"), "25 bytes");
+  refused(npy(header("<f4", "False", "(4294967294, 4294967294)"), bytes(data)), "24 bytes");
+  refused(npy(header("<f8", "False", "(2147483648, 4294967294)"), bytes(data)), "24 bytes");
+  refused(npy("{'descr': '<f4', }\n", bytes(data)), "'fortran_order'");
+  refused(npy(header("<f4", "False", "(2, 3)"), bytes(data), 9), ": header: ");
+  refused(std::string("\x93NUMPY\x01\0\xff\xff", 10), ": header: ");
   const std::string whole = npy(header("<f4", "False", "(2, 3)"), bytes(data));
   for (std::size_t length = 0; length < whole.size(); ++length)
     test::input_error([&] { read(whole.substr(0, length)); });

@@ -12,7 +12,7 @@ std::vector<float> values(const LaneRow& row, std::size_t groups) {
   return {row.values(), row.values() + groups * lanes};
 }
 
-// Small whole numbers, exact in single precision.
+// Small integers, exact in single precision.
 TEST(LaneRow, AddsOnlyWhatIsUsedAndForgetsItAll) {
   constexpr std::size_t groups = 5;
   LaneRow row(groups), other(groups);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double albedo = 0.6;
 
-// A room with a shelf, and labels on the floor, of which the first lie in its shadow for the second unit.
+// A room with a shelf, and labels on the floor. The first of them are in its shadow for the second unit.
 test::BareScene room(double of_all = albedo) {
   test::BareScene room;
   room.box(room.material(Lambertian{of_all}), {0, 0, 0}, {6, 5, 3});
@@ -41,17 +41,17 @@ struct Prepared {
     const RadianceCache::Row row = cache.row(at);
     double sum = 0;
     for (std::size_t c = 0; c < row.count; ++c) {
-      if (row.groups[c] != groups.place(j) / lanes) continue;
+      if (row.groups[c] != groups.lane_index(j) / lanes) continue;
       LaneValues e;
       groups.irradiance(row.groups[c], LanePoint(at), e);
-      const std::size_t k = groups.place(j) % lanes;
+      const std::size_t k = groups.lane_index(j) % lanes;
       sum += static_cast<double>(e[k] * PackedLane::share(row.share[c * lanes + k]) +
                                  PackedLane::value(row.indirect[c * lanes + k]));
     }
     return sum;
   }
 
-  // Root mean square and largest deviation on the floor from a room of some albedo, as shares.
+  // Root mean square and largest relative deviation on the floor from a room of some albedo.
   std::pair<double, double> deviation(double real_albedo) const {
     const SignalMatrix truth =
         simulate(room(real_albedo).scene, {EstimatorKind::uniform, 60000, DirectLight::exact, 3}).matrix;
@@ -69,8 +69,8 @@ struct Prepared {
 
 const SurfacePoint floor_point{{1.5, 2.5, 0}, {0, 0, 1}};
 
-// Coarse: irradiance on the floor within 30 %, within 12 % as root mean square (the reference to 1 %). The
-// control is a room with the albedo of 0.45.
+// The cache is coarse: irradiance on the floor is within 30 %, and within 12 % as root mean square (the
+// reference within 1 %). The control is a room with an albedo of 0.45.
 TEST(RadianceCache, HoldsRoughlyTheIrradiance) {
   const Prepared room;
   EXPECT_GT(room.cache.cells(), 100U);
@@ -81,8 +81,8 @@ TEST(RadianceCache, HoldsRoughlyTheIrradiance) {
   EXPECT_GT(room.deviation(0.45).first, 0.12);
 }
 
-// The rounds bring 1 - 0.95^7, less than a third, of what white walls have in the end; rays that the cells
-// lose cost a fifth. The control is a room with the albedo of 0.9, whose walls have half as much.
+// The rounds compute 1 - 0.95^7, less than a third, of the final light of white walls; rays that the cells
+// lose cost a fifth. The control is a room with an albedo of 0.9, whose walls have half as much.
 TEST(RadianceCache, ExtrapolatesTheBouncesBetweenWhiteWalls) {
   const Prepared room(0.95);
   EXPECT_LT(room.deviation(0.95).first, 0.3);
@@ -95,7 +95,7 @@ TEST(RadianceCache, IsBlankWhereNothingIsKnown) {
   EXPECT_EQ(room.cache.row({{60, 2.5, 0}, {0, 0, 1}}).count, 0U);
   EXPECT_EQ(room.cache.row({{1.5, 2.5, 0}, {0, 0, -1}}).count, 0U);
   EXPECT_EQ(room.cache.row({{1.5, 2.5, 1.5}, {0, 0, 1}}).count, 0U);
-  // Nor is anything kept that is too faint.
+  // Light that is too weak is not stored.
   EXPECT_EQ(Prepared(albedo, 1e6F).cache.row(floor_point).count, 0U);
 }
 

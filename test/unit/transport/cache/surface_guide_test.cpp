@@ -27,13 +27,13 @@ Material brushed(double roughness) {
 
 Vec3 upward(std::uint32_t k, std::uint32_t stream) {
   const auto u = philox({k, stream, 0, 0}, 4);
-  const double z = 0.05 + 0.95 * to_unit(u[0]), phi = 2 * pi * to_unit(u[1]), r = std::sqrt(1 - z * z);
+  const double z = 0.05 + 0.95 * to_uniform(u[0]), phi = 2 * pi * to_uniform(u[1]), r = std::sqrt(1 - z * z);
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
-// The first stream to one side, others to the opposite one.
+// The first stream points to one side, the others to the opposite side.
 Vec3 grazing(std::uint32_t k, std::uint32_t stream) {
   const auto u = philox({k, stream, 1, 0}, 4);
-  const double z = 0.001 + 0.03 * to_unit(u[0]), phi = 0.03 * to_unit(u[1]) + (stream == 1 ? 0 : pi);
+  const double z = 0.001 + 0.03 * to_uniform(u[0]), phi = 0.03 * to_uniform(u[1]) + (stream == 1 ? 0 : pi);
   return Vec3{std::cos(phi), std::sin(phi), 0} * std::sqrt(1 - z * z) + Vec3{0, 0, z};
 }
 using Directions = Vec3 (*)(std::uint32_t, std::uint32_t);
@@ -52,7 +52,7 @@ test::BareScene sky(Directions directions = upward) {
   return sky;
 }
 
-// Of the guide's f from that of the material, root mean square, as a share of that of f.
+// The root mean square deviation of the guide's f from the material's, relative to the latter.
 double deviation(const Material& guided, const Material& real, Directions directions = upward) {
   const test::BareScene scene = sky(directions);
   const World world(scene.scene);
@@ -64,8 +64,8 @@ double deviation(const Material& guided, const Material& real, Directions direct
     const LaneScatter scatter = guide.towards(out, {0, 0, 1}, guide.exit(out.z));
     for (std::size_t j = 0; j < scene.scene.transceivers.size(); ++j) {
       const Vec3 in = normalized(scene.scene.transceivers[j].position - point.position);
-      const auto [entry, highlight] = LaneKernels::parts(units, units.place(j) / lanes,
-                                                         units.place(j) % lanes, LanePoint(point), scatter);
+      const auto [entry, highlight] = LaneKernels::parts(
+          units, units.lane_index(j) / lanes, units.lane_index(j) % lanes, LanePoint(point), scatter);
       const double truth = eval(real, out, in);
       squares += truth * truth;
       differences += std::pow(static_cast<double>(scatter.base * entry + highlight) - truth, 2);
@@ -74,8 +74,8 @@ double deviation(const Material& guided, const Material& real, Directions direct
   return std::sqrt(differences / squares);
 }
 
-// The polynomials of the Fresnel terms and of what passes the coat err by 1 %; controls: a roughness
-// and a reflectance that are a little off.
+// The polynomials of the Fresnel terms and of the coat's transmittance err by 1 %. The controls are a
+// roughness and a reflectance that are slightly off.
 TEST(SurfaceGuide, KnowsHighlightsAndBases) {
   for (const double roughness : {0.15, 0.3, 0.6}) {
     EXPECT_LT(deviation(coated(roughness), coated(roughness)), 0.02) << roughness;
@@ -89,8 +89,8 @@ TEST(SurfaceGuide, KnowsHighlightsAndBases) {
   EXPECT_GT(deviation(make_plastic(1.5, 0.55), make_plastic(1.5, 0.5)), 0.05);
 }
 
-// Rougher along the floor's x, which is the store's, than across, and the other way round; the controls are
-// either one taken for the other, or for one that is as rough both ways.
+// A floor that is rougher along x, which is the store's, than across it, and the reverse. The controls
+// exchange the two, or use an isotropic roughness.
 TEST(SurfaceGuide, KnowsWhichWayMetalIsBrushed) {
   const auto metal = [](double x, double y) -> Material {
     return make_conductor(1.7, 8.6, make_microfacets(FacetDistribution::ggx, x, y));
@@ -103,7 +103,7 @@ TEST(SurfaceGuide, KnowsWhichWayMetalIsBrushed) {
   }
 }
 
-// Within what the masking of GGX differs from Beckmann's; the control is the distribution of GGX.
+// Within the difference of GGX's masking from Beckmann's; the control is the distribution of GGX.
 TEST(SurfaceGuide, KnowsBeckmannFacets) {
   const auto metal = [](FacetDistribution of, double x, double y) -> Material {
     return make_conductor(1.7, 8.6, make_microfacets(of, x, y));
@@ -115,7 +115,7 @@ TEST(SurfaceGuide, KnowsBeckmannFacets) {
   }
 }
 
-// The polynomials dip below zero where almost nothing is reflected, a probability must not.
+// The polynomials are negative where almost nothing is reflected; a probability must not be.
 TEST(SurfaceGuide, HasNoNegativeHighlights) {
   const test::BareScene scene = sky();
   const World world(scene.scene);
@@ -128,14 +128,14 @@ TEST(SurfaceGuide, HasNoNegativeHighlights) {
       const Vec3 in = normalized(scene.scene.transceivers[j].position - point.position);
       const Vec3 out{-in.x, -in.y, in.z};
       const LaneKernels::Parts parts =
-          LaneKernels::parts(units, units.place(j) / lanes, units.place(j) % lanes, LanePoint(point),
-                             guide.towards(out, {0, 0, 1}, guide.exit(out.z)));
+          LaneKernels::parts(units, units.lane_index(j) / lanes, units.lane_index(j) % lanes,
+                             LanePoint(point), guide.towards(out, {0, 0, 1}, guide.exit(out.z)));
       EXPECT_GE(parts.highlight, 0);
     }
   }
 }
 
-// Where almost everything is highlight, and the half vector a small difference.
+// At grazing angles almost everything is highlight, and the half vector is a small difference.
 TEST(SurfaceGuide, KnowsGrazingHighlights) {
   for (const double roughness : {0.05, 0.15, 0.3}) {
     EXPECT_LT(deviation(coated(roughness), coated(roughness), grazing), 0.03) << roughness;
@@ -143,7 +143,7 @@ TEST(SurfaceGuide, KnowsGrazingHighlights) {
   }
 }
 
-// Vectors do what single lanes do, to the rounding of floats; the control leaves the highlight out.
+// Vectors agree with single lanes within the rounding of floats; the control omits the highlight.
 TEST(SurfaceGuide, IsTheSameInVectors) {
   const test::BareScene scene = sky();
   const World world(scene.scene);
@@ -166,7 +166,7 @@ TEST(SurfaceGuide, IsTheSameInVectors) {
     LaneKernels::add_radiance(units, list.data(), list.size(), LanePoint(point), scatter, false, 2, 0.1F,
                               share.data(), indirect.data(), sums.data());
     for (std::size_t j = 0; j < scene.scene.transceivers.size(); ++j) {
-      const std::size_t place = units.place(j), g = place / lanes, lane = place % lanes;
+      const std::size_t place = units.lane_index(j), g = place / lanes, lane = place % lanes;
       LaneValues e;
       units.irradiance(g, LanePoint(point), e);
       const auto [entry, highlight] = LaneKernels::parts(units, g, lane, LanePoint(point), scatter);
@@ -190,7 +190,7 @@ TEST(SurfaceGuide, TellsWhatLeavesInWhichWay) {
   const Material old = make_plastic(1.5, 0.5, make_microfacets(FacetDistribution::beckmann, 0.3, 0.3));
   struct Row {
     const Material* material;
-    bool has_base, is_detailed, has_highlight, is_loose;
+    bool has_base, is_detailed, has_highlight, is_approximate;
   };
   const Material rough = coated(0.3), metal = brushed(0.3), glossy = coated(0.02);
   for (const Row& row : {Row{&paper, true, false, false, false}, Row{&mirror, false, false, false, false},
@@ -201,7 +201,7 @@ TEST(SurfaceGuide, TellsWhatLeavesInWhichWay) {
     EXPECT_EQ(guide.has_base(), row.has_base) << type_name(*row.material);
     EXPECT_EQ(guide.is_detailed(), row.is_detailed) << type_name(*row.material);
     EXPECT_EQ(guide.has_highlight(), row.has_highlight) << type_name(*row.material);
-    EXPECT_EQ(guide.is_loose(), row.is_loose) << type_name(*row.material);
+    EXPECT_EQ(guide.is_approximate(), row.is_approximate) << type_name(*row.material);
   }
   const SurfaceGuide guide(rough);
   for (const double cosine : {0.1, 0.5, 1.0})

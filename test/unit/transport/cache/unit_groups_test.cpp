@@ -17,15 +17,15 @@ namespace {
 
 Vec3 any_direction(std::uint32_t k, std::uint32_t stream) {
   const auto u = philox({k, stream, 0, 0}, 21);
-  const double z = 2 * to_unit(u[0]) - 1, phi = 2 * pi * to_unit(u[1]), r = std::sqrt(1 - z * z);
+  const double z = 2 * to_uniform(u[0]) - 1, phi = 2 * pi * to_uniform(u[1]), r = std::sqrt(1 - z * z);
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 Vec3 any_place(std::uint32_t k, std::uint32_t stream) {
   const auto u = philox({k, stream, 1, 0}, 21);
-  return {30 * to_unit(u[0]), 20 * to_unit(u[1]), 4 * to_unit(u[2])};
+  return {30 * to_uniform(u[0]), 20 * to_uniform(u[1]), 4 * to_uniform(u[2])};
 }
 
-// `count` units of one type all over a hall, with axes all over the sphere.
+// `count` units of one type throughout a hall, with axes throughout the sphere.
 test::BareScene hall(const Emission& emission, std::uint32_t count) {
   test::BareScene hall;
   hall.box(hall.material(Lambertian{0.5}), {0, 0, 0}, {30, 20, 4});
@@ -39,12 +39,13 @@ test::BareScene hall(const Emission& emission, std::uint32_t count) {
 }
 
 struct Deviation {
-  double largest = 0;   // of the irradiance, in multiples of the highest intensity over the squared distance
-  double relative = 0;  // root mean square, in that of the irradiance
+  double largest = 0;   // of the irradiance, relative to the maximum intensity over the squared distance
+  double relative = 0;  // root mean square, relative to that of the irradiance
   bool is_bounded = true;
 };
 
-// Against double precision; measured profiles against their mean over phi. `scale` is a mistake.
+// Compares with double precision; measured profiles are compared with their mean over phi. `scale` is an
+// error for the control.
 Deviation deviation(const Emission& emission, double scale = 1) {
   const test::BareScene scene = hall(emission, 40);
   const World world(scene.scene);
@@ -88,8 +89,8 @@ Deviation deviation(const Emission& emission, double scale = 1) {
   return result;
 }
 
-// Closed forms to 1e-5, and 3e-5 of the peak everywhere; tables and powers of the cosine to 3 %, what 512
-// steps keep of those with sharp edges. The controls are scales off by 1e-4 and by 5 %.
+// Closed forms to 1e-5, and 3e-5 of the peak everywhere. Tables and powers of the cosine to 3 %, the accuracy
+// of 512 steps for sharp edges. The controls are scales off by 1e-4 and by 5 %.
 TEST(UnitGroups, IrradianceIsThatOfTheEmission) {
   for (const auto& [name, emission] : test::profiles()) {
     const auto* lambertian = std::get_if<GeneralizedLambertian>(&emission);
@@ -107,7 +108,7 @@ TEST(UnitGroups, IrradianceIsThatOfTheEmission) {
   }
 }
 
-// Of three types, some with a size, and of surfaces that shine.
+// Units of three types, some with a size, and emitting surfaces.
 TEST(UnitGroups, EveryColumnHasOneLane) {
   for (const std::uint32_t count : {1U, 16U, 17U, 100U}) {
     test::BareScene scene = hall(SinTwoTheta{1}, count);
@@ -125,15 +126,15 @@ TEST(UnitGroups, EveryColumnHasOneLane) {
       for (std::size_t k = 0; k < groups.count(g); ++k) {
         const std::uint32_t j = groups.column(g, k);
         ++seen[j];
-        EXPECT_EQ(groups.place(j), g * lanes + k);
-        const bool is_loose = j < count && j % 3 != 0;
-        EXPECT_EQ(groups.is_loose(g), is_loose);
+        EXPECT_EQ(groups.lane_index(j), g * lanes + k);
+        const bool is_approximate = j < count && j % 3 != 0;
+        EXPECT_EQ(groups.is_approximate(g), is_approximate);
       }
     }
     EXPECT_EQ(seen, std::vector<int>(count + 1, 1));
-    EXPECT_EQ(groups.any_loose(), count > 1);
+    EXPECT_EQ(groups.any_approximate(), count > 1);
 
-    const std::size_t lamp_group = groups.place(count) / lanes;
+    const std::size_t lamp_group = groups.lane_index(count) / lanes;
     LaneValues given;
     groups.irradiance(lamp_group, LanePoint(SurfacePoint{{2.5, 2.5, 1}, {0, 0, 1}}), given);
     EXPECT_EQ(given, LaneValues{});

@@ -16,7 +16,7 @@
 namespace shelfbeam {
 namespace {
 
-// Units half a metre from a wall, in the middle, and beside a column.
+// Units half a metre from a wall, in the middle of the room, and beside a column.
 test::BareScene room() {
   test::BareScene room;
   const MaterialId paper = room.material(Lambertian{0.6});
@@ -29,7 +29,7 @@ test::BareScene room() {
   return room;
 }
 
-constexpr SpotRule rule{.cap_at = 2};
+constexpr SpotRule rule{.min_cap_distance = 2};
 
 TEST(BrightSpots, AreFoundBesideUnits) {
   const test::BareScene scene = room();
@@ -37,14 +37,16 @@ TEST(BrightSpots, AreFoundBesideUnits) {
   UnitGroups units(world);
   const BrightSpots spots(world, units, 3, rule);
   EXPECT_EQ(spots.size(), 2U);
-  const auto cap = [&](std::size_t j) { return units.cap(units.place(j) / lanes, units.place(j) % lanes); };
+  const auto cap = [&](std::size_t j) {
+    return units.cap(units.lane_index(j) / lanes, units.lane_index(j) % lanes);
+  };
   EXPECT_FLOAT_EQ(cap(0), 1.6F / 4);
   EXPECT_GT(cap(1), 1e30F);
   EXPECT_LT(cap(2), 1);
 }
 
-// A unit by itself, and one in a crowd 20 m away, 0.3 m above the floor: the caps are those of the rule's
-// two distances, and of 1 m times sqrt(16 / 25) where 25 units are together.
+// A single unit, and one in a crowd 20 m away, 0.3 m above the floor. The caps have the two distances of the
+// rule, and 1 m times sqrt(16 / 25) where 25 units are together.
 TEST(BrightSpots, AreSmallerWhereUnitsAreMany) {
   for (const auto& [crowd, distance] : {std::pair{1, 1.0}, {16, 1.0}, {25, 0.8}, {64, 0.5}, {100, 0.5}}) {
     test::BareScene scene;
@@ -56,25 +58,28 @@ TEST(BrightSpots, AreSmallerWhereUnitsAreMany) {
     UnitGroups units(world);
     const BrightSpots spots(world, units, 3);
     EXPECT_EQ(spots.size(), world.scene.transceivers.size());
-    const auto cap = [&](std::size_t j) { return units.cap(units.place(j) / lanes, units.place(j) % lanes); };
+    const auto cap = [&](std::size_t j) {
+      return units.cap(units.lane_index(j) / lanes, units.lane_index(j) % lanes);
+    };
     EXPECT_FLOAT_EQ(cap(0), 2);
     EXPECT_FLOAT_EQ(cap(1), static_cast<float>(2 / (distance * distance))) << crowd;
   }
 }
 
-// Flux in the excess of a unit, from rays drawn by its emission alone.
+// Flux in the excess of a unit, from rays sampled by its emission alone.
 Moments plain_excess(const World& world, const UnitGroups& units, std::uint32_t j, std::uint32_t rays) {
   Moments moments;
   for (std::uint32_t r = 0; r < rays; ++r) {
     const auto u = philox({r, j, 0, 0}, 4);
-    const auto emitted = world.emitters.emit(j, {to_unit(u[0]), to_unit(u[1]), to_unit(u[2]), to_unit(u[3])});
+    const auto emitted =
+        world.emitters.emit(j, {to_uniform(u[0]), to_uniform(u[1]), to_uniform(u[2]), to_uniform(u[3])});
     double excess = 0;
     if (emitted) {
       const auto hit =
           world.rays.intersect({emitted->from.position, emitted->from.normal}, emitted->direction);
       SurfacePoint at = hit->point;
       if (dot(at.normal, emitted->direction) > 0) at.normal = -at.normal;
-      const std::size_t g = units.place(j) / lanes, lane = units.place(j) % lanes;
+      const std::size_t g = units.lane_index(j) / lanes, lane = units.lane_index(j) % lanes;
       LaneValues e;
       units.irradiance(g, LanePoint(at), e);
       if (e[lane] > units.cap(g, lane))
@@ -85,10 +90,10 @@ Moments plain_excess(const World& world, const UnitGroups& units, std::uint32_t 
   return moments;
 }
 
-// However far the points and whatever the effort, so whatever the chances and numbers of rays, the lights of
-// a unit carry its whole excess in the mean: both units, eight rays, two or five, one, and one at a chance;
-// z-test at 0.1 %, at errors of 5 % at most, 1.5 % but for small chances. The control is a reference 8 %
-// off.
+// For all distances and efforts, and so for all probabilities and numbers of rays, the lights of a unit carry
+// its whole excess on average: both units, with eight rays, two or five, one, and one with a probability.
+// z-test at 0.1 %, with errors of at most 5 %, and 1.5 % except for small probabilities. The control is a
+// reference 8 % off.
 TEST(BrightSpots, CarryTheWholeExcess) {
   const test::BareScene scene = room();
   const World world(scene.scene);
@@ -107,7 +112,7 @@ TEST(BrightSpots, CarryTheWholeExcess) {
         spots.draw(points, effort, {7, batch}, lights, rays);
         double power = 0;
         for (const SpotLight& light : lights)
-          if (light.place == units.place(j)) power += light.power * spots.excess(light, 0);
+          if (light.lane_index == units.lane_index(j)) power += light.power * spots.excess(light, 0);
         drawn.add(power);
       }
       found.push_back(drawn.mean());
@@ -121,12 +126,12 @@ TEST(BrightSpots, CarryTheWholeExcess) {
   EXPECT_FALSE(z_test(found, expected, errors, 0.001).pass);
 }
 
-// Closer than `near`, the cap rises with the density of the receiver's own rays.
+// Closer than `near`, the cap grows with the density of the receiver's own rays.
 TEST(BrightSpots, LeaveWhatIsNearToTheReceiversRays) {
   const test::BareScene scene = room();
   const World world(scene.scene);
   UnitGroups units(world);
-  const BrightSpots spots(world, units, 3, {.cap_at = 2, .near = 0.5});
+  const BrightSpots spots(world, units, 3, {.min_cap_distance = 2, .near = 0.5});
   const auto density = [](double distance) { return 1 / (pi * distance * distance); };
   SpotLight light;
   light.capped = 0.1;

@@ -1,4 +1,4 @@
-#include "shelfbeam/transport/run/engine.hpp"
+#include "shelfbeam/transport/run/batch_scheduler.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -42,17 +42,17 @@ Precision precision(const SignalMatrix& matrix, double error) {
   return all;
 }
 
-// The control: a tenth less was not reached.
-TEST(Engine, StopsWhenTheRelativeErrorIsReached) {
+// Control: a tenth less was not reached.
+TEST(BatchScheduler, StopsWhenTheRelativeErrorIsReached) {
   const Scene scene = test::SmallStore{}.scene();
   const SimulationResult result = simulate(scene, to_relative_error(0.02));
   EXPECT_TRUE(result.summary.complete);
   EXPECT_GT(precision(result.matrix, 0.02).relevant, 10u);
   EXPECT_TRUE(precision(result.matrix, 0.02 * (1 + 1e-6)).is_enough());
   EXPECT_FALSE(precision(result.matrix, 0.018).is_enough());
-  // Labels that were precise enough before the others have paused.
-  EXPECT_GE(result.summary.least_batches, least_batches);
-  EXPECT_LT(result.summary.least_batches, result.summary.most_batches);
+  // Labels that became precise enough before the others have paused.
+  EXPECT_GE(result.summary.min_batches, min_batches);
+  EXPECT_LT(result.summary.min_batches, result.summary.max_batches);
   for (const LabelRow& row : result.matrix.labels) {
     EXPECT_TRUE(is_stopping_point(row.batches));
     EXPECT_EQ(row.samples, row.batches * open_samples_per_batch);
@@ -66,7 +66,7 @@ TEST(Engine, StopsWhenTheRelativeErrorIsReached) {
   EXPECT_LE(result.summary.seconds_to_halve, 3 * result.summary.seconds);
 }
 
-TEST(Engine, StopsAtTheSamePlaceWithAnyNumberOfThreads) {
+TEST(BatchScheduler, StopsAtTheSamePlaceWithAnyNumberOfThreads) {
   const Scene scene = test::SmallStore{}.scene();
   for (const Strategy strategy : {Strategy::mis, Strategy::particle}) {
     SimulationOptions options = to_relative_error(strategy == Strategy::mis ? 0.04 : 0.02);
@@ -82,9 +82,9 @@ TEST(Engine, StopsAtTheSamePlaceWithAnyNumberOfThreads) {
   }
 }
 
-// Few items take several batches at once; the sums are those of one batch after another. The control has two
-// batches change places, which rounding tells.
-TEST(Engine, AddsBatchesInTheirOrder) {
+// With few items, several batches run at once; the sums are those of sequential batches. The control
+// exchanges two batches, which changes the rounding.
+TEST(BatchScheduler, AddsBatchesInTheirOrder) {
   const Scene scene = test::SmallStore{}.scene();
   const World world(scene);
   SimulationOptions options{EstimatorKind::uniform};
@@ -104,15 +104,15 @@ TEST(Engine, AddsBatchesInTheirOrder) {
     return sums.values;
   };
   const RunControl control;
-  detail::Engine engine(world, *estimator, options, "hash", control);
+  detail::BatchScheduler engine(world, *estimator, options, "hash", control);
   ASSERT_TRUE(engine.run());
   ASSERT_EQ(engine.sums()[0].batches, batches);
   EXPECT_EQ(engine.sums()[0].values, one_by_one(0, 0));
   EXPECT_NE(engine.sums()[0].values, one_by_one(3, 9));
 }
 
-// Of the second label of an item and its first source.
-TEST(Engine, TakesNothingThatIsNoNumber) {
+// Values of the second label of an item and its first source.
+TEST(BatchScheduler, TakesNothingThatIsNoNumber) {
   const Scene scene = test::SmallStore{}.scene();
   const Estimator::Block block{{3, 5}, {1, 2}};
   BatchValues values;
@@ -133,51 +133,51 @@ TEST(Engine, TakesNothingThatIsNoNumber) {
   }
 }
 
-TEST(Engine, StopsWithinItsTimeButNotBeforeSixteenBatches) {
+TEST(BatchScheduler, StopsWithinItsTimeButNotBeforeSixteenBatches) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform};
   options.time_s = 1e-6;
   const SimulationSummary least = simulate(scene, options).summary;
   EXPECT_TRUE(least.complete);
-  EXPECT_EQ(least.least_batches, least_batches);
-  EXPECT_EQ(least.most_batches, least_batches);
-  // However busy the machine is, some time is enough for more.
+  EXPECT_EQ(least.min_batches, min_batches);
+  EXPECT_EQ(least.max_batches, min_batches);
+  // On a machine of any load, some time suffices for more.
   for (double time_s = 0.3;; time_s *= 3) {
     options.time_s = time_s;
     const test::ProcessorTime spent;
     const SimulationSummary more = simulate(scene, options, {.threads = 1}).summary;
     EXPECT_LT(spent.seconds(), 2 * time_s + 1);
-    if (more.least_batches > least_batches) break;
+    if (more.min_batches > min_batches) break;
   }
 }
 
-// Whatever ends a simulation after 16 batches, they are the same.
-TEST(Engine, WhatStopsItChangesNoBatch) {
+// Any reason to stop after 16 batches gives the same batches.
+TEST(BatchScheduler, WhatStopsItChangesNoBatch) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions timed{EstimatorKind::uniform};
   timed.direct = DirectLight::exact;
   timed.time_s = 1e-6;
   const SignalMatrix by_time = simulate(scene, timed).matrix;
   SimulationOptions contented = to_relative_error(1);
-  contented.relative_error->above = 1e6;  // nothing matters
+  contented.relative_error->above = 1e6;  // no entry matters
   const SignalMatrix by_error = simulate(scene, contented).matrix;
-  for (const LabelRow& row : by_error.labels) EXPECT_EQ(row.batches, least_batches);
+  for (const LabelRow& row : by_error.labels) EXPECT_EQ(row.batches, min_batches);
   EXPECT_EQ(by_time.mean, by_error.mean);
   EXPECT_EQ(by_time.standard_error, by_error.standard_error);
   EXPECT_NE(by_time.mean, simulate(scene, to_relative_error(0.03)).matrix.mean);
 }
 
-// An error that would take more than the samples allowed ends the run early, which names what falls short of
-// it; with enough of them it is reached.
-TEST(Engine, GivesUpAnErrorThatIsOutOfReach) {
+// A run ends early if its error would take more than the allowed samples, and names the entries that miss it.
+// With enough samples it is reached.
+TEST(BatchScheduler, GivesUpAnErrorThatIsOutOfReach) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options = to_relative_error(1e-4);
-  options.relative_error->most_samples = 20000;
+  options.relative_error->max_samples = 20000;
   const SimulationSummary found = simulate(scene, options).summary;
   EXPECT_TRUE(found.complete);
   EXPECT_EQ(found.unmet_error, 1e-4);
-  EXPECT_GE(found.least_batches, judged_batches);
-  EXPECT_LT(found.most_samples, 20000U) << "it was plain before";
+  EXPECT_GE(found.min_batches, judged_batches);
+  EXPECT_LT(found.max_samples, 20000U) << "it was plain before";
   ASSERT_GT(found.unmet, 0U);
   ASSERT_FALSE(found.worst_unmet.empty());
   EXPECT_GT(found.worst_unmet.front().relative_error, 1e-4);
@@ -185,7 +185,7 @@ TEST(Engine, GivesUpAnErrorThatIsOutOfReach) {
   EXPECT_FALSE(simulate(scene, to_relative_error(0.05)).summary.unmet_error);
 }
 
-TEST(Engine, WritesTheFileThatTheMatrixWouldGive) {
+TEST(BatchScheduler, WritesTheFileThatTheMatrixWouldGive) {
   const test::TempFolder folder;
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform};
@@ -198,15 +198,13 @@ TEST(Engine, WritesTheFileThatTheMatrixWouldGive) {
   EXPECT_EQ(folder.count(), 2);
 }
 
-TEST(Engine, RefusesWhatDoesNotFitAndSaysHowMuchItNeeds) {
+TEST(BatchScheduler, RefusesWhatDoesNotFitAndSaysHowMuchItNeeds) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform};
   options.samples = 64;
   options.memory = 100;
-  const std::string message = test::input_error([&] { simulate(scene, options); });
-  EXPECT_NE(message.find("memory: "), std::string::npos) << message;
-  EXPECT_NE(message.find("1e-07 GB may be used"), std::string::npos) << message;
-  // What is enough is enough: some 3 kB for ten labels and four units.
+  test::expect_input_error([&] { simulate(scene, options); }, "memory: ", "1e-07 GB");
+  // A sufficient limit is accepted: about 3 kB for ten labels and four units.
   options.memory = 10000;
   simulate(scene, options);
 }

@@ -11,9 +11,9 @@
 namespace shelfbeam {
 namespace {
 
-using detail::KnownLight;
+using detail::AnalyticDirect;
 
-/// One label and two units; `sums` are put together by hand.
+/// One label and two units; the test sets `sums`.
 class OneRow : public Estimator {
  public:
   std::size_t items() const override { return 1; }
@@ -32,7 +32,7 @@ struct Surveyed {
   ErrorSurvey::Shortfall shortfall;
 };
 
-// The first unit is steady, give or take; the second is met by one batch only.
+// The first unit's contributions are nearly constant; only one batch finds the second.
 Surveyed survey(std::uint32_t batches, const RelativeError& wanted) {
   test::BareScene room;
   room.box(room.material(Lambertian{0.5}), {0, 0, 0}, {4, 4, 3});
@@ -48,23 +48,23 @@ Surveyed survey(std::uint32_t batches, const RelativeError& wanted) {
     if (b == 0) values.values.push_back({1, static_cast<double>(batches)});
     sums[0].add(values);
   }
-  const KnownLight known(world, {.samples_direct = true}, {});
+  const AnalyticDirect known(world, {.samples_direct = true}, {});
   const ErrorSurvey found(world, estimator, sums, known);
   return {found.precision(0, wanted), found.shortfall(wanted, 10)};
 }
 
-// A flagged entry never counts as precise, however small the error that is wanted; before 1,024 batches more
-// of them may tell, and after that it is out of reach.
+// A flagged entry never counts as precise, however large the target error. Before 1,024 batches more of them
+// may help; after that the error cannot be reached.
 TEST(ErrorSurvey, GivesFlaggedEntriesTimeAndNotForEver) {
   for (const std::uint32_t batches : {last_flagged_batches - 1, last_flagged_batches}) {
     const bool is_final = batches == last_flagged_batches;
     const auto [precision, shortfall] = survey(batches, {2, 0.3, 1'000'000'000});
     EXPECT_EQ(precision.relevant, 2U);
     EXPECT_EQ(precision.precise, 1U);
-    EXPECT_EQ(precision.hopeless, is_final ? 1U : 0U);
+    EXPECT_EQ(precision.unreachable, is_final ? 1U : 0U);
     EXPECT_EQ(shortfall.precision.relevant, 2U);
     EXPECT_EQ(shortfall.precision.precise, 1U);
-    EXPECT_EQ(shortfall.precision.hopeless, is_final ? 1U : 0U);
+    EXPECT_EQ(shortfall.precision.unreachable, is_final ? 1U : 0U);
     ASSERT_EQ(shortfall.worst.size(), 1U);
     EXPECT_EQ(shortfall.worst[0].source, "T1");
     EXPECT_TRUE(shortfall.worst[0].is_flagged);
@@ -72,12 +72,12 @@ TEST(ErrorSurvey, GivesFlaggedEntriesTimeAndNotForEver) {
   }
 }
 
-// What more samples would bring is told from what they would not, and named last.
+// Entries that more samples would improve are listed separately from the others, which are named last.
 TEST(ErrorSurvey, TellsWhatMoreSamplesWouldBring) {
   const auto [precision, shortfall] = survey(64, {0.01, 0.3, 12'800});  // 1.2 % so far; twice the samples
   EXPECT_EQ(precision.precise, 0U);
-  EXPECT_EQ(precision.hopeless, 1U);
-  EXPECT_EQ(shortfall.precision.hopeless, 1U);
+  EXPECT_EQ(precision.unreachable, 1U);
+  EXPECT_EQ(shortfall.precision.unreachable, 1U);
   ASSERT_EQ(shortfall.worst.size(), 2U);
   EXPECT_EQ(shortfall.worst[0].source, "T1");
   EXPECT_FALSE(shortfall.worst[1].is_out_of_reach);

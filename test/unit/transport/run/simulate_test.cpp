@@ -58,10 +58,10 @@ TEST(Simulate, RefusesWhatCannotBe) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform};
   options.strategy = Strategy::walk;
-  test::expect_input_error([&] { simulate(scene, options); }, "strategy walk", "'T0'", "'unit0'", "radius");
+  test::expect_input_error([&] { simulate(scene, options); }, "strategy walk: ", "'T0'", "'unit0'");
   options = {EstimatorKind::uniform};
   options.by_bounce = true;
-  test::expect_input_error([&] { simulate(scene, options); }, "number of bounces", "limit");
+  test::expect_input_error([&] { simulate(scene, options); }, "number of bounces: ");
   for (const SimulationOptions& uniforms : {SimulationOptions{.strategy = Strategy::nee},
                                             {.heuristic = Heuristic::power},
                                             {.max_bounces = 3},
@@ -96,8 +96,8 @@ TEST(Simulate, DoubledPowerDoublesItsColumnToTheBit) {
       EXPECT_EQ(after.mean[after.at(i, j)], (j == 2 ? 2 : 1) * before.mean[before.at(i, j)]);
 }
 
-// z-test of all old columns at 0.1 %, relative standard error of an entry about 4 %. Controls: the columns
-// 5/4 as large, which is what a wrong 1/n would do, must be told apart.
+// z-test of all old columns at 0.1 %, with a relative standard error per entry of about 4 %. The control are
+// columns 5/4 as large, the effect of a wrong 1/n, which must be rejected.
 TEST(Simulate, AnotherTransceiverLeavesTheOtherColumns) {
   test::SmallStore store;
   const SignalMatrix four = run(store.scene(), 20000, DirectLight::sampled, 1).matrix;
@@ -113,7 +113,7 @@ TEST(Simulate, AnotherTransceiverLeavesTheOtherColumns) {
   EXPECT_FALSE(test::compare(old, four, 4.0 / 5).agrees(0.001));
 }
 
-// The standard errors are what the spread over seeds says: pooled over the entries, the variance of 60
+// The standard errors agree with the spread over seeds: pooled over the entries, the variance of 60
 // independent runs against the mean squared standard error. The pooled ratio has a standard error of about
 // sqrt(2 / 60 / 10) = 6 % (entries of a label are correlated; 10 labels are independent): 4 of these are
 // allowed. The control, standard errors too small by 1/sqrt(2) (a ratio of 2), must fail.
@@ -149,8 +149,8 @@ class CancelAfter : public ProgressSink {
   double fraction_;
 };
 
-// What is kept is an honest estimate: z-test at 0.1 %, relative standard errors of 5 to 20 %. The control is
-// a matrix scaled as if all batches had been done.
+// The kept samples give an unbiased estimate: z-test at 0.1 %, relative standard errors of 5 to 20 %. The
+// control is a matrix scaled as if all batches had run.
 TEST(Simulate, KeepsWhatItHasWhenCancelled) {
   const Scene scene = test::SmallStore{}.scene();
   CancelToken token;

@@ -25,7 +25,7 @@ TEST(Stopping, LooksFirstAfterSixteenBatchesAndThenEverySixteenthMore) {
   EXPECT_FALSE(is_stopping_point(33));
 }
 
-// The entries of a row of which none is flagged.
+// The precision of a row without flagged entries.
 Precision count(const std::vector<double>& means, const std::vector<double>& errors, double requirement,
                 const RelativeError& wanted) {
   return count_precise(means, errors, std::vector<std::uint8_t>(means.size()), requirement, wanted);
@@ -33,7 +33,7 @@ Precision count(const std::vector<double>& means, const std::vector<double>& err
 
 TEST(Stopping, CountsEntriesThatMatterAndArePrecise) {
   const RelativeError wanted{0.1, 0.5};
-  // Above 0.5 of the requirement 2: 1.01, 4, 8. Of these 0.101 and 0.8 are 10 % at most.
+  // Above 0.5 of the requirement 2: 1.01, 4, 8. Among these 0.101 and 0.8 are at most 10 %.
   const std::vector<double> means{0, 0.5, 1, 1.01, 4, 8}, errors{0, 0.5, 0.9, 0.101, 0.41, 0.8};
   const Precision found = count(means, errors, 2, wanted);
   EXPECT_EQ(found.relevant, 3u);
@@ -41,7 +41,7 @@ TEST(Stopping, CountsEntriesThatMatterAndArePrecise) {
   EXPECT_FALSE(found.is_enough());
   EXPECT_EQ(count(means, errors, 2, {0.1025, 0.5}).precise, 3u);
   EXPECT_EQ(count(means, errors, 2, {0.1, 0.1}).relevant, 5u);
-  // Without a requirement, above half of the largest.
+  // Without a requirement: above half of the largest.
   EXPECT_EQ(count(means, errors, 0, wanted).relevant, 1u);
   EXPECT_EQ(count(means, errors, 0, {0.1, 0.49}).relevant, 2u);
 }
@@ -62,18 +62,18 @@ TEST(Stopping, DoesNotTrustFlaggedErrors) {
 }
 
 TEST(Stopping, KnowsWhatMoreSamplesCannotReach) {
-  // 10 % are wanted, and twice as much can be brought down.
+  // The target is 10 %, and more samples can reduce twice that.
   const std::vector<double> means{1, 1, 1}, errors{0.1, 0.2, 0.21};
   const Precision found = count_precise(means, errors, std::vector<std::uint8_t>(3), 1, {0.1, 0.3}, {2});
   EXPECT_EQ(found.precise, 1u);
-  EXPECT_EQ(found.hopeless, 1u);
+  EXPECT_EQ(found.unreachable, 1u);
   EXPECT_FALSE(found.is_decided());
   EXPECT_TRUE((Precision{3, 2, 1}).is_decided());
   EXPECT_FALSE((Precision{100, 0, 1}).is_hopeless());
   EXPECT_TRUE((Precision{100, 0, 2}).is_hopeless());
 }
 
-// Four times the samples halve an error, which 201 batches know to 5 %.
+// Four times the samples halve an error, which is known to 5 % from 201 batches.
 TEST(Stopping, AllowsForTheErrorOfErrors) {
   EXPECT_DOUBLE_EQ(reachable_error(201, 4), 2 * 1.15);
   EXPECT_DOUBLE_EQ(reachable_error(201, 1), 1.15);
@@ -84,7 +84,7 @@ TEST(Stopping, AsksForNinetyNineOfAHundred) {
   EXPECT_FALSE((Precision{100, 98}).is_enough());
   EXPECT_FALSE((Precision{99, 98}).is_enough());
   EXPECT_TRUE((Precision{0, 0}).is_enough());
-  // Where all parts have enough, so has the whole.
+  // If all parts have enough samples, the whole has, too.
   Precision whole;
   for (std::uint64_t n = 1; n < 300; ++n) whole += {n, (99 * n + 99) / 100};
   EXPECT_TRUE(whole.is_enough());

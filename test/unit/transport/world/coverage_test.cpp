@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// Two mirrors, a block of glass and a point; with a radius, a disc.
+// Two mirrors, a block of glass and a point or, with a radius, a disc.
 test::BareScene hall_of_mirrors(double radius) {
   test::BareScene room;
   const MaterialId mirror = room.material(Conductor{0, 1, {}});

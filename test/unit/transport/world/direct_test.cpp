@@ -9,14 +9,14 @@
 namespace shelfbeam {
 namespace {
 
-// The closed form between the first label, put elsewhere, and unit j.
+// The closed form between unit j and the first label, moved to another position.
 double signal_at(Scene scene, const Vec3& position, const Vec3& normal, std::size_t j) {
   scene.labels.resize(1);
   scene.labels[0] = {"L", position, normal, {0}};
   return direct_between_points(World(scene), 0, j, {}).straight;
 }
 
-// Inverse square, E = I(theta) cos / d^2, exact to rounding of double precision (1e-12).
+// The inverse square law, E = I(theta) cos / d^2, within the rounding of double precision (1e-12).
 TEST(DirectSignal, IsTheInverseSquareLaw) {
   test::SmallStore store;
   store.peaks = {1.7};
@@ -28,14 +28,14 @@ TEST(DirectSignal, IsTheInverseSquareLaw) {
   const double expected = 1.7 * std::sin(2 * theta) * dot(normal, d) / length(d) / length_squared(d);
   const double signal = signal_at(scene, position, normal, 0);
   EXPECT_NEAR(signal / expected, 1, 1e-12);
-  // The control: without the cosine at the label it would be another value.
+  // Control: without the cosine at the label the value differs.
   EXPECT_GT(std::abs(signal * length(d) / dot(normal, d) / expected - 1), 0.01);
 }
 
 TEST(DirectSignal, IsZeroBehindTheLabelAndBehindAFixture) {
   const Scene scene = test::SmallStore{}.scene();
   EXPECT_EQ(signal_at(scene, {1, 0.2, 2.0}, {0, 0, -1}, 0), 0);
-  // The gondola stands between this label and unit 0.
+  // The gondola is between this label and unit 0.
   EXPECT_EQ(signal_at(scene, {2.5, 2.6, 0.3}, {0, 1, 0}, 0), 0);
   EXPECT_GT(signal_at(scene, {2.5, 2.6, 0.3}, {0, 1, 0}, 3), 0);
 }

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t per_face = 10;
 
-// Two shelves from wall to wall and two metres between them; labels on all four faces, in this order:
-// towards the first wall, the aisle from both sides, towards the last wall.
+// Two shelves from wall to wall, 2 m apart. Labels are on all four faces in this order: facing the first
+// wall, the aisle from both sides, the last wall.
 test::BareScene aisle() {
   test::BareScene room;
   const MaterialId paper = room.material(Lambertian{0.5});
@@ -82,7 +82,7 @@ TEST(LabelClusters, RoomsAreApart) {
   }
 }
 
-// Doors of glass before the labels of one side of an aisle; the control has doors of wood.
+// Glass doors in front of the labels on one side of an aisle; the control has wooden doors.
 TEST(LabelClusters, GlassDoorsDoNotPartAnAisle) {
   for (const bool is_glass : {true, false}) {
     test::BareScene room = aisle();

@@ -12,9 +12,9 @@
 namespace shelfbeam {
 namespace {
 
-// Ways straight through two panes have the chance and the share that a passage to their end has; both are
-// products of the same numbers, in the same order but for rounding. The control takes the throughput, which
-// is their ratio, for the share.
+// Paths straight through two panes have the probability and the share of a connection to their end; both are
+// products of the same numbers, in the same order except for rounding. The control uses the throughput, which
+// is their ratio, as the share.
 TEST(SpecularChain, ChancesOfStraightWaysAreThoseOfPassages) {
   test::BareScene room;
   room.box(room.material(Lambertian{0.5}), {0, 0, 0}, {4, 3, 3});
@@ -24,32 +24,32 @@ TEST(SpecularChain, ChancesOfStraightWaysAreThoseOfPassages) {
   room.unit({3.5, 1.5, 2.9}, {0, 0, -1}, SinTwoTheta{1});
   const World world(room.scene);
   const SurfacePoint from{{0.01, 1, 1}, {1, 0, 0}};
-  int through[3] = {}, bent = 0, differ = 0;
+  int through[3] = {}, mirror_path = 0, differ = 0;
   for (std::uint32_t k = 0; k < 4000; ++k) {
     RandomStream random(3, k, 0, 0);
-    const double u1 = random.unit(), u2 = random.unit();
+    const double u1 = random.uniform(), u2 = random.uniform();
     const Vec3 direction = Frame::about({1, 0, 0}).to_world(sample_cosine_hemisphere(u1, u2));
     std::uint64_t rays = 0;
     const auto end =
         follow_chain(world, from, direction, Departure::scattered, random, rays, [](std::size_t, double) {});
     ASSERT_TRUE(end);
     if (!end->is_straight) {
-      ++bent;
+      ++mirror_path;
       continue;
     }
     ++through[rays - 1];
-    const Passage passage = world.rays.passage(from, end->point.position);
-    EXPECT_NEAR(end->probability, passage.probability, 1e-5 * passage.probability);
-    EXPECT_NEAR(end->throughput * end->probability, passage.share, 1e-5 * passage.share);
-    differ += std::abs(end->throughput - passage.share) > 1e-5 * passage.share ? 1 : 0;
+    const Transmittance transmittance = world.rays.transmittance(from, end->point.position);
+    EXPECT_NEAR(end->probability, transmittance.probability, 1e-5 * transmittance.probability);
+    EXPECT_NEAR(end->throughput * end->probability, transmittance.share, 1e-5 * transmittance.share);
+    differ += std::abs(end->throughput - transmittance.share) > 1e-5 * transmittance.share ? 1 : 0;
   }
   for (const int ways : through) EXPECT_GT(ways, 100);
-  EXPECT_GT(bent, 100);
+  EXPECT_GT(mirror_path, 100);
   EXPECT_GT(differ, 200);
 }
 
-// Connections find what a scattered ray meets, and over one plane mirror the images of discs; a ray over two
-// mirrors is the only one that finds a disc.
+// Connections find the discs that a scattered ray meets and, by way of one plane mirror, their images. Only a
+// ray by way of two mirrors finds a disc itself.
 TEST(SpecularChain, ScoresDiscsWhereNoConnectionFindsThem) {
   test::BareScene room;
   const MaterialId mirror = room.material(Conductor{0, 1, {}});
@@ -67,8 +67,8 @@ TEST(SpecularChain, ScoresDiscsWhereNoConnectionFindsThem) {
                  [&](std::size_t, double) { ++times; });
     return times;
   };
-  // Down, so that they end at the floor: to the face, and over one and two mirrors to it. The disc is in
-  // nobody's way.
+  // Rays that end at the floor: to the face of the disc, directly and by way of one and two mirrors. The disc
+  // blocks none of them.
   EXPECT_EQ(scored({5, 2, 2.9}, {-2, 0, -0.9}, Departure::scattered), 0);
   EXPECT_EQ(scored({5, 2, 2.9}, {-2, 0, -0.9}, Departure::mirrored), 0);
   EXPECT_EQ(scored({5, 2, 2.9}, {-2, 0, -0.9}, Departure::specular), 1);

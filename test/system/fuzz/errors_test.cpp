@@ -1,0 +1,110 @@
+// One error of each family in full: test/data/errors.txt. Other tests check places and values.
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
+
+#include "reader.hpp"
+#include "scratch_folder.hpp"
+#include "small_values.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/small_store.hpp"
+#include "support/snapshot.hpp"
+
+namespace shelfbeam::fuzz {
+namespace {
+
+// A seed of the reader in which `to` replaces `from`; a whole file where `from` is empty.
+struct Bad {
+  std::string_view reader, from, to;
+};
+constexpr Bad bad_files[] = {
+    {"store", R"("reflectance": 0.8)", R"("reflectanse": 0.8)"},
+    {"store", R"("k": 8.6, )", ""},
+    {"store", R"("k": 8.6)", R"("k": "8.6")"},
+    {"store", "[8, 6, 3]", "[8, 6]"},
+    {"store", R"("stocking": 0.5)", R"("stocking": 1.5)"},
+    {"store", R"("material": "white", )", R"("material": "white", "material": "tile", )"},
+    {"store", R"("floor": "tile")", R"("floor": "Tile")"},
+    {"store", R"("id": "B")", R"("id": "A")"},
+    {"store", "labels.csv", "none.csv"},
+    {"store", R"("scale": 0.5)", R"("scale": 1e-5)"},
+    {"store", R"([ "till" ])", R"([ "tell" ])"},
+    {"device_csv", "id,x,y", "id;x;y"},
+    {"device_csv", "P,5,0.01", "P,5,1cm"},
+    {"mesh", "f 1/1/1 3//1 2", "f 1 2 9"},
+    {"mesh", "vertex 1 0 0", "vertex 1 x 0"},
+    {"mesh", R"("count":3,"type":"VEC3","max":[1,1,0])", R"("count":9,"type":"VEC3")"},
+    {"ies", "", "hello\n"},
+    {"ies", "TILT=INCLUDE", "TILT=lamp.tlt"},
+    {"eulumdat", "", "a\nb\n"},
+    {"csv_table", "0,1e-3,4", "0,-1e-3,4"},
+    {"csv_table", "0,1e-3,4", "0,1e-3"},
+    {"csv_table", R"("B, ""2""")", "A"},
+    {"npy_table", "(2, 3)", "(2, 4)"},
+    {"npy_table", "<f4", ">f4"},
+    {"or_library", "", "2 4\n1 1 1 1\n2 1 5\n1 1\n"},
+    {"sparse_text", "", "2 2 0.5\n2 1 0.1 1 0.2\n0\n"},
+    {"sparse_text", "", "1 4000000000 0.5\n0\n"},
+    {"matrix", "", "hello world\n"},
+    {"selection_csv", "T3,0.5", "T9,0.5"},
+    {"selection_csv", "T2,T3", "T2,T2"},
+    {"measurements", "signal,error", "signl,error"},
+    {"measurements", "L2,T3", "L0,T1"},
+    {"placement_file", R"("T1")", R"("T9")"},
+    {"checkpoint", "", "hello\n"},
+    {"checkpoint", "abc", "abd"},
+};
+
+std::string bytes_of(const Bad& bad, const Reader& reader) {
+  if (bad.from.empty()) return std::string(bad.to);
+  for (std::string& seed : reader.seeds()) {
+    const std::size_t at = seed.find(bad.from);
+    if (at == std::string::npos) continue;
+    seed.replace(at, bad.from.size(), bad.to);
+    if (reader.repair != nullptr) reader.repair(seed);
+    return seed;
+  }
+  ADD_FAILURE() << "no seed of " << bad.reader << " has " << bad.from;
+  return {};
+}
+
+TEST(Errors, AreThoseOfTheList) {
+  std::string errors;
+  const auto add = [&](const auto& action) {
+    std::string message = test::input_error(action);
+    const std::string folder = scratch().path().string() + "/";
+    for (auto at = message.find(folder); at != std::string::npos; at = message.find(folder))
+      message.erase(at, folder.size());
+    errors += message + "\n";
+  };
+  for (const Bad& bad : bad_files) {
+    const Reader& reader = *find_reader(bad.reader);
+    add([&] { reader.read(bytes_of(bad, reader)); });
+  }
+  SignalMatrix matrix = small_matrix();
+  const auto file = scratch().path() / "signal.h5";
+  write_signal_file(matrix, file);
+  const std::string whole = read_file(file);
+  add([&] { read_signal_table(scratch().write("signal.h5", whole.substr(0, whole.size() - 1))); });
+  matrix.mean[5] = std::numeric_limits<float>::quiet_NaN();
+  write_signal_file(matrix, file);
+  add([&] { read_signal_table(file); });
+  SignalTable table = small_table();
+  add([&] { check_problem(table, {.share = 0}); });
+  table.labels[0].requirement = 0;
+  add([&] { check_problem(table, {}); });
+  const Scene scene = test::SmallStore{}.scene();
+  add([&] { simulate(scene, {.strategy = Strategy::nee}); });
+  add([&] { simulate(scene, {.estimator = EstimatorKind::uniform, .strategy = Strategy::walk}); });
+  test::expect_snapshot(errors, "errors.txt");
+}
+
+}  // namespace
+}  // namespace shelfbeam::fuzz
