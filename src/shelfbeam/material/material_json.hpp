@@ -10,9 +10,8 @@
 
 namespace shelfbeam {
 
-// The object of a material in store files (docs/formats/store.md). Each type takes its own keys from it and
-// writes them; all reading throws InputError with the JSON path, or std::invalid_argument as `make_NAME`
-// does.
+// The object of a material in store files (docs/formats/store.md). Each type reads and writes its own keys.
+// Reading throws InputError with the JSON path, or std::invalid_argument as `make_NAME` does.
 
 Material read_material(const JsonCursor& json, double wavelength_nm);
 

@@ -29,8 +29,7 @@ bool is_tilt(std::string_view line) {
   return upper(line.substr(0, 4)) == "TILT" && trim(line.substr(4)).starts_with('=');
 }
 
-/// Reads one file; after each step `lines_` stands behind the record that
-/// errors are about.
+/// Reads one file; after each step `lines_` stands behind the record that errors are about.
 class IesReader {
  public:
   explicit IesReader(PhotometricLines& lines) : lines_(lines) {}
