@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ namespace shelfbeam {
 
 namespace {
 
+using detail::ids_of;
 using detail::Json;
 using detail::number;
 using detail::number_or_infinity;
@@ -88,10 +90,7 @@ Json scenarios(const Placement& placement, const SignalTable& table) {
 }
 
 Json first_ids(const std::vector<std::uint32_t>& labels, const SignalTable& table) {
-  Json ids = Json::array();
-  for (std::size_t k = 0; k < std::min(labels.size(), max_listed_labels); ++k)
-    ids.push_back(table.labels[labels[k]].id);
-  return ids;
+  return ids_of(table.labels, std::span(labels).first(std::min(labels.size(), max_listed_labels)));
 }
 
 Json critical(const Placement& placement, const SignalTable& table) {
@@ -114,8 +113,6 @@ Json curve_points(const std::vector<CurvePoint>& points) {
 
 Json detail::placement_object(const Placement& placement, const SignalTable& table,
                               const CoverageCurve& curve) {
-  Json selected = Json::array();
-  for (const std::uint32_t j : placement.selected) selected.push_back(table.transceivers[j].id);
   Json unreachable = Json::array();
   for (const Unreachable& label : placement.unreachable)
     unreachable.push_back(
@@ -130,7 +127,7 @@ Json detail::placement_object(const Placement& placement, const SignalTable& tab
                {"min_spacing", placement.min_spacing > 0 ? Json(placement.min_spacing) : Json(nullptr)},
                {"forbidden_pairs", placement.forbidden_pairs},
                {"labels", table.rows()},
-               {"selected", selected},
+               {"selected", ids_of(table.transceivers, placement.selected)},
                {"count", placement.count()},
                {"count_lower_bound", count(placement.count_lower_bound)},
                {"objective_value", number(placement.objective_value)},
@@ -158,13 +155,11 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
 }
 
 std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
-  Json selected = Json::array();
-  for (const std::uint32_t j : reach.selected) selected.push_back(table.transceivers[j].id);
   const Json file = {{"format", format_version},
                      {"model", to_text(reach.problem.model)},
                      {"survives_failure", reach.problem.redundant},
                      {"at_most", reach.at_most},
-                     {"selected", selected},
+                     {"selected", ids_of(table.transceivers, reach.selected)},
                      {"count", reach.selected.size()},
                      {"labels", table.rows()},
                      {"reached", reach.reached},

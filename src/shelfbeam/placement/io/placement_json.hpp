@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -43,6 +44,14 @@ inline std::uint32_t position(const JsonCursor& cursor, const Positions& known, 
     cursor.fail(fmt::format("names '{}', but the matrix has no such {}", id, what),
                 "use the matrix that this placement was computed from");
   return found->second;
+}
+
+/// The ids of the items with these numbers.
+template <class Items>
+Json ids_of(const Items& items, std::span<const std::uint32_t> numbers) {
+  Json ids = Json::array();
+  for (const std::uint32_t k : numbers) ids.push_back(items[k].id);
+  return ids;
 }
 
 /// The object of placement.json, which a plan extends. A curve without points is omitted.

@@ -13,12 +13,6 @@ namespace {
 
 constexpr auto max_integer = std::numeric_limits<std::int64_t>::max();
 
-Json ids(const std::vector<std::uint32_t>& labels, const SignalTable& table) {
-  Json list = Json::array();
-  for (const std::uint32_t i : labels) list.push_back(table.labels[i].id);
-  return list;
-}
-
 void add(Json& object, const MinMargin& least, const SignalTable& table) {
   object["smallest_margin"] = number(least.ratio);
   object["standard_error"] = least.standard_error;
@@ -28,8 +22,8 @@ void add(Json& object, const MinMargin& least, const SignalTable& table) {
 Json to_json(const ReflectanceEnd& end, const SignalTable& table) {
   Json object = Json::object();
   add(object, end.least, table);
-  object["missed"] = ids(end.missed, table);
-  object["undecided"] = ids(end.undecided, table);
+  object["missed"] = ids_of(table.labels, end.missed);
+  object["undecided"] = ids_of(table.labels, end.undecided);
   return object;
 }
 
