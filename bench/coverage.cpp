@@ -119,7 +119,7 @@ CoverageTable run(const Settings& settings, const ZooRoom& room, const Scene& sc
     return table;
   }
   ReuseEffort effort;
-  if (settings.old_spots) effort.spots = {.min_cap_distance = 4, .near = 0, .for_vertices = false};
+  if (settings.old_spots) effort.spots = {.min_cap_distance = 4, .near_distance = 0, .for_vertices = false};
   const ReuseEstimator estimator(world, seed, effort);
   std::vector<std::uint32_t> lengths;
   for (const std::uint32_t length : {16U, 77U, settings.batches})

@@ -78,7 +78,7 @@ test::Comparison compare(const SignalMatrix& matrix, const std::vector<Case>& ca
   return result;
 }
 
-TEST(DirectLight, OfADiscIsThatOfTheCatalogue) {
+TEST(DirectLight, OfADiscEqualsTheCatalogue) {
   const auto cases = disc_cases();
   test::BareScene space = free_space(cases);
   space.unit(centre, {0, 0, -1}, GeneralizedLambertian{1, flux}, radius);
@@ -98,7 +98,7 @@ TEST(DirectLight, OfADiscIsThatOfTheCatalogue) {
 
 // Control of geometry and quadrature: a smaller disc of the same flux must differ. z-test at 0.1 %, with
 // relative standard errors below 0.3 %.
-TEST(DirectLight, TellsADiscFromASmallerOneOfTheSameFlux) {
+TEST(DirectLight, DistinguishesDiscsOfTheSameFlux) {
   const auto cases = disc_cases();
   test::BareScene space = free_space(cases);
   space.unit(centre, {0, 0, -1}, GeneralizedLambertian{1, flux}, 0.9 * radius);
@@ -109,7 +109,7 @@ TEST(DirectLight, TellsADiscFromASmallerOneOfTheSameFlux) {
 // any distance from the origin. The labels are close, so that a ray whose start is moved off the surface
 // meets the plane at another point. z-test at 0.1 %, relative standard errors below 2 %; the control is off
 // by 8 %.
-TEST(DirectLight, OfADiscInTheCeilingIsThatOfADisc) {
+TEST(DirectLight, OfADiscInTheCeilingEqualsThatOfAFreeDisc) {
   for (const double length : {4.0, 300.0}) {
     const Vec3 ceiling{length / 2, 2, 3}, wall{length, 2, 1.5};
     test::BareScene room;
@@ -145,7 +145,7 @@ double corner_factor(double a, double b, double h) {
 // A point unit above a rectangular label sends it I times its solid angle, or Phi times its factor; the label
 // reads the mean. z-test of both at 0.1 %, relative standard errors below 0.2 % (exact: 0.005 %); the control
 // is off by 1 % (0.1 %). The rectangle is not square and is wider than high, so that exchanged sides show.
-TEST(DirectLight, OfAPointOnARectangleIsItsSolidAngleOrFactor) {
+TEST(DirectLight, OfARectangleEqualsItsSolidAngleOrFormFactor) {
   const double width = 1.3, height = 0.7, h = 1.2, left = 0.5, front = 0.2;  // position of the unit's foot
   test::BareScene space;
   space.label({width / 2 - left, height / 2 - front, 0}, {0, 0, 1}, CosineResponse{}, {width, height});

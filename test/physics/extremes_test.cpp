@@ -53,7 +53,7 @@ bool is_times(const SignalMatrix& matrix, double factor, const SignalMatrix& ord
 
 // A power of two causes no rounding. Path reuse uses lengths that fit stores, so it is tested where the scene
 // is so small that it is enlarged.
-TEST(Extremes, PowersOfTwoInSizeChangeNothingButTheUnit) {
+TEST(Extremes, PowersOfTwoInSizeOnlyRescale) {
   for (const EstimatorKind estimator : {EstimatorKind::uniform, EstimatorKind::reuse}) {
     const SignalMatrix ordinary = simulated(Room{.has_mirror = true}.scene(), estimator);
     for (const int exponent : {-11, -7, -3, 3, 6}) {

@@ -202,7 +202,7 @@ TEST(PlaneMirror, EndsAtItsTriangles) {
 }
 
 // A pane over the mirror dims the mirror's image twice and shows an image of its own. Exact within 1e-6.
-TEST(PlaneMirror, LiesBehindAPane) {
+TEST(PlaneMirror, WorksBehindAPane) {
   const ThinDielectric pane{1.5, 0.004, 20};
   constexpr double height = 0.3;
   Stage stage(gold);

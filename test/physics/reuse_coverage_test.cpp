@@ -52,7 +52,7 @@ struct Coverage {
 // is 1/16 of that of a run and widens the distribution by 0.2 %. With at least 2,000 pairs the shares are
 // known to 0.5 %. The control multiplies standard errors by 0.8, which turns 95 % intervals into 89 %
 // intervals.
-TEST(ReuseCoverageSlow, IntervalsHoldTheTrueValueAsOftenAsTheySay) {
+TEST(ReuseCoverageSlow, IntervalsHaveTheirNominalCoverage) {
   constexpr std::uint32_t seeds = 16, runs = 32;
   const Scene scene = store();
   const World world(scene);

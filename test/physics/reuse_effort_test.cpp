@@ -59,8 +59,8 @@ void check_efforts(std::uint32_t factor) {
       {"few shadow rays", {.stake = 0.5}},
       {"few lookups", {.lookups = 2}},
       {"large spots", {.spots = {.min_cap_distance = 3}}},
-      {"spots of old", {.spots = {.min_cap_distance = 4, .near = 0, .for_vertices = false}}},
-      {"spots close by", {.spots = {.min_cap_distance = 3, .near = 3}}},
+      {"spots of old", {.spots = {.min_cap_distance = 4, .near_distance = 0, .for_vertices = false}}},
+      {"spots close by", {.spots = {.min_cap_distance = 3, .near_distance = 3}}},
       {"little of all", least}};
   // Even many batches contain none of the long paths that so short walks represent.
   if (factor > 1) efforts.push_back({"shorter paths", {.survival = 0.3}});
@@ -108,7 +108,7 @@ void check_clusters(std::uint32_t factor) {
   }
 }
 
-TEST(ReuseEffort, MeansDoNotDependOnHowTheWorkIsDealtOut) {
+TEST(ReuseEffort, MeansDoNotDependOnTheDistributionOfWork) {
   check_efforts(1);
 }
 // With much higher requirements, few batches do not contain the rare rays that represent all light.
@@ -120,7 +120,7 @@ TEST(ReuseEffort, MeansDoNotDependOnTheClusters) {
   check_clusters(1);
 }
 
-TEST(ReuseEffortSlow, MeansDoNotDependOnHowTheWorkIsDealtOut) {
+TEST(ReuseEffortSlow, MeansDoNotDependOnTheDistributionOfWork) {
   check_efforts(8);
 }
 TEST(ReuseEffortSlow, MeansDoNotDependOnTheCache) {

@@ -66,7 +66,7 @@ TEST(ShadowRays, AThirdIsOccludedWhereOneOfThreeUnitsIsInABox) {
 }
 
 // Connections from behind need no shadow ray.
-TEST(ShadowRays, AreNotTracedWhereNoLightCouldCome) {
+TEST(ShadowRays, AreNotTracedWithoutContribution) {
   Room room;
   room.bare.unit({2, 2, 2.8}, {0, 0, 1}, GeneralizedLambertian{});
   SimulationOptions options = walks();
@@ -90,7 +90,7 @@ TEST(ShadowRays, AreTheSameForAnyNumberOfThreads) {
   EXPECT_LT(one.occluded, one.traced);
 }
 
-TEST(ShadowRays, AreNotCountedWhereNoWalkIsConnected) {
+TEST(ShadowRays, AreNotCountedWithoutConnections) {
   Room room;
   room.unit(1, true);
   for (const auto change : {+[](SimulationOptions& o) { o.estimator = EstimatorKind::reuse; },

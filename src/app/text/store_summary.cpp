@@ -66,10 +66,10 @@ struct Counts {
       ++units[unit.type.value];
       axes[unit.type.value].insert(rounded(unit.axis));
     }
-    const DistinctPositions places = distinct_positions(positions_of(scene.transceivers));
-    std::vector<std::size_t> options(places.count);
-    for (const std::uint32_t place : places.of) ++options[place];
-    mounting_points = places.count;
+    const DistinctPositions groups = distinct_positions(positions_of(scene.transceivers));
+    std::vector<std::size_t> options(groups.count);
+    for (const std::uint32_t group : groups.group_of) ++options[group];
+    mounting_points = groups.count;
     with_several_options = static_cast<std::size_t>(
         std::count_if(options.begin(), options.end(), [](std::size_t count) { return count > 1; }));
   }

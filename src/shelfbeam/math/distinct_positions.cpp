@@ -29,14 +29,14 @@ DistinctPositions distinct_positions(std::span<const Vec3> positions) {
   const std::array<std::vector<std::uint32_t>, 3> rank = {ranks(positions, 0), ranks(positions, 1),
                                                           ranks(positions, 2)};
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;
-  DistinctPositions places;
-  places.of.reserve(positions.size());
+  DistinctPositions groups;
+  groups.group_of.reserve(positions.size());
   for (std::size_t k = 0; k < positions.size(); ++k) {
     const auto next = static_cast<std::uint32_t>(known.size());
-    places.of.push_back(known.try_emplace({rank[0][k], rank[1][k], rank[2][k]}, next).first->second);
+    groups.group_of.push_back(known.try_emplace({rank[0][k], rank[1][k], rank[2][k]}, next).first->second);
   }
-  places.count = known.size();
-  return places;
+  groups.count = known.size();
+  return groups;
 }
 
 }  // namespace shelfbeam

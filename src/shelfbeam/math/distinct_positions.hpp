@@ -14,8 +14,8 @@ inline constexpr double position_tolerance = 1e-6;
 
 /// Groups of equal positions.
 struct DistinctPositions {
-  std::vector<std::uint32_t> of;  ///< the group of every position, numbered from 0 by first appearance
-  std::size_t count = 0;          ///< number of groups
+  std::vector<std::uint32_t> group_of;  ///< the group of every position, numbered from 0 by first appearance
+  std::size_t count = 0;                ///< number of groups
 };
 
 /// Along each axis, successive sorted coordinates within the tolerance of each other count as equal. Equality

@@ -112,7 +112,7 @@ std::span<const Backend> backends() {
   return table;
 }
 
-std::span<const Backend> wanted_backends(std::string_view name) {
+std::span<const Backend> backends_of(std::string_view name) {
   const std::span<const Backend> all = backends();
   if (name.empty()) return all;
   std::vector<std::string_view> known;

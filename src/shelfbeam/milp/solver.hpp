@@ -83,7 +83,7 @@ struct Backend {
 std::span<const Backend> backends();
 
 /// The back end of this name, or all back ends for an empty name. Throws InputError for an unknown name.
-std::span<const Backend> wanted_backends(std::string_view name);
+std::span<const Backend> backends_of(std::string_view name);
 
 /// Max `violation` of a column bound, a row or integrality in an accepted solution.
 inline constexpr double feasibility_tolerance = 1e-6;

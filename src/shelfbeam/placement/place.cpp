@@ -75,7 +75,7 @@ Placement place(const SignalTable& table, const PlacementProblem& problem, const
   };
   check_problem(table, problem);
   const ThreadLimit allowed(control.threads);
-  const auto backends = milp::wanted_backends(options.backend);
+  const auto backends = milp::backends_of(options.backend);
 
   Placement placement;
   if (auto unreachable = unreachable_labels(table, problem); !unreachable.empty()) {

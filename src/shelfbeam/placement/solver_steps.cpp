@@ -190,7 +190,7 @@ void bound_second_by_lp(SearchState& state, const Effort& effort) {
   const std::size_t count = state.incumbent.selected().size();
   const LpBound lp =
       lp_bound(state.table, state.problem, state.second->cost, state.solvers.preferred.front(),
-               {.time_limit_s = effort.seconds_left(), .answers = {count, count}}, state.control);
+               {.time_limit_s = effort.seconds_left(), .selections = {count, count}}, state.control);
   state.raise_second(lp.dual.bound, BoundProof::dual);
   begin_tree_with(lp, state);
 }

@@ -49,11 +49,11 @@ double read_rotation_deg(const JsonCursor& fixture) {
   return found ? read_angle_deg(*found) : 0;
 }
 
-double read_extent(const JsonCursor& cursor, double least) {
+double read_extent(const JsonCursor& cursor, double smallest) {
   constexpr double largest = 10;
   const double value = cursor.non_negative();
-  if (value > 0 && (value < least || value > largest))
-    cursor.fail(fmt::format("is {}, which is outside {} to {} m", value, least, largest),
+  if (value > 0 && (value < smallest || value > largest))
+    cursor.fail(fmt::format("is {}, which is outside {} to {} m", value, smallest, largest),
                 "use a value in that range, or 0 for a point");
   return value;
 }

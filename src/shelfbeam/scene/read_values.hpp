@@ -28,8 +28,8 @@ double read_angle_deg(const JsonCursor& cursor);
 /// The angle of the key "rotation_deg"; 0 if it is omitted.
 double read_rotation_deg(const JsonCursor& fixture);
 
-/// The size of a device: 0 for a point, or `least` to 10 m.
-double read_extent(const JsonCursor& cursor, double least);
+/// The size of a device: 0 for a point, or `smallest` to 10 m.
+double read_extent(const JsonCursor& cursor, double smallest);
 
 inline constexpr double min_quantity = 1e-12, largest_amount = 1e9;
 

@@ -54,7 +54,7 @@ std::string read_first_bytes(const fs::path& path, std::size_t count) {
   return bytes;
 }
 
-std::string read_text_file(const fs::path& path, std::size_t most) {
+std::string read_text_file(const fs::path& path, std::size_t max_bytes) {
   check_is_file(path);
   errno = 0;
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose_r);
@@ -74,8 +74,8 @@ std::string read_text_file(const fs::path& path, std::size_t most) {
                        "download or compress it again");
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
-    if (size > most)
-      throw InputError(path.string(), fmt::format("has more than {} bytes of decompressed text", most),
+    if (size > max_bytes)
+      throw InputError(path.string(), fmt::format("has more than {} bytes of decompressed text", max_bytes),
                        "check that it is the right file; a signal file (HDF5) or NPY requires less memory");
   }
   text.resize(size);

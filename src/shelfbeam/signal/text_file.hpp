@@ -13,9 +13,9 @@ inline std::size_t max_text_bytes() {
 }
 
 /// The whole file, decompressed if it is gzip, without a UTF-8 byte order mark. Throws InputError if the file
-/// cannot be read, is a truncated or corrupt gzip file, is not text, or has more than `most` bytes after
+/// cannot be read, is a truncated or corrupt gzip file, is not text, or has more than `max_bytes` bytes after
 /// decompression.
-std::string read_text_file(const std::filesystem::path& path, std::size_t most = max_text_bytes());
+std::string read_text_file(const std::filesystem::path& path, std::size_t max_bytes = max_text_bytes());
 
 /// The first `count` bytes of the file, or fewer if it is shorter. Throws InputError if it cannot be read.
 std::string read_first_bytes(const std::filesystem::path& path, std::size_t count);

@@ -30,11 +30,11 @@ class LogHistogram {
   /// The upper end of the bin that contains the p-quantile: at least the share p of all values is at most
   /// this. 0 without values.
   double quantile(double p) const {
-    const double wanted = p * static_cast<double>(total_);
+    const double target = p * static_cast<double>(total_);
     double passed = 0;
     std::size_t b = 0;
     for (; b + 1 < counts_.size(); ++b)
-      if ((passed += static_cast<double>(counts_[b])) >= wanted) break;
+      if ((passed += static_cast<double>(counts_[b])) >= target) break;
     return b == 0 ? 0 : smallest * std::pow(ratio, static_cast<double>(b));
   }
 

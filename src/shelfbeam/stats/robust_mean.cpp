@@ -32,12 +32,12 @@ double unexplained_spread(std::span<const double> values, std::span<const double
   for (const double value : values) distances.push_back(std::abs(value - median));
   const auto n = static_cast<double>(values.size());
   // Corrects for the sample median being nearer to the values than the true one (Croux and Rousseeuw 1992).
-  const double wanted = half_of_a_normal * (n - 0.8) / n;
-  if (median_deviation(distances, errors, 0) <= wanted) return 0;
+  const double target = half_of_a_normal * (n - 0.8) / n;
+  if (median_deviation(distances, errors, 0) <= target) return 0;
   double low = 0, high = 2 * *std::max_element(distances.begin(), distances.end());
   for (int step = 0; step < 60; ++step) {
     const double middle = 0.5 * (low + high);
-    (median_deviation(distances, errors, middle) > wanted ? low : high) = middle;
+    (median_deviation(distances, errors, middle) > target ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
@@ -50,11 +50,11 @@ RobustMean robust_mean(std::span<const double> values, std::span<const double> e
   mean.spread = unexplained_spread(values, errors, mean.value);
   const std::size_t n = values.size();
   // Without any error or spread, all values are equal, and the common minimum does not matter.
-  const double least = std::max(1e-9, 1e-9 * std::abs(mean.value));
+  const double min_deviation = std::max(1e-9, 1e-9 * std::abs(mean.value));
   std::vector<double> plain(n);
   double sum = 0, squares = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    mean.deviations.push_back(std::max(std::hypot(errors[i], mean.spread), least));
+    mean.deviations.push_back(std::max(std::hypot(errors[i], mean.spread), min_deviation));
     plain[i] = 1 / (mean.deviations[i] * mean.deviations[i]);
     sum += plain[i];
     squares += plain[i] * plain[i];

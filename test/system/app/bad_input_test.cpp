@@ -96,7 +96,7 @@ TEST_F(BadStore, UnreadableCsv) {
   expect_refused_by_all("store.json", {"error: " + path("labels.csv") + ": line 3, field 5: ", "'x'"});
 }
 
-TEST_F(BadStore, MoreThanMemoryHolds) {
+TEST_F(BadStore, ExceedsMemory) {
   // 100,000 labels by 100,000 candidates would be 360 GB.
   Json store = small_store();
   store["room"]["size"] = {1000, 1000, 3};
@@ -109,7 +109,7 @@ TEST_F(BadStore, MoreThanMemoryHolds) {
                    {"memory: 100001 labels and 97969 candidates ", " GB", "(--memory)"});
 }
 
-TEST_F(BadStore, MoreThanTheMemoryAllowed) {
+TEST_F(BadStore, ExceedsTheMemoryLimit) {
   folder.write("store.json", small_store().dump());
   // 17 x 12 entries with three sums in double and a column index each, plus the memory of an item.
   refused("simulate @store.json -o @new.h5 --estimator uniform --memory 6K",
@@ -133,7 +133,7 @@ TEST_F(BadOutput, Unwritable) {
   }
 }
 
-TEST_F(BadOutput, FolderInTheWay) {
+TEST_F(BadOutput, PathIsAFolder) {
   std::filesystem::create_directories(folder / "full/report.html");
   refused("simulate @store.json -o @full", {"full: "});
   refused("plan @store.json -o @full", {"full/report.html: "});
@@ -171,7 +171,7 @@ class BadMatrix : public test::ProgramTest {
   }
 };
 
-TEST_F(BadMatrix, EntriesThatAreNoSignals) {
+TEST_F(BadMatrix, InvalidEntries) {
   const std::string head = "label,T1,T2\n";
   expect_text_refused(head + "L1,1,2\nL2,3,nan\n", {"line 3, field 3", "NaN"});
   expect_text_refused(head + "L1,1,2\nL1,3,4\n", {"L1"});
@@ -192,7 +192,7 @@ TEST_F(BadMatrix, DamagedHdf5) {
 }
 
 // Flags, lists and further matrices that do not fit the matrix.
-TEST_F(BadMatrix, WrongQuestions) {
+TEST_F(BadMatrix, OptionsThatDoNotFitTheMatrix) {
   folder.write("m.csv", "label,T1,T2\nL1,1,2\n");
   folder.write("plain.csv", "1,2\n3,4\n");
   folder.write("shut.csv", "label,T2,T3\nL1,1,2\n");

@@ -24,7 +24,7 @@ TEST(Help, OfEveryVerbShowsExamplesAndCommonOptions) {
   }
 }
 
-TEST(Help, TellsOnlyWhatWorks) {
+TEST(Help, OptionsWorkAsDescribed) {
   const std::string help = expect_silent({"--help"});
   for (const std::string& verb : verbs) EXPECT_NE(help.find("\n  " + verb + " "), std::string::npos) << verb;
   EXPECT_NE(help.find("Exit codes: 0 success; 1"), std::string::npos);

@@ -86,7 +86,7 @@ TEST_F(Compare, FindsTheFactorOfAPlacement) {
   EXPECT_EQ(json["worst"][0]["transceiver"], nullptr);
 }
 
-TEST_F(Compare, RefusesWhatItCannotCompare) {
+TEST_F(Compare, RefusesIncomparableInput) {
   const auto refuse = [&](const std::string& csv, const std::string& options,
                           const std::vector<std::string>& parts) {
     folder.write("m.csv", csv);

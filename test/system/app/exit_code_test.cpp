@@ -23,7 +23,7 @@ using test::small_store;
 
 class ExitCode : public test::ProgramTest {};
 
-TEST_F(ExitCode, OneWhereTheAnswerIsNo) {
+TEST_F(ExitCode, OneIfInfeasible) {
   Json store = small_store();
   store["label_types"]["standard"]["threshold"] = 100;
   folder.write("greedy.json", store.dump());
@@ -43,7 +43,7 @@ TEST_F(ExitCode, OneWhereTheAnswerIsNo) {
 }
 
 // Two spots at one mounting point, and on either side a label that only one of them reaches.
-TEST_F(ExitCode, OneWhereOptionsExcludeOneAnother) {
+TEST_F(ExitCode, OneIfOptionsConflict) {
   folder.write("spots.json", R"({
     "room": { "size": [8, 6, 3], "floor": "m", "ceiling": "m", "walls": "m" },
     "materials": { "m": { "type": "lambertian", "reflectance": 0 } },
@@ -96,7 +96,7 @@ TEST_F(ExitCode, ThreeAtTheTimeLimit) {
   }
 }
 
-TEST_F(ExitCode, ThreeWhereOnlyTheCurveWasCutShort) {
+TEST_F(ExitCode, ThreeIfOnlyTheCurveReachedTheTimeLimit) {
   folder.write("hard.csv", hard_matrix());
   const std::string out =
       told("place @hard.csv --threshold 6 --solver greedy --curve -o @p.json --time-limit 1e-6", 3);
@@ -156,7 +156,7 @@ TEST_F(ExitCode, ThreeWhenASimulationIsInterrupted) {
   EXPECT_EQ(json("placement.json")["status"], "optimal");
 }
 
-TEST_F(ExitCode, ThreeWithoutAFileBeforeThereIsAnything) {
+TEST_F(ExitCode, ThreeWithoutAFileBeforeTheFirstResult) {
   folder.write("signal.h5", "old");
   for (const char* verb : {"simulate", "plan"}) {
     const std::string output = path(std::string(verb) == "plan" ? "plan" : "signal.h5");

@@ -77,7 +77,7 @@ TEST_F(Fault, BeyondAFileSizeLimitTheOldPlanStays) {
 
 // If any renaming fails, the old plan stays. If the program is killed at any renaming, each file is the old
 // or the new one, the report exists, and there is no placement beside a mixture of both.
-TEST_F(Fault, AFailingRenamingLosesNoFileOfAPlan) {
+TEST_F(Fault, AFailedRenameLosesNoFileOfAPlan) {
   if (!test::memory_can_be_limited) GTEST_SKIP() << "faults cannot be preloaded before this sanitizer";
   const auto plan = [&](const char* seed) {
     return std::vector<std::string>{"plan", path("store.json"), "-o",      path("plan"), "--samples",
@@ -127,7 +127,7 @@ TEST_F(Fault, AFailingRenamingLosesNoFileOfAPlan) {
   EXPECT_GE(mixed, static_cast<int>(before.size()) - 1);
 }
 
-TEST_F(Fault, WhatWasSimulatedIsKeptWhereTheOutputCannotBeWritten) {
+TEST_F(Fault, KeepsTheSimulationIfTheOutputCannotBeWritten) {
   const std::vector<std::string> simulation{"simulate",        path("store.json"), "-o",
                                             path("signal.h5"), "--samples",        "640"};
   const test::Outcome outcome = with_file_size_limit(8, simulation);
@@ -144,7 +144,7 @@ TEST_F(Fault, WhatWasSimulatedIsKeptWhereTheOutputCannotBeWritten) {
 }
 
 // A batch of two billion samples per label never ends.
-TEST_F(Fault, AHangupStopsAsCtrlCDoes) {
+TEST_F(Fault, HangupStopsLikeInterrupt) {
   test::Outcome outcome;
   for (std::chrono::milliseconds delay{300}; delay < std::chrono::seconds{20}; delay *= 2) {
     test::Process process(test::command({"simulate", path("store.json"), "-o", path("signal.h5"), "--samples",

@@ -77,7 +77,7 @@ TEST_F(HostileFiles, StoresThatMultiply) {
   EXPECT_EQ(run_small("simulate " + store + rest + "500G").exit_code, 4);
 }
 
-TEST_F(HostileFiles, BracketsWithinBrackets) {
+TEST_F(HostileFiles, DeeplyNestedBrackets) {
   const TempFolder folder;
   const std::string store = folder.write("store.json", std::string(3'000'000, '['));
   expect_refused("inspect " + store, "100 ");

@@ -61,7 +61,7 @@ class Inspect : public test::ProgramTest {
   }
 };
 
-TEST_F(Inspect, ToldAsJson) {
+TEST_F(Inspect, PrintsJson) {
   const Json json = Json::parse(told("inspect @store.json --json"));
   const Json& materials = json["materials"];
   const auto number = [&](const char* material, const char* key) {
@@ -118,7 +118,7 @@ TEST_F(Inspect, ToldAsJson) {
   EXPECT_TRUE(json["warnings"][1].get<std::string>().starts_with(path("store.json") + ": labels[1]: "));
 }
 
-TEST_F(Inspect, ToldAsText) {
+TEST_F(Inspect, PrintsText) {
   const std::string text = told("inspect @store.json -o @plan.svg");
   for (const char* part :
        {"\n  8.00 x 6.00 x 3.00 m, 940 nm, ", "\n  2 fixtures, 18 labels, 16 candidate transceivers at ",
@@ -130,7 +130,7 @@ TEST_F(Inspect, ToldAsText) {
   EXPECT_NE(bytes("plan.svg").find("class=\"door\""), std::string::npos);
 }
 
-TEST_F(Inspect, WithoutGlassSaysNothingOfTransmittance) {
+TEST_F(Inspect, OmitsTransmittanceWithoutGlass) {
   folder.write("plain.json", test::small_store().dump());
   const std::string text = told("inspect @plain.json");
   EXPECT_EQ(text.find("transmittance"), std::string::npos);

@@ -50,7 +50,7 @@ TEST(ReadmeSlow, CommandsWorkInTheirOrder) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
 }
 
-TEST(Readme, LinksLeadSomewhere) {
+TEST(Readme, LinksAreValid) {
   for (const char* name : {"README.md", "CONTRIBUTING.md"}) {
     const std::string page = read_file(top / name);
     for (std::size_t at = page.find("]("); at != std::string::npos; at = page.find("](", at + 1)) {

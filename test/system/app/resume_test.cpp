@@ -24,7 +24,7 @@ class Killed : public test::ProgramTest {
 };
 
 // Kills the program repeatedly, each time a little later, until a run completes.
-TEST_F(Killed, ARunGoesOnToTheSameBytes) {
+TEST_F(Killed, ASimulationResumesToTheSameBytes) {
   const std::vector<std::vector<std::string>> rules{
       {"--samples", "20000"}, {"--relative-error", "0.1", "--direct", "exact", "--quiet"}};
   for (const auto& rule : rules) {
@@ -71,7 +71,7 @@ TEST_F(Killed, ACheckpointIsForItsOwnSimulationOnly) {
   EXPECT_EQ(names(folder.path()), (std::set<std::string>{"signal.h5", "store.json"}));
 }
 
-TEST_F(Killed, APlanGoesOnToo) {
+TEST_F(Killed, APlanResumesToTheSameBytes) {
   const std::string plan = "plan @store.json --samples 20000 -o ";
   told(plan + "@whole");
   test::Process process(test::command(test::words(folder, plan + "@plan --checkpoint-interval 0")));

@@ -56,7 +56,7 @@ TEST_F(SimulationSummary, CountsFlaggedEntries) {
   EXPECT_THAT(simulated(exact), Not(HasSubstr("flagged")));
 }
 
-TEST_F(SimulationSummary, SaysWhereMoreSamplesAreTakenThanAskedFor) {
+TEST_F(SimulationSummary, ReportsExtraSamples) {
   const std::string why = ": at least 16 batches are needed to estimate errors\n";
   EXPECT_THAT(simulated("--samples 64"), HasSubstr("\n2096 samples per label instead of 64" + why));
   EXPECT_THAT(told("plan @store.json -o @plan --samples 64 --no-certificate"),

@@ -10,7 +10,7 @@ namespace shelfbeam {
 namespace {
 
 // Slow, because it simulates the thesis environment.
-TEST(ThesisTablesSlow, StandBesideThePapersNumbers) {
+TEST(ThesisTablesSlow, AreComparedWithThePaper) {
   const test::TempFolder folder;
   const auto run = [&](const std::string& limit) {
     const test::Outcome outcome = test::run(

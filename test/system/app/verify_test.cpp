@@ -16,7 +16,7 @@ using testing::HasSubstr;
 class VerifySlow : public test::ProgramTest {};
 
 // One plan of the paper's environment, and the ways to verify it.
-TEST_F(VerifySlow, TellsWhatAPlanReaches) {
+TEST_F(VerifySlow, VerifiesThePlan) {
   const std::string store = "@store/store.json",
                     statement = "4 transceivers reach all 390 labels, and 3 are not enough";
   told("new thesis @store --quiet");

@@ -57,7 +57,7 @@ TEST_F(Workflow, NewThenInspect) {
 
 // Layers and mean are written in single precision, and the sum of nine layers is exact to 1e-6. The control
 // omits one layer.
-TEST_F(Workflow, AMatrixForEachNumberOfBounces) {
+TEST_F(Workflow, WritesAMatrixForEachNumberOfBounces) {
   told("simulate @store.json -o @signal.h5 --samples 640 --max-bounces 8 --by-bounce");
   const SignalMatrix matrix = read_signal_file(folder / "signal.h5");
   ASSERT_EQ(matrix.by_bounce.size(), 9u);
@@ -171,7 +171,7 @@ TEST_F(Workflow, SimulateThenPlaceThenExport) {
   EXPECT_EQ(json("from_npy.json")["count"], placement["count"]);
 }
 
-TEST_F(Workflow, EveryQuestionIsAnswered) {
+TEST_F(Workflow, EveryProblemHasAPlacement) {
   told("simulate @store.json -o @signal.h5 --samples 2000 --direct exact");
   for (const std::string model : {"cooperative", "non-cooperative"})
     for (const std::string objective : {"count", "links", "effective-links", "signal"})
@@ -217,7 +217,7 @@ TEST_F(Workflow, PlanLeavesEveryFileOfTheContract) {
   }
 }
 
-TEST_F(Workflow, NamesMayHaveBlanksAndOtherLetters) {
+TEST_F(Workflow, FileNamesMayHaveBlanksAndNonAsciiLetters) {
   const std::string odd = "Müller & Söhne 'Größe \"7\" 名前";
   Json store = small_store();
   store["name"] = odd;
@@ -248,7 +248,7 @@ TEST_F(Workflow, ThreadsDoNotChangeASignalAndSeedsDo) {
 }
 
 // `place` prints the sentences of test/data/messages.txt in their lines.
-TEST_F(Workflow, AnswersAreTold) {
+TEST_F(Workflow, PlacePrintsTheDocumentedSentences) {
   const auto expect = [&](const std::string& line, const std::vector<std::string>& parts, int exit_code = 0) {
     const bool has_threshold = line.find("--threshold") != std::string::npos;
     const std::string text = told("place " + line + (has_threshold ? "" : " --threshold 1"), exit_code);
@@ -290,7 +290,7 @@ TEST_F(Workflow, AnswersAreTold) {
           "night: 1 label, the weakest (night:L1) receives 3 times"});
 }
 
-TEST_F(Workflow, AnswersAreJson) {
+TEST_F(Workflow, PlacePrintsJson) {
   const auto answer = [&](const std::string& line) {
     return Json::parse(told("place --threshold 1 --json " + line));
   };
@@ -308,7 +308,7 @@ TEST_F(Workflow, AnswersAreJson) {
   EXPECT_EQ(two["scenarios"][1]["name"], "night");
 }
 
-TEST_F(Workflow, PlansTellCurveAndSensitivity) {
+TEST_F(Workflow, PlansPrintCurveAndSensitivity) {
   const std::string plan = "plan @store.json -o @plan --samples 640 --no-certificate";
   const std::string text = told(plan + " --curve --sensitivity --reflectance-error 0.25");
   EXPECT_NE(text.find("  units   labels reached: at least   at most\n"), std::string::npos) << text;
@@ -332,7 +332,7 @@ TEST_F(Workflow, PlansTellCurveAndSensitivity) {
   EXPECT_EQ(bytes("plan/report.html").find("<section id=\"curve\">"), std::string::npos);
 }
 
-TEST_F(Workflow, ScenariosAreToldApartByTheirFolders) {
+TEST_F(Workflow, ScenariosAreNamedByTheirFolders) {
   for (const std::string store : {"full", "empty"}) told("plan @store.json --samples 320 -o @" + store);
   const auto placed = [&](const std::string& files) { return Json::parse(told("place --json " + files)); };
   Json answer = placed("@full/signal.h5 @empty/signal.h5");

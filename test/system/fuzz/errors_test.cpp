@@ -75,7 +75,7 @@ std::string bytes_of(const Bad& bad, const Reader& reader) {
   return {};
 }
 
-TEST(Errors, AreThoseOfTheList) {
+TEST(Errors, EqualTheSnapshot) {
   std::string errors;
   const auto add = [&](const auto& action) {
     std::string message = test::input_error(action);

@@ -59,7 +59,7 @@ TEST(AtomicFile, TwoWritersDoNotMix) {
   EXPECT_EQ(read_file(folder / "out.txt"), "first");
 }
 
-TEST(AtomicFile, RefusesWhereItCannotWrite) {
+TEST(AtomicFile, RefusesUnwritablePaths) {
   const TempFolder folder;
   folder.write("file", "");
   expect_input_error([&] { AtomicFile(folder / "none/out.txt"); }, "none/out.txt");
@@ -79,7 +79,7 @@ TEST(AtomicFile, RefusesWhereItCannotWrite) {
 
 // The temporary file of a killed program has no lock and is removed. The file of a running program is locked
 // and stays.
-TEST(AtomicFile, RemovesWhatDeadWritersLeftAndNothingElse) {
+TEST(AtomicFile, RemovesOnlyFilesOfKilledWriters) {
   const TempFolder folder;
   folder.write(".out.txt.shelfbeam-a1B2c3", "half");
   folder.write(".out.txt.shelfbeam-notes", "of somebody else");
@@ -97,7 +97,7 @@ TEST(AtomicFile, RemovesWhatDeadWritersLeftAndNothingElse) {
   EXPECT_EQ(folder.count(), 3);
 }
 
-TEST(AtomicFile, SaysThatAnOlderFileStays) {
+TEST(AtomicFile, ReportsThatAnOlderFileStays) {
   const TempFolder folder;
   const auto path = folder.write("out.txt", "old");
   AtomicFile file(path);
@@ -127,7 +127,7 @@ TEST(AtomicFolder, ChangesNothingBeforeTheCommit) {
 
 // If any renaming fails, the old files are restored, a new file without a predecessor is removed, and no
 // other file remains.
-TEST(AtomicFolder, TakesAllBackWhereARenamingFails) {
+TEST(AtomicFolder, RestoresAllFilesIfARenameFails) {
   for (const std::string failing : {"first", "second", "last"}) {
     SCOPED_TRACE(failing);
     const TempFolder folder;

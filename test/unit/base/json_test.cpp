@@ -73,14 +73,14 @@ TEST(Json, UnknownKeysNameTheNearest) {
   expect_input_error([&] { root.expect_keys({"x", "y"}); }, "'reflectanse'", "x, y");
 }
 
-TEST(Json, KeysStandOnce) {
+TEST(Json, RefusesDuplicateKeys) {
   expect_input_error([] { parse(R"({ "a": { "b": 1, "c": 2, "b": 3 } })"); }, "store.json: a.b: ");
   expect_input_error([] { parse(R"([ 1, [], { "a": [ {}, { "b": [2], "b": 3 } ] } ])"); },
                      "store.json: [2].a[1].b: ");
   EXPECT_NO_THROW(parse(R"({ "a": { "b": 1 }, "b": [ { "b": 1 }, { "b": 2 } ] })"));
 }
 
-TEST(Json, WhatIsNoJsonIsToldWithItsPlace) {
+TEST(Json, InvalidJsonIsReportedWithItsPosition) {
   expect_input_error([] { parse("{\n  \"a\": ,\n}"); }, "store.json: ", "line 2");
   expect_input_error([] { parse("[1,\n 1e999]"); }, "store.json: ", "1e999", "line 2");
   for (const char* text : {"", "{", "[1, 2", "{} {}", "nul", "{'a': 1}", "[1e999]"})

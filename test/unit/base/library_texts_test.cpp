@@ -16,7 +16,7 @@ bool words_a_flag(const std::string& line) {
   return std::regex_search(line, flag) && line.find("h5repack") == std::string::npos;
 }
 
-TEST(LibraryTexts, WordNoFlagOfTheCommandLine) {
+TEST(LibraryTexts, ContainNoFlags) {
   int files = 0;
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(SHELFBEAM_SOURCE_DIR "/src/shelfbeam")) {

@@ -20,7 +20,7 @@ TEST(Provenance, HashesAreXxh3) {
   EXPECT_EQ(hash64("abc"), 0x78af5f94892f3950u);
 }
 
-TEST(Provenance, HashesOfStreamsAreThoseOfTexts) {
+TEST(Provenance, HashesOfStreamsEqualThoseOfTexts) {
   for (const std::size_t size : {0, 3, 1 << 20, (5 << 19) + 1}) {
     std::string text(size, 'x');
     for (std::size_t k = 0; k < size; k += 7) text[k] = static_cast<char>(k);
@@ -30,7 +30,7 @@ TEST(Provenance, HashesOfStreamsAreThoseOfTexts) {
   }
 }
 
-TEST(Provenance, HashesSeeEveryByte) {
+TEST(Provenance, HashesDependOnEveryByte) {
   std::string text(300, 'x');
   const std::string before = content_hash(text);
   for (char& c : text) {
@@ -42,7 +42,7 @@ TEST(Provenance, HashesSeeEveryByte) {
   EXPECT_NE(content_hash(std::string("a\0", 2)), content_hash("a"));
 }
 
-TEST(Error, MessageHoldsPlaceProblemAndSuggestion) {
+TEST(Error, MessageContainsPlaceProblemAndSuggestion) {
   EXPECT_STREQ(InputError("a.json: x", "is odd", "make it even").what(), "a.json: x: is odd; make it even");
   EXPECT_STREQ(InputError("a.json", "is odd").what(), "a.json: is odd");
   EXPECT_STREQ(InputError("", "is odd").what(), "is odd");

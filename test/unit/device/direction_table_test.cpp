@@ -47,7 +47,7 @@ TEST(SineSegment, IntegratesAndInvertsExactly) {
   }
 }
 
-TEST(DirectionTable, RefusesWhatIsNoTable) {
+TEST(DirectionTable, RefusesInvalidTables) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(DirectionTable({0}, {0}, {1}), std::invalid_argument);
   EXPECT_THROW(DirectionTable({0, 0}, {0}, {1, 1}), std::invalid_argument);
@@ -60,7 +60,7 @@ TEST(DirectionTable, RefusesWhatIsNoTable) {
   EXPECT_THROW(DirectionTable({0, 1}, {0}, {0, 0}).with_integral(1), std::invalid_argument);
 }
 
-TEST(DirectionTable, DrawsNothingWhereAllIsZero) {
+TEST(DirectionTable, NeverSamplesZeroDensity) {
   const DirectionTable dark({0, 1}, {0}, {0, 0});
   EXPECT_FALSE(dark.sample(0.5, 0.5));
   EXPECT_EQ(dark.pdf({0, 0, 1}), 0);
@@ -74,7 +74,7 @@ TEST(DirectionTable, IsZeroOutsideItsThetas) {
 }
 
 // Angle intervals of subnormal width must not give NaN.
-TEST(DirectionTable, SurvivesAnglesThatHardlyDiffer) {
+TEST(DirectionTable, HandlesNearlyEqualAngles) {
   const DirectionTable table({0, 1e-320, 1}, {0}, {1, 3, 1});
   EXPECT_NEAR(table.integral(), 2 * pi * (3 - std::cos(1.0) - 2 * std::sin(1.0)), 1e-12);
   EXPECT_TRUE(table.sample(0.5, 0.5));

@@ -35,7 +35,7 @@ void expect_same(const DirectionTable& a, const DirectionTable& b, const std::st
   EXPECT_EQ(a.values(), b.values()) << what;
 }
 
-TEST(PhotometryTorture, LineEndsMarksAndTrailingBlanksDoNotMatter) {
+TEST(PhotometryTorture, LineEndsByteOrderMarksAndBlanksDoNotMatter) {
   for (const auto& file : test::corpus()) {
     const bool ies = test::is_ies(file);
     const std::string text = read_file(file), name = file.filename().string();

@@ -33,7 +33,7 @@ TEST(Responsivity, PowerOneIsTheCosine) {
   EXPECT_NEAR(integral(CosinePowerResponse{1}), integral(CosineResponse{}), 1e-15);
 }
 
-TEST(Responsivity, NothingIsHeardFromBehind) {
+TEST(Responsivity, IsZeroFromBehind) {
   for (const auto& [name, r] : test::responses()) {
     EXPECT_EQ(at_degrees(r, 90.001), 0) << name;
     EXPECT_EQ(at_degrees(r, 180), 0) << name;

@@ -55,7 +55,7 @@ TEST(Energy, IsNeverGained) {
     }
 }
 
-TEST(Energy, IsKeptByGlassAndIdealMirrors) {
+TEST(Energy, IsConservedByGlassAndIdealMirrors) {
   for (const double angle : test::angles_deg) {
     const Vec3 w = direction_at(angle);
     EXPECT_EQ(albedo(make_dielectric(1.5), w), 1);

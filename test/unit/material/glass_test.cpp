@@ -75,7 +75,7 @@ TEST(Dielectric, OfFineRoughnessIsSmooth) {
   EXPECT_FALSE(z_test(shares, wrong, errors, 1e-4).pass);
 }
 
-TEST(Dielectric, RefusesWhatHasNoMeaning) {
+TEST(Dielectric, RefusesInvalidParameters) {
   const auto rough = make_microfacets(FacetDistribution::ggx, 0.3, 0.3);
   EXPECT_THROW(make_dielectric(0.99), std::invalid_argument);
   EXPECT_THROW(make_dielectric(1, rough), std::invalid_argument);
@@ -170,7 +170,7 @@ TEST(ThinDielectric, IsASlabOfTheSolidDielectric) {
   EXPECT_FALSE(z_test(through, wrong, errors, 1e-4).pass);
 }
 
-TEST(ThinDielectric, RefusesWhatHasNoMeaning) {
+TEST(ThinDielectric, RefusesInvalidParameters) {
   EXPECT_THROW(make_thin_dielectric(0.5, 0.006, 2), std::invalid_argument);
   EXPECT_THROW(make_thin_dielectric(1.5, -0.006, 2), std::invalid_argument);
   EXPECT_THROW(make_thin_dielectric(1.5, 6, 2), std::invalid_argument);  // millimetres

@@ -66,7 +66,7 @@ TEST(Material, SmoothMetalIsAMirror) {
   EXPECT_THROW(make_conductor(-1, 3), std::invalid_argument);
 }
 
-TEST(Material, KnowsWhatOnlyMirrors) {
+TEST(Material, KnowsPureMirrors) {
   const auto rough = make_microfacets(FacetDistribution::ggx, 0.3, 0.3);
   EXPECT_TRUE(has_only_specular(make_conductor(1.4, 8)));
   EXPECT_TRUE(has_only_specular(make_dielectric(1.5)));
@@ -117,7 +117,7 @@ TEST(Material, BlackSurfacesEndAWalk) {
   EXPECT_THROW(make_lambertian(-0.1), std::invalid_argument);
 }
 
-TEST(Material, HasTheStoreFilesNames) {
+TEST(Material, HasTheNamesOfStoreFiles) {
   EXPECT_EQ(type_name(make_lambertian(0.5)), "lambertian");
   EXPECT_EQ(type_name(make_conductor(1, 1)), "conductor");
   EXPECT_EQ(type_name(make_plastic(1.5, 0.5)), "plastic");

@@ -51,7 +51,7 @@ TEST(MaterialsData, EveryReflectanceHasASourceOrARange) {
   EXPECT_GE(measured, 15U);
 }
 
-TEST(MaterialsData, CheckFindsWhatIsMissing) {
+TEST(MaterialsData, CheckFindsMissingEntries) {
   const Json data = read_data(), good = data["reflectances"]["ceiling_tile"];
   const auto with = [&](const char* key, const Json& value) {
     Json entry = good;
@@ -79,7 +79,7 @@ TEST(MaterialsData, ProgramKnowsAllReflectances) {
 }
 
 // The known values from the project's sources.
-TEST(MaterialsData, HoldsTheKnownValues) {
+TEST(MaterialsData, HasTheKnownValues) {
   const Json data = read_data();
   for (const auto& [name, value] : {std::pair{"plaster", 0.836},
                                     {"office_floor", 0.633},

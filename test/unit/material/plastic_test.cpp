@@ -78,7 +78,7 @@ TEST(Plastic, RoughCoatBecomesTheSmoothOne) {
   }
 }
 
-TEST(Plastic, RefusesWhatHasNoMeaning) {
+TEST(Plastic, RefusesInvalidParameters) {
   EXPECT_THROW(make_plastic(0.9, 0.5), std::invalid_argument);
   EXPECT_THROW(make_plastic(15, 0.5), std::invalid_argument);
   EXPECT_THROW(make_plastic(1.5, 1.01), std::invalid_argument);

@@ -12,9 +12,10 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;
 
 Numbers numbers(const std::vector<Vec3>& positions) {
-  const DistinctPositions places = distinct_positions(positions);
-  EXPECT_EQ(places.count, positions.empty() ? 0 : *std::max_element(places.of.begin(), places.of.end()) + 1U);
-  return places.of;
+  const DistinctPositions groups = distinct_positions(positions);
+  EXPECT_EQ(groups.count,
+            positions.empty() ? 0 : *std::max_element(groups.group_of.begin(), groups.group_of.end()) + 1U);
+  return groups.group_of;
 }
 
 TEST(DistinctPositions, AreTheSameUpToAMicrometreInEveryCoordinate) {
@@ -44,15 +45,15 @@ TEST(DistinctPositions, EqualComparisonOfAllPairs) {
     positions.push_back({0.1 * static_cast<double>(random() % 5) + error(random),
                          0.3 * static_cast<double>(random() % 7) + error(random),
                          3 + static_cast<double>(random() % 2) + error(random)});
-  const DistinctPositions places = distinct_positions(positions);
-  EXPECT_EQ(places.count, 70U);
+  const DistinctPositions groups = distinct_positions(positions);
+  EXPECT_EQ(groups.count, 70U);
   int exact = 0;
   for (std::size_t a = 0; a < positions.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
       const Vec3 d = positions[a] - positions[b];
       const double most = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-      ASSERT_EQ(places.of[a] == places.of[b], most <= position_tolerance);
-      exact += places.of[a] == places.of[b] && most > 0;
+      ASSERT_EQ(groups.group_of[a] == groups.group_of[b], most <= position_tolerance);
+      exact += groups.group_of[a] == groups.group_of[b] && most > 0;
     }
   EXPECT_GT(exact, 1000);
 }

@@ -14,7 +14,7 @@ namespace {
 
 // Chi-square test at level 1e-4 with 200,000 directions in 20 x 16 cells. The control expects a uniform
 // hemisphere.
-TEST(CosineHemisphere, DrawsWhatItsDensitySays) {
+TEST(CosineHemisphere, SamplesItsDensity) {
   constexpr std::uint32_t draws = 200000;
   const test::DirectionCells cells(20, 16);
   std::vector<double> counts(cells.size());

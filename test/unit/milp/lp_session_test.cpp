@@ -139,7 +139,7 @@ TEST_P(MilpLpSession, SolvesWithoutRows) {
   EXPECT_TRUE(result.y.empty());
 }
 
-TEST_P(MilpLpSession, TellsCostsApartInAnyUnit) {
+TEST_P(MilpLpSession, DistinguishesCostsAtAnyScale) {
   for (const double unit : {1e-12, 1e-6, 1.0, 1e7, 1e12}) {
     Model model = test::triangle();
     make_continuous(model);
@@ -154,7 +154,7 @@ TEST_P(MilpLpSession, TellsCostsApartInAnyUnit) {
   }
 }
 
-TEST_P(MilpLpSession, StopsAndGoesOn) {
+TEST_P(MilpLpSession, ContinuesAfterAStop) {
   Model model = test::steiner_81();
   make_continuous(model);
   const auto lp = session(model.columns);

@@ -63,7 +63,7 @@ void expect_same(double read, double written, std::string_view backend) {
     EXPECT_NEAR(read, written, 1e-15 * std::abs(written));
 }
 
-TEST(ModelFile, IsReadBackAsItWasByEverySolver) {
+TEST(ModelFile, EverySolverReadsItBackUnchanged) {
   const test::TempFolder folder;
   const Model model = awkward();
   const auto rows = in_file(model);
@@ -125,7 +125,7 @@ TEST(ModelFile, LeavesNothingBehindWhenItCannotWrite) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-TEST(ModelFile, ReadersRejectWhatIsNoModel) {
+TEST(ModelFile, ReadersRejectInvalidModels) {
   const test::TempFolder folder;
   folder.write("bad.mps", "this is no model\n");
   testing::internal::CaptureStdout();

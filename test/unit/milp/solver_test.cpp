@@ -76,7 +76,7 @@ TEST_P(MilpSolver, SolvesModelsOfEveryKind) {
 }
 
 // Absolute tolerances of solvers are between 1e-5 and 1e-10; costs far below and above must be distinguished.
-TEST_P(MilpSolver, TellsCostsApartInAnyUnit) {
+TEST_P(MilpSolver, DistinguishesCostsAtAnyScale) {
   for (const double unit : {1e-12, 1e-6, 1.0, 1e7, 1e12}) {
     Model model = test::triangle();
     model.columns[0].cost = 1.25 * unit;

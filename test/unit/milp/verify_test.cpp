@@ -31,7 +31,7 @@ TEST(MilpVerify, MeasuresEveryKindOfViolation) {
   EXPECT_EQ(violation(model, X{1, std::numeric_limits<double>::quiet_NaN()}), infinity);
 }
 
-TEST(MilpVerify, AcceptsWhatIsRight) {
+TEST(MilpVerify, AcceptsCorrectClaims) {
   const Result result = verified(test::triangle(), {}, {Termination::optimal, -7, 2, {1, 1 - 1e-9, 1e-8}});
   EXPECT_EQ(result.termination, Termination::optimal);
   EXPECT_EQ(result.primal_bound, 2);  // recomputed from the rounded solution

@@ -20,7 +20,7 @@ using test::Omission;
 
 // Counts how often enumeration without one rule has another result, because comparisons with it must be able
 // to fail. The checker must reject a better value that breaks the omitted rule.
-TEST(BruteForce, NoticesWhateverIsLeftOut) {
+TEST(BruteForce, DetectsEveryOmission) {
   struct Case {
     Omission omission;
     int least;  ///< of 500 problems

@@ -22,7 +22,7 @@ using Columns = std::vector<std::uint32_t>;
 constexpr auto coop = CommunicationModel::cooperative;
 constexpr auto alone = CommunicationModel::non_cooperative;
 
-TEST(Placement, ExplainsWhatCannotBeMet) {
+TEST(Placement, ExplainsUnreachableLabels) {
   const SignalTable table = test::make_table({{0.5, 0.4}, {1.0, 1.0}, {0.3, 0.8}}, 2);
   Placement found = place(table, {coop}, {});
   EXPECT_EQ(found.status, Status::infeasible);
@@ -41,7 +41,7 @@ TEST(Placement, ExplainsWhatCannotBeMet) {
   EXPECT_EQ(found.unreachable[1].most, 0.8);
 }
 
-TEST(Placement, AnswersTablesWithoutLabelsOrUnits) {
+TEST(Placement, HandlesTablesWithoutLabelsOrUnits) {
   SignalTable no_labels = test::make_table({}, 3);
   for (const auto model : {coop, alone}) {
     Placement found = place(no_labels, {model}, {});
@@ -71,7 +71,7 @@ TEST(Placement, KeepsInstalledUnits) {
   }
 }
 
-TEST(Placement, ProvesThatOptionsExcludeOneAnother) {
+TEST(Placement, ProvesThatOptionsConflict) {
   SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
   table.mounts = {{0, 1}};
   for (const milp::Backend& backend : milp::backends())
@@ -94,7 +94,7 @@ TEST(Placement, ProvesThatOptionsExcludeOneAnother) {
 }
 
 // Greedy takes the cheap unit 0. With unit 1 instead, as many labels are missed, so it stays.
-TEST(Placement, SearchesWhereGreedyIsStuck) {
+TEST(Placement, SearchesIfGreedyIsStuck) {
   SignalTable table = test::make_table({{1, 0, 1}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}}, 3);
   table.transceivers[1].cost = 4;
   table.transceivers[2].cost = 3;
@@ -110,7 +110,7 @@ TEST(Placement, SearchesWhereGreedyIsStuck) {
   EXPECT_EQ(found.objective_value, 7);
 }
 
-TEST(Placement, SaysWhoAnswered) {
+TEST(Placement, ReportsTheMethod) {
   const SignalTable table = test::make_table({{1, 1}}, 2);
   for (const milp::Backend& backend : milp::backends()) {
     const Placement found =
@@ -125,7 +125,7 @@ TEST(Placement, SaysWhoAnswered) {
 }
 
 // At least the time that the sink slept, and at most the time measured here.
-TEST(Placement, SaysForHowLong) {
+TEST(Placement, ReportsItsTime) {
   class Sleeper : public ProgressSink {
    public:
     void report(std::string_view, double, std::string_view) override {
@@ -142,14 +142,14 @@ TEST(Placement, SaysForHowLong) {
   EXPECT_LE(found.seconds, passed.count());
 }
 
-TEST(Placement, RejectsWhatItCannotAnswer) {
+TEST(Placement, RejectsUnsupportedProblems) {
   SignalTable table = test::make_table({{1, 1}}, 2);
   test::expect_input_error([&] { place(table, {}, {.backend = "cplex"}); }, "cplex");
   table.labels[0].requirement = 0;
   test::expect_input_error([&] { place(table, {}, {}); }, "label L0: ");
 }
 
-TEST(Placement, TellsWhenLinksCountedOne) {
+TEST(Placement, ReportsLinksWithoutCosts) {
   SignalTable table = test::make_table({{1, 1}}, 2);
   EXPECT_TRUE(place(table, {alone, Objective::links}, {}).unit_costs);
   EXPECT_FALSE(place(table, {alone, Objective::count}, {}).unit_costs);
@@ -166,7 +166,7 @@ void expect_stopped(const SignalTable& table, const Placement& found, double tri
   EXPECT_GT(found.gap(), 0);
 }
 
-TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
+TEST(Placement, StopsAtTheTimeLimitWithItsIncumbent) {
   const SignalTable table = test::dense_table(200, 100);
   for (const milp::Backend& backend : milp::backends())
     for (const double limit : {0.0, 1.0}) {
@@ -180,7 +180,7 @@ TEST(Placement, StopsAtTheTimeLimitWithWhatItHas) {
 }
 
 // Each label needs 4 units at 0.25; the linear program proves 8.
-TEST(Placement, StopsAtTheStepLimitWithWhatItHas) {
+TEST(Placement, StopsAtTheStepLimitWithItsIncumbent) {
   const SignalTable table = test::dense_table(40, 30);
   for (const milp::Backend& backend : milp::backends()) {
     const PlaceOptions options{.backend = std::string(backend.name), .time_limit_s = 0, .step_limit = 100};
@@ -194,7 +194,7 @@ TEST(Placement, StopsAtTheStepLimitWithWhatItHas) {
 
 // Rows of three units out of many. The MIP would solve the reduced problem, but the search alone does not use
 // it. It reports this, and its bound is its own.
-TEST(Placement, SearchLeavesNothingToAMip) {
+TEST(Placement, SearchNeedsNoMip) {
   const SignalTable table = test::cube_cycles(5);
   const PlacementProblem problem{alone};
   const Placement with_mip = place(table, problem, {.step_limit = 100});
@@ -208,7 +208,7 @@ TEST(Placement, SearchLeavesNothingToAMip) {
 }
 
 // Greedy finds no feasible selection, so the search has no start.
-TEST(Placement, SearchSaysWhereItHasNoStart) {
+TEST(Placement, SearchReportsAMissingStart) {
   SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
   table.mounts = {{0, 1}};
   const Placement found = place(table, {}, {.solver = SolverChoice::search});
@@ -217,7 +217,7 @@ TEST(Placement, SearchSaysWhereItHasNoStart) {
   EXPECT_EQ(found.solver, "search");
 }
 
-TEST(Placement, SeedsLeadOtherWaysToTheSameValue) {
+TEST(Placement, SeedsDoNotChangeTheValue) {
   const SignalTable proven = test::affine_lines(3);
   std::set<std::vector<std::uint32_t>> unproven;
   for (const std::uint64_t seed : {1ULL, 2ULL, 1ULL << 40}) {
@@ -232,7 +232,7 @@ TEST(Placement, SeedsLeadOtherWaysToTheSameValue) {
   EXPECT_EQ(unproven.size(), 6U) << "the same steps, the same selection; others, another";
 }
 
-TEST(Placement, ReturnsTheGreedyAnswerWhenCancelled) {
+TEST(Placement, ReturnsTheGreedySelectionWhenCancelled) {
   CancelToken token;
   token.request();
   const SignalTable table = test::dense_table(200, 100);

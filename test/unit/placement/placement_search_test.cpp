@@ -27,7 +27,7 @@ TEST(PlacementSearch, EqualsEnumerationWithoutAMip) {
 }
 
 // On several threads, trees find selections in varying order; the result must not depend on it.
-TEST(PlacementSearchSlow, IsTheSameForAnyNumberOfThreadsWhereTiesAreLeftOpen) {
+TEST(PlacementSearchSlow, IsTheSameForAnyNumberOfThreadsWithTies) {
   test::RandomTables random(11);
   int open = 0;
   for (int k = 0; k < 4; ++k) {
@@ -45,7 +45,7 @@ TEST(PlacementSearchSlow, IsTheSameForAnyNumberOfThreadsWhereTiesAreLeftOpen) {
 }
 
 // Costs whose ratio exceeds the precision of a number: the search must not claim what it cannot distinguish.
-TEST(PlacementSearch, IsNotMisledByOnePrice) {
+TEST(PlacementSearch, IsNotMisledByOneDual) {
   test::RandomTables random(16, {.transceivers = 9});
   Tally tally;
   for (int k = 0; k < 300 && !HasFailure(); ++k) {
@@ -115,7 +115,7 @@ TEST(PlacementSearch, EqualsEnumerationWithoutTrees) {
 }
 
 // A valid placement requires neither the dense matrix nor a solver of whole models.
-TEST(PlacementSearch, IsValidWithoutWhatLargeTablesHaveNoRoomFor) {
+TEST(PlacementSearch, IsValidWithoutDenseMatrixAndMip) {
   const detail::SearchLimits nothing{.max_units_of_trees = 0,
                                      .max_cells_of_trees = 0,
                                      .max_cells_of_local_search = 0,
@@ -164,7 +164,7 @@ TEST(PlacementSearch, SurvivesSolversThatFailAndLie) {
 }
 
 // Costs that solvers cannot distinguish: their proof is valid within their gap.
-TEST(PlacementSearch, BelievesASolverWithinItsGap) {
+TEST(PlacementSearch, AcceptsASolverWithinItsGap) {
   test::RandomTables random(25, {.labels = 30, .transceivers = 20, .borderline = false});
   int proven = 0;
   for (int k = 0; k < 40; ++k) {
@@ -185,7 +185,7 @@ TEST(PlacementSearch, BelievesASolverWithinItsGap) {
 }
 
 // A higher cost is not a tie, however small the difference.
-TEST(PlacementSearch, PrefersTheCheaperOfTwoThatAreNearlyAlike) {
+TEST(PlacementSearch, PrefersTheCheaperOfTwoSimilarUnits) {
   SignalTable table = test::make_table({{1, 2}}, 2);
   table.transceivers[1].cost = 1 + 5e-10;
   const PlacementProblem problem{coop, Objective::count, Combination::weighted};
@@ -200,7 +200,7 @@ TEST(PlacementSearch, PrefersTheCheaperOfTwoThatAreNearlyAlike) {
 }
 
 // Greedy takes the unit that reaches most labels and is in conflict with all others.
-TEST(PlacementSearch, FindsASelectionWhereTheGreedyMethodGetsStuck) {
+TEST(PlacementSearch, FindsASelectionIfGreedyIsStuck) {
   std::vector<std::vector<double>> matrix(40, std::vector<double>(6, 0.0));
   for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i][i % 4] = matrix[i][4] = 1;
   matrix[0][4] = 0;
@@ -222,7 +222,7 @@ TEST(PlacementSearch, FindsASelectionWhereTheGreedyMethodGetsStuck) {
 }
 
 // A proof would take more than five minutes.
-TEST(PlacementSearchSlow, ComesNearTheBestKnownOfWhatItDoesNotProve) {
+TEST(PlacementSearchSlow, IsCloseToBestKnownWithoutProof) {
   const struct {
     SignalTable table;
     std::uint64_t steps;

@@ -10,7 +10,7 @@ namespace shelfbeam {
 namespace {
 
 // The rows found need as many units as all rows, and are not claimed to need more.
-TEST(CoreRows, NeedAsMuchAsAll) {
+TEST(CoreRows, ForceTheCountOfAllRows) {
   test::RandomTables random(3, {.labels = 60, .transceivers = 14, .borderline = false, .redundant = true});
   const PlaceOptions by_steps{.step_limit = 1 << 20, .settles_ties = false};
   int sufficient = 0, fewer = 0;

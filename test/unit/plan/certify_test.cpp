@@ -111,7 +111,7 @@ TEST(Certify, ProvesASmallStore) {
 
 // The requirement is equal to the signal of the weakest label under the strongest placement: the label cannot
 // be decided, and the certificate reports it as undecided.
-TEST(Certify, SaysUndecidedWhereALabelIsTrulyBorderline) {
+TEST(Certify, BorderlineLabelIsUndecided) {
   test::PlanStore store;
   store.across = 1;
   const double least = min_received(true_matrix(store.scene(), 0.002));
@@ -142,7 +142,7 @@ TEST(Certify, SaysUndecidedWhereALabelIsTrulyBorderline) {
 
 // Requirements just above or below the signal of all units: whatever a rough matrix suggests first, no
 // verdict contradicts the truth, and infeasibility on the matrix is verified.
-TEST(Certify, DoesNotTakeTheMatrixAtItsWordWhereItSaysNo) {
+TEST(Certify, VerifiesInfeasibilityOfTheMatrix) {
   test::PlanStore store;
   store.across = 1;
   const SignalMatrix truth = true_matrix(store.scene(), 0.002);
@@ -195,7 +195,7 @@ class CancelAt : public ProgressSink {
 
 // Wherever a plan is interrupted, its matrix and its placement are consistent, and a resumed run has the same
 // result.
-TEST(Certify, GoesOnAfterAnInterruption) {
+TEST(Certify, ResumesAfterAnInterruption) {
   test::PlanStore store;
   store.across = 1;
   const double least = min_received(true_matrix(store.scene(), 0.002));
@@ -235,7 +235,7 @@ TEST(Certify, GoesOnAfterAnInterruption) {
   EXPECT_GE(interrupted, 4);
 }
 
-TEST(Verify, CallsLabelsWhatTheyAre) {
+TEST(Verify, VerdictsAreTrue) {
   test::PlanStore store;
   const SignalMatrix truth = true_matrix(store.scene(), 0.01);
   const std::vector<std::uint32_t> chosen{1, 7};
@@ -276,7 +276,7 @@ TEST(Verify, CallsLabelsWhatTheyAre) {
 
 // Of 200 plans at 99 %, at most 6 may make a wrong statement (at most 2 are expected; 7 have a probability
 // below 0.5 %). The control are statements that take the plan's own matrix for the truth.
-TEST(CertifySlow, StatementsAreWrongAsRarelyAsTheyPromise) {
+TEST(CertifySlow, FalseStatementsAreAsRareAsPromised) {
   int naive_wrong = 0, wrong = 0, certified = 0;
   for (const auto model : {coop, alone}) {
     test::PlanStore store;
@@ -322,7 +322,7 @@ TEST(CertifySlow, StatementsAreWrongAsRarelyAsTheyPromise) {
 // 95 % intervals of sums over independent batches, as verdicts use them, contain the truth in 93 to 97 % of
 // the cases; with half the level they would contain it too often. One label of each side per seed makes pairs
 // nearly independent.
-TEST(CertifySlow, IntervalsOfSumsHoldTheTruth) {
+TEST(CertifySlow, IntervalsOfSumsContainTheTruth) {
   const test::PlanStore store;
   const Scene scene = store.scene();
   const SignalMatrix truth = true_matrix(scene, 0.001);

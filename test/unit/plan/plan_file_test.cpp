@@ -63,7 +63,7 @@ TEST(PlanFile, IsReadBack) {
 }
 
 // A reader of the placement alone can read a plan, and a placement alone is a plan without the rest.
-TEST(PlanFile, IsThatOfThePlacementAndMore) {
+TEST(PlanFile, ExtendsThePlacementFile) {
   const test::TempFolder folder;
   const CertifiedPlan whole = example_plan();
   const std::string bare = placement_json(whole.placement, example());
@@ -76,7 +76,7 @@ TEST(PlanFile, IsThatOfThePlacementAndMore) {
   EXPECT_EQ(plan_json(read, example()), bare);
 }
 
-TEST(PlanFile, RejectsWhatDoesNotFit) {
+TEST(PlanFile, RejectsInconsistentContents) {
   const std::string whole = plan_json(example_plan(), example());
   struct Case {
     std::string from, to, place, problem;

@@ -33,7 +33,7 @@ const SumRule each = [](std::size_t, std::span<const double> signals, std::span<
 
 // 64 batches, of which one causes nearly all of the spread, decide nothing: the lower limit is the analytic
 // part, the upper one the limit of rare sums. Without that batch they decide.
-TEST(ValidationEstimates, DecideNothingWhereOneBatchMakesTheSpread) {
+TEST(ValidationEstimates, DecideNothingIfOneBatchDominatesTheSpread) {
   const auto sum_of = [](double largest) {
     ValidationEstimate sum;
     sum.known = 0.5;
@@ -50,7 +50,7 @@ TEST(ValidationEstimates, DecideNothingWhereOneBatchMakesTheSpread) {
 }
 
 // The batches of a simulation give the same means and errors, within single precision.
-TEST(ValidationEstimates, AreThoseOfASimulation) {
+TEST(ValidationEstimates, EqualThoseOfASimulation) {
   const Scene scene = test::PlanStore().scene();
   const std::size_t n = scene.transceivers.size();
   for (const EstimatorKind estimator : {EstimatorKind::uniform, EstimatorKind::reuse}) {
@@ -146,7 +146,7 @@ TEST(ValidationEstimate, LimitsHoldForSkewedBatches) {
 }
 
 // Without any hit in B batches, the probability of a hit is below 1 - level^(1/B).
-TEST(ValidationEstimate, LimitsWhatWasNeverHit) {
+TEST(ValidationEstimate, LimitsZeroHits) {
   ValidationEstimate sum;
   for (int k = 0; k < 64; ++k) sum.sampled.add(0);
   EXPECT_NEAR(success_probability_upper_limit(0, 64, 1e-3), 1 - std::pow(1e-3, 1.0 / 64), 1e-12);
@@ -159,7 +159,7 @@ TEST(ValidationEstimate, LimitsWhatWasNeverHit) {
   EXPECT_NEAR(success_probability_upper_limit(3, 20, 0.05), 0.34366, 1e-4);
 }
 
-TEST(SubScene, KeepsTheSignalsOfWhatItHas) {
+TEST(SubScene, KeepsTheSignals) {
   const Scene scene = test::PlanStore().scene();
   const Scene part = sub_scene(scene, std::vector<std::uint32_t>{4, 1}, std::vector<std::uint32_t>{7, 2, 9});
   ASSERT_EQ(part.labels.size(), 2U);
@@ -252,7 +252,7 @@ TEST(Refine, FlagsFreshBatchesAsASimulation) {
   EXPECT_LT(flagged, static_cast<std::ptrdiff_t>(matrix.columns()));
 }
 
-TEST(Refine, CanBeTakenBack) {
+TEST(Refine, CanBeUndone) {
   const Scene scene = test::PlanStore().scene();
   SimulationOptions options = options_of(EstimatorKind::uniform);
   options.max_bounces = 2;

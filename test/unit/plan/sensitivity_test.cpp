@@ -104,7 +104,7 @@ TEST(Sensitivity, OneBounceScalesWithTheReflectance) {
   EXPECT_GT(many.materials[0].at_upper.mean_change, -1.5 * many.materials[0].at_lower.mean_change);
 }
 
-TEST(Sensitivity, DirectLightKnowsNoReflectance) {
+TEST(Sensitivity, DirectLightDoesNotDependOnReflectance) {
   const Sensitivity found = of(plan_scene(0, 1), connections(0));
   for (const ReflectanceStep& step : {found.materials[0].at_lower, found.materials[0].at_upper}) {
     EXPECT_EQ(step.change, 0);
@@ -160,7 +160,7 @@ TEST(Sensitivity, MoreReflectionIsMoreLight) {
 }
 
 // With independent random numbers the error of a difference would combine those of both signals.
-TEST(Sensitivity, DifferencesAreKnownBetterThanSignals) {
+TEST(Sensitivity, DifferencesAreMorePreciseThanSignals) {
   const Sensitivity found = of(three_materials(), connections(PathRules::no_limit));
   for (const MaterialSensitivity& one : found.materials) {
     const double independent = std::hypot(one.at_lower.least.standard_error, found.as_given.standard_error);
@@ -187,7 +187,7 @@ TEST(Sensitivity, IsTheSameForAnyNumberOfThreads) {
 }
 
 // Without a range, both ends are the given value, and every problem uses the same signal as the verdicts.
-TEST(Sensitivity, CountsWhatTheQuestionCounts) {
+TEST(Sensitivity, UsesTheSignalOfTheProblem) {
   const Scene scene = plan_scene(0.6, 0.6);
   std::vector<double> ratios;
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative})
@@ -207,7 +207,7 @@ TEST(Sensitivity, CountsWhatTheQuestionCounts) {
 }
 
 // The requirement is between the signals of the weakest label at both ends.
-TEST(Sensitivity, SaysWhichLabelsFall) {
+TEST(Sensitivity, ReportsLabelsThatBecomeMissed) {
   const SimulationOptions options = connections(PathRules::no_limit);
   Scene scene = plan_scene(0.4, 0.7);
   const Sensitivity first = of(scene, options);
@@ -225,7 +225,7 @@ TEST(Sensitivity, SaysWhichLabelsFall) {
   EXPECT_EQ(of(scene, options).holds(), Verdict::reached);
 }
 
-TEST(Sensitivity, AssumesRangesThatNobodyTold) {
+TEST(Sensitivity, AssumesMissingRanges) {
   Scene scene = three_materials();
   scene.materials[0].reflectance_range.reset();
   scene.materials[1] = {"mirror", make_conductor(0, 1)};
@@ -254,7 +254,7 @@ void repeat_labels(Scene& scene, std::size_t count) {
   }
 }
 
-TEST(Sensitivity, WatchesTheLabelsNearestToMissing) {
+TEST(Sensitivity, WatchesTheLabelsWithTheSmallestMargins) {
   Scene scene = plan_scene(0.6, 0.6);
   repeat_labels(scene, min_watched_labels + 16);
   const Sensitivity found = of(scene, connections(2, 20));
@@ -268,7 +268,7 @@ TEST(Sensitivity, WatchesTheLabelsNearestToMissing) {
 
 // If the light at the high end exceeds that of most labels at the low end, most labels may be the weakest
 // when one material is low. With many materials, only as many labels are watched as time allows.
-TEST(Sensitivity, WatchesAllLabelsThatMayHaveTheLeast) {
+TEST(Sensitivity, WatchesAllLabelsThatMayHaveTheSmallestMargin) {
   constexpr std::size_t labels = 2 * min_watched_labels;
   Scene scene = plan_scene(0.05, 0.95);
   repeat_labels(scene, labels);
@@ -289,7 +289,7 @@ PlanOptions without_certificate() {
   return options;
 }
 
-TEST(Plan, MakesCurveAndSensitivityOfItsPlacement) {
+TEST(Plan, AddsCurveAndSensitivity) {
   const Scene scene = test::PlanStore().scene();
   PlanOptions options = without_certificate();
   Plan plan = make_plan(scene, options);
@@ -312,7 +312,7 @@ struct CancelAtMaterial : ProgressSink {
   CancelToken token;
 };
 
-TEST(Plan, KeepsWhatItHasWhereSensitivityIsInterrupted) {
+TEST(Plan, KeepsItsPlacementIfSensitivityIsInterrupted) {
   const Scene scene = test::PlanStore().scene();
   PlanOptions options = without_certificate();
   options.curve = true;

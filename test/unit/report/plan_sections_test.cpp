@@ -33,13 +33,13 @@ Sensitivity made_up() {
   return made;
 }
 
-TEST(PlanSections, AreLeftOutWhereNotAskedFor) {
+TEST(PlanSections, AreOptional) {
   const Supermarket s;
   const std::string html = static_report(s.input);
   for (const char* id : {"id=\"sensitivity\"", "id=\"curve\""}) EXPECT_EQ(html.find(id), std::string::npos);
 }
 
-TEST(PlanSections, TellWhatReflectancesDo) {
+TEST(PlanSections, ShowTheEffectOfReflectances) {
   Supermarket s;
   s.plan.sensitivity = made_up();
   const std::string html = static_report(s.input);
@@ -59,7 +59,7 @@ TEST(PlanSections, TellWhatReflectancesDo) {
   EXPECT_EQ(test::count_of("class=\"bar short\"><title>all together: ", html), 1U);
 }
 
-TEST(PlanSections, TellThatAPlanHolds) {
+TEST(PlanSections, StateThatAPlanHolds) {
   Supermarket s;
   s.plan.sensitivity = made_up();
   s.plan.sensitivity->low = {{1.0625, 0.01, 2}, {}, {}};
@@ -82,7 +82,7 @@ TEST(PlanSections, DrawMarginsOfNothing) {
   EXPECT_EQ(tornado_svg({}), "");
 }
 
-TEST(PlanSections, TellWhatFewerReach) {
+TEST(PlanSections, ShowTheCoverageOfFewerUnits) {
   Supermarket s;
   for (std::size_t k = 1; k <= 45; ++k) s.plan.curve.points.push_back({k, 20 * k, 20 * k + 26});
   std::string html = static_report(s.input);

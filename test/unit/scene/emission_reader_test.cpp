@@ -49,7 +49,7 @@ TEST(EmissionReader, LooksForFilesBesideTheStore) {
                        "store.json: transceiver_types.down.emission.file: ", (folder / wrong).string());
 }
 
-TEST(EmissionReader, ErrorsOfAFileNameItAndTheLine) {
+TEST(EmissionReader, ErrorsNameFileAndLine) {
   const TempFolder folder;
   const std::string text = read_file(profiles / "batwing.ies");
   folder.write("cut.ies", text.substr(0, text.size() / 2));
@@ -65,7 +65,7 @@ TEST(EmissionReader, RefusesAFluxThatMakesTooMuchIntensity) {
                      "transceiver_types.down.emission.flux: ", "W/sr");
 }
 
-TEST(EmissionReader, TablesMayLeaveOutTheAxis) {
+TEST(EmissionReader, TablesMayOmitTheAxis) {
   const auto unit = read({{"type", "table"}, {"theta_deg", {90, 120, 180}}, {"intensity", {1, 2, 0}}}, {});
   const auto& table = std::get<EmissionTable>(unit.emission).intensity;
   EXPECT_EQ(table.value(0.5, 0), 0);

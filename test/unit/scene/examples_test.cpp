@@ -93,7 +93,7 @@ TEST(Grocery, LooksLikeOne) {
 
 // Glass doors and a lid, meshes in two formats, profiles in two, several orientations at a mounting point, a
 // requirement as a range, an installed unit and an area without units.
-TEST(Chiller, HasWhatTheOthersHaveNot) {
+TEST(Chiller, HasDoorsAndFreezers) {
   const Store store = read_store(examples / "chiller" / "store.json");
   const Scene scene = make_scene(store);
   EXPECT_TRUE(scene.warnings.empty());
@@ -109,7 +109,8 @@ TEST(Chiller, HasWhatTheOthersHaveNot) {
   for (const TransceiverType& type : scene.transceiver_types)
     EXPECT_EQ(type.file, type.name == "ring" ? "batwing.ies" : "narrow-aisle.ldt");
   std::map<std::uint32_t, int> options;
-  for (const std::uint32_t place : distinct_positions(positions_of(scene.transceivers)).of) ++options[place];
+  for (const std::uint32_t place : distinct_positions(positions_of(scene.transceivers)).group_of)
+    ++options[place];
   EXPECT_TRUE(std::any_of(options.begin(), options.end(), [](const auto& o) { return o.second >= 3; }));
   EXPECT_EQ(std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
                           [](const Transceiver& unit) { return unit.installed; }),
@@ -126,7 +127,7 @@ struct Market {
 };
 constexpr std::array markets{Market{"supermarket", 5000, 600}, Market{"hypermarket", 40000, 2000}};
 
-TEST(Markets, AreWhatTheScriptWrites) {
+TEST(Markets, EqualTheOutputOfTheScript) {
   EXPECT_EQ(std::system("python3 '" SHELFBEAM_SOURCE_DIR "/scripts/make-large-examples' --check"), 0);
 }
 

@@ -47,7 +47,7 @@ TEST(LabelTypes, HaveASize) {
 
 // I R(0) / d^2, computed by hand. `down` has 2 W/sr at 45 degrees; the planes of `fan` at 0, 90, 200 and 360
 // degrees have 1, 4, 7 and 1 W/sr on the axis.
-TEST(LabelTypes, MayHearAtARange) {
+TEST(LabelTypes, MayHaveARange) {
   const Store store = read_text(test::sample_store().dump());
   EXPECT_NEAR(store.label_types[2].threshold, 2.0 / 25, 1e-15);
   const double mean = (90 * (1 + 4) / 2.0 + 110 * (4 + 7) / 2.0 + 160 * (7 + 1) / 2.0) / 360;
@@ -60,7 +60,7 @@ TEST(LabelTypes, MayHearAtARange) {
 
 // The angle is measured between the unit's axis and the line to the label, for any orientation: a tilted
 // unit, seen in a plane across its tilt. Only rounding: 1e-12.
-TEST(LabelTypes, HearWhatAUnitSendsToALabelThatFacesIt) {
+TEST(LabelTypes, ReceiveTheIntensityOfAFacingUnit) {
   const LabelType type = changed("deep", "threshold", R"({ "hears": "down", "at_m": 3, "angle_deg": 30 })");
   const Store store = read_text(test::sample_store().dump());
   const Frame frame = Frame::of_device(normalized({0.3, 0.2, -1}), 0.4);
@@ -74,7 +74,7 @@ TEST(LabelTypes, HearWhatAUnitSendsToALabelThatFacesIt) {
   EXPECT_GT(std::abs(type.threshold - signal(31)), 1e-3) << "the control";
 }
 
-TEST(LabelTypes, HearEnoughForAThreshold) {
+TEST(LabelTypes, RefuseNegligibleThresholds) {
   test::Json quiet = changed_store("/transceiver_types/wide/emission/intensity", "1e-12");
   quiet["label_types"]["small"]["threshold"] = {{"hears", "wide"}, {"at_m", 10}};
   expect_input_error([&] { read_text(quiet.dump()); }, "label_types.small.threshold: ", "1e-14 W/m^2");

@@ -48,7 +48,7 @@ TEST(MaterialsReader, ReadsEveryType) {
 }
 
 // The keys of a material in the resolved store.
-TEST(MaterialsReader, FillsInWhatIsLeftOut) {
+TEST(MaterialsReader, FillsInDefaults) {
   const std::string metal = R"({ "type": "conductor", "eta": 0, "k": 1, "roughness": )";
   const std::string rough = R"({ "distribution": "ggx", "masking": "smith", "sampling": "visible" })";
   for (const auto& [given, more] : std::vector<std::pair<std::string, std::string>>{

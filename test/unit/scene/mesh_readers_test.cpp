@@ -20,7 +20,7 @@ using test::read_mesh;
 // An arrow: a fan from its first corner would cover 4 and not 2.
 const std::string arrow = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\n";
 
-TEST(MeshReaders, FacesWithADentAreCutAtTheDent) {
+TEST(MeshReaders, ConcaveFacesAreTriangulated) {
   for (const std::string corners : {"1 2 3 4", "2 3 4 1", "3 4 1 2", "4 1 2 3", "4 3 2 1"}) {
     const Scene scene = read_mesh("a.obj", fmt::format("{}f {}\n", arrow, corners));
     EXPECT_EQ(scene.mesh.triangles.size(), 2u) << corners;
@@ -38,14 +38,14 @@ std::string star(int points) {
   return vertices + face + "\n";
 }
 
-TEST(MeshReaders, StarsAreCutAndLargeOnesRefused) {
+TEST(MeshReaders, StarsAreTriangulatedAndLargeOnesRefused) {
   const Scene scene = read_mesh("a.obj", star(60));
   EXPECT_EQ(scene.mesh.triangles.size(), 118u);
   EXPECT_NEAR(mesh_area(scene), 120 * 0.5 * 2 * std::sin(std::acos(-1.0) / 60), 1e-12);
   expect_input_error([] { read_mesh("a.obj", star(10'000)); }, "20000 corners");
 }
 
-TEST(MeshReaders, ObjLinesGoOnBehindABackslash) {
+TEST(MeshReaders, ObjLinesContinueAfterABackslash) {
   EXPECT_DOUBLE_EQ(mesh_area(read_mesh("a.obj", "v 0 0 \\\n0\nv 2 0 0\nv 0 1 0\nf 1/1/1 2//2 \\\n-1\n")), 1);
   expect_input_error([] { read_mesh("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n"); }, "three corners");
   expect_input_error([] { read_mesh("a.obj", "\\\n"); }, "fixtures[0].file: ");

@@ -64,7 +64,7 @@ TEST(Mesh, OfTheGroceryCheckout) {
   EXPECT_EQ(scene.parts.size(), 3u);
 }
 
-TEST(Mesh, IsPutInPlace) {
+TEST(Mesh, IsTransformed) {
   const TempFolder folder;
   folder.write("corner.obj", "v 0 0 0\nv 2 0 0\nv 0 4 0\nv 0 0 6\nf 1 2 3\nf 1 2 4\n");
   Json store = mesh_store("corner.obj");
@@ -257,7 +257,7 @@ TEST(Mesh, BrokenFilesAreRefused) {
   expect_input_error([&] { test::scene_of(mesh_store("none.obj"), folder.path()); }, "none.obj' ");
 }
 
-TEST(Mesh, InTheWrongUnitIsFound) {
+TEST(Mesh, WrongUnitOfLengthIsDetected) {
   const TempFolder folder;
   folder.write("mm.obj", "v 0 0 0\nv 12000 0 0\nv 0 3000 0\nf 1 2 3\n");
   Json store = mesh_store("mm.obj");

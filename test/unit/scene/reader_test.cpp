@@ -77,7 +77,7 @@ TEST(StoreReader, ReadsTypesAndFixtures) {
   EXPECT_EQ(freezer.labels->faces, (std::vector{Face::left, Face::front}));
 }
 
-TEST(StoreReader, KnowsWhatFixturesAreByDefault) {
+TEST(StoreReader, KnowsDefaultsOfFixtures) {
   auto json = sample_store();
   for (const char* key : {"rotation_deg", "goods", "stocking", "faces"}) json["fixtures"][0].erase(key);
   for (const char* key : {"faces", "tilt_deg"}) json["fixtures"][0]["labels"].erase(key);
@@ -135,7 +135,7 @@ TEST(StoreReader, ReadsLists) {
   EXPECT_FALSE(second.installed);
 }
 
-TEST(StoreReader, KeepsOutListedUnitsToo) {
+TEST(StoreReader, KeepOutsIncludeListedUnits) {
   auto json = changed_store("/transceivers/keep_out/0", R"({ "min": [0, 3], "max": [1, 3] })");
   const Scene scene = scene_of(json);
   EXPECT_EQ(scene.transceivers.back().id, "T1") << "T2 at (1, 3) is on the border, which belongs to the area";
@@ -169,7 +169,7 @@ class StoreCsv : public testing::Test {
   TempFolder folder;
 };
 
-TEST_F(StoreCsv, GivesWhatAListGives) {
+TEST_F(StoreCsv, EqualsTheListInTheStoreFile) {
   folder.write("labels.csv", labels);
   folder.write("lists/units.csv", units);
   const Scene from_csv = scene(), from_list = scene_of(sample_store());
@@ -226,7 +226,7 @@ TEST_F(StoreCsv, ErrorsNameFileAndLine) {
   expect_input_error([&] { scene(); }, "units.csv: line 1: ", "id,x,y,z,ax");
 }
 
-TEST(StoreReader, WarnsOfWhatReachesOutside) {
+TEST(StoreReader, WarnsOfPartsOutsideTheRoom) {
   const Scene scene = scene_of(changed_store("/fixtures/2/max", "[8.5, 0.5, 3]"));
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_TRUE(scene.warnings[0].starts_with("store.json: fixtures[2]: fixture 'C' "));
@@ -242,7 +242,7 @@ TEST(StoreReader, NeedsLabelsAndSurfaces) {
   expect_input_error([&] { scene_of(json); }, "store.json: ", "room");
 }
 
-TEST(StoreReader, LimitsWhatAFixtureHolds) {
+TEST(StoreReader, LimitsTheSizeOfFixtures) {
   auto json = changed_store("/fixtures/0/labels/spacing", "0.001");
   json["fixtures"][0]["length"] = 1000;
   expect_input_error([&] { scene_of(json); }, "fixtures[0].labels.spacing: ", "3000000");

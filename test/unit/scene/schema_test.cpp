@@ -125,7 +125,7 @@ TEST_F(Schema, RejectsWhatTheReaderRejects) {
   }
 }
 
-TEST_F(Schema, AndReaderRefuseWhatIsNoJson) {
+TEST_F(Schema, AndReaderRefuseInvalidJson) {
   std::vector<std::string> texts = {
       "",        "null",          "[]",          "{",         "{} {}",           "{'name': 'x'}",
       "{\"a\"}", "{\"name\": x}", "{\"a\": 1,}", "// only a", "{\"name\": \"x}", "\xff\xfe{}",

@@ -20,7 +20,7 @@ std::filesystem::path zipped(const test::TempFolder& folder, const std::string& 
 }
 
 // Plain and compressed files, of sizes just below and above each growth of the reader's buffer.
-TEST(TextFile, IsReadWholeWhateverItsSize) {
+TEST(TextFile, OfAnySizeIsReadWhole) {
   const test::TempFolder folder;
   for (const std::size_t size : {0u, 1u, 65535u, 65536u, 65537u, 131072u, 5'000'000u}) {
     std::string text(size, '1');
@@ -30,7 +30,7 @@ TEST(TextFile, IsReadWholeWhateverItsSize) {
   }
 }
 
-TEST(TextFile, UnpacksToNoMoreThanAllowed) {
+TEST(TextFile, UnpacksUpToTheLimit) {
   const test::TempFolder folder;
   const std::filesystem::path bomb = zipped(folder, std::string(8'000'000, '0'));
   ASSERT_LT(std::filesystem::file_size(bomb), 20'000u) << "of eight million characters";

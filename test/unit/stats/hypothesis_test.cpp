@@ -64,7 +64,7 @@ TEST(ZTest, StudentLimitForErrorsFromFewBatches) {
   EXPECT_FALSE(is_binomial(as_if_known, 4000, 0.1)) << "negative control: the normal limit is too small here";
 }
 
-TEST(ZTest, TellsTheWorstValueAndTheLimit) {
+TEST(ZTest, ReportsTheWorstValueAndTheLimit) {
   const std::array<double, 3> values = {1.0, 2.5, 3.0}, references = {1.0, 2.0, 2.9},
                               errors = {0.0, 0.25, 0.1};
   const ZTest test = z_test(values, references, errors, 0.05);
@@ -74,7 +74,7 @@ TEST(ZTest, TellsTheWorstValueAndTheLimit) {
   EXPECT_TRUE(test.pass);
 }
 
-TEST(ZTest, WhatHasNoScoreFails) {
+TEST(ZTest, MissingScoreFails) {
   const double nan = std::nan("");
   const auto passes = [](double value, double reference, double error) {
     return z_test(std::array{value}, std::array{reference}, std::array{error}, 0.05).pass;

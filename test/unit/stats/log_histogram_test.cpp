@@ -23,7 +23,7 @@ TEST(LogHistogram, QuantilesAreGoodToOnePercent) {
   }
 }
 
-TEST(LogHistogram, HasZerosAndWhatIsOutside) {
+TEST(LogHistogram, CountsZerosAndOutsideValues) {
   LogHistogram histogram;
   EXPECT_EQ(histogram.quantile(0.5), 0);
   for (const double value : {0.0, 0.0, 1e-9, 0.1, 1e9}) histogram.add(value);

@@ -89,7 +89,7 @@ double uniform(std::uint32_t seed, std::uint32_t k, std::uint32_t which = 0) {
   return to_uniform(philox({k, which, 0, 0}, seed)[0]);
 }
 
-TEST(PowerSums, AgreeWithMomentsThatAreUpdatedOneByOne) {
+TEST(PowerSums, AgreeWithUpdatedMoments) {
   PowerSums sums;
   SkewedMoments moments;
   for (std::uint32_t k = 0; k < 100; ++k) {
@@ -102,7 +102,7 @@ TEST(PowerSums, AgreeWithMomentsThatAreUpdatedOneByOne) {
   EXPECT_NEAR(sums.skewness(), moments.skewness(), 1e-9);
 }
 
-TEST(PowerSums, TakeRoundingForNoSpreadAndNoSkewness) {
+TEST(PowerSums, IgnoreRoundingErrors) {
   PowerSums equal, close;
   for (std::uint32_t k = 0; k < 64; ++k) {
     equal.add(0.1);

@@ -33,7 +33,7 @@ TEST(RobustMean, FindsMeanAndSpread) {
   EXPECT_NEAR(robust_mean(values, errors).value, 3, 0.25);
 }
 
-TEST(RobustMean, ErrorsThatExplainAllLeaveNoSpread) {
+TEST(RobustMean, SpreadIsZeroIfErrorsExplainIt) {
   const std::vector<double> values{1, 2, 3, 4, 5}, errors(5, 10);
   EXPECT_EQ(robust_mean(values, errors).spread, 0);
   EXPECT_NEAR(robust_mean(values, errors).value, 3, 1e-12);

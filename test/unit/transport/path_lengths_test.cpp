@@ -126,7 +126,7 @@ TEST(PathLengths, AgreeBetweenStrategiesAndAddUp) {
   EXPECT_GT(compared, 100u);
 }
 
-TEST(PathLengths, OfTheLastStepAreAllThatAreLonger) {
+TEST(PathLengths, LastBinHasAllLongerPaths) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform, 640};
   options.by_length = {3, 2};
@@ -136,7 +136,7 @@ TEST(PathLengths, OfTheLastStepAreAllThatAreLonger) {
     EXPECT_NEAR((matrix.by_length[0].mean[e] + matrix.by_length[1].mean[e]) / matrix.mean[e], 1, 1e-6);
 }
 
-TEST(PathLengths, AreRefusedWhereTheyAreNotKnown) {
+TEST(PathLengths, AreRefusedIfUnknown) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform};
   options.by_length = steps;

@@ -111,7 +111,7 @@ TEST_F(Resume, GivesTheSameBytesByBounceAndForParticles) {
   }
 }
 
-TEST_F(Resume, BeginsAtTheStartWithoutACheckpoint) {
+TEST_F(Resume, StartsAnewWithoutACheckpoint) {
   options.samples = 320;
   options.checkpoint.resume = true;
   EXPECT_FALSE(stopped_after(1 << 20, 1));
@@ -119,7 +119,7 @@ TEST_F(Resume, BeginsAtTheStartWithoutACheckpoint) {
 }
 
 // A truncated record is computed again. A changed byte before it is refused, and nothing is written.
-TEST_F(Resume, FromATornCheckpointButNotFromADamagedOne) {
+TEST_F(Resume, AcceptsATruncatedCheckpointButNotACorruptOne) {
   options.samples = 640;
   const std::string expected = whole();
   ASSERT_TRUE(stopped_after(100, 1));
@@ -139,7 +139,7 @@ TEST_F(Resume, FromATornCheckpointButNotFromADamagedOne) {
   EXPECT_FALSE(std::filesystem::exists(folder / "signal.h5"));
 }
 
-TEST_F(Resume, RefusesAnotherSimulationAndSaysWhatDiffers) {
+TEST_F(Resume, RefusesAnotherSimulationAndNamesTheDifference) {
   options.samples = 640;
   ASSERT_TRUE(stopped_after(100, 1));
   const auto refused_of = [&](const Scene& shop, const SimulationOptions& other, const std::string& what) {
@@ -175,7 +175,7 @@ TEST_F(Resume, RefusesAnotherSimulationAndSaysWhatDiffers) {
   EXPECT_TRUE(simulate(scene, options).summary.complete);
 }
 
-TEST_F(Resume, AStoppedRunSaysWhatItHas) {
+TEST_F(Resume, AStoppedRunReportsItsState) {
   options.samples = 640;
   ASSERT_TRUE(stopped_after(100, 1));
   const SignalMatrix matrix = read_signal_file(folder / "signal.h5");

@@ -58,7 +58,7 @@ test::CoverageCount coverage(const Scene& scene, const World& world, const test:
 // Labels 1 to 20 cm above a floor, and boards at 5 and 10 cm in a shop of 2.2 m: 1,200 to 3,000 pairs. The
 // pairs of a cluster share their paths, so shares are known to about 1 %. The control is the rule of one cap
 // for all receivers, 4 m from the unit, with which single rays from units outweigh a label's own rays.
-TEST(ZooSlow, IntervalsHoldTheTruthAboveFloors) {
+TEST(ZooSlow, IntervalsContainTheTruthAboveFloors) {
   const auto rooms = test::zoo();
   for (const char* const name : {"labels above the floor", "low shop"}) {
     const Scene scene = room(rooms, name).scene();
@@ -71,7 +71,7 @@ TEST(ZooSlow, IntervalsHoldTheTruthAboveFloors) {
     EXPECT_LT(right.share(right.beyond_3), 0.012) << name;
     EXPECT_EQ(right.beyond_6, 0U) << name << ", worst " << right.worst;
     const test::CoverageCount wrong =
-        coverage(scene, world, known, {.min_cap_distance = 4, .near = 0, .for_vertices = false});
+        coverage(scene, world, known, {.min_cap_distance = 4, .near_distance = 0, .for_vertices = false});
     EXPECT_GT(wrong.beyond_6, 0U) << name;
     EXPECT_GT(wrong.share(wrong.beyond_3), 0.012) << name;
   }

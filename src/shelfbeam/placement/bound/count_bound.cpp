@@ -39,7 +39,7 @@ CountBound count_bound(const SignalTable& table, const PlacementProblem& problem
     const LpBound limited = lp_bound(table, problem, ones, backend,
                                      {.time_limit_s = deadline.seconds_left(),
                                       .enough = enough,
-                                      .answers = {.most = result.count},
+                                      .selections = {.max_count = result.count},
                                       .rows = std::move(rows)},
                                      control);
     if (limited.dual.bound < enough &&

@@ -72,7 +72,7 @@ class Cases {
     const LpBound bound = lp_bound(table_, problem_, ones_, backend_,
                                    {.time_limit_s = left,
                                     .enough = enough_,
-                                    .answers = {.most = most_, .without = without},
+                                    .selections = {.max_count = most_, .without = without},
                                     .rows = std::move(rows)},
                                    {control_.threads, control_.cancel});
     if (bound.dual.bound >= enough_) return true;

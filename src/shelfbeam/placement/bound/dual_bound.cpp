@@ -85,11 +85,11 @@ void take_points(std::vector<Point> points, std::size_t least, std::size_t most,
 
 DualBound dual_bound(const SignalTable& table, const PlacementProblem& problem,
                      std::span<const BoundRow> rows, std::span<const double> y, std::span<const double> cost,
-                     const AnswerSet& answers) {
+                     const SelectionSet& selections) {
   const std::size_t n = table.columns();
   DualBound dual{0, std::vector<double>(n, 0.0), {}};
   std::vector<double> weight(n, 0.0);  // sum_i y_i a_ij
-  BoundRowReader reader(table, problem, answers.most);
+  BoundRowReader reader(table, problem, selections.max_count);
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (y[k] > 0 && std::isfinite(y[k]))
       dual.bound += y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
@@ -105,12 +105,12 @@ DualBound dual_bound(const SignalTable& table, const PlacementProblem& problem,
     return dual;
   }
 
-  std::vector<Point> points = free_points(table, answers.without, dual);
+  std::vector<Point> points = free_points(table, selections.without, dual);
   const auto installed = static_cast<std::size_t>(
       std::count_if(table.transceivers.begin(), table.transceivers.end(),
                     [](const SignalTable::Transceiver& unit) { return unit.installed; }));
-  take_points(std::move(points), answers.least - std::min(answers.least, installed),
-              answers.most - std::min(answers.most, installed), dual);
+  take_points(std::move(points), selections.min_count - std::min(selections.min_count, installed),
+              selections.max_count - std::min(selections.max_count, installed), dual);
 
   const double slack =
       static_cast<double>(rows.size() + n + 8) * std::numeric_limits<double>::epsilon() * added;

@@ -19,8 +19,8 @@ namespace shelfbeam::detail {
 ///
 ///   sum_{j not in A} min(1, a_ij / d) T_j >= 1.
 ///
-/// Share cut, with s > 0, for selections of at most K units (AnswerSet::most): parts below s contribute at
-/// most s K, so the label requires d = b - s K from the parts above s:
+/// Share cut, with s > 0, for selections of at most K units (SelectionSet::max_count): parts below s
+/// contribute at most s K, so the label requires d = b - s K from the parts above s:
 ///
 ///   sum_j min(1, max(0, a_ij - s) / d) T_j >= 1.
 ///
@@ -42,9 +42,9 @@ struct BoundRow {
 };
 
 /// The selections for which a bound holds.
-struct AnswerSet {
-  std::size_t least = 0;  ///< minimum count, installed units included
-  std::size_t most = std::numeric_limits<std::size_t>::max();
+struct SelectionSet {
+  std::size_t min_count = 0;  ///< minimum count, installed units included
+  std::size_t max_count = std::numeric_limits<std::size_t>::max();
   std::vector<std::uint32_t> without = {};  ///< columns that are not chosen; no installed ones
 };
 
@@ -56,18 +56,18 @@ struct DualBound {
 };
 
 /// The Lagrangian dual bound of multipliers y >= 0 of `rows`, for costs c of any sign, from the table alone
-/// and independent of any solver. It holds for the selections of `answers`:
+/// and independent of any solver. It holds for the selections of `selections`:
 ///
 ///   c T >= c T + sum_i y_i (b_i - a_i T) = sum_i y_i b_i + sum_j r_j T_j,   r_j = c_j - sum_i y_i a_ij.
 ///
 /// The bound is the minimum of the right-hand side over all T with the installed units, at most one option
-/// per mounting point, and a count allowed by `answers`: the mounting points with the smallest r_j (of their
-/// best option), at least the minimum count, and further negative ones up to the maximum. `if_chosen` is the
-/// same minimum with T_j = 1. Multipliers that are negative or not finite count as 0. Rounding errors are
-/// bounded by (rows + columns + 8) 2^-52 times the sum of the absolute terms.
+/// per mounting point, and a count allowed by `selections`: the mounting points with the smallest r_j (of
+/// their best option), at least the minimum count, and further negative ones up to the maximum. `if_chosen`
+/// is the same minimum with T_j = 1. Multipliers that are negative or not finite count as 0. Rounding errors
+/// are bounded by (rows + columns + 8) 2^-52 times the sum of the absolute terms.
 DualBound dual_bound(const SignalTable& table, const PlacementProblem& problem,
                      std::span<const BoundRow> rows, std::span<const double> y, std::span<const double> cost,
-                     const AnswerSet& answers = {});
+                     const SelectionSet& selections = {});
 
 /// Reduced-cost fixing: the columns, ascending, that no selection of cost at most `worth` contains, because
 /// their `if_chosen` exceeds it. For a known selection of cost v, `worth` is v - 1 if all costs are integers,

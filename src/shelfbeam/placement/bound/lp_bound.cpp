@@ -28,11 +28,11 @@ class RowGeneration {
         cost_(cost),
         options_(options),
         control_(control),
-        reader_(table, problem, options.answers.most),
-        pricing_(table, problem, options.answers.most),
+        reader_(table, problem, options.selections.max_count),
+        pricing_(table, problem, options.selections.max_count),
         lp_(load(table, cost, backend, options)),
         is_row_(table.rows(), false) {
-    result_.dual = dual_bound(table, problem, {}, {}, cost, options.answers);
+    result_.dual = dual_bound(table, problem, {}, {}, cost, options.selections);
   }
 
   LpBound run() {
@@ -53,14 +53,14 @@ class RowGeneration {
  private:
   // A maximum count alone is left to the share cuts: as a row it could make the LP infeasible, which yields
   // no multipliers.
-  static bool limits_count(const LpBoundOptions& options) { return options.answers.least > 0; }
+  static bool limits_count(const LpBoundOptions& options) { return options.selections.min_count > 0; }
 
   static std::unique_ptr<milp::LpSession> load(const SignalTable& table, std::span<const double> cost,
                                                const milp::Backend& backend, const LpBoundOptions& options) {
     std::vector<milp::Column> columns;
     for (std::size_t j = 0; j < table.columns(); ++j)
       columns.push_back({cost[j], table.transceivers[j].installed ? 1.0 : 0.0, 1, false, {}});
-    for (const std::uint32_t j : options.answers.without) columns[j].upper = 0;
+    for (const std::uint32_t j : options.selections.without) columns[j].upper = 0;
     auto lp = backend.lp(columns);
     std::vector<milp::Row> rows;
     for (const auto& mount : table.mounts) {
@@ -69,8 +69,10 @@ class RowGeneration {
       rows.push_back(std::move(row));
     }
     if (limits_count(options)) {
-      milp::Row row{
-          static_cast<double>(options.answers.least), static_cast<double>(options.answers.most), {}, {}};
+      milp::Row row{static_cast<double>(options.selections.min_count),
+                    static_cast<double>(options.selections.max_count),
+                    {},
+                    {}};
       for (std::uint32_t j = 0; j < table.columns(); ++j) row.entries.push_back({j, 1.0});
       rows.push_back(std::move(row));
     }
@@ -107,7 +109,7 @@ class RowGeneration {
       rows.push_back(rows_[k]);
       y.push_back(dual);
     }
-    DualBound dual = dual_bound(table_, problem_, rows, y, cost_, options_.answers);
+    DualBound dual = dual_bound(table_, problem_, rows, y, cost_, options_.selections);
     if (dual.bound > result_.dual.bound) {
       result_.dual = std::move(dual);
       result_.rows = std::move(rows);
@@ -127,9 +129,9 @@ class RowGeneration {
     result_.complete = batch.empty();
     if (batch.empty() && options_.cuts && problem_.model == CommunicationModel::cooperative) {
       batch = cover_cuts(table_, problem_, result_.labels, result_.x, most);
-      if (options_.answers.most < table_.columns())
+      if (options_.selections.max_count < table_.columns())
         for (BoundRow& row :
-             share_cuts(table_, problem_, options_.answers.most, result_.labels, result_.x, most))
+             share_cuts(table_, problem_, options_.selections.max_count, result_.labels, result_.x, most))
           batch.push_back(std::move(row));
     }
     return batch;

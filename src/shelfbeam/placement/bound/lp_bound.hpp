@@ -17,7 +17,7 @@ struct LpBoundOptions {
   double enough = std::numeric_limits<double>::infinity();  ///< a bound of this size ends the search
   /// Cuts for cooperative problems: knapsack covers, and share cuts if the count is limited.
   bool cuts = true;
-  AnswerSet answers = {};           ///< the bound holds for these selections
+  SelectionSet selections = {};     ///< the bound holds for these selections
   std::vector<BoundRow> rows = {};  ///< initial rows, without duplicate label rows; empty: as below
 };
 

@@ -45,7 +45,7 @@ MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& 
   constexpr double endless_s = 1e8;
   const double limit_s = options.step_limit ? endless_s : options.time_limit_s;
   check_problem(table, problem);
-  const auto backends = milp::wanted_backends(options.backend);
+  const auto backends = milp::backends_of(options.backend);
 
   MaxCoverage reach;
   reach.problem = problem;

@@ -72,10 +72,10 @@ std::string residual_figure(const Comparison& comparison) {
   std::vector<double> residuals;  // without outliers, whose range would squeeze the others into a few bars
   for (const std::size_t k : comparison.worst) residuals.push_back(*comparison.pairs[k].residual);
   if (residuals.empty()) return {};
-  const auto [least, most] = std::minmax_element(residuals.begin(), residuals.end());
-  const double width = round_step(std::max(*most - *least, 0.1) / 20);
-  const auto first = static_cast<long>(std::floor(*least / width));
-  const auto last = std::max(first + 1, static_cast<long>(std::floor(*most / width)) + 1);
+  const auto [smallest, largest] = std::minmax_element(residuals.begin(), residuals.end());
+  const double width = round_step(std::max(*largest - *smallest, 0.1) / 20);
+  const auto first = static_cast<long>(std::floor(*smallest / width));
+  const auto last = std::max(first + 1, static_cast<long>(std::floor(*largest / width)) + 1);
   HistogramChart chart;
   chart.description = "Histogram of the residuals of the fitted pairs in decibels";
   for (long k = first; k < last; ++k) {

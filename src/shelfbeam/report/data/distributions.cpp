@@ -24,7 +24,7 @@ void count(Bins& bins, double value) {
 }  // namespace
 
 ExcessDistribution excess_distribution(const Outcome& outcome) {
-  constexpr double wanted_bins = 24;
+  constexpr double target_bins = 24;
   std::vector<double> excess;
   for (const LabelOutcome& label : outcome.labels)
     if (label.requirement > 0) excess.push_back(100 * (label.signal - label.requirement) / label.requirement);
@@ -33,10 +33,10 @@ ExcessDistribution excess_distribution(const Outcome& outcome) {
   ExcessDistribution result;
   result.median = quantile(excess, 0.5);
   result.mean = std::accumulate(excess.begin(), excess.end(), 0.0) / static_cast<double>(excess.size());
-  const double least = *std::min_element(excess.begin(), excess.end());
-  const double most = quantile(excess, 0.99);
-  const double low = std::min(0.0, least), high = std::max(most, 1.0);
-  const double width = round_step((high - low) / wanted_bins);
+  const double smallest = *std::min_element(excess.begin(), excess.end());
+  const double largest = quantile(excess, 0.99);
+  const double low = std::min(0.0, smallest), high = std::max(largest, 1.0);
+  const double width = round_step((high - low) / target_bins);
   // Whole multiples of the width, so that 0 (requirement just met) is an edge.
   const auto first = static_cast<int>(std::floor(low / width + 1e-9));
   const auto last = std::max(first + 1, static_cast<int>(std::floor(high / width)) + 1);
@@ -49,19 +49,19 @@ ExcessDistribution excess_distribution(const Outcome& outcome) {
 SignalDistribution signal_distribution(const SignalMatrix& matrix) {
   SignalDistribution result;
   result.entries = matrix.mean.size();
-  double least = 0, most = 0;
+  double smallest = 0, largest = 0;
   for (const float entry : matrix.mean) {
     const auto value = static_cast<double>(entry);
     if (value <= 0) {
       ++result.zeros;
       continue;
     }
-    least = least == 0 ? value : std::min(least, value);
-    most = std::max(most, value);
+    smallest = smallest == 0 ? value : std::min(smallest, value);
+    largest = std::max(largest, value);
   }
-  if (most == 0) return result;
-  const auto last = static_cast<int>(std::floor(std::log10(most) * bins_per_decade)) + 1;
-  const auto first = std::max(static_cast<int>(std::floor(std::log10(least) * bins_per_decade)),
+  if (largest == 0) return result;
+  const auto last = static_cast<int>(std::floor(std::log10(largest) * bins_per_decade)) + 1;
+  const auto first = std::max(static_cast<int>(std::floor(std::log10(smallest) * bins_per_decade)),
                               last - signal_decades * bins_per_decade);
   for (int k = first; k <= last; ++k)
     result.signal.edges.push_back(std::pow(10, static_cast<double>(k) / bins_per_decade));

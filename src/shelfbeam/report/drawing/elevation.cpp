@@ -55,12 +55,12 @@ std::vector<Seen> view_parts(const Scene& scene, std::uint32_t fixture, const Di
 
 std::optional<std::uint32_t> fixture_with_max_labels(const Scene& scene) {
   std::optional<std::uint32_t> best;
-  std::size_t most = 0;
+  std::size_t max_count = 0;
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
     if (scene.fixtures[f].footprint.size() < 3) continue;
     const std::size_t count = labels_of(scene, scene.fixtures[f]).size();
-    if (count > most) {
-      most = count;
+    if (count > max_count) {
+      max_count = count;
       best = f;
     }
   }

@@ -77,12 +77,12 @@ struct IdPosition {
 };
 
 // In the order of preference: beside the middle, beside a corner, above, below, then farther away.
-std::vector<IdPosition> places_around(const Rectangle& own, double width, double size) {
+std::vector<IdPosition> positions_around(const Rectangle& own, double width, double size) {
   constexpr double near = 5, clear_of_marks = 17, far = 40;
   const Point middle = own.centre();
-  std::vector<IdPosition> places;
+  std::vector<IdPosition> positions;
   const auto add = [&](double left, double top, bool is_far = false) {
-    places.push_back({{left, top, left + width, top + size}, is_far});
+    positions.push_back({{left, top, left + width, top + size}, is_far});
   };
   for (const double off : {near, clear_of_marks})
     for (const double left : {own.right + off, own.left - off - width}) add(left, middle.y - size / 2);
@@ -92,18 +92,18 @@ std::vector<IdPosition> places_around(const Rectangle& own, double width, double
     for (const double top : {own.top - off - size, own.bottom + off}) add(middle.x - width / 2, top);
   for (const double left : {own.right + far, own.left - far - width})
     for (const double top : {own.top - far - size, own.bottom + far}) add(left, top, true);
-  return places;
+  return positions;
 }
 
 IdPosition free_position(const std::vector<Rectangle>& obstacles, const Rectangle& own, const PlanView& view,
                          double width, double size) {
-  const std::vector<IdPosition> places = places_around(own, width, size);
-  const auto found = std::find_if(places.begin(), places.end(), [&](const IdPosition& place) {
+  const std::vector<IdPosition> positions = positions_around(own, width, size);
+  const auto found = std::find_if(positions.begin(), positions.end(), [&](const IdPosition& place) {
     const Rectangle& text = place.text;
     return text.left > 0 && text.right < view.width() && text.top > 0 && text.bottom < view.height() &&
            std::none_of(obstacles.begin(), obstacles.end(), [&](const auto& o) { return o.meets(text); });
   });
-  return found == places.end() ? places.front() : *found;
+  return found == positions.end() ? positions.front() : *found;
 }
 
 void draw_leader(SvgCanvas& canvas, const Rectangle& text, const Rectangle& own) {

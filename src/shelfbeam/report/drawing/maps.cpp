@@ -66,7 +66,7 @@ std::size_t Maps::class_of(std::uint32_t label) const {
   return margin_class(margin_db(signal, requirement), is_met(signal, requirement));
 }
 
-std::vector<Point> Maps::places(const ShelfLevel& level) const {
+std::vector<Point> Maps::positions(const ShelfLevel& level) const {
   std::vector<Vec3> positions, normals;
   for (const std::uint32_t label : level.labels) {
     positions.push_back(data_.label(label).position);
@@ -124,7 +124,7 @@ std::string Maps::picture(const std::string& marks, const std::string& css_class
 
 std::string Maps::margin_map(std::size_t level_index) const {
   const ShelfLevel& level = data_.levels[level_index];
-  const std::vector<Point> at = places(level);
+  const std::vector<Point> at = positions(level);
   // The smallest margin is drawn last, so that it lies on top.
   std::vector<std::size_t> order(level.labels.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
@@ -151,7 +151,7 @@ std::string Maps::margin_map(std::size_t level_index) const {
 
 std::string Maps::signal_maps(std::size_t level_index) const {
   const ShelfLevel& level = data_.levels[level_index];
-  const std::vector<Point> at = places(level);
+  const std::vector<Point> at = positions(level);
   const auto marks = [&](double LabelOutcome::*signal) {
     SvgCanvas canvas;
     for (std::size_t k = 0; k < at.size(); ++k) {

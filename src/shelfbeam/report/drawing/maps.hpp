@@ -27,7 +27,7 @@ class Maps {
 
  private:
   std::size_t class_of(std::uint32_t label) const;
-  std::vector<Point> places(const ShelfLevel& level) const;
+  std::vector<Point> positions(const ShelfLevel& level) const;
   std::string picture(const std::string& marks, const std::string& css_class,
                       const std::string& description) const;
   std::string margin_legend(const ShelfLevel& level) const;

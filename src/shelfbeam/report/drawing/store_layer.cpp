@@ -40,17 +40,17 @@ void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) 
 
 void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> candidates,
                       const std::vector<bool>& taken) {
-  const DistinctPositions places = distinct_positions(candidates);
-  std::vector<bool> done(places.count, false);
+  const DistinctPositions groups = distinct_positions(candidates);
+  std::vector<bool> done(groups.count, false);
   for (std::size_t j = 0; j < candidates.size(); ++j)
-    if (taken[j]) done[places.of[j]] = true;
+    if (taken[j]) done[groups.group_of[j]] = true;
 
   const double arm = 4 * view.mark_share();
   const std::string d = coordinate(arm), d2 = coordinate(2 * arm);
   std::string data;
   for (std::size_t j = 0; j < candidates.size(); ++j) {
-    if (done[places.of[j]]) continue;
-    done[places.of[j]] = true;
+    if (done[groups.group_of[j]]) continue;
+    done[groups.group_of[j]] = true;
     const Point p = view.at(candidates[j].x, candidates[j].y);
     data += fmt::format("M{} {}h{}m-{} -{}v{}", coordinate(p.x - arm), coordinate(p.y), d2, d, d, d2);
   }
@@ -58,8 +58,8 @@ void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const V
 }
 
 std::string aim_line(const Point& at, const Vec3& axis) {
-  constexpr double longest = 20, least = 0.05;  // drawing units; sine of the tilt
-  if (std::hypot(axis.x, axis.y) < least) return {};
+  constexpr double longest = 20, min_sine = 0.05;  // drawing units; sine of the tilt
+  if (std::hypot(axis.x, axis.y) < min_sine) return {};
   return fmt::format("M{} {}l{} {}", coordinate(at.x), coordinate(at.y), coordinate(longest * axis.x),
                      coordinate(-longest * axis.y));
 }
@@ -82,7 +82,7 @@ double label_mark_radius(const PlanView& view, std::span<const Vec3> positions) 
 std::vector<Point> label_mark_positions(const PlanView& view, std::span<const Vec3> positions,
                                         std::span<const Vec3> normals, double radius) {
   std::map<std::tuple<long, long, long, long>, int> standing;
-  std::vector<Point> places;
+  std::vector<Point> marks;
   for (std::size_t k = 0; k < positions.size(); ++k) {
     const Vec3& p = positions[k];
     const Vec3 outward{normals[k].x, normals[k].y, 0};
@@ -92,9 +92,9 @@ std::vector<Point> label_mark_positions(const PlanView& view, std::span<const Ve
         std::tuple{std::lround(p.x * 50), std::lround(p.y * 50), std::lround(nx * 10), std::lround(ny * 10)};
     const double out = radius * (1.15 + 2.3 * standing[key]++);
     const Point at = view.at(p.x, p.y);
-    places.push_back({at.x + out * nx, at.y - out * ny});
+    marks.push_back({at.x + out * nx, at.y - out * ny});
   }
-  return places;
+  return marks;
 }
 
 }  // namespace shelfbeam

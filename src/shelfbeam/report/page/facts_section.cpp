@@ -27,8 +27,8 @@ class Facts {
   std::string html_;
 };
 
-std::string range(std::uint64_t least, std::uint64_t most) {
-  return least == most ? grouped(least) : grouped(least) + " to " + grouped(most);
+std::string range(std::uint64_t smallest, std::uint64_t largest) {
+  return smallest == largest ? grouped(smallest) : grouped(smallest) + " to " + grouped(largest);
 }
 
 double share_of(std::size_t part, std::size_t all) {

@@ -44,7 +44,7 @@ class SceneMaker {
     add_transceivers();
     mark_installed();
     warn_of_bright_materials();
-    warn_of_misplaced(scene_, places_, warnings_);
+    warn_of_misplaced(scene_, sources_, warnings_);
     scene_.warnings = warnings_.texts();
     scene_.store_hash = content_hash(resolved_store_json(store_, scene_));
     return std::move(scene_);
@@ -104,7 +104,7 @@ class SceneMaker {
         warnings_.add("fixtures that extend outside the room",
                       fmt::format("{}: fixture '{}' extends outside the room; move it, or correct {}", where,
                                   id, sized_by(fixture)));
-      places_.labels.resize(scene_.labels.size(), where);
+      sources_.labels.resize(scene_.labels.size(), where);
     }
   }
 
@@ -155,20 +155,21 @@ class SceneMaker {
   void add_labels() {
     for (const auto& [label, where] : store_.labels) {
       scene_.labels.push_back(label);
-      places_.labels.push_back(where);
+      sources_.labels.push_back(where);
     }
     if (scene_.labels.empty()) fail("has no labels", "add 'labels' to the store or to a fixture");
     std::unordered_map<std::string, std::string> seen;
     for (std::size_t i = 0; i < scene_.labels.size(); ++i) {
       const Label& label = scene_.labels[i];
-      if (label.id.empty()) throw InputError(places_.labels[i], "has a label without an id", "give it an id");
-      const auto [first, is_new] = seen.emplace(label.id, places_.labels[i]);
+      if (label.id.empty())
+        throw InputError(sources_.labels[i], "has a label without an id", "give it an id");
+      const auto [first, is_new] = seen.emplace(label.id, sources_.labels[i]);
       if (!is_new)
         throw InputError(
-            places_.labels[i],
+            sources_.labels[i],
             fmt::format("has the duplicate label id '{}', first used in {}", label.id, first->second),
             "make ids unique");
-      expect_in_room(label.id, label.position, places_.labels[i], "label");
+      expect_in_room(label.id, label.position, sources_.labels[i], "label");
     }
   }
 
@@ -191,7 +192,7 @@ class SceneMaker {
       throw InputError(where, fmt::format("has the duplicate transceiver id '{}'", unit.id),
                        "make ids unique");
     scene_.transceivers.push_back(unit);
-    places_.transceivers.push_back(where);
+    sources_.transceivers.push_back(where);
   }
 
   void add_transceivers() {
@@ -236,11 +237,11 @@ class SceneMaker {
   }
 
   void expect_one_installed_at_a_point() const {
-    const DistinctPositions places = distinct_positions(positions_of(scene_.transceivers));
-    std::vector<const Transceiver*> at(places.count, nullptr);
+    const DistinctPositions groups = distinct_positions(positions_of(scene_.transceivers));
+    std::vector<const Transceiver*> at(groups.count, nullptr);
     for (const auto& [id, where] : store_.installed) {
       const std::size_t index = unit_index_.at(id);
-      const Transceiver*& first = at[places.of[index]];
+      const Transceiver*& first = at[groups.group_of[index]];
       if (first != nullptr && first->id != id)
         throw InputError(where, fmt::format("'{}' is installed at the mounting point of '{}'", id, first->id),
                          "remove one of the two, or correct a position");
@@ -250,7 +251,7 @@ class SceneMaker {
 
   const Store& store_;
   Scene scene_;
-  DeviceSources places_;
+  DeviceSources sources_;
   WarningList warnings_;
   std::unordered_map<std::string, std::size_t> unit_index_;
   std::set<std::string> kept_out_ids_;

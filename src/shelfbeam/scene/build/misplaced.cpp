@@ -174,7 +174,7 @@ void warn_of_overhang(const Scene& scene, const std::string& place, const std::s
                              place, what, side));
 }
 
-Vec3 reach_of_label(const Vec3& normal, const std::array<double, 2>& size) {
+Vec3 half_extent_of_label(const Vec3& normal, const std::array<double, 2>& size) {
   const Frame frame = Frame::of_surface(normal);
   const auto along = [&](int axis) {
     return (std::abs(frame.x[axis]) * size[0] + std::abs(frame.y[axis]) * size[1]) / 2;
@@ -182,12 +182,12 @@ Vec3 reach_of_label(const Vec3& normal, const std::array<double, 2>& size) {
   return {along(0), along(1), along(2)};
 }
 
-Vec3 reach_of_disc(const Vec3& axis, double radius) {
+Vec3 half_extent_of_disc(const Vec3& axis, double radius) {
   const auto along = [&](double a) { return radius * std::sqrt(std::max(0.0, 1 - a * a)); };
   return {along(axis.x), along(axis.y), along(axis.z)};
 }
 
-void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& places,
+void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& sources,
                     WarningList& warnings) {
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
     const Label& label = scene.labels[i];
@@ -196,14 +196,14 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
           "labels that face a surface right in front of them",
           fmt::format("{}: label '{}' faces {}, {:.2g} cm in front of it; reverse its normal, or move "
                       "it away from the surface",
-                      places[i], label.id, what, 100 * std::max(0.0, distance)));
+                      sources[i], label.id, what, 100 * std::max(0.0, distance)));
     };
     const auto hit = blocks.next(label.position, label.normal);
     if (hit && hit->is_within())
       warnings.add("labels inside a fixture",
                    fmt::format("{}: label '{}' is inside fixture '{}' and receives no light; "
                                "move one of them",
-                               places[i], label.id, *hit->fixture));
+                               sources[i], label.id, *hit->fixture));
     else if (hit)
       looks_at(fmt::format("fixture '{}'", *hit->fixture), hit->distance);
     else if (const auto surface = room_surface_before(scene, label))
@@ -214,10 +214,11 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
           fmt::format(
               "{}: part of label '{}' is inside fixture '{}' and receives no light; move it, turn it, "
               "or change the 'size' of its type",
-              places[i], label.id, *fixture));
+              sources[i], label.id, *fixture));
     else
-      warn_of_overhang(scene, places[i], fmt::format("label '{}'", label.id), label.position,
-                       reach_of_label(label.normal, scene.label_types[label.type.value].size), warnings);
+      warn_of_overhang(scene, sources[i], fmt::format("label '{}'", label.id), label.position,
+                       half_extent_of_label(label.normal, scene.label_types[label.type.value].size),
+                       warnings);
   }
 }
 
@@ -227,7 +228,7 @@ bool is_within_bounds(const Scene& scene, const Vec3& p) {
   return true;
 }
 
-void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& places,
+void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& sources,
                           WarningList& warnings) {
   const Vec3 &low = scene.lower, &high = scene.upper;
   for (std::size_t j = 0; j < scene.transceivers.size(); ++j) {
@@ -239,24 +240,25 @@ void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::v
           "transceivers inside a fixture",
           fmt::format("{}: transceiver '{}' is inside fixture '{}', which blocks its light; move it, or "
                       "cover the position with 'keep_out'",
-                      places[j], unit.id, *hit->fixture));
+                      sources[j], unit.id, *hit->fixture));
     else if (!scene.room && !is_within_bounds(scene, p))
       warnings.add(
           "transceivers outside all surfaces",
           fmt::format("{}: transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside all surfaces, which "
                       "extend from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}); move it, or give "
                       "the store a 'room'",
-                      places[j], unit.id, p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y, high.z));
+                      sources[j], unit.id, p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y, high.z));
     else if (const std::string* fixture = around_a_part(scene, blocks, unit, unit.axis))
       warnings.add(
           "transceivers that are partly hidden",
           fmt::format(
               "{}: part of transceiver '{}' is inside fixture '{}', which blocks its light; move it, or "
               "change the 'radius' of its type",
-              places[j], unit.id, *fixture));
+              sources[j], unit.id, *fixture));
     else
-      warn_of_overhang(scene, places[j], fmt::format("the disc of transceiver '{}'", unit.id), p,
-                       reach_of_disc(unit.axis, scene.transceiver_types[unit.type.value].radius), warnings);
+      warn_of_overhang(scene, sources[j], fmt::format("the disc of transceiver '{}'", unit.id), p,
+                       half_extent_of_disc(unit.axis, scene.transceiver_types[unit.type.value].radius),
+                       warnings);
   }
 }
 
@@ -274,10 +276,10 @@ std::string beyond_room(const Scene& scene, const Vec3& p) {
   return {};
 }
 
-void warn_of_misplaced(const Scene& scene, const DeviceSources& places, WarningList& warnings) {
+void warn_of_misplaced(const Scene& scene, const DeviceSources& sources, WarningList& warnings) {
   const Blocks blocks(scene);
-  warn_of_labels(scene, blocks, places.labels, warnings);
-  warn_of_transceivers(scene, blocks, places.transceivers, warnings);
+  warn_of_labels(scene, blocks, sources.labels, warnings);
+  warn_of_transceivers(scene, blocks, sources.transceivers, warnings);
 }
 
 }  // namespace shelfbeam

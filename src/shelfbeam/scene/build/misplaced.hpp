@@ -22,6 +22,6 @@ std::string beyond_room(const Scene& scene, const Vec3& p);
 /// partly outside the room, labels that face a fixture or wall closer than 5 cm and, without a room,
 /// transceivers outside the bounds of all surfaces. Panes are not checked. Neither are meshes, because only
 /// their hull is known here, which may contain devices that are outside the mesh itself.
-void warn_of_misplaced(const Scene& scene, const DeviceSources& places, WarningList& warnings);
+void warn_of_misplaced(const Scene& scene, const DeviceSources& sources, WarningList& warnings);
 
 }  // namespace shelfbeam

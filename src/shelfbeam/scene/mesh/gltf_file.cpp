@@ -16,7 +16,8 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::int64_t most = std::int64_t{1} << 50;  // bytes or numbers: beyond any file, exact as a double
+constexpr std::int64_t max_integer = std::int64_t{1}
+                                     << 50;  // bytes or numbers: beyond any file, exact as a double
 
 template <class T>
 T value_at(std::string_view bytes, std::size_t at) {
@@ -112,7 +113,7 @@ std::string without_percent(std::string_view uri) {
 
 std::size_t count_at(const JsonCursor& object, std::string_view key, std::int64_t otherwise) {
   const auto found = object.find(key);
-  return static_cast<std::size_t>(found ? found->integer(0, most) : otherwise);
+  return static_cast<std::size_t>(found ? found->integer(0, max_integer) : otherwise);
 }
 
 // Rejects unsupported extensions that may change positions.
@@ -146,7 +147,7 @@ GltfFile::GltfFile(std::string_view text, std::filesystem::path name, const Stor
 JsonCursor GltfFile::item(std::string_view list, const JsonCursor& number) const {
   const auto found = root_.find(list);
   const std::size_t count = found ? found->size() : 0;
-  const auto index = number.integer(0, most);
+  const auto index = number.integer(0, max_integer);
   if (index >= static_cast<std::int64_t>(count))
     number.fail(fmt::format("is {}, but there are {} {}", index, count, list), "export the file again");
   return found->element(static_cast<std::size_t>(index));
@@ -169,7 +170,7 @@ GltfFile::Numbers GltfFile::numbers(const JsonCursor& number, std::string_view t
   if (component_of(numbers.type).bytes == 0)
     accessor["componentType"].fail("is 5124", "5120 to 5123, 5125 and 5126 are supported");
   if (const auto normalized = accessor.find("normalized")) numbers.is_normalized = normalized->boolean();
-  numbers.count = static_cast<std::size_t>(accessor["count"].integer(1, most));
+  numbers.count = static_cast<std::size_t>(accessor["count"].integer(1, max_integer));
 
   const JsonCursor view = item("bufferViews", accessor["bufferView"]);
   const std::string& buffer = this->buffer(view["buffer"]);
@@ -215,7 +216,7 @@ std::vector<std::uint32_t> GltfFile::indices(const JsonCursor& accessor, std::si
 
 const std::string& GltfFile::buffer(const JsonCursor& number) {
   const JsonCursor buffer = item("buffers", number);
-  const auto index = number.integer(0, most);
+  const auto index = number.integer(0, max_integer);
   const auto found = buffers_.find(index);
   if (found != buffers_.end()) return found->second;
   return buffers_.emplace(index, load(buffer, index == 0)).first->second;
@@ -239,7 +240,7 @@ std::string GltfFile::load(const JsonCursor& buffer, bool is_first) const {
       bytes = read_file(folder_.find(name_.parent_path() / without_percent(text), uri->where(), "buffer"));
     }
   }
-  const auto length = static_cast<std::size_t>(buffer["byteLength"].integer(0, most));
+  const auto length = static_cast<std::size_t>(buffer["byteLength"].integer(0, max_integer));
   if (length > bytes.size())
     buffer.fail(fmt::format("has {} bytes instead of {}", bytes.size(), length), "export the file again");
   bytes.resize(length);

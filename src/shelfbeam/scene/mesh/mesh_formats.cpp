@@ -43,11 +43,11 @@ bool MeshLines::next_continued() {
     words_.back().remove_suffix(1);
     std::vector<std::string_view> before = std::exchange(words_, {});
     if (before.back().empty()) before.pop_back();
-    const bool goes_on = next();
-    if (goes_on) before.insert(before.end(), words_.begin(), words_.end());
+    const bool continues = next();
+    if (continues) before.insert(before.end(), words_.begin(), words_.end());
     words_ = std::move(before);
     if (words_.empty()) words_.emplace_back();
-    if (!goes_on) break;
+    if (!continues) break;
   }
   return true;
 }

@@ -89,7 +89,7 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
     use(numbers[0], {numbers[1], values});
     saved_[numbers[0]] = numbers[1];
   }
-  size_ = file.good();
+  size_ = file.valid_size();
   return true;
 }
 
@@ -103,19 +103,19 @@ void CheckpointFile::save(const std::function<CheckpointState(std::uint32_t)>& s
     if (now.batches != saved_[item]) added += size;
   }
   if (added == 0) return;
-  if (!own_ || !own_->is_at(path_) || size_ + added > 2 * alive)
+  if (!writer_ || !writer_->is_at(path_) || size_ + added > 2 * alive)
     rewrite(state);
   else
     append(state);
-  size_ = own_->written();
+  size_ = writer_->written();
   for (std::uint32_t item = 0; item < saved_.size(); ++item) saved_[item] = state(item).batches;
 }
 
 void CheckpointFile::append(const std::function<CheckpointState(std::uint32_t)>& state) {
-  own_->cut(size_);  // remains of a failed write
+  writer_->truncate(size_);  // remains of a failed write
   for (std::uint32_t item = 0; item < saved_.size(); ++item)
-    if (const CheckpointState now = state(item); now.batches != saved_[item]) own_->state(item, now);
-  own_->flush();
+    if (const CheckpointState now = state(item); now.batches != saved_[item]) writer_->state(item, now);
+  writer_->flush();
 }
 
 void CheckpointFile::rewrite(const std::function<CheckpointState(std::uint32_t)>& state) {
@@ -127,7 +127,7 @@ void CheckpointFile::rewrite(const std::function<CheckpointState(std::uint32_t)>
     if (const CheckpointState now = state(item); now.batches > 0) writer->state(item, now);
   writer->flush();
   file.commit();
-  own_ = std::move(writer);
+  writer_ = std::move(writer);
 }
 
 fs::path checkpoint_path(const fs::path& output) {

@@ -55,9 +55,9 @@ class CheckpointFile {
 
   std::filesystem::path path_;
   CheckpointIdentity identity_;
-  std::vector<std::uint32_t> saved_;           ///< batches in the file, by item
-  std::uint64_t size_ = 0;                     ///< bytes of the file's valid content; 0: no file
-  std::unique_ptr<detail::RecordWriter> own_;  ///< the file that this process has created
+  std::vector<std::uint32_t> saved_;              ///< batches in the file, by item
+  std::uint64_t size_ = 0;                        ///< bytes of the file's valid content; 0: no file
+  std::unique_ptr<detail::RecordWriter> writer_;  ///< the file that this process has created
 };
 
 /// The checkpoint of an output file, in the same folder.

@@ -57,27 +57,27 @@ class RecordReader {
   bool line(std::string_view expected) {
     std::string found(expected.size(), '\0');
     if (read(found.data(), found.size()) != found.size() || found != expected) return false;
-    good_ = expected.size();
+    valid_size_ = expected.size();
     return true;
   }
   /// The content of the next record, valid until the next call; nothing at the end.
   std::optional<std::string_view> next() {
     RecordHead head;
-    if (size_ - good_ < sizeof head) return std::nullopt;
+    if (size_ - valid_size_ < sizeof head) return std::nullopt;
     if (read(&head, sizeof head) != sizeof head ||
-        head.own_hash != hash_of_head(head.length, head.content_hash, good_))
+        head.own_hash != hash_of_head(head.length, head.content_hash, valid_size_))
       fail();
-    const std::uint64_t left = size_ - good_ - sizeof head;
+    const std::uint64_t left = size_ - valid_size_ - sizeof head;
     if (left < head.length) return std::nullopt;
     content_.resize(head.length);
     if (read(content_.data(), content_.size()) != content_.size() || hash64(content_) != head.content_hash)
       fail();
-    good_ += record_size(head.length);
+    valid_size_ += record_size(head.length);
     return content_;
   }
-  std::uint64_t good() const { return good_; }  ///< bytes up to the end of the last record
+  std::uint64_t valid_size() const { return valid_size_; }  ///< bytes up to the end of the last record
   [[noreturn]] void fail() const {
-    throw InputError(name_, fmt::format("is corrupt at byte {}", good_),
+    throw InputError(name_, fmt::format("is corrupt at byte {}", valid_size_),
                      "delete it, or start again without resuming", Setting::resumption);
   }
 
@@ -89,7 +89,7 @@ class RecordReader {
 
   std::string name_;
   std::unique_ptr<std::FILE, Close> file_;
-  std::uint64_t size_ = 0, good_ = 0;
+  std::uint64_t size_ = 0, valid_size_ = 0;
   std::string content_;
 };
 
@@ -126,7 +126,7 @@ class RecordWriter {
   }
   std::uint64_t written() const { return flushed_ + pending_.size(); }
   /// Truncates the file to `size` bytes.
-  void cut(std::uint64_t size) {
+  void truncate(std::uint64_t size) {
     pending_.clear();
     flushed_ = size;
     if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) fail();

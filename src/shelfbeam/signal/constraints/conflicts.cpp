@@ -41,7 +41,7 @@ void add_conflicts(SignalTable& table, double metres, const std::string& name) {
       throw InputError(name, fmt::format("has no position of '{}', so distances are unknown", unit.id),
                        "use a signal file (HDF5), or name the pairs to forbid", Setting::forbidden_pairs);
   const std::vector<std::size_t> point = points_of(table);
-  const double least = metres - position_tolerance;
+  const double min_distance = metres - position_tolerance;
   // A sweep along x compares only few pairs if the distance is small compared with the shop.
   std::vector<std::uint32_t> along(table.columns());
   std::iota(along.begin(), along.end(), 0U);
@@ -51,9 +51,9 @@ void add_conflicts(SignalTable& table, double metres, const std::string& name) {
     for (std::size_t next = first + 1; next < along.size(); ++next) {
       const std::uint32_t a = along[first], b = along[next];
       const Vec3 between = *units[b].position - *units[a].position;
-      if (between.x >= least) break;
+      if (between.x >= min_distance) break;
       const bool hang = units[a].installed && units[b].installed;
-      if (length(between) < least && point[a] != point[b] && !hang)
+      if (length(between) < min_distance && point[a] != point[b] && !hang)
         table.conflicts.emplace_back(std::min(a, b), std::max(a, b));
     }
   order(table.conflicts);

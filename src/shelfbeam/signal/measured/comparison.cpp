@@ -47,7 +47,7 @@ class NoiseFloor {
     return pair.error ? clear * *pair.error : min_over_noise * smallest_;
   }
   /// The largest true signal that is plausible for a measurement of 0.
-  double most(const ComparedPair& pair) const { return pair.error ? 3 * *pair.error : smallest_; }
+  double max_noise(const ComparedPair& pair) const { return pair.error ? 3 * *pair.error : smallest_; }
 
  private:
   double smallest_ = 0;
@@ -238,7 +238,7 @@ OneFactorTest one_factor_test(std::span<const ComparedPair> pairs, double factor
 /// The deviation of a pair in standard deviations, for pairs without a meaningful residual in dB.
 double linear_deviation(const ComparedPair& pair, const Comparison& result, const NoiseFloor& noise) {
   const double expected = result.factor * pair.simulated;
-  const double error = pair.error ? *pair.error : noise.most(pair);
+  const double error = pair.error ? *pair.error : noise.max_noise(pair);
   const double deviation =
       std::hypot(std::hypot(error, result.factor * pair.standard_error), result.spread / db_per_e * expected);
   return deviation > 0 ? (pair.measured - expected) / deviation : 0;
@@ -247,7 +247,7 @@ double linear_deviation(const ComparedPair& pair, const Comparison& result, cons
 /// The minimum deviation of a pair that was measured as 0, in standard deviations.
 double silent_deviation(const ComparedPair& pair, const PairResult& of_pair, const Comparison& result,
                         const NoiseFloor& noise) {
-  const double bound = decibel(noise.most(pair) / of_pair.expected);  // -inf without any limit
+  const double bound = decibel(noise.max_noise(pair) / of_pair.expected);  // -inf without any limit
   const double deviation = std::hypot(result.spread, db_per_e * pair.standard_error / pair.simulated);
   if (bound >= 0) return 0;
   return deviation > 0 ? bound / deviation : -std::numeric_limits<double>::infinity();

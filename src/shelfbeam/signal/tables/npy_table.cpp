@@ -63,8 +63,9 @@ NpyHeader parse_header(std::string_view text, const std::string& name) {
     if (!part.empty() && error == std::errc{} && stopped == part.data() + part.size())
       extents.push_back(extent);
   }
-  constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - 1;
-  if (extents.size() != 2 || extents[0] == 0 || extents[1] == 0 || extents[0] > most || extents[1] > most)
+  constexpr std::size_t max_extent = std::numeric_limits<std::uint32_t>::max() - 1;
+  if (extents.size() != 2 || extents[0] == 0 || extents[1] == 0 || extents[0] > max_extent ||
+      extents[1] > max_extent)
     throw wrong(fmt::format("the shape is {}", shape), "a matrix (labels, transceivers) is expected");
   header.rows = extents[0];
   header.columns = extents[1];

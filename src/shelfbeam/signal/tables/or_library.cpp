@@ -46,9 +46,9 @@ SignalTable read_scp(TextScanner& in) {
   std::vector<SignalEntry> entries;
   std::vector<std::size_t> row_begin = {0};
   for (std::uint32_t i = 0; i < extent.rows; ++i) {
-    const std::uint32_t count = in.whole("the number of columns of a row", 0, extent.columns);
+    const std::uint32_t count = in.integer("the number of columns of a row", 0, extent.columns);
     for (std::uint32_t k = 0; k < count; ++k)
-      entries.push_back({in.whole("a column number", 1, extent.columns) - 1, 1});
+      entries.push_back({in.integer("a column number", 1, extent.columns) - 1, 1});
     const auto first = entries.begin() + static_cast<std::ptrdiff_t>(row_begin.back());
     std::sort(first, entries.end(),
               [](const auto& a, const auto& b) { return a.transceiver < b.transceiver; });
@@ -73,8 +73,9 @@ SignalTable read_rail(TextScanner& in) {
       in.fail(fmt::format("the file ends after {} of {} columns", j, extent.columns),
               "download it again or correct n");
     costs.push_back(in.amount("the cost of a column"));
-    const std::uint32_t count = in.whole("the number of rows of a column", 0, extent.rows);
-    for (std::uint32_t k = 0; k < count; ++k) covered.push_back(in.whole("a row number", 1, extent.rows) - 1);
+    const std::uint32_t count = in.integer("the number of rows of a column", 0, extent.rows);
+    for (std::uint32_t k = 0; k < count; ++k)
+      covered.push_back(in.integer("a row number", 1, extent.rows) - 1);
     in.end_line(fmt::format("{} row numbers", count));
     column_begin.push_back(covered.size());
   }

@@ -70,9 +70,9 @@ SignalTable read_text_table(std::string_view text, const std::string& name) {
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> shared_mounts(const SignalMatrix& matrix) {
-  const DistinctPositions places = distinct_positions(positions_of(matrix.transceivers));
-  std::vector<std::vector<std::uint32_t>> mounts(places.count);
-  for (std::uint32_t j = 0; j < matrix.columns(); ++j) mounts[places.of[j]].push_back(j);
+  const DistinctPositions groups = distinct_positions(positions_of(matrix.transceivers));
+  std::vector<std::vector<std::uint32_t>> mounts(groups.count);
+  for (std::uint32_t j = 0; j < matrix.columns(); ++j) mounts[groups.group_of[j]].push_back(j);
   std::erase_if(mounts, [](const auto& mount) { return mount.size() < 2; });
   return mounts;
 }

@@ -17,9 +17,9 @@ void read_row(SignalTable& table, TextScanner& in, std::uint32_t columns) {
     return a.transceiver < b.transceiver;
   };
   const auto begin = static_cast<std::ptrdiff_t>(table.entries.size());
-  const std::uint32_t pairs = in.whole("the number of pairs", 0, columns);
+  const std::uint32_t pairs = in.integer("the number of pairs", 0, columns);
   for (std::uint32_t k = 0; k < pairs; ++k) {
-    const std::uint32_t column = in.whole("a column number", 0, columns - 1);
+    const std::uint32_t column = in.integer("a column number", 0, columns - 1);
     table.entries.push_back({column, in.amount("the signal")});
   }
   in.end_line(fmt::format("{} pairs", pairs));

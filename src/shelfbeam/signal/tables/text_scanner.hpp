@@ -51,7 +51,7 @@ class TextScanner {
   }
 
   /// The next number, which must be an integer in [low, high].
-  std::uint32_t whole(std::string_view what, std::uint32_t low, std::uint32_t high) {
+  std::uint32_t integer(std::string_view what, std::uint32_t low, std::uint32_t high) {
     const std::string_view word = token(what);
     std::int64_t value = 0;
     const char* end = word.data() + word.size();
@@ -77,7 +77,7 @@ class TextScanner {
   std::uint32_t extent(std::string_view what) {
     // Empty rows or columns need no characters, so small texts have some slack.
     constexpr std::size_t slack = 1 << 16;
-    const std::uint32_t count = whole(what, 1, std::numeric_limits<std::uint32_t>::max() - 1);
+    const std::uint32_t count = integer(what, 1, std::numeric_limits<std::uint32_t>::max() - 1);
     if (count > std::max(text_.size(), slack))
       fail(fmt::format("{} is {}, more than a file of {} characters can contain", what, count, text_.size()),
            "correct the count, or download the file again if it is truncated");

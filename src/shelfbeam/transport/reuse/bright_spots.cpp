@@ -170,7 +170,7 @@ void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, const
 
 void BrightSpots::add_near(const PathVertex& vertex, double p, double weight, RandomStream& random,
                            LaneRow& row, std::uint64_t& rays) const {
-  const double rise = rule_.near * rule_.near * pi * p;
+  const double rise = rule_.near_distance * rule_.near_distance * pi * p;
   if (!(rise > 1)) return;
   const LanePoint point(vertex.end.point);
   const auto farthest = static_cast<float>(std::max(rule_.min_cap_distance, rule_.max_cap_distance));

@@ -28,7 +28,7 @@ struct SpotRule {
   /// units in between, because rays of all of them would cost more than they gain. With 2 m or more, the
   /// floors of ordinary rooms would be spots.
   double min_cap_distance = 0.5, max_cap_distance = 1;
-  double near = 1;           ///< m; 0: the cap is the same for all receivers, and 1/r^2 is not bounded
+  double near_distance = 1;  ///< m; 0: the cap is the same for all receivers, and 1/r^2 is not bounded
   bool for_vertices = true;  ///< whether path vertices are receivers, too
 };
 
@@ -92,7 +92,8 @@ class BrightSpots {
 
   /// The share of the light that rays from the unit bring to a receiver, 1 - C / e; p as in SpotRule.
   double excess(const SpotLight& light, double p) const {
-    return std::max(0.0, 1 - light.capped * std::max(1.0, rule_.near * rule_.near * pi * p));
+    return std::max(0.0,
+                    1 - light.capped * std::max(1.0, rule_.near_distance * rule_.near_distance * pi * p));
   }
 
   /// Calls use(k, lane index of the unit, value) for the receivers k at some points that rays from units
@@ -113,8 +114,8 @@ class BrightSpots {
         if (!(receiver.response > 0)) continue;
         const double share = excess(light, seen->area_density(receiver.density));
         if (!(share > 0)) continue;
-        const double value =
-            light.intensity(world_.scene, -seen->direction) * share * receiver.response / seen->squared;
+        const double value = light.intensity(world_.scene, -seen->direction) * share * receiver.response /
+                             seen->distance_squared;
         if (!(value > 0)) continue;
         scratch.receivers.push_back(k);
         scratch.targets.push_back(points[k]);

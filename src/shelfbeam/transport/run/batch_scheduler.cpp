@@ -50,10 +50,10 @@ BatchScheduler::BatchScheduler(const World& world, const Estimator& estimator,
       estimator_(estimator),
       options_(options),
       control_(control),
-      known_(world, options.rules(), control),
+      analytic_direct_(world, options.rules(), control),
       limit_(batches_for(estimator, options)),
       driver_(world.scene, estimator, control, [this] { report(); }),
-      survey_(world, estimator, sums_, known_),
+      survey_(world, estimator, sums_, analytic_direct_),
       paused_(estimator.items()),
       precision_(estimator.items()) {
   sums_.reserve(estimator.items());

@@ -39,14 +39,14 @@ class BatchScheduler {
   bool run();
 
   const std::vector<ItemSums>& sums() const { return sums_; }
-  const AnalyticDirect& known() const { return known_; }
+  const AnalyticDirect& analytic_direct() const { return analytic_direct_; }
   std::uint32_t fewest_batches() const;
   std::uint64_t batches() const;
   std::uint64_t resumed_batches() const { return done_before_; }
   /// Saves a checkpoint; ignores errors.
   void try_to_save() noexcept;
   bool has_checkpoint() const { return checkpoint_ && checkpoint_->has_saved(); }
-  std::uint64_t rays() const { return driver_.rays() + known_.rays(); }
+  std::uint64_t rays() const { return driver_.rays() + analytic_direct_.rays(); }
   const ShadowRays& shadow_rays() const { return driver_.shadow_rays(); }
   /// Predicted time to halve the standard errors.
   double seconds_to_halve() const;
@@ -74,7 +74,7 @@ class BatchScheduler {
   const Estimator& estimator_;
   const SimulationOptions& options_;
   const RunControl& control_;
-  AnalyticDirect known_;
+  AnalyticDirect analytic_direct_;
   std::uint32_t limit_;  ///< max batches per item
   BatchDriver driver_;
   std::vector<ItemSums> sums_;

@@ -21,7 +21,8 @@ void ErrorSurvey::each_row(std::size_t item, Use use) const {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const std::size_t entry = r * columns.size() + c;
       const PowerSums sums = sums_[item].entry(entry);
-      means[c] = sums.mean() + known_.straight(rows[r], columns[c]) + known_.mirrored(rows[r], columns[c]);
+      means[c] = sums.mean() + analytic_direct_.straight(rows[r], columns[c]) +
+                 analytic_direct_.mirrored(rows[r], columns[c]);
       errors[c] = sums.standard_error();
       flags[c] = sums.is_skewed() ? 1 : 0;
     }

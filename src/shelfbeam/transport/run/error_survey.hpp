@@ -70,8 +70,8 @@ double reachable_error(std::uint32_t batches, double growth);
 class ErrorSurvey {
  public:
   ErrorSurvey(const World& world, const Estimator& estimator, const std::vector<ItemSums>& sums,
-              const detail::AnalyticDirect& known)
-      : world_(world), estimator_(estimator), sums_(sums), known_(known) {}
+              const detail::AnalyticDirect& analytic_direct)
+      : world_(world), estimator_(estimator), sums_(sums), analytic_direct_(analytic_direct) {}
 
   Precision precision(std::size_t item, const RelativeError& wanted) const;
 
@@ -101,7 +101,7 @@ class ErrorSurvey {
   const World& world_;
   const Estimator& estimator_;
   const std::vector<ItemSums>& sums_;
-  const detail::AnalyticDirect& known_;
+  const detail::AnalyticDirect& analytic_direct_;
 };
 
 }  // namespace shelfbeam

@@ -7,11 +7,11 @@
 namespace shelfbeam::detail {
 
 MatrixRows::MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums,
-                       const AnalyticDirect& known, std::size_t rows, std::size_t bounce_layers,
+                       const AnalyticDirect& analytic_direct, std::size_t rows, std::size_t bounce_layers,
                        std::size_t length_layers)
     : estimator_(estimator),
       sums_(sums),
-      known_(known),
+      analytic_direct_(analytic_direct),
       bounce_layers_(bounce_layers),
       length_layers_(length_layers),
       starts_(rows + 1) {
@@ -46,8 +46,8 @@ void MatrixRows::fill_with(std::size_t row, std::span<float> values, const Known
 
 void MatrixRows::fill(Quantity quantity, std::size_t row, std::span<float> values) const {
   const auto known = [&](std::size_t j) {
-    const double mirrored = quantity == Quantity::mean ? known_.mirrored(row, j) : 0;
-    return quantity == Quantity::standard_error ? 0 : known_.straight(row, j) + mirrored;
+    const double mirrored = quantity == Quantity::mean ? analytic_direct_.mirrored(row, j) : 0;
+    return quantity == Quantity::standard_error ? 0 : analytic_direct_.straight(row, j) + mirrored;
   };
   fill_with(row, values, known, [&](const ItemSums& sums, std::size_t entry) {
     return quantity == Quantity::mean     ? sums.entry(entry).mean()
@@ -70,7 +70,7 @@ void MatrixRows::fill_layer(std::size_t layer, Quantity quantity, std::size_t ro
   const bool is_mean = quantity == Quantity::mean;
   const auto known = [&](std::size_t j) {
     if (!is_mean || layer > 1 || layer >= bounce_layers_) return 0.0;
-    return layer == 0 ? known_.straight(row, j) : known_.mirrored(row, j);
+    return layer == 0 ? analytic_direct_.straight(row, j) : analytic_direct_.mirrored(row, j);
   };
   fill_with(row, values, known, [&](const ItemSums& sums, std::size_t entry) {
     const PowerSums found = sums.layer_entry(layer, entry);

@@ -17,8 +17,9 @@ namespace shelfbeam::detail {
 /// The rows of the signal matrix, from the items' sums and the analytic direct light.
 class MatrixRows : public SignalRows {
  public:
-  MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums, const AnalyticDirect& known,
-             std::size_t rows, std::size_t bounce_layers, std::size_t length_layers);
+  MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums,
+             const AnalyticDirect& analytic_direct, std::size_t rows, std::size_t bounce_layers,
+             std::size_t length_layers);
 
   void fill(Quantity quantity, std::size_t row, std::span<float> values) const override;
   void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
@@ -48,7 +49,7 @@ class MatrixRows : public SignalRows {
 
   const Estimator& estimator_;
   const std::vector<ItemSums>& sums_;
-  const AnalyticDirect& known_;
+  const AnalyticDirect& analytic_direct_;
   std::size_t bounce_layers_, length_layers_;
   std::vector<std::uint32_t> tall_;  ///< items with all rows
   std::vector<std::size_t> starts_;  ///< index of each row in `parts_`

@@ -75,14 +75,14 @@ SimulationSummary run(const Scene& scene, const SimulationOptions& options, bool
     detail::BatchScheduler scheduler(world, *estimator, options, hash, control);
     try {
       const bool complete = scheduler.run();
-      if (scheduler.fewest_batches() < 2 || !scheduler.known().is_complete())
+      if (scheduler.fewest_batches() < 2 || !scheduler.analytic_direct().is_complete())
         throw scheduler.has_checkpoint()
             ? Interrupted(std::string(too_early) + "; resuming continues from its checkpoint",
                           Setting::resumption)
             : Interrupted(too_early);
       SignalMatrix head = detail::matrix_head(scene, hash, options.seed, estimator->name());
       head.length_step = options.by_length.step;
-      const detail::MatrixRows rows(*estimator, scheduler.sums(), scheduler.known(), head.rows(),
+      const detail::MatrixRows rows(*estimator, scheduler.sums(), scheduler.analytic_direct(), head.rows(),
                                     options.bounce_layers(), options.length_layers());
       for (std::size_t i = 0; i < head.rows(); ++i) {
         head.labels[i].batches = rows.batches(i);

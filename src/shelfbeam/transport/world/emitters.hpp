@@ -59,7 +59,7 @@ class Emitters {
     for (const DiscPlane& plane : disc_planes_) {
       const double along = dot(direction, plane.normal);
       const double distance = (plane.offset - dot(origin, plane.normal)) / along;
-      if (!rays.is_met(distance, nearest, farthest)) continue;
+      if (!rays.is_between(distance, nearest, farthest)) continue;
       const Vec3 position = origin + direction * distance;
       for (const std::uint32_t j : plane.discs) {
         const Unit& unit = units_[j];

@@ -49,13 +49,13 @@ void connect(const World& world, const SurfacePoint& vertex, const Vec3& end, bo
 
 /// Direction, angle and distance at which a position sees a point of a surface.
 struct Sight {
-  Vec3 direction;  ///< unit length, to the surface
-  double cosine;   ///< of the angle of incidence, above 0
-  double squared;  ///< distance squared, m^2
+  Vec3 direction;           ///< unit length, to the surface
+  double cosine;            ///< of the angle of incidence, above 0
+  double distance_squared;  ///< distance squared, m^2
 
   /// Converts a density p per solid angle to a density per area of the surface: p cos(theta) / r^2, because
   /// dA cos(theta) / r^2 is the solid angle of dA (2.10).
-  double area_density(double p) const { return p * cosine / squared; }
+  double area_density(double p) const { return p * cosine / distance_squared; }
 };
 
 /// No value if `from` is behind the surface; the normal of `to` selects its side.

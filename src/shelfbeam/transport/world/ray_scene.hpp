@@ -64,7 +64,7 @@ class RayScene {
   /// Whether a ray meets a point at `distance` between surfaces at `nearest` and `farthest`. Rays to a point
   /// ignore obstacles near their end, so a point that touches a surface from behind is met before this
   /// surface, and only once.
-  bool is_met(double distance, double nearest, double farthest) const {
+  bool is_between(double distance, double nearest, double farthest) const {
     return distance - end_ > nearest && distance - end_ <= farthest;
   }
 

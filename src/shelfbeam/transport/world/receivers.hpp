@@ -54,7 +54,7 @@ class Receivers {
       const double cosine = -dot(direction, label.frame.z);
       if (cosine <= 0) continue;
       const double distance = dot(origin - label.position, label.frame.z) / cosine;
-      if (!rays.is_met(distance, nearest, farthest)) continue;
+      if (!rays.is_between(distance, nearest, farthest)) continue;
       const Vec3 d = origin + direction * distance - label.position;
       if (std::abs(dot(d, label.frame.x)) > label.width / 2 ||
           std::abs(dot(d, label.frame.y)) > label.height / 2)

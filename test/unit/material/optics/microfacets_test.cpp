@@ -118,7 +118,7 @@ TEST(Microfacets, HideTheirBacks) {
   EXPECT_EQ(m.pdf(w, away), 0);
 }
 
-TEST(Microfacets, RefuseWhatHasNoMeaning) {
+TEST(Microfacets, RefuseInvalidParameters) {
   using enum FacetDistribution;
   EXPECT_THROW(make_microfacets(ggx, 0, 0), std::invalid_argument);
   EXPECT_THROW(make_microfacets(ggx, 0.3, 1.1), std::invalid_argument);

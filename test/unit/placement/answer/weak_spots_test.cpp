@@ -19,7 +19,7 @@ SignalTable two_seasons() {
 }
 
 // In summer unit 2 alone suffices; winter requires the other two.
-TEST(Scenarios, OnePlacementServesAll) {
+TEST(Scenarios, OnePlacementMeetsAll) {
   const SignalTable table = two_seasons();
   const Placement found = place(table, {}, {});
   EXPECT_EQ(found.selected, (std::vector<std::uint32_t>{0, 1}));

@@ -46,7 +46,7 @@ struct Least {
   std::vector<double> with;
 
   Least(const SignalTable& table, const PlacementProblem& problem, const std::vector<double>& costs,
-        const detail::AnswerSet& answers, const Strongest& strongest = {})
+        const detail::SelectionSet& selections, const Strongest& strongest = {})
       : with(table.columns(), infinite) {
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
       std::vector<std::uint32_t> selected;
@@ -57,9 +57,11 @@ struct Least {
         if (in) selected.push_back(j), sum += costs[j];
         holds_installed = holds_installed && (in || !table.transceivers[j].installed);
       }
-      if (!holds_installed || selected.size() < answers.least || selected.size() > answers.most) continue;
+      if (!holds_installed || selected.size() < selections.min_count ||
+          selected.size() > selections.max_count)
+        continue;
       const auto is_out = [&](std::uint32_t j) {
-        return std::count(answers.without.begin(), answers.without.end(), j) > 0;
+        return std::count(selections.without.begin(), selections.without.end(), j) > 0;
       };
       if (std::any_of(selected.begin(), selected.end(), is_out)) continue;
       if (!strongest.holds(table, problem, selected)) continue;
@@ -102,22 +104,22 @@ TEST(DualBound, HoldsForAnyMultipliers) {
     std::vector<double> cost = first_objective(table, problem);
     if (random.chance(0.2))
       for (double& c : cost) c *= random.real(-1, 1);
-    const auto units = [&](int least) {
-      return static_cast<std::size_t>(random.whole(least, static_cast<int>(table.columns())));
+    const auto units = [&](int min) {
+      return static_cast<std::size_t>(random.whole(min, static_cast<int>(table.columns())));
     };
-    detail::AnswerSet answers{.most = units(0)};
-    if (random.chance(0.3)) answers.least = answers.most;
-    if (random.chance(0.1)) answers = {.least = units(0)};
+    detail::SelectionSet selections{.max_count = units(0)};
+    if (random.chance(0.3)) selections.min_count = selections.max_count;
+    if (random.chance(0.1)) selections = {.min_count = units(0)};
     if (random.chance(0.3))
       for (std::uint32_t j = 0; j < table.columns(); ++j)
-        if (!table.transceivers[j].installed && random.chance(0.2)) answers.without.push_back(j);
+        if (!table.transceivers[j].installed && random.chance(0.2)) selections.without.push_back(j);
     Strongest strongest;
     if (table.rows() > 0 && random.chance(0.3))
       strongest = {static_cast<std::uint32_t>(random.whole(0, static_cast<int>(table.rows()) - 1)),
                    random.real(0.05, 1)};
-    const Least least(table, problem, cost, answers, strongest);
+    const Least least(table, problem, cost, selections, strongest);
     const Least min_of_all(table, problem, cost, {});
-    std::vector<BoundRow> rows = random_rows(table, std::min(answers.most, table.columns()), random);
+    std::vector<BoundRow> rows = random_rows(table, std::min(selections.max_count, table.columns()), random);
     if (strongest.share > 0) rows.push_back({.label = strongest.label, .strongest = strongest.share});
     const double largest = cost.empty() ? 1 : *std::max_element(cost.begin(), cost.end());
     for (int l = 0; l < 8; ++l) {
@@ -125,7 +127,7 @@ TEST(DualBound, HoldsForAnyMultipliers) {
       const double size = largest * std::pow(2.0, -l);
       for (std::size_t i = 0; i < rows.size(); ++i)
         y.push_back(random.chance(0.3) ? random.real(0, size) : 0);
-      const DualBound dual = dual_bound(table, problem, rows, y, cost, answers);
+      const DualBound dual = dual_bound(table, problem, rows, y, cost, selections);
       ASSERT_LE(dual.bound, least.cost + rounding(least.cost)) << k;
       if (dual.bound > 0.7 * least.cost && least.cost > 0 && least.cost < infinite) ++tight;
       for (std::size_t j = 0; j < table.columns(); ++j) {
@@ -167,7 +169,7 @@ TEST(DualBound, IsTheLpBoundAtItsMultipliers) {
     EXPECT_LT(dual_bound(table, problem, rows, std::vector<double>{0.5, 0.5, wrong}, cost).bound, 1.5);
 }
 
-TEST(DualBound, KnowsKnapsackCovers) {
+TEST(DualBound, UsesKnapsackCovers) {
   // 0.9 x + 0.4 y + 0.4 z >= 1: the row allows x = 1 and y = 1/4, the inequality of A = {x} does not.
   const SignalTable table = test::make_table({{0.9, 0.4, 0.4}}, 3);
   const std::vector<double> cost = {0, 1, 1};
@@ -180,44 +182,44 @@ TEST(DualBound, KnowsKnapsackCovers) {
   EXPECT_NEAR(dual_bound(table, {}, nothing, std::vector<double>{1.0}, cost).bound, 0, 1e-9);
 }
 
-TEST(DualBound, KnowsHowManyUnitsThereAre) {
+TEST(DualBound, UsesTheNumberOfUnits) {
   SignalTable table = test::make_table({{1, 1, 1, 1}}, 4);
   const std::vector<double> cost = {5, 2, 3, 1};
-  const auto bound = [&](const detail::AnswerSet& count) {
+  const auto bound = [&](const detail::SelectionSet& count) {
     return dual_bound(table, {}, {}, {}, cost, count);
   };
   EXPECT_NEAR(bound({}).bound, 0, 1e-12);
-  const DualBound two = bound({.least = 2, .most = 2});
+  const DualBound two = bound({.min_count = 2, .max_count = 2});
   EXPECT_NEAR(two.bound, 3, 1e-12);         // units 1 and 3
   EXPECT_NEAR(two.if_chosen[0], 6, 1e-12);  // with 3
   table.mounts = {{1, 3}};
-  EXPECT_NEAR(bound({.least = 2, .most = 2}).bound, 4, 1e-12);
+  EXPECT_NEAR(bound({.min_count = 2, .max_count = 2}).bound, 4, 1e-12);
   table.transceivers[0].installed = true;
-  const DualBound installed = bound({.least = 2, .most = 2});
+  const DualBound installed = bound({.min_count = 2, .max_count = 2});
   EXPECT_NEAR(installed.bound, 6, 1e-12);
   EXPECT_NEAR(installed.if_chosen[2], 8, 1e-12);
-  EXPECT_EQ(bound({.most = 1}).if_chosen[2], infinite);
+  EXPECT_EQ(bound({.max_count = 1}).if_chosen[2], infinite);
 }
 
-TEST(DualBound, KnowsThePigeonholePrinciple) {
+TEST(DualBound, UsesThePigeonholePrinciple) {
   // Three units suffice, but one of two must give a half.
   const SignalTable table = test::make_table({{0.6, 0.45, 0.45, 0.45}}, 4);
   const std::vector<double> cost = {1, 0, 0, 0};
   const auto bound = [&](double share, std::size_t max_units) {
     const std::vector<BoundRow> rows = {{0, {}, share}};
-    return dual_bound(table, {}, rows, std::vector<double>{1.0}, cost, {.most = max_units}).bound;
+    return dual_bound(table, {}, rows, std::vector<double>{1.0}, cost, {.max_count = max_units}).bound;
   };
   EXPECT_NEAR(bound(0.46, 2), 1, 1e-9);
   EXPECT_LE(bound(0.3, 3), 0);
   // If all units together meet the requirement with signals below the share, the row is void.
   EXPECT_NEAR(bound(0.5, 2), 0, 1e-9);
   EXPECT_NEAR(bound(0.46, 3), 0, 1e-9);
-  EXPECT_NEAR(bound(0.46, detail::AnswerSet().most), 0, 1e-9);
+  EXPECT_NEAR(bound(0.46, detail::SelectionSet().max_count), 0, 1e-9);
 }
 
 // Two units, of which one gives the label its requirement and the other half of it. Either a unit must give
 // all, which leaves one unit, or the strong unit is excluded, which leaves none.
-TEST(DualBound, KnowsTheCasesOfALabel) {
+TEST(DualBound, UsesTheCasesOfALabel) {
   const SignalTable table = test::make_table({{1, 0.5}}, 2);
   const std::vector<double> price{1, 1};
   const BoundRow strong{.label = 0, .strongest = 1}, half{.label = 0, .strongest = 0.5}, plain{0};
@@ -237,7 +239,7 @@ TEST(DualBound, KnowsTheCasesOfALabel) {
       << "nothing is left of the point";
 }
 
-TEST(DualBound, CountsOneUnitAMountingPoint) {
+TEST(DualBound, CountsOneUnitPerMountingPoint) {
   // Units 0 and 1 reach label 0, units 2 and 3 label 1; units 1 and 2 are options of one point.
   SignalTable table = test::make_table({{1, 1, 0, 0}, {0, 0, 1, 1}}, 4);
   table.mounts = {{1, 2}};

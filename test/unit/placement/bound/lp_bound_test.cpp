@@ -119,7 +119,7 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
 
     const std::vector<double> ones(table.columns(), 1.0);
     for (const std::size_t most : {truth.fewest - std::min<std::size_t>(truth.fewest, 1), truth.fewest}) {
-      const LpBound limited = bound(table, problem, ones, {.answers = {.most = most}});
+      const LpBound limited = bound(table, problem, ones, {.selections = {.max_count = most}});
       const auto is_shown = [&](double seconds, const RunControl& control) {
         return prove_count_exceeds(table, problem, GetParam(), most, limited, seconds, control);
       };
@@ -141,7 +141,7 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
 }
 
 // The second objective at the minimum count: the count is part of the LP and of its bound.
-TEST_P(LpBounds, OfTheSecondObjectiveKnowTheCount) {
+TEST_P(LpBounds, OfTheSecondaryObjectiveUseTheCount) {
   test::RandomTables random(37, {.labels = 12, .transceivers = 10, .mounts = true});
   int compared = 0, better = 0;
   for (int k = 0; k < 800; ++k) {
@@ -151,7 +151,7 @@ TEST_P(LpBounds, OfTheSecondObjectiveKnowTheCount) {
     const test::BruteForce truth(table, problem);
     if (!truth.feasible || truth.best_at_fewest == 0) continue;
     const std::vector<double> cost = objective_coefficients(table, problem);
-    const LpBound with = bound(table, problem, cost, {.answers = {truth.fewest, truth.fewest}});
+    const LpBound with = bound(table, problem, cost, {.selections = {truth.fewest, truth.fewest}});
     const LpBound without = bound(table, problem, cost);
     EXPECT_LE(with.dual.bound, truth.best_at_fewest + rounding(truth.best_at_fewest)) << k;
     EXPECT_GE(with.dual.bound, without.dual.bound - 1e-6 * truth.best_at_fewest) << k;
@@ -164,7 +164,7 @@ TEST_P(LpBounds, OfTheSecondObjectiveKnowTheCount) {
 
 // Two units each give 0.8 to one label and 0.2 to the four others: the relaxation is 3.125, and four units
 // leave some label at 0.8.
-TEST_P(LpBounds, OfTheCountAskWhetherFewAreEnough) {
+TEST_P(LpBounds, OfTheCountTestSmallerCounts) {
   std::vector<std::vector<double>> matrix(5, std::vector<double>(10, 0.2));
   for (std::size_t i = 0; i < 5; ++i) matrix[i][2 * i] = matrix[i][2 * i + 1] = 0.8;
   const detail::CountBound found =

@@ -38,7 +38,7 @@ TEST(CoverageBound, ByHand) {
 
 // The bound is valid for every number of units after any number of steps towards any of them, and often but
 // not always tight.
-TEST(CoverageBound, HoldsWhateverTheStepsWere) {
+TEST(CoverageBound, HoldsForAnySteps) {
   test::RandomTables tables(81, everything);
   int tight = 0, loose = 0, all = 0;
   for (int k = 0; k < 3000; ++k) {
@@ -64,7 +64,7 @@ TEST(CoverageBound, HoldsWhateverTheStepsWere) {
   EXPECT_GT(loose, all / 100);
 }
 
-TEST(PlacementCurve, EnclosesTheBestForEveryNumber) {
+TEST(PlacementCurve, EnclosesTheOptimumForEveryCount) {
   test::RandomTables tables(82, everything);
   int points = 0, lower_is_best = 0, upper_is_best = 0, below = 0;
   for (int k = 0; k < 6000; ++k) {
@@ -105,7 +105,7 @@ TEST(PlacementCurve, EnclosesTheBestForEveryNumber) {
 }
 
 // Compares with omitting one unit after the other.
-TEST(Critical, AreTheLabelsThatHangOnOneUnit) {
+TEST(Critical, AreTheLabelsThatOnlyOneUnitReaches) {
   test::RandomTables tables(83, {.redundant = true});
   int some = 0, none_where_one_may_fail = 0;
   for (int k = 0; k < 3000; ++k) {
@@ -231,7 +231,7 @@ TEST(PlacementCurve, ContradictsNoPlacement) {
 }
 
 // Without the limit this takes about ten seconds.
-TEST(PlacementCurve, SaysThatItWasCutShort) {
+TEST(PlacementCurve, ReportsTheTimeLimit) {
   const SignalTable table = test::dense_table(3000, 800);
   const Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
   const test::ProcessorTime spent;
@@ -246,7 +246,7 @@ TEST(PlacementCurve, SaysThatItWasCutShort) {
 }
 
 // A selection certified by independent samples is not replaced by one that they have not examined.
-TEST(PlacementCurve, LeavesASelectionThatIsToStay) {
+TEST(PlacementCurve, KeepsACertifiedSelection) {
   const SignalTable table =
       test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
   Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});

@@ -100,7 +100,7 @@ TEST_P(PlacementBudgetSlow, EqualsEnumerationOnManyMore) {
 }
 
 // Without an exact solver: never more than possible, never a smaller bound, and both are often tight.
-TEST(Budget, GreedyAndItsBoundEncloseTheBest) {
+TEST(MaxCoverage, GreedyAndItsBoundEncloseTheOptimum) {
   test::RandomTables tables(73, everything);
   int met = 0, tight = 0, below = 0, loose = 0, cases = 3000;
   for (int k = 0; k < cases; ++k) {
@@ -125,7 +125,7 @@ TEST(Budget, GreedyAndItsBoundEncloseTheBest) {
 }
 
 // Unit 2 is the greedy choice; 0 and 1 together reach one label more.
-TEST(Budget, ByHand) {
+TEST(MaxCoverage, ByHand) {
   const SignalTable table =
       test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
   for (const auto model : {coop, alone}) {
@@ -146,7 +146,7 @@ TEST(Budget, ByHand) {
 }
 
 // No step was interrupted, so the result is not marked as stopped.
-TEST(Budget, TellsWhereTheTableIsTooLarge) {
+TEST(MaxCoverage, ReportsATableThatIsTooLarge) {
   const SignalTable table = dense_table(900, 450);  // 405,000 entries
   const MaxCoverage reach = maximise_coverage(table, {}, 6, {});
   EXPECT_TRUE(reach.too_large);
@@ -159,7 +159,7 @@ TEST(Budget, TellsWhereTheTableIsTooLarge) {
 }
 
 // Without the limit this takes about ten seconds of search, and as much for the bound.
-TEST(Budget, KeepsToTheTimeLimit) {
+TEST(MaxCoverage, RespectsTheTimeLimit) {
   const SignalTable table = dense_table(4000, 1000);
   const test::ProcessorTime spent;
   const MaxCoverage reach = maximise_coverage(table, {}, 7, {.time_limit_s = 0.5}, {.threads = 1});
@@ -171,7 +171,7 @@ TEST(Budget, KeepsToTheTimeLimit) {
   EXPECT_EQ(small.status, Status::stopped);
 }
 
-TEST(Budget, WritesItsAnswer) {
+TEST(MaxCoverage, IsWritten) {
   const SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
   MaxCoverage reach = maximise_coverage(table, {}, 1, {});
   reach.seconds = 0.5;
@@ -201,7 +201,7 @@ TEST(Budget, WritesItsAnswer) {
 )");
 }
 
-TEST(Budget, RejectsWhatItCannotAnswer) {
+TEST(MaxCoverage, RejectsUnsupportedProblems) {
   SignalTable table = test::make_table({{1, 1}}, 2);
   test::expect_input_error([&] { maximise_coverage(table, {}, 1, {.backend = "cplex"}); }, "cplex");
   table.transceivers[0].installed = table.transceivers[1].installed = true;

@@ -47,7 +47,7 @@ TEST(CoverSearch, FindsTheKnownOptima) {
 
 // Installed units stay, the same seed gives the same selection, and a selection that is not better is not
 // returned.
-TEST(CoverSearch, KeepsWhatIsInstalledAndClaimsNothing) {
+TEST(CoverSearch, KeepsInstalledUnitsAndClaimsNoBound) {
   SignalTable table = test::affine_lines(3);
   table.transceivers[5].installed = table.transceivers[6].installed = true;
   constexpr std::uint64_t moves = 20000;
@@ -61,7 +61,7 @@ TEST(CoverSearch, KeepsWhatIsInstalledAndClaimsNothing) {
                search(table, alone, *found, moves)->size() >= found->size());
 }
 
-TEST(CoverSearch, LeavesOtherQuestionsAlone) {
+TEST(CoverSearch, IgnoresOtherProblems) {
   SignalTable table = test::affine_lines(2);
   const auto all = everything(table);
   EXPECT_FALSE(search(table, {}, all, 1000));

@@ -57,7 +57,7 @@ TEST(PlacementGreedy, StartsFromInstalledUnits) {
   EXPECT_EQ(greedy_selection(table, {alone}), (Columns{0, 1}));
 }
 
-TEST(PlacementGreedy, FillsWhatLabelsLackWhereUnitsCooperate) {
+TEST(PlacementGreedy, FillsTheDeficitIfUnitsCooperate) {
   // Unit 0 gives 0.6 + 0.6. Unit 1 gives more in sum, 5 + 0.1, but only 1 + 0.1 of it is missing.
   const SignalTable table = test::make_table({{0.6, 5.0, 0.4}, {0.6, 0.1, 0.4}}, 3);
   EXPECT_EQ(greedy_selection(table, {coop}), (Columns{0, 2}));
@@ -148,7 +148,7 @@ TEST(PlacementGreedy, CoversAndStaysWithinItsBound) {
 // Greedy chooses unit 0 first, because it is cheap, and so occupies the point of unit 1, which alone reaches
 // the last three labels. With unit 1 instead, two labels are missed instead of three, and unit 2 reaches
 // these.
-TEST(PlacementGreedy, ExchangesOptionsWhereItGotStuck) {
+TEST(PlacementGreedy, ExchangesOptionsIfStuck) {
   SignalTable table = test::make_table({{1, 0, 1}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}}, 3);
   table.transceivers[1].cost = 4;
   table.transceivers[2].cost = 3;
@@ -165,7 +165,7 @@ TEST(PlacementGreedy, ExchangesOptionsWhereItGotStuck) {
 // Greedy never chooses a conflict and keeps installed units. Mostly it finds a feasible selection if there is
 // one; otherwise the exact search continues. (It fails more than three times as often if it cannot exchange
 // options.)
-TEST(PlacementGreedy, RespectsWhatExcludesOneAnother) {
+TEST(PlacementGreedy, RespectsConflicts) {
   test::RandomTables points(23, {.mounts = true}),
       all(25, {.mounts = true, .conflicts = true, .redundant = true});
   int solved = 0, stuck = 0, crowded = 0, too_close = 0;
@@ -200,7 +200,7 @@ TEST(PlacementGreedy, RespectsWhatExcludesOneAnother) {
 
 // Two units of 0.6 and 0.5 reach the label, and either may fail, so a third is needed. After the first two
 // steps, the signal after the worst failure is still below the requirement.
-TEST(PlacementGreedy, GoesOnUntilAnyUnitMayFail) {
+TEST(PlacementGreedy, ContinuesUntilAnyUnitMayFail) {
   const SignalTable table = test::make_table({{0.6, 0.5, 0.5, 0.1}}, 4);
   const PlacementProblem problem{.redundant = true};
   EXPECT_EQ(greedy_selection(table, problem), (Columns{0, 1, 2}));

@@ -98,7 +98,7 @@ TEST(Walks, OfLocalSearchTakeUnitsThatCostNothing) {
   EXPECT_EQ(found_by(local_search, table, problem, {0, 1}, {20000}), std::nullopt) << "nothing costs less";
 }
 
-TEST(Walks, OfAnnealingLeaveOtherQuestionsAlone) {
+TEST(Walks, OfAnnealingIgnoreOtherProblems) {
   const SignalTable table = test::make_table({{1, 1}}, 2);
   for (const PlacementProblem& problem :
        {PlacementProblem{alone}, PlacementProblem{.combination = Combination::weighted},

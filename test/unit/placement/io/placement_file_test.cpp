@@ -83,7 +83,7 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
 }
 
 // Both units reach one of two labels, by hand and not by the checker.
-TEST(PlacementFile, TellsTheShareOfRedundantLabels) {
+TEST(PlacementFile, HasTheShareOfRedundantLabels) {
   const std::string json = placement_json(solved(), test::make_table({{3, 3}, {3, 0.5}}, 2));
   EXPECT_NE(json.find("\"redundant_share\": 0.5,"), std::string::npos) << json;
 }
@@ -96,7 +96,7 @@ TEST(PlacementFile, IsReadBack) {
   EXPECT_EQ(read.selected, solved().selected);
 }
 
-TEST(PlacementFile, StatesWhatWasKeptApart) {
+TEST(PlacementFile, StatesItsConflicts) {
   const test::TempFolder folder;
   SignalTable table = test::make_table({{1, 0, 1}, {0, 1, 1}}, 3);
   table.transceivers[0].position = {0, 0, 3};
@@ -141,7 +141,7 @@ TEST(PlacementFile, ReadsTheDocumentedExample) {
   EXPECT_EQ(Json::parse(placement_json(found, table)).dump(1), Json::parse(example).dump(1));
 }
 
-TEST(PlacementFile, OfEarlierVersionsSaysNothingOfProofs) {
+TEST(PlacementFile, OfEarlierVersionsHasNoProofs) {
   const test::TempFolder folder;
   std::string text = placement_json(solved(), example());
   for (const std::string line : {"  \"bound_proof\": \"log\",\n", "  \"ties_settled\": true,\n"}) {
@@ -164,7 +164,7 @@ TEST(PlacementFile, NamesEveryProof) {
   }
 }
 
-TEST(PlacementFile, WritesAnswersThatHaveNoNumbers) {
+TEST(PlacementFile, WritesResultsWithoutNumbers) {
   const SignalTable table = example();
   const Placement none = place(table, {}, {});
   ASSERT_EQ(none.status, Status::infeasible);
@@ -181,7 +181,7 @@ TEST(PlacementFile, WritesAnswersThatHaveNoNumbers) {
   EXPECT_EQ(placement_json(read, table), text);
 }
 
-TEST(PlacementFile, WritesWhatWasStoppedWithoutASelection) {
+TEST(PlacementFile, WritesStoppedSearchesWithoutASelection) {
   SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
   table.mounts = {{0, 1}};
   const Placement stopped = place(table, {}, {.solver = SolverChoice::greedy});
@@ -200,7 +200,7 @@ TEST(PlacementFile, RejectsTwoOptionsOfAMountingPoint) {
                             placement_json(solved(), example()), "selected: ", "'T0' and 'T1'");
 }
 
-TEST(PlacementFile, RejectsWhatDoesNotFit) {
+TEST(PlacementFile, RejectsInconsistentContents) {
   const auto read = [](const auto& path) { read_placement(path, example()); };
   const auto expect = [&](const std::string& from, const std::string& to, std::string_view place,
                           std::string_view problem) {

@@ -38,7 +38,7 @@ TEST(PlacementExport, DividesRowsByTheirRequirementAndClipsNothing) {
   EXPECT_EQ(model.rows[0].lower, 1);
 }
 
-TEST(PlacementExport, HasARowForEveryPointWithOptionsAndEveryPairThatIsKeptApart) {
+TEST(PlacementExport, HasRowsForMountingPointsAndConflicts) {
   SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
   table.mounts = {{0, 2}};
   table.conflicts = {{1, 3}};

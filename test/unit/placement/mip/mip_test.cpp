@@ -66,7 +66,7 @@ TEST(PlacementMip, LetsUnitsFailAsNeeded) {
 
 // A solver accepts unit 0 alone. The cut against it is as short as possible: the rejected selection is
 // extended by units that are too weak to help, regardless of shared points.
-TEST(PlacementMip, CutsOffWhatTheCheckerRejects) {
+TEST(PlacementMip, CutsOffRejectedSelections) {
   struct Case {
     SignalTable table;
     Columns cut;
@@ -127,7 +127,7 @@ SignalTable greedy_trap() {
 
 // Bounds are rounded up, and a bound equal to the selection's value is a proof, even if the solver was
 // stopped.
-TEST(PlacementMip, KeepsWhatASolverIsGoodFor) {
+TEST(PlacementMip, UsesPartialResultsOfSolvers) {
   const struct {
     Result result;
     bool is_failure;
@@ -220,7 +220,7 @@ TEST(PlacementMip, MayStopWithoutASelection) {
   }
 }
 
-TEST(PlacementMip, NoSolverGetsTwoUnitsToAPoint) {
+TEST(PlacementMip, NoSolverSelectsTwoUnitsAtAPoint) {
   for (const Columns& claimed : {Columns{0, 1}, Columns{0, 1, 2}}) {
     Script script;
     std::vector<double> solution(4, 0.0);
@@ -263,7 +263,7 @@ TEST(PlacementMip, StopsBetweenTheTwoObjectives) {
   EXPECT_EQ(found.status, Status::optimal);
 }
 
-TEST(PlacementMip, DropsOnlyWhatIsNegligibleAndStaysExact) {
+TEST(PlacementMip, DropsNegligibleCoefficientsAndStaysExact) {
   // Four entries of 9e-9 are removed from the row, although three of them are needed: 1 - 2e-8 misses 1.9e-8.
   const SignalTable table = test::make_table({{1 - 2e-8, 9e-9, 9e-9, 9e-9, 9e-9}}, 5);
   for (const milp::Backend& backend : milp::backends()) {
@@ -275,7 +275,7 @@ TEST(PlacementMip, DropsOnlyWhatIsNegligibleAndStaysExact) {
 
 // A cost of 5 beside costs of 1e-8: solvers cannot distinguish the latter unless expensive units are
 // excluded.
-TEST(PlacementMip, TellsSmallCostsApartBesideLargeOnes) {
+TEST(PlacementMip, DistinguishesSmallCostsBesideLargeOnes) {
   SignalTable table = test::make_table({{0.75, 0.5, 1.0, 0.25, 1.0}, {0.25, 0.25, 0.5, 0.5, 1.0}}, 5);
   for (auto& unit : table.transceivers) unit.cost = 0;
   table.transceivers[4].cost = 5;
@@ -293,7 +293,7 @@ TEST(PlacementMip, TellsSmallCostsApartBesideLargeOnes) {
 
 // For any stopping point of a solver, bounds hold and selections reach all labels; without one, results are
 // exact.
-TEST(PlacementMip, BoundsHoldWhateverStopsTheSolver) {
+TEST(PlacementMip, BoundsHoldAtAnyStop) {
   test::RandomTables plain(41), with_options(42, {.mounts = true});
   int stopped = 0, optimal = 0, control = 0, empty_handed = 0;
   for (int k = 0; k < 3000; ++k) {

@@ -38,7 +38,7 @@ TEST(PlacementBounds, HoldForEverySelection) {
   EXPECT_GT(tight, 50);
 }
 
-TEST(PlacementBounds, PayInstalledUnitsAlways) {
+TEST(PlacementBounds, AlwaysIncludeInstalledUnits) {
   SignalTable table = test::make_table({{1, 1, 1, 1}}, 4);
   table.transceivers[1].installed = true;
   const std::vector<double> cost = {5, 10, 1, 2};

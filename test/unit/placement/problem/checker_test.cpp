@@ -34,7 +34,7 @@ TEST(PlacementChecker, AddsSignalsWhereUnitsCooperate) {
   EXPECT_EQ(check.objective, 45);
 }
 
-TEST(PlacementChecker, TakesTheLargestWhereTheyDoNot) {
+TEST(PlacementChecker, UsesTheLargestSignalIfUnitsDoNotCooperate) {
   const Check check = check_selection(example(), {alone, Objective::links}, Columns{2, 1, 0});
   EXPECT_EQ(check.unmet, Columns{0});
   EXPECT_EQ(check.signal, (std::vector<double>{0.5, 1.0, 1.5}));
@@ -42,7 +42,7 @@ TEST(PlacementChecker, TakesTheLargestWhereTheyDoNot) {
   EXPECT_TRUE(check_selection(example(), {alone}, Columns{1, 2, 3}).met());
 }
 
-TEST(PlacementChecker, ValuesEveryObjective) {
+TEST(PlacementChecker, ComputesEveryObjective) {
   const auto value = [](CommunicationModel model, Objective objective, double share) {
     return check_selection(example(), {model, objective, Combination::weighted, share}, Columns{1, 2})
         .objective;
@@ -54,7 +54,7 @@ TEST(PlacementChecker, ValuesEveryObjective) {
   EXPECT_EQ(value(alone, Objective::signal, 1), 37.5);
 }
 
-TEST(PlacementChecker, TakesAwayTheStrongestUnitWhereOneMayFail) {
+TEST(PlacementChecker, RemovesTheStrongestUnitIfOneMayFail) {
   Check check = check_selection(example(), {.model = coop, .redundant = true}, Columns{0, 1, 2, 3});
   EXPECT_EQ(check.signal, (std::vector<double>{1.0, 0.75, 0.25}));
   EXPECT_EQ(check.unmet, (Columns{1, 2}));
@@ -73,7 +73,7 @@ TEST(PlacementChecker, AppliesTheToleranceOfTheContract) {
   EXPECT_FALSE(check_selection(table, {coop}, Columns{0, 1}).met());
 }
 
-TEST(PlacementChecker, NamesPointsAndPairsThatAreBroken) {
+TEST(PlacementChecker, NamesViolatedPointsAndPairs) {
   SignalTable table = example();
   table.mounts = {{0, 2}, {1, 3}};
   EXPECT_TRUE(check_selection(table, {coop}, Columns{2, 3, 3}).crowded.empty());

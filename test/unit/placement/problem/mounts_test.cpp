@@ -10,7 +10,7 @@ namespace {
 constexpr auto coop = CommunicationModel::cooperative;
 constexpr auto alone = CommunicationModel::non_cooperative;
 
-TEST(Mounts, KnowWhatExcludesWhat) {
+TEST(Mounts, KnowAllConflicts) {
   SignalTable table = test::make_table({{0.5, 0.75, 0.25, 1, 2}}, 5);
   table.mounts = {{1, 3}, {2, 4}};
   table.transceivers[2].installed = true;
@@ -26,7 +26,7 @@ TEST(Mounts, KnowWhatExcludesWhat) {
   EXPECT_EQ(shared_mounts(table, {true, true, true, false, true}), std::vector<std::uint32_t>{1});
 }
 
-TEST(Mounts, KnowWhatAPairExcludes) {
+TEST(Mounts, KnowTheConflictsOfAPair) {
   SignalTable table = test::make_table({{0.5, 0.75, 0.25, 1, 2}}, 5);
   table.mounts = {{1, 3}};
   table.conflicts = {{0, 2}, {0, 4}, {1, 2}};

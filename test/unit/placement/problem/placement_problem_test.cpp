@@ -37,7 +37,7 @@ TEST(PlacementInstance, CoefficientsAreThoseOfTheFormulas) {
   EXPECT_EQ(coefficients(coop, Objective::signal), (Values{0.5 * 5 + 4 * 7, 1 * 5 + 0.25 * 7, 0.8 * 7}));
 }
 
-TEST(PlacementInstance, LinksCountOneWhereNobodyPricedThem) {
+TEST(PlacementInstance, LinksWithoutCostsCountOne) {
   SignalTable table = example();
   EXPECT_FALSE(label_costs(table, Objective::links).unit);
   for (auto& label : table.labels) label.link_cost = 0;
@@ -69,7 +69,7 @@ TEST(PlacementInstance, RejectsLabelsWithoutRequirement) {
   }
 }
 
-TEST(PlacementInstance, RejectsSharesThatAreNone) {
+TEST(PlacementInstance, RejectsInvalidShares) {
   for (const double wrong : {0.0, -0.5, std::numeric_limits<double>::quiet_NaN()}) {
     const PlacementProblem problem{coop, Objective::effective_links, Combination::lexicographic, wrong};
     test::expect_input_error([&] { check_problem(example(), problem); }, "share of effective links");

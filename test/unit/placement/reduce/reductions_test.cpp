@@ -163,7 +163,7 @@ TEST(Reductions, KeepTheOptimum) {
   EXPECT_GT(without_points, 10);
 }
 
-TEST(Reductions, SolveWhatIsEasy) {
+TEST(Reductions, SolveEasyInstances) {
   // Only unit 1 reaches label 2, and it also reaches label 1. Unit 0 then replaces unit 2 at a lower cost.
   const SignalTable table = test::make_table({{1, 0, 1}, {1, 1, 1}, {0, 1, 0}}, 3);
   const Reduction reduction = reduce_cover(table, alone, std::vector<double>{1, 5, 2});
@@ -193,7 +193,7 @@ TEST(Reductions, SplitIntoParts) {
   EXPECT_EQ(reduce_cover(table, alone, cost, {true, false, false, false, true, false}).parts.size(), 1U);
 }
 
-TEST(Reductions, SeeWhatIsOutOfReach) {
+TEST(Reductions, DetectUnreachableLabels) {
   EXPECT_TRUE(
       reduce_cover(test::make_table({{1, 0}, {0, 0}}, 2), alone, std::vector<double>(2, 1.0)).infeasible);
   // Each label has a unit, but both units are options of one point.

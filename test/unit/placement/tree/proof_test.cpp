@@ -100,7 +100,7 @@ TEST(Proof, WithoutAChildIsRefused) {
 
 // A single unit of cost 8 suffices. With a price so high that its gain is lost in rounding, it must not
 // appear useless.
-TEST(Proof, WithABadPriceIsRefused) {
+TEST(Proof, WithABadDualIsRefused) {
   SignalTable table = test::make_table({{1, 0.25}}, 2);
   table.transceivers[0].cost = 8;
   const PlacementProblem problem{CommunicationModel::cooperative, Objective::count, Combination::weighted};
@@ -126,7 +126,7 @@ TEST(Proof, WithABadPriceIsRefused) {
 }
 
 // If no column remains to choose, the chosen ones may suffice.
-TEST(Proof, ThatNoFurtherUnitHelpsDoesNotDenyTheChosenOnes) {
+TEST(Proof, ThatNoFurtherUnitHelpsAllowsTheChosenOnes) {
   SignalTable table = test::make_table({{1, 0}}, 2);
   table.transceivers[0].installed = true;
   table.mounts = {{0, 1}};
@@ -244,7 +244,7 @@ Fuzzed fuzz(std::uint64_t seed, int cases, const test::RandomTableLimits& limits
   return fuzzed;
 }
 
-TEST(Proof, NoMutationProvesAFalsehood) {
+TEST(Proof, NoMutationProvesAFalseClaim) {
   const Fuzzed plain = fuzz(1, 1500, {.transceivers = 9});
   const Fuzzed more =
       fuzz(2, 1500, {.labels = 6, .transceivers = 9, .mounts = true, .conflicts = true, .redundant = true});
@@ -256,7 +256,7 @@ TEST(Proof, NoMutationProvesAFalsehood) {
   }
 }
 
-TEST(ProofSlow, NoMutationProvesAFalsehoodOfManyMore) {
+TEST(ProofSlow, NoMutationOfManyMoreProvesAFalseClaim) {
   fuzz(3, 30000, {.transceivers = 10});
   fuzz(4, 30000, {.labels = 6, .transceivers = 10, .mounts = true, .conflicts = true, .redundant = true});
 }

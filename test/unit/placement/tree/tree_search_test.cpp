@@ -141,7 +141,7 @@ TEST(TreeSearchSlow, EqualsEnumerationOnManyMore) {
 }
 
 // More labels than a search begins with: most are alike, so that few matter and the others enter later.
-TEST(TreeSearch, TakesInRowsWhereItBeganWithFew) {
+TEST(TreeSearch, AddsRowsToASmallStart) {
   test::RandomTables random(5);
   int found = 0;
   for (int k = 0; k < 60 && !HasFailure(); ++k) {
@@ -174,7 +174,7 @@ TEST(TreeSearch, TakesInRowsWhereItBeganWithFew) {
   EXPECT_GT(found, 20);
 }
 
-TEST(TreeSearch, EndsAtItsLimitsAndSaysSo) {
+TEST(TreeSearch, ReportsTheLimitThatEndsIt) {
   test::RandomTables random(6);
   std::vector<std::vector<double>> matrix(60, std::vector<double>(60));
   for (auto& row : matrix)
@@ -246,7 +246,7 @@ TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
 }
 
 // Signals far above every requirement: single precision no longer distinguishes them, but the result does.
-TEST(TreeSearch, TellsLargeMarginsApart) {
+TEST(TreeSearch, DistinguishesLargeMargins) {
   const SignalTable table = test::make_table({{3e6, 5e8, 0, 4e8}, {3e6, 2e6, 7e7, 4e8}}, 4);
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
     const PlacementProblem problem{model};

@@ -31,7 +31,7 @@ TEST(Palette, SignalColoursKeepTheirOrderInGrey) {
   EXPECT_FALSE(grows_in_grey([](double t) { return t < 0.4 ? "#0000ff" : t < 0.7 ? "#00ff00" : "#ff0000"; }));
 }
 
-TEST(Palette, MarginClassesRespectTheRuleOfWhatIsMet) {
+TEST(Palette, MarginClassesAgreeWithTheRequirement) {
   EXPECT_EQ(margin_class(-20, false), 0U);
   EXPECT_EQ(margin_class(-2, false), 1U);
   EXPECT_EQ(margin_class(0, true), 2U);

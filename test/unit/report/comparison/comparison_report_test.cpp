@@ -37,7 +37,7 @@ struct Survey {
   }
 };
 
-TEST(ComparisonReport, PageIsWellFormedAndHoldsTheNumbers) {
+TEST(ComparisonReport, PageIsWellFormedAndContainsTheNumbers) {
   const Survey survey;
   const Comparison comparison = compare_signals(survey.pairs);
   const std::string html = comparison_html({survey.matrix, survey.pairs, comparison, "m<1>.csv", "s.h5"});
@@ -55,7 +55,7 @@ TEST(ComparisonReport, PageIsWellFormedAndHoldsTheNumbers) {
     EXPECT_NE(text.find(statement), std::string::npos) << statement;
 }
 
-TEST(ComparisonReport, ThousandsOfDotsThatCoverOneAnotherAreDrawnOnce) {
+TEST(ComparisonReport, OverlappingDotsAreDrawnOnce) {
   Survey survey;
   const std::size_t few =
       comparison_html({survey.matrix, survey.pairs, compare_signals(survey.pairs), "m", "s"}).size();
@@ -66,7 +66,7 @@ TEST(ComparisonReport, ThousandsOfDotsThatCoverOneAnotherAreDrawnOnce) {
   EXPECT_LT(size, few);
 }
 
-TEST(ComparisonReport, TableHasARowAPair) {
+TEST(ComparisonReport, TableHasOneRowPerPair) {
   const Survey survey;
   const Comparison comparison = compare_signals(survey.pairs);
   const auto rows = test::read_csv(comparison_csv({survey.matrix, survey.pairs, comparison, "m", "s"}));

@@ -30,7 +30,7 @@ void expect_same(const std::string& field, double value) {
   EXPECT_TRUE(same(field, value)) << field << " is not " << value;
 }
 
-TEST(LabelsCsv, ReadsBackAsWhatThePlacementDoes) {
+TEST(LabelsCsv, AgreesWithThePlacement) {
   const Kiosk kiosk;
   const auto rows = test::read_csv(labels_csv(kiosk.input));
   ASSERT_EQ(rows.size(), kiosk.matrix.rows() + 1);
@@ -70,7 +70,7 @@ TEST(LabelsCsv, ReadsBackAsWhatThePlacementDoes) {
   }
 }
 
-TEST(LabelsCsv, TellsWhichLabelsHangOnFlaggedSignals) {
+TEST(LabelsCsv, MarksLabelsThatDependOnFlaggedSignals) {
   Kiosk kiosk;
   kiosk.matrix.flags.assign(kiosk.matrix.mean.size(), 0);
   const auto untrusted = [&] {

@@ -28,7 +28,7 @@ bool holds(const Bins& bins, const std::vector<double>& values) {
   return total(bins) == values.size();
 }
 
-TEST(Distributions, ExcessEqualsAPlainCount) {
+TEST(SignalDistributions, ExcessEqualsAPlainCount) {
   for (std::uint32_t trial = 0; trial < 50; ++trial) {
     const SignalMatrix matrix = random_matrix(60, 5, trial);
     Placement placement;
@@ -56,7 +56,7 @@ TEST(Distributions, ExcessEqualsAPlainCount) {
   }
 }
 
-TEST(Distributions, SignalEqualsAPlainCount) {
+TEST(SignalDistributions, SignalEqualsAPlainCount) {
   SignalMatrix matrix = random_matrix(40, 7, 3);
   matrix.mean[5] = 1e-20F;  // far below eight decades
   const SignalDistribution distribution = signal_distribution(matrix);
@@ -79,14 +79,14 @@ TEST(Distributions, SignalEqualsAPlainCount) {
   EXPECT_LE(distribution.signal.counts.size(), static_cast<std::size_t>(bins_per_decade * signal_decades));
 }
 
-TEST(Distributions, AnEmptyMatrixHasNone) {
+TEST(SignalDistributions, OfAnEmptyMatrixAreEmpty) {
   SignalMatrix matrix = random_matrix(2, 2, 0);
   matrix.mean.assign(4, 0);
   EXPECT_TRUE(signal_distribution(matrix).signal.counts.empty());
   EXPECT_EQ(signal_distribution(matrix).zeros, 4U);
 }
 
-TEST(Sampling, SummaryEqualsAPlainRecomputation) {
+TEST(SamplingSummary, EqualsAPlainRecomputation) {
   const SignalMatrix matrix = random_matrix(30, 8, 4);
   const SamplingSummary summary = sampling_summary(matrix);
   std::vector<double> relative;
@@ -115,7 +115,7 @@ TEST(Sampling, SummaryEqualsAPlainRecomputation) {
   EXPECT_EQ(summary.max_batches, 9U);
 }
 
-TEST(Sampling, AMatrixMayLackErrors) {
+TEST(SamplingSummary, AllowsMissingErrors) {
   SignalMatrix matrix = random_matrix(3, 3, 0);
   matrix.standard_error.clear();
   EXPECT_FALSE(sampling_summary(matrix).has_errors);

@@ -40,7 +40,7 @@ TEST(Levels, JoinsNeighbouringHeights) {
   EXPECT_TRUE(shelf_levels({}).empty());
 }
 
-TEST(Levels, HoldForRandomHeightsAndTheCheckRejectsWrongOnes) {
+TEST(Levels, AreValidForRandomHeightsAndTheCheckRejectsOthers) {
   for (std::uint32_t trial = 0; trial < 200; ++trial) {
     std::vector<double> heights;
     for (std::uint32_t k = 0; k < 40; ++k)

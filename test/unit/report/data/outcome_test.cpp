@@ -104,7 +104,7 @@ TEST(Outcome, EqualsAPlainRecomputation) {
     }
 }
 
-TEST(Outcome, CountsWhatTheWorstFailureLeaves) {
+TEST(Outcome, CountsLabelsAfterTheWorstFailure) {
   SignalMatrix matrix = random_matrix(2, 3, 0);
   matrix.labels[0].requirement = matrix.labels[1].requirement = 1;
   matrix.mean = {1, 1, 0, 0, 4, 0.5F};
@@ -163,7 +163,7 @@ TEST(Outcome, KnownValues) {
   EXPECT_EQ(alone.by_margin, (std::vector<std::uint32_t>{0, 1}));
 }
 
-TEST(Outcome, KnowsWhatHangsOnFlaggedEntries) {
+TEST(Outcome, FindsLabelsThatDependOnFlaggedEntries) {
   SignalMatrix matrix = random_matrix(1, 4, 0);
   matrix.labels[0].requirement = 2;
   matrix.mean = {3, 1, 2, 5};
@@ -203,7 +203,7 @@ TEST(Outcome, KnowsWhatHangsOnFlaggedEntries) {
   EXPECT_FALSE(hangs({1, 1, 1, 1}));
 }
 
-TEST(Outcome, TheBestIsOfOneOptionAMountingPoint) {
+TEST(Outcome, StrongestUsesOneOptionPerMountingPoint) {
   SignalMatrix matrix = random_matrix(1, 4, 0);
   matrix.mean = {1, 0.5F, 0.25F, 2};
   const auto best = [&](CommunicationModel model) {

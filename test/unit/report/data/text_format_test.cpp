@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-TEST(TextFormat, EscapesWhatMarkupWouldTakeForItsOwn) {
+TEST(TextFormat, EscapesMarkup) {
   EXPECT_EQ(escape("A<1> & \"B\" 'c'"), "A&lt;1&gt; &amp; &quot;B&quot; &#39;c&#39;");
   EXPECT_EQ(escape(std::string("a\x01"
                                "b",
@@ -31,7 +31,7 @@ TEST(TextFormat, KeepsSignificantDigits) {
   EXPECT_EQ(significant(infinite), "∞");
 }
 
-TEST(TextFormat, WritesDecibelsSoThatZeroIsNotMistaken) {
+TEST(TextFormat, WritesDecibelsUnambiguously) {
   EXPECT_EQ(decibels(3.16), "+3.2\u00A0dB");
   EXPECT_EQ(decibels(-0.42), "−0.4\u00A0dB");
   EXPECT_EQ(decibels(0.012), "+0.01\u00A0dB");
@@ -57,7 +57,7 @@ TEST(TextFormat, WritesRoundNumbersWithoutZeros) {
 
 using Ids = std::vector<std::string>;
 
-TEST(IdRanges, JoinsOnlyWhatFollowsEachOther) {
+TEST(IdRanges, JoinsOnlyConsecutiveIds) {
   EXPECT_EQ(id_ranges(Ids{"A1-front-1-1", "A1-front-1-2", "A1-front-1-3", "A1-front-2-4", "A1-front-2-6"}),
             (Ids{"A1-front-1-1…3", "A1-front-2-4", "A1-front-2-6"}));
   EXPECT_EQ(id_ranges(Ids{"L9", "L10", "L11"}), (Ids{"L9…11"}));
@@ -66,10 +66,10 @@ TEST(IdRanges, JoinsOnlyWhatFollowsEachOther) {
   EXPECT_EQ(id_ranges(Ids{}), (Ids{}));
 }
 
-TEST(IdRanges, LeavesAloneWhatARangeWouldMisread) {
-  for (const Ids& conflicts : {Ids{"L2", "L1"}, Ids{"L1", "L1"}, Ids{"L1", "M2"}, Ids{"L9", "L010"},
-                               Ids{"L09", "L010"}, Ids{"belt", "rack"}, Ids{"a", "a1"}, Ids{"", "1"}})
-    EXPECT_EQ(id_ranges(conflicts), conflicts) << conflicts[0];
+TEST(IdRanges, KeepsAmbiguousIdsApart) {
+  for (const Ids& ids : {Ids{"L2", "L1"}, Ids{"L1", "L1"}, Ids{"L1", "M2"}, Ids{"L9", "L010"},
+                         Ids{"L09", "L010"}, Ids{"belt", "rack"}, Ids{"a", "a1"}, Ids{"", "1"}})
+    EXPECT_EQ(id_ranges(ids), ids) << ids[0];
   // With more digits than fit 64 bits, the leading ones belong to the prefix.
   EXPECT_EQ(id_ranges(Ids{"123456789012345678901", "123456789012345678902"}),
             (Ids{"123456789012345678901…456789012345678902"}));

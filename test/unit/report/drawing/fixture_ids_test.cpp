@@ -53,20 +53,20 @@ TEST(FixtureIds, StandBesideAPillar) {
   EXPECT_EQ(alone.count("line"), 0U);
 }
 
-TEST(FixtureIds, LeaveTheMarkOfALabelFree) {
+TEST(FixtureIds, DoNotCoverLabelMarks) {
   const double free = x_of(draw({{10, 8}}), 0);
   const Drawn labelled = draw({{10, 8}}, {10.5, 8.25, 1});
   EXPECT_NE(x_of(labelled, 0), free);
   EXPECT_EQ(labelled.count("line"), 0U);
 }
 
-TEST(FixtureIds, GoToTheOtherSideWhereANeighbourStands) {
+TEST(FixtureIds, AvoidNeighbours) {
   const Drawn two = draw({{10, 8}, {11, 8}});
   EXPECT_LT(x_of(two, 0), two.view.at(10, 8).x);
   EXPECT_GT(x_of(two, 1), two.view.at(11.5, 8).x);
 }
 
-TEST(FixtureIds, AreJoinedByALineWhereNothingNearIsFree) {
+TEST(FixtureIds, HaveALeaderLineInCrowdedPlans) {
   std::vector<Vec2> crowd{{10, 8}};
   for (const double dx : {-0.7, 0.0, 0.7})
     for (const double dy : {-0.7, 0.0, 0.7})
@@ -77,7 +77,7 @@ TEST(FixtureIds, AreJoinedByALineWhereNothingNearIsFree) {
 }
 
 // Neighbours 3 m apart in a hall of 120 m: ids of the usual size would overlap.
-TEST(FixtureIds, AreSmallerWhereAMetreIs) {
+TEST(FixtureIds, ShrinkWithTheScale) {
   std::vector<Vec2> row;
   row.reserve(9);
   for (int k = 0; k < 9; ++k) row.push_back({40.0 + 3 * k, 8});

@@ -12,7 +12,7 @@
 namespace shelfbeam {
 namespace {
 
-TEST(FloorPlan, IsWellFormedAndNamesWhatItShows) {
+TEST(FloorPlan, IsWellFormedAndHasALegend) {
   const Scene scene = make_scene(sample_store::supermarket());
   const std::string svg = floor_plan_svg(scene);
   const test::Markup markup = test::read_markup(svg);
@@ -132,7 +132,7 @@ TEST(FloorPlan, EscapesNames) {
   EXPECT_EQ(svg.find("<Kiosk>"), std::string::npos);
 }
 
-TEST(FloorPlan, DrawsFromTheLowestToTheHighestAndLeavesOutOnlyWhatABoardHides) {
+TEST(FloorPlan, DrawsFromLowToHighAndOmitsHiddenParts) {
   const Scene scene = make_scene(sample_store::supermarket());
   const auto seen = parts_seen_from_above(scene);
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end(),
@@ -189,7 +189,7 @@ TEST(Elevation, ShowsTheFixtureWithMostLabels) {
   EXPECT_EQ(tags, counts[*fixture]);  // wall shelving: all its labels face the viewer
 }
 
-TEST(Elevation, AStoreWithoutLabelsOnFixturesHasNone) {
+TEST(Elevation, IsMissingWithoutLabelsOnFixtures) {
   Store store = sample_store::kiosk();
   std::get<Gondola>(store.fixtures[0].value).labels.reset();
   store.labels.push_back({Label{"L", {0.5, 0.5, 1}, {1, 0, 0}, {}}, "list"});

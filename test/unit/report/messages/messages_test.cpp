@@ -206,7 +206,7 @@ void say_headlines(Sentences& to) {
   }
 }
 
-TEST(Messages, AreThoseOfTheList) {
+TEST(Messages, EqualTheSnapshot) {
   Sentences said;
   say_selections(said);
   say_bounds(said);
@@ -216,7 +216,7 @@ TEST(Messages, AreThoseOfTheList) {
   test::expect_snapshot(said.text(), "messages.txt");
 }
 
-TEST(Headline, SaysHowManyLabelsSamplingErrorCouldTurn) {
+TEST(Headline, CountsLabelsWithinSamplingError) {
   Supermarket s;
   const auto is_close = [](const Supermarket& store) {
     return headline(ReportData(store.input)).remarks[0].starts_with("At least one label is so close");

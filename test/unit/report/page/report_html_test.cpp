@@ -62,7 +62,7 @@ TEST(ReportHtml, EscapesIdsAndNames) {
   for (const char* raw : {"<Kiosk>", "A<1>", "<solver>"}) EXPECT_EQ(html.find(raw), std::string::npos) << raw;
 }
 
-TEST(ReportHtml, EveryComputedNumberIsInIt) {
+TEST(ReportHtml, ContainsEveryComputedNumber) {
   const Supermarket s;
   const ReportData data(s.input);
   const std::string html = test::static_report(s.input);
@@ -144,7 +144,7 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificate) {
 }
 
 // The page contains sections for this kind of problem and result, and no others.
-TEST(ReportHtml, HasWhatBelongsToTheAnswer) {
+TEST(ReportHtml, HasTheSectionsOfTheResult) {
   struct Case {
     std::function<void(Placement&)> change;
     std::vector<std::string> pieces;
@@ -185,7 +185,7 @@ TEST(ReportHtml, HasWhatBelongsToTheAnswer) {
   }
 }
 
-TEST(ReportHtml, ACertificateThatStandsIsSaidSo) {
+TEST(ReportHtml, StatesAValidCertificate) {
   Supermarket s;
   certify(s);
   for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::reached;
@@ -212,7 +212,7 @@ TEST(ReportHtml, EveryLabelIsMarkedOnceOnThePlans) {
   }
 }
 
-TEST(ReportHtml, MarksLabelsThatHangOnFlaggedSignals) {
+TEST(ReportHtml, MarksLabelsThatDependOnFlaggedSignals) {
   Supermarket s;
   const auto hollow = [&] {
     const std::string html = test::static_report(s.input);
@@ -270,7 +270,7 @@ TEST(ReportHtml, ListsTheLabelsThatEachUnitServes) {
   EXPECT_EQ(test::count_of("<li>", list), ranges);
 }
 
-TEST(ReportHtml, TellsWhereChosenUnitsLook) {
+TEST(ReportHtml, ShowsTheAimOfChosenUnits) {
   Supermarket s;
   EXPECT_TRUE(pieces(test::static_report(s.input)).contains("down"));
   TransceiverColumn& unit = s.matrix.transceivers[s.placement.selected.front()];
@@ -299,7 +299,7 @@ TEST(ReportHtml, NamesLabelsWithoutDirectLight) {
   EXPECT_NE(report_html(s.input).find("one label in ten receives no direct light"), std::string::npos);
 }
 
-TEST(ReportHtml, ExplainsThatNothingCanBeDone) {
+TEST(ReportHtml, ExplainsInfeasibility) {
   Supermarket s;
   for (LabelRow& label : s.matrix.labels) label.requirement *= 60;
   s.placement = {};

@@ -14,7 +14,7 @@ namespace {
 
 using test::PageReader;
 
-TEST(PageData, ComesBackAsItWas) {
+TEST(PageData, IsReadBackUnchanged) {
   PageData page;
   const std::vector<std::uint8_t> bytes{0, 1, 255};
   const std::vector<std::uint16_t> words{0, 65535, 258};

@@ -80,7 +80,7 @@ double whole_signal(const SignalMatrix& matrix, std::size_t label, const std::ve
   return received_signal(row, chosen, problem);
 }
 
-TEST(PageSignals, AreTheMatrixWhereThereIsRoom) {
+TEST(PageSignals, AreTheMatrixIfItFits) {
   const SignalMatrix matrix = random_matrix(60, 40, 1);
   const Placement placement = placement_of({3, 8, 20}, CommunicationModel::cooperative, false);
   const PageSignals signals = page_signals(matrix, placement);
@@ -100,7 +100,7 @@ TEST(PageSignals, AreTheMatrixWhereThereIsRoom) {
   }
 }
 
-TEST(PageSignals, AreRoundedToAShareOfWhatALabelNeeds) {
+TEST(PageSignals, AreRoundedToAShareOfTheRequirement) {
   SignalMatrix matrix = random_matrix(80, 50, 2);
   for (std::size_t at = 5; at < matrix.mean.size(); at += 97) {
     matrix.mean[at] *= -1;  // which noise of a control variate may cause
@@ -149,7 +149,7 @@ TEST(PageSignals, AreRoundedToAShareOfWhatALabelNeeds) {
   }
 }
 
-TEST(PageSignals, KeepDetailsOfWhatMatters) {
+TEST(PageSignals, KeepDetailsOfStrongSignals) {
   const SignalMatrix matrix = random_matrix(40, 30, 7);
   const Placement placement = placement_of({2, 5}, CommunicationModel::cooperative, false);
   const PageSignals signals = page_signals(matrix, placement, {50, 0.3, 1.5, 0.05});
@@ -173,7 +173,7 @@ TEST(PageSignals, KeepDetailsOfWhatMatters) {
   EXPECT_GT(others, 100U);
 }
 
-TEST(PageSignals, SwitchesAreOffByNoMoreThanIsSaid) {
+TEST(PageSignals, SwitchErrorsStayWithinTheStatedBound) {
   const SignalMatrix matrix = random_matrix(60, 40, 5);
   const std::vector<std::uint32_t> plan{0, 4, 9, 17, 25, 31, 38};
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative})
@@ -283,7 +283,7 @@ TEST(PageSignals, NeedNeitherErrorsNorDirectPart) {
   }
 }
 
-TEST(PageSignals, LabelsThatNeedNothingAreRoundedAsOthers) {
+TEST(PageSignals, LabelsWithoutRequirementAreRoundedAsOthers) {
   SignalMatrix matrix = random_matrix(10, 10, 6);
   matrix.labels[3].requirement = 0;
   const PageSignals signals =
@@ -295,7 +295,7 @@ TEST(PageSignals, LabelsThatNeedNothingAreRoundedAsOthers) {
     EXPECT_NEAR(dense.mean[matrix.at(3, j)], matrix.mean[matrix.at(3, j)], 0.01 * most);
 }
 
-TEST(PageStore, NamesWhatTheReportHolds) {
+TEST(PageStore, NamesTheContentsOfTheReport) {
   const Supermarket s;
   const ReportData data(s.input);
   const PageReader page(pack_store(data, SignalScale({0.1, 1})));
@@ -345,7 +345,7 @@ TEST(ViewerSection, HasItsData) {
   EXPECT_NE(section.find("<script>let script;</script>"), std::string::npos);
 }
 
-TEST(ViewerSection, SaysThatABuildWithoutNodeLeavesItOut) {
+TEST(ViewerSection, StatesThatABuildWithoutNodeOmitsIt) {
   const Supermarket s;
   const std::string section = viewer_section(ReportData(s.input), "");
   EXPECT_EQ(test::fault(section), "");

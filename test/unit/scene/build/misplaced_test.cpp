@@ -36,7 +36,7 @@ TEST(Misplaced, SampleHasNone) {
   EXPECT_TRUE(scene_of(sample_store()).warnings.empty());
 }
 
-TEST(Misplaced, WhatLiesInsideAFixture) {
+TEST(Misplaced, DevicesInsideFixtures) {
   Json store = changed_store("/labels/0/position", "[7.2, 0.2, 1]");
   store["transceivers"]["list"][1]["position"] = {7.3, 0.3, 2.9};
   const Scene scene = scene_of(store);
@@ -156,7 +156,7 @@ TEST(Misplaced, ManyOfAKindAreCounted) {
 }
 
 // The column C reaches from (7, 0, 0) to (7.5, 0.5, 3).
-TEST(Misplaced, PartsInsideAFixture) {
+TEST(Misplaced, BodiesInsideFixtures) {
   Json store = sample_store();
   store["label_types"]["large"]["size"] = {0.4, 0.2};
   store["transceiver_types"]["wide"]["radius"] = 0.3;

@@ -48,7 +48,7 @@ TEST(ResolvedStore, KeepsDoors) {
   expect_same_scene(test::read_text(store.dump()));
 }
 
-TEST(ResolvedStore, OfListsInFilesIsTheSameScene) {
+TEST(ResolvedStore, WithListsInFilesIsTheSameScene) {
   const TempFolder folder;
   folder.write("labels.csv",
                "id,x,y,z,nx,ny,nz,type\nL1,5.1,2.3,0.1,0.3,-7,0.123456789,large\n\"a, "
@@ -178,7 +178,7 @@ std::string hash_without_store(Scene scene) {
 
 // The smallest change of any number or text of a scene must change both the comparison of the tests above and
 // the hash of its content.
-TEST(ResolvedStore, ComparisonAndHashSeeEveryChange) {
+TEST(ResolvedStore, ComparisonAndHashDetectEveryChange) {
   const Scene scene = test::scene_of(sample_store());
   const std::string before = fingerprint(scene), hash_before = hash_without_store(scene);
   std::vector<std::pair<std::string, std::string>> changes = {
@@ -208,7 +208,7 @@ TEST(ResolvedStore, ComparisonAndHashSeeEveryChange) {
   }
 }
 
-TEST(ResolvedStore, ItsHashIsTheScenes) {
+TEST(ResolvedStore, HasTheHashOfTheScene) {
   const Store store = test::read_text(sample_store().dump());
   Scene scene = make_scene(store);
   EXPECT_EQ(scene.store_hash, content_hash(resolved_store_json(store, scene)));

@@ -39,7 +39,7 @@ std::vector<std::pair<std::string, std::string>> files(const Triangles& triangle
           {"mesh.obj", test::obj(triangles)}};
 }
 
-TEST(MeshFormats, AllHoldTheSameSolid) {
+TEST(MeshFormats, AllDescribeTheSameSolid) {
   for (const auto& [name, content] : files(tetrahedron())) {
     const Scene scene = read_mesh(name, content);
     EXPECT_EQ(scene.mesh.triangles.size(), 4u) << name;
@@ -64,7 +64,7 @@ TEST(MeshFormats, WithoutMaterialsTakeTheStar) {
   }
 }
 
-TEST(MeshFormats, TextsWithoutAFiniteNumberAreRefused) {
+TEST(MeshFormats, NonFiniteTextsAreRefused) {
   const std::string good = "1.5";
   for (const std::string wrong :
        {"nan", "NaN", "-nan", "inf", "-Infinity", "1e999", "1,5", "x", "0x10", "1.5m"}) {
@@ -155,7 +155,7 @@ TEST(MeshFormats, FoldersAndOtherFormatsAreRefused) {
                        "store.json: fixtures[0].file: ", std::string(name) + "'", ".gltf");
 }
 
-TEST(MeshFormats, BytesThatAreNoFiniteNumberAreRefused) {
+TEST(MeshFormats, NonFiniteBytesAreRefused) {
   for (const float wrong : {not_a_number, infinite, -infinite}) {
     Triangles triangles = tetrahedron();
     triangles[1][2][0] = wrong;  // the sixth vertex, if each triangle has its own
@@ -203,7 +203,7 @@ TEST(MeshFormats, PartsAreCheckedLikeFiles) {
   EXPECT_NE(warnings[1].find("1 of 2 triangles"), std::string::npos) << warnings[1];
 }
 
-TEST(MeshFormats, SizesThatCannotBeMeant) {
+TEST(MeshFormats, ImplausibleSizes) {
   const auto scaled = [](double scale, bool with_room) {
     Json store = test::sample_store();
     store["fixtures"][3]["scale"] = scale;
@@ -241,7 +241,7 @@ Triangles turned(Triangles triangles) {
 }
 
 // Refraction requires closed surfaces that face outwards: tests the resulting volume and the warnings.
-TEST(MeshFormats, SolidGlassIsClosedAndOutsideOut) {
+TEST(MeshFormats, SolidGlassIsClosedAndFacesOutwards) {
   const Triangles whole = tetrahedron();
   Triangles open = whole, twisted = whole, jar = whole, strewn = whole, seamed = whole;
   open.pop_back();

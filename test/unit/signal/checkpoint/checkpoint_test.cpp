@@ -71,7 +71,7 @@ TEST_F(Checkpoint, HasTheLastStateOfEveryItem) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-TEST_F(Checkpoint, LeavesOutWhatHasNoBatchYet) {
+TEST_F(Checkpoint, OmitsItemsWithoutBatches) {
   CheckpointFile file(path, identity, 3);
   Items::with({0, 0, 0}).save(file);
   EXPECT_EQ(folder.count(), 0);
@@ -80,7 +80,7 @@ TEST_F(Checkpoint, LeavesOutWhatHasNoBatchYet) {
   EXPECT_TRUE(loaded().values[0].empty());
 }
 
-TEST_F(Checkpoint, WritesOnlyWhatHasChangedAndStaysSmall) {
+TEST_F(Checkpoint, WritesOnlyChangesAndStaysSmall) {
   CheckpointFile file(path, identity, 3);
   Items::with({1, 1, 1}).save(file);
   const auto whole = std::filesystem::file_size(path);
@@ -95,7 +95,7 @@ TEST_F(Checkpoint, WritesOnlyWhatHasChangedAndStaysSmall) {
   EXPECT_EQ(loaded(), Items::with({99, 49, 1}));
 }
 
-TEST_F(Checkpoint, GoesOnWhereAnotherProcessEnded) {
+TEST_F(Checkpoint, ContinuesTheCheckpointOfAnotherProcess) {
   {
     CheckpointFile file(path, identity, 3);
     Items::with({5, 5, 4}).save(file);
@@ -128,16 +128,16 @@ TEST_F(Checkpoint, DropsARecordCutOffAtTheEnd) {
 TEST_F(Checkpoint, RefusesAByteChangedAnywhere) {
   CheckpointFile file(path, identity, 3);
   Items::with({1, 1, 1}).save(file);
-  const std::string good = read_file(path);
-  for (std::size_t at = 0; at < good.size(); ++at) {
-    std::string bad = good;
+  const std::string valid_size = read_file(path);
+  for (std::size_t at = 0; at < valid_size.size(); ++at) {
+    std::string bad = valid_size;
     bad[at] = static_cast<char>(bad[at] ^ 4);
     write_file(path, bad);
     const std::string message = error();
     EXPECT_NE(message.find(path.string()), std::string::npos) << at;
     EXPECT_NE(message.find("without resuming"), std::string::npos) << at << message;
   }
-  write_file(path, good);
+  write_file(path, valid_size);
   EXPECT_EQ(loaded(), Items::with({1, 1, 1}));
 }
 
@@ -154,7 +154,7 @@ TEST_F(Checkpoint, TwoWritersDoNotMix) {
   EXPECT_EQ(folder.count(), 1);
 }
 
-TEST_F(Checkpoint, ComesBackWhenAnotherHasRemovedIt) {
+TEST_F(Checkpoint, IsWrittenAgainAfterAnotherProcessRemovedIt) {
   CheckpointFile file(path, identity, 3);
   Items::with({1, 1, 1}).save(file);
   remove_checkpoint(path);
@@ -162,7 +162,7 @@ TEST_F(Checkpoint, ComesBackWhenAnotherHasRemovedIt) {
   EXPECT_EQ(loaded(), Items::with({1, 1, 2}));
 }
 
-TEST_F(Checkpoint, RemovalTakesWhatAKilledWriterLeft) {
+TEST_F(Checkpoint, RemovalIncludesFilesOfKilledWriters) {
   folder.write(".signal.h5.checkpoint.shelfbeam-a1B2c3", "half");
   remove_checkpoint(path);
   EXPECT_EQ(folder.count(), 0);

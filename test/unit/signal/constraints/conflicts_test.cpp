@@ -13,7 +13,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-TEST(Apart, KeepsADistance) {
+TEST(Conflicts, KeepsADistance) {
   // Units in a row, 1 m apart; unit 2 is installed.
   SignalTable table = make_signal_table(test::small_matrix());
   add_conflicts(table, 1, "matrix");
@@ -25,7 +25,7 @@ TEST(Apart, KeepsADistance) {
       << "no pair twice";
 }
 
-TEST(Apart, LeavesOptionsOfAPointAndInstalledUnitsAlone) {
+TEST(Conflicts, IgnoresOptionsOfAPointAndInstalledUnits) {
   SignalMatrix matrix = test::small_matrix();
   matrix.transceivers[1].position = matrix.transceivers[0].position;
   matrix.transceivers[3].installed = true;
@@ -35,7 +35,7 @@ TEST(Apart, LeavesOptionsOfAPointAndInstalledUnitsAlone) {
 }
 
 // Compares with an enumeration of all pairs: random positions in a box, all scales of distance.
-TEST(Apart, FindsEveryPair) {
+TEST(Conflicts, FindsEveryPair) {
   std::uint32_t state = 7;
   const auto random = [&] {
     state = state * 1664525U + 1013904223U;
@@ -62,13 +62,13 @@ TEST(Apart, FindsEveryPair) {
   EXPECT_LT(found, 12000);
 }
 
-TEST(Apart, NeedsPositions) {
+TEST(Conflicts, RequiresPositions) {
   SignalTable table = make_signal_table(test::small_matrix());
   table.transceivers[1].position.reset();
   test::expect_input_error([&] { add_conflicts(table, 1, "matrix.csv"); }, "matrix.csv", "'G1-1-0'");
 }
 
-TEST(Apart, ReadsPairs) {
+TEST(Conflicts, ReadsPairs) {
   const test::TempFolder folder;
   SignalTable table = make_signal_table(test::small_matrix());
   forbid_pairs(table, folder.write("p.csv", "a,b\nG1-3-0,G1-1-0\nG1-0-0,G1-2-0\nG1-1-0,G1-3-0\n"));
@@ -77,7 +77,7 @@ TEST(Apart, ReadsPairs) {
   EXPECT_EQ(table.conflicts.size(), 2U);
 }
 
-TEST(Apart, RefusesBrokenFilesWithPlace) {
+TEST(Conflicts, RefusesBrokenFilesWithPosition) {
   SignalMatrix matrix = test::small_matrix();
   matrix.transceivers[4].installed = true;
   SignalTable table = make_signal_table(matrix);

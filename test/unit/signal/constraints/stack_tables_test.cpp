@@ -26,13 +26,13 @@ SignalMatrix reversed(SignalMatrix matrix) {
   return matrix;
 }
 
-TEST(StackTables, LeavesOneAsItIs) {
+TEST(StackTables, KeepsASingleTableUnchanged) {
   const SignalTable table = stack_tables({scenario("open", test::small_matrix())});
   EXPECT_EQ(table.labels[0].id, "A1-front-0");
   EXPECT_TRUE(table.scenarios.empty());
 }
 
-TEST(StackTables, PutsRowsBelowOneAnother) {
+TEST(StackTables, AppendsRows) {
   SignalMatrix few = test::small_matrix(3);
   for (float& value : few.mean) value *= 0.5F;
   const SignalTable first = make_signal_table(test::small_matrix());
@@ -59,7 +59,7 @@ TEST(StackTables, PutsRowsBelowOneAnother) {
   }
 }
 
-TEST(StackTables, KnowsPlacesThatOneFileKnows) {
+TEST(StackTables, KeepsPositionsKnownToOneFile) {
   SignalMatrix matrix = test::small_matrix();
   matrix.transceivers[3].position = matrix.transceivers[0].position;
   NamedTable blind = scenario("blind", matrix);
@@ -70,7 +70,7 @@ TEST(StackTables, KnowsPlacesThatOneFileKnows) {
   EXPECT_EQ(table.transceivers[1].position, matrix.transceivers[1].position);
 }
 
-TEST(StackTables, RefusesWhatDoesNotAgree) {
+TEST(StackTables, RefusesInconsistentTables) {
   const SignalMatrix matrix = test::small_matrix();
   const auto refused = [&](const SignalMatrix& other, std::string_view problem) {
     const auto stack = [&] { stack_tables({scenario("open", matrix), scenario("shut", other)}); };

@@ -37,7 +37,7 @@ TEST(SignalFile, KeepsEverythingBitForBit) {
   EXPECT_FALSE(read == written);
 }
 
-TEST(SignalFile, HasNoFlagsWhereNoneAreKnown) {
+TEST(SignalFile, MayHaveNoFlags) {
   const TempFolder folder;
   SignalMatrix written = small_matrix();
   const auto marked = written.flags;
@@ -164,7 +164,7 @@ TEST(SignalFile, BadNumbersAreNamed) {
   refused([](SignalMatrix& m) { m.labels[0].id = m.labels[2].id; }, "label id", "'A1-front-2'");
 }
 
-TEST(SignalFile, EstimatesOfNothingMayBeNegative) {
+TEST(SignalFile, EstimatesOfZeroMayBeNegative) {
   const TempFolder folder;
   SignalMatrix matrix = small_matrix();
   matrix.mean[13] = -0.2F;
@@ -178,7 +178,7 @@ TEST(SignalFile, EstimatesOfNothingMayBeNegative) {
 // Written by test/data/signal/make_hdf5_files.py.
 const std::filesystem::path made = SHELFBEAM_SOURCE_DIR "/test/data/signal";
 
-TEST(SignalFile, ReadsWhatH5pyWrites) {
+TEST(SignalFile, ReadsFilesOfH5py) {
   const SignalMatrix matrix = read_signal_file(made / "foreign.h5");
   ASSERT_EQ(matrix.rows(), 2u);
   ASSERT_EQ(matrix.columns(), 3u);
@@ -207,7 +207,7 @@ TEST(SignalFile, ForeignFilesThatCannotBeReadAreRefused) {
   expect_input_error([&] { read_signal_file(path); }, "cut.h5", "truncated");
 }
 
-TEST(SignalFile, ReadsWhatHadNoChecksumYet) {
+TEST(SignalFile, ReadsFilesWithoutChecksum) {
   const std::filesystem::path old = SHELFBEAM_SOURCE_DIR "/test/system/compatibility/0.1.0/plan/signal.h5";
   ASSERT_TRUE(read_file(old).starts_with("\x89HDF")) << "a file of later versions";
   const SignalMatrix matrix = read_signal_file(old);

@@ -63,7 +63,7 @@ const auto as_it_is = [](std::vector<ComparedPair>&) {};
 
 // 2000 surveys: the standard error of a share of 95 % is 0.5 %, of 80 % 0.9 %. The bounds are three of them
 // plus the error of the approximation by Student's t.
-TEST(Comparison, IntervalHoldsTheFactorAsOftenAsItSays) {
+TEST(Comparison, IntervalHasItsNominalCoverage) {
   Survey survey;
   EXPECT_NEAR(coverage(survey, 0.95, 2000, as_it_is), 0.95, 0.025) << "errors known";
   EXPECT_NEAR(coverage(survey, 0.8, 2000, as_it_is), 0.8, 0.035) << "errors known";
@@ -74,7 +74,7 @@ TEST(Comparison, IntervalHoldsTheFactorAsOftenAsItSays) {
   EXPECT_NEAR(coverage(survey, 0.95, 2000, as_it_is), 0.95, 0.035) << "8 pairs";
 }
 
-TEST(Comparison, IntervalOfAnotherFactorIsNoticed) {
+TEST(Comparison, IntervalOfAnotherFactorIsRejected) {
   const auto shift = [](std::vector<ComparedPair>& pairs) {
     for (ComparedPair& pair : pairs) pair.measured *= 1.04;
   };
@@ -110,7 +110,7 @@ double rejections(const Survey& survey, int runs, const Change& change) {
 }
 
 // The level is 1 %; of 2000 surveys 20 +- 4.4 are rejected by chance, 35 with probability 1e-3.
-TEST(Comparison, ChiSquareRejectsWhatOneFactorDoesNotExplain) {
+TEST(Comparison, ChiSquareRejectsDataThatOneFactorDoesNotExplain) {
   const double by_chance = rejections({}, 2000, as_it_is);
   EXPECT_LE(by_chance, 35.0 / 2000);
   EXPECT_GE(by_chance, 8.0 / 2000) << "a test that hardly ever rejects proves nothing";
@@ -126,7 +126,7 @@ TEST(Comparison, ChiSquareRejectsWhatOneFactorDoesNotExplain) {
   EXPECT_EQ(rejections({}, 200, shuffle), 1);
 }
 
-TEST(Comparison, SlopeTellsAWrongExponentWithoutErrors) {
+TEST(Comparison, SlopeRevealsAWrongExponentWithoutErrors) {
   Survey survey;
   survey.errors_known = false;
   survey.pair_db = 1;
@@ -145,7 +145,7 @@ TEST(Comparison, SlopeTellsAWrongExponentWithoutErrors) {
   EXPECT_GT(noticed, 950);
 }
 
-TEST(Comparison, OutliersAreToldAndDoNotDecide) {
+TEST(Comparison, OutliersAreReportedAndDoNotMoveTheFactor) {
   Survey survey;
   survey.labels = 60;
   survey.pair_db = 0.5;
@@ -169,7 +169,7 @@ TEST(Comparison, OutliersAreToldAndDoNotDecide) {
   EXPECT_LE(false_alarms, 24) << "1 % with normal errors; tails of estimated deviations add";
 }
 
-TEST(Comparison, NothingMeasuredIsAnOutlierWhereMuchIsExpected) {
+TEST(Comparison, ZeroMeasurementIsAnOutlierIfMuchIsExpected) {
   for (const bool errors_known : {true, false}) {
     Survey survey;
     survey.errors_known = errors_known;
@@ -244,7 +244,7 @@ TEST(Comparison, PerfectDataFitExactly) {
   EXPECT_TRUE(comparison.outliers.empty());
 }
 
-TEST(Comparison, AScaleOfTheMeasurementsIsTheFactorsAlone) {
+TEST(Comparison, ScalingTheMeasurementsScalesOnlyTheFactor) {
   const std::vector<ComparedPair> pairs = Survey{}.draw(9);
   std::vector<ComparedPair> scaled = pairs;
   for (ComparedPair& pair : scaled) {
@@ -257,7 +257,7 @@ TEST(Comparison, AScaleOfTheMeasurementsIsTheFactorsAlone) {
   EXPECT_NEAR(b.residual_quantile_90, a.residual_quantile_90, 1e-9);
 }
 
-TEST(Comparison, SaysWhatCannotBeFitted) {
+TEST(Comparison, ReportsDataThatCannotBeFitted) {
   std::vector<ComparedPair> pairs = Survey{}.draw(2);
   std::vector<ComparedPair> two(pairs.begin(), pairs.begin() + 2);
   test::expect_input_error([&] { compare_signals(two, 0.95, "m.csv"); }, "m.csv", "2 signals", "three");
@@ -266,7 +266,7 @@ TEST(Comparison, SaysWhatCannotBeFitted) {
 }
 
 // The table of docs/methods/comparison.md. 4000 surveys: three standard errors of a share of 95 % are 1 %.
-TEST(ComparisonSlow, CoverageIsThatOfTheTable) {
+TEST(ComparisonSlow, CoverageEqualsTheTable) {
   const auto expect = [](const char* name, const Survey& survey, double share) {
     const double held = coverage(survey, 0.95, 4000, as_it_is);
     std::printf("%-55s %.1f %%\n", name, 100 * held);

@@ -57,7 +57,7 @@ TEST(Measurements, OfSeveralUnits) {
       << "the variance of Student's t with 4 degrees of freedom is 2";
 }
 
-TEST(Measurements, BrokenFilesAreRefusedWithPlace) {
+TEST(Measurements, BrokenFilesAreRefusedWithPosition) {
   const auto read = [](const auto& path) { read_measurements(path, test::small_matrix()); };
   const auto refused = [&](std::string_view content, std::string_view place, std::string_view problem) {
     test::expect_file_refused(read, content, place, problem);

@@ -53,7 +53,7 @@ TEST(CsvTable, ReadsPlainNumbers) {
   EXPECT_EQ(read("0.5\n0.25\n").rows(), 2u) << "a single column has no comma";
 }
 
-TEST(CsvTable, BrokenFilesAreRefusedWithPlace) {
+TEST(CsvTable, BrokenFilesAreRefusedWithPosition) {
   const struct {
     std::string_view text, place, problem;
   } all[] = {

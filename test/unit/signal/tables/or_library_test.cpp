@@ -90,7 +90,7 @@ TEST(OrLibrary, BothFormsOfRandomInstancesAgree) {
   }
 }
 
-TEST(OrLibrary, BrokenFilesAreRefusedWithPlace) {
+TEST(OrLibrary, BrokenFilesAreRefusedWithPosition) {
   const auto refused = [](std::string_view content, std::string_view place, std::string_view problem) {
     test::expect_file_refused(read_signal_table, content, place, problem);
   };

@@ -77,7 +77,7 @@ TEST(Costs, OfLabels) {
   EXPECT_EQ(table.labels[2].signal_cost, 1e-3);
 }
 
-TEST(Costs, BrokenFilesAreRefusedWithPlace) {
+TEST(Costs, BrokenFilesAreRefusedWithPosition) {
   SignalTable table = make_signal_table(small_matrix());
   const auto refused = [&](std::string_view content, std::string_view place, std::string_view problem) {
     expect_file_refused([&](const auto& path) { apply_costs(table, path); }, content, place, problem);

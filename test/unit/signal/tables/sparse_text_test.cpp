@@ -32,7 +32,7 @@ TEST(SparseText, ReadsRowsRequirementsAndOrdersColumns) {
   EXPECT_EQ(table.row(2)[1].signal, 2);
 }
 
-TEST(SparseText, BrokenFilesAreRefusedWithPlace) {
+TEST(SparseText, BrokenFilesAreRefusedWithPosition) {
   const struct {
     std::string_view text, place, problem;
   } all[] = {

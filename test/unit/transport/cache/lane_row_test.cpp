@@ -13,7 +13,7 @@ std::vector<float> values(const LaneRow& row, std::size_t groups) {
 }
 
 // Small integers, exact in single precision.
-TEST(LaneRow, AddsOnlyWhatIsUsedAndForgetsItAll) {
+TEST(LaneRow, AddsUsedLanesAndResets) {
   constexpr std::size_t groups = 5;
   LaneRow row(groups), other(groups);
   row.add(3 * lanes + 2, 4);

@@ -71,7 +71,7 @@ const SurfacePoint floor_point{{1.5, 2.5, 0}, {0, 0, 1}};
 
 // The cache is coarse: irradiance on the floor is within 30 %, and within 12 % as root mean square (the
 // reference within 1 %). The control is a room with an albedo of 0.45.
-TEST(RadianceCache, HoldsRoughlyTheIrradiance) {
+TEST(RadianceCache, ApproximatesTheIrradiance) {
   const Prepared room;
   EXPECT_GT(room.cache.cells(), 100U);
   EXPECT_NEAR(static_cast<double>(room.cache.guide(MaterialId{0}).flat()) * pi, albedo, 1e-6);
@@ -89,7 +89,7 @@ TEST(RadianceCache, ExtrapolatesTheBouncesBetweenWhiteWalls) {
   EXPECT_GT(room.deviation(0.9).first, 0.3);
 }
 
-TEST(RadianceCache, IsBlankWhereNothingIsKnown) {
+TEST(RadianceCache, IsEmptyOutsideLitSurfaces) {
   const Prepared room;
   EXPECT_GT(room.cache.row(floor_point).count, 0U);
   EXPECT_EQ(room.cache.row({{60, 2.5, 0}, {0, 0, 1}}).count, 0U);

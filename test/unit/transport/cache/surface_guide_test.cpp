@@ -91,7 +91,7 @@ TEST(SurfaceGuide, KnowsHighlightsAndBases) {
 
 // A floor that is rougher along x, which is the store's, than across it, and the reverse. The controls
 // exchange the two, or use an isotropic roughness.
-TEST(SurfaceGuide, KnowsWhichWayMetalIsBrushed) {
+TEST(SurfaceGuide, KnowsTheDirectionOfBrushing) {
   const auto metal = [](double x, double y) -> Material {
     return make_conductor(1.7, 8.6, make_microfacets(FacetDistribution::ggx, x, y));
   };
@@ -184,7 +184,7 @@ TEST(SurfaceGuide, IsTheSameInVectors) {
   EXPECT_GT(without, 0.1);
 }
 
-TEST(SurfaceGuide, TellsWhatLeavesInWhichWay) {
+TEST(SurfaceGuide, GivesTheRadianceOfADirection) {
   const Material paper = Lambertian{0.6}, mirror = Conductor{0.2, 6, {}}, smooth = make_plastic(1.5, 0.5);
   const Material twisted = make_conductor(1.7, 8.6, make_microfacets(FacetDistribution::ggx, 0.1, 0.5));
   const Material old = make_plastic(1.5, 0.5, make_microfacets(FacetDistribution::beckmann, 0.3, 0.3));

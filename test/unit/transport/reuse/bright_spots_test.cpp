@@ -127,11 +127,11 @@ TEST(BrightSpots, CarryTheWholeExcess) {
 }
 
 // Closer than `near`, the cap grows with the density of the receiver's own rays.
-TEST(BrightSpots, LeaveWhatIsNearToTheReceiversRays) {
+TEST(BrightSpots, LeaveNearPointsToReceiverRays) {
   const test::BareScene scene = room();
   const World world(scene.scene);
   UnitGroups units(world);
-  const BrightSpots spots(world, units, 3, {.min_cap_distance = 2, .near = 0.5});
+  const BrightSpots spots(world, units, 3, {.min_cap_distance = 2, .near_distance = 0.5});
   const auto density = [](double distance) { return 1 / (pi * distance * distance); };
   SpotLight light;
   light.capped = 0.1;

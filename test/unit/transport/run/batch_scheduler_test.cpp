@@ -66,7 +66,7 @@ TEST(BatchScheduler, StopsWhenTheRelativeErrorIsReached) {
   EXPECT_LE(result.summary.seconds_to_halve, 3 * result.summary.seconds);
 }
 
-TEST(BatchScheduler, StopsAtTheSamePlaceWithAnyNumberOfThreads) {
+TEST(BatchScheduler, StopsAtTheSameBatchForAnyNumberOfThreads) {
   const Scene scene = test::SmallStore{}.scene();
   for (const Strategy strategy : {Strategy::mis, Strategy::particle}) {
     SimulationOptions options = to_relative_error(strategy == Strategy::mis ? 0.04 : 0.02);
@@ -112,7 +112,7 @@ TEST(BatchScheduler, AddsBatchesInTheirOrder) {
 }
 
 // Values of the second label of an item and its first source.
-TEST(BatchScheduler, TakesNothingThatIsNoNumber) {
+TEST(BatchScheduler, RejectsNaN) {
   const Scene scene = test::SmallStore{}.scene();
   const Estimator::Block block{{3, 5}, {1, 2}};
   BatchValues values;
@@ -133,7 +133,7 @@ TEST(BatchScheduler, TakesNothingThatIsNoNumber) {
   }
 }
 
-TEST(BatchScheduler, StopsWithinItsTimeButNotBeforeSixteenBatches) {
+TEST(BatchScheduler, TakesSixteenBatchesThenStopsAtTheTimeLimit) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform};
   options.time_s = 1e-6;
@@ -152,7 +152,7 @@ TEST(BatchScheduler, StopsWithinItsTimeButNotBeforeSixteenBatches) {
 }
 
 // Any reason to stop after 16 batches gives the same batches.
-TEST(BatchScheduler, WhatStopsItChangesNoBatch) {
+TEST(BatchScheduler, BatchesDoNotDependOnTheStop) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions timed{EstimatorKind::uniform};
   timed.direct = DirectLight::exact;
@@ -169,7 +169,7 @@ TEST(BatchScheduler, WhatStopsItChangesNoBatch) {
 
 // A run ends early if its error would take more than the allowed samples, and names the entries that miss it.
 // With enough samples it is reached.
-TEST(BatchScheduler, GivesUpAnErrorThatIsOutOfReach) {
+TEST(BatchScheduler, EndsIfTheErrorIsOutOfReach) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options = to_relative_error(1e-4);
   options.relative_error->max_samples = 20000;
@@ -185,7 +185,7 @@ TEST(BatchScheduler, GivesUpAnErrorThatIsOutOfReach) {
   EXPECT_FALSE(simulate(scene, to_relative_error(0.05)).summary.unmet_error);
 }
 
-TEST(BatchScheduler, WritesTheFileThatTheMatrixWouldGive) {
+TEST(BatchScheduler, WritesTheSameFileAsTheMatrix) {
   const test::TempFolder folder;
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform};
@@ -198,7 +198,7 @@ TEST(BatchScheduler, WritesTheFileThatTheMatrixWouldGive) {
   EXPECT_EQ(folder.count(), 2);
 }
 
-TEST(BatchScheduler, RefusesWhatDoesNotFitAndSaysHowMuchItNeeds) {
+TEST(BatchScheduler, ReportsTheMemoryItRequires) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform};
   options.samples = 64;

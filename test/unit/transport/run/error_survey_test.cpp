@@ -55,7 +55,7 @@ Surveyed survey(std::uint32_t batches, const RelativeError& wanted) {
 
 // A flagged entry never counts as precise, however large the target error. Before 1,024 batches more of them
 // may help; after that the error cannot be reached.
-TEST(ErrorSurvey, GivesFlaggedEntriesTimeAndNotForEver) {
+TEST(ErrorSurvey, LimitsSamplesForFlaggedEntries) {
   for (const std::uint32_t batches : {last_flagged_batches - 1, last_flagged_batches}) {
     const bool is_final = batches == last_flagged_batches;
     const auto [precision, shortfall] = survey(batches, {2, 0.3, 1'000'000'000});
@@ -73,7 +73,7 @@ TEST(ErrorSurvey, GivesFlaggedEntriesTimeAndNotForEver) {
 }
 
 // Entries that more samples would improve are listed separately from the others, which are named last.
-TEST(ErrorSurvey, TellsWhatMoreSamplesWouldBring) {
+TEST(ErrorSurvey, PredictsTheEffectOfMoreSamples) {
   const auto [precision, shortfall] = survey(64, {0.01, 0.3, 12'800});  // 1.2 % so far; twice the samples
   EXPECT_EQ(precision.precise, 0U);
   EXPECT_EQ(precision.unreachable, 1U);

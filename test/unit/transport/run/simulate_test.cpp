@@ -54,7 +54,7 @@ TEST(Simulate, EveryStrategyIsBitwiseTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(Simulate, RefusesWhatCannotBe) {
+TEST(Simulate, RefusesInvalidOptions) {
   const Scene scene = test::SmallStore{}.scene();
   SimulationOptions options{EstimatorKind::uniform};
   options.strategy = Strategy::walk;
@@ -151,7 +151,7 @@ class CancelAfter : public ProgressSink {
 
 // The kept samples give an unbiased estimate: z-test at 0.1 %, relative standard errors of 5 to 20 %. The
 // control is a matrix scaled as if all batches had run.
-TEST(Simulate, KeepsWhatItHasWhenCancelled) {
+TEST(Simulate, ReturnsItsMatrixWhenCancelled) {
   const Scene scene = test::SmallStore{}.scene();
   CancelToken token;
   CancelAfter half(token, 0.5);
@@ -168,7 +168,7 @@ TEST(Simulate, KeepsWhatItHasWhenCancelled) {
   EXPECT_FALSE(test::compare(result.matrix, whole, 2).agrees(0.001));
 }
 
-TEST(Simulate, SaysSoWhenCancelledTooEarly) {
+TEST(Simulate, ReportsCancellationBeforeTheFirstResult) {
   CancelToken token;
   token.request();
   EXPECT_THROW(simulate(test::SmallStore{}.scene(), {EstimatorKind::uniform, 640, DirectLight::sampled, 1},

@@ -8,7 +8,7 @@
 namespace shelfbeam {
 namespace {
 
-TEST(Stopping, LooksFirstAfterSixteenBatchesAndThenEverySixteenthMore) {
+TEST(Stopping, TestsAfterSixteenBatchesAndThenEverySixteenthMore) {
   std::vector<std::uint32_t> points;
   for (std::uint32_t b = 0; b <= 100000; ++b)
     if (is_stopping_point(b)) points.push_back(b);
@@ -46,7 +46,7 @@ TEST(Stopping, CountsEntriesThatMatterAndArePrecise) {
   EXPECT_EQ(count(means, errors, 0, {0.1, 0.49}).relevant, 2u);
 }
 
-TEST(Stopping, WhatIsKnownExactlyIsPreciseAndWhatIsNoNumberIsNot) {
+TEST(Stopping, ZeroErrorIsPreciseAndNaNIsNot) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(count({1.0}, {0.0}, 1, {1e-9, 0.3}).precise, 1u);
   EXPECT_EQ(count({1.0}, {none}, 1, {0.5, 0.3}).precise, 0u);
@@ -61,7 +61,7 @@ TEST(Stopping, DoesNotTrustFlaggedErrors) {
   EXPECT_EQ(found.precise, 1u);
 }
 
-TEST(Stopping, KnowsWhatMoreSamplesCannotReach) {
+TEST(Stopping, KnowsErrorsThatMoreSamplesCannotReach) {
   // The target is 10 %, and more samples can reduce twice that.
   const std::vector<double> means{1, 1, 1}, errors{0.1, 0.2, 0.21};
   const Precision found = count_precise(means, errors, std::vector<std::uint8_t>(3), 1, {0.1, 0.3}, {2});
@@ -79,7 +79,7 @@ TEST(Stopping, AllowsForTheErrorOfErrors) {
   EXPECT_DOUBLE_EQ(reachable_error(201, 1), 1.15);
 }
 
-TEST(Stopping, AsksForNinetyNineOfAHundred) {
+TEST(Stopping, RequiresNinetyNinePercent) {
   EXPECT_TRUE((Precision{100, 99}).is_enough());
   EXPECT_FALSE((Precision{100, 98}).is_enough());
   EXPECT_FALSE((Precision{99, 98}).is_enough());

@@ -27,7 +27,7 @@ test::BareScene hall_of_mirrors(double radius) {
   return room;
 }
 
-TEST(Coverage, NamesTheLightThatPointsLackAndDiscsFindByChance) {
+TEST(StrategyCoverage, NamesLightThatPointsMissAndDiscsFindByChance) {
   const test::BareScene points = hall_of_mirrors(0), discs = hall_of_mirrors(0.1);
   const auto both = ElementsAre(HasSubstr("two or more mirrors"), HasSubstr("solid glass"));
   EXPECT_THAT(uncovered_light(points.scene), both);
@@ -36,7 +36,7 @@ TEST(Coverage, NamesTheLightThatPointsLackAndDiscsFindByChance) {
   EXPECT_THAT(chance_light(discs.scene), both);
 }
 
-TEST(Coverage, KnowsWhatStrategiesFindByChance) {
+TEST(StrategyCoverage, ListsLightFoundByChance) {
   const test::BareScene discs = hall_of_mirrors(0.1);
   EXPECT_THAT(chance_light(discs.scene, Strategy::walk), ElementsAre("all light from disc transceivers"));
   EXPECT_THAT(chance_light(discs.scene, Strategy::particle), IsEmpty());
@@ -51,7 +51,7 @@ TEST(Coverage, KnowsWhatStrategiesFindByChance) {
               ElementsAre("light from emitting surfaces over mirrors and through solid glass (m0, m2)"));
 }
 
-TEST(Coverage, NamesNothingWhereNothingMirrors) {
+TEST(StrategyCoverage, IsCompleteWithoutMirrors) {
   test::BareScene room;
   room.box(room.material(Lambertian{0.5}), {0, 0, 0}, {5, 4, 3});
   room.label({2, 2, 1}, {1, 0, 0});

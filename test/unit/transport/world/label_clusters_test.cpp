@@ -83,7 +83,7 @@ TEST(LabelClusters, RoomsAreApart) {
 }
 
 // Glass doors in front of the labels on one side of an aisle; the control has wooden doors.
-TEST(LabelClusters, GlassDoorsDoNotPartAnAisle) {
+TEST(LabelClusters, GlassDoorsDoNotSplitAnAisle) {
   for (const bool is_glass : {true, false}) {
     test::BareScene room = aisle();
     const MaterialId door =

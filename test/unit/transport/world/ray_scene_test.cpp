@@ -89,7 +89,7 @@ TEST(RayScene, WalksStayInsideAtAnyScale) {
 // The same for rotated halls, where no plane contains its corners exactly. On the floor within a tenth of a
 // millimetre to a metre of the origin, coordinates are small and do not show the extent of the floor. The
 // control is a start as far below the floor as rays start above it at most.
-TEST(RayScene, AskewHallsNeitherShadowNorHitThemselves) {
+TEST(RayScene, RotatedHallsDoNotShadowThemselves) {
   for (const double size : {20.0, 200.0})
     for (const Vec3& up : {Vec3{0.37, -0.52, 0.8}, Vec3{2.37, -0.52, 0.2}, Vec3{-0.1, 0.05, 1}}) {
       const Frame frame = Frame::about(normalized(up));
@@ -155,7 +155,7 @@ TEST(RayScene, FixturesBlock) {
 
 // Rays from points on the surfaces below to points in the air, in packets of every size from 1 to 40: equal
 // results, each kind at least 500 times. Probabilities are not shares, which the control uses instead.
-TEST(RayScene, PacketsGiveWhatSingleRaysDo) {
+TEST(RayScene, PacketsAgreeWithSingleRays) {
   test::StrategyStore store;
   store.add_glass();
   store.set("pane", make_thin_dielectric(1.5, 0.01, 20));

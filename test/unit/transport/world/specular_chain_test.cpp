@@ -15,7 +15,7 @@ namespace {
 // Paths straight through two panes have the probability and the share of a connection to their end; both are
 // products of the same numbers, in the same order except for rounding. The control uses the throughput, which
 // is their ratio, as the share.
-TEST(SpecularChain, ChancesOfStraightWaysAreThoseOfPassages) {
+TEST(SpecularChain, ProbabilitiesOfStraightPathsEqualTransmittances) {
   test::BareScene room;
   room.box(room.material(Lambertian{0.5}), {0, 0, 0}, {4, 3, 3});
   room.quad(room.material(ThinDielectric{4, 0.004, 50}), {1.5, 0, 0}, {0, 3, 0}, {0, 0, 3});
