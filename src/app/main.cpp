@@ -98,7 +98,7 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
     std::vector<std::string> names;
     for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
       names.push_back(verb->get_name());
-    problem = fmt::format("there is no verb '{}'; {}", extra.front(),
+    problem = fmt::format("unknown verb '{}'; {}", extra.front(),
                           suggest(extra.front(), std::vector<std::string_view>(names.begin(), names.end())));
   }
   const std::string verb = chosen.empty() ? "" : " " + chosen.front()->get_name();

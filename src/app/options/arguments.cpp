@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -42,6 +43,12 @@ CLI::Validator positive_count() {
 
 CLI::Validator a_path() {
   return {[](const std::string& text) { return std::string(text.empty() ? "the name is empty" : ""); }, ""};
+}
+
+std::string HelpFormatter::make_group(std::string name, bool is_positional,
+                                      std::vector<const CLI::Option*> options) const {
+  const std::string text = CLI::Formatter::make_group(name, is_positional, std::move(options));
+  return is_positional || name == "Options" ? text : text.substr(1);  // CLI11 adds a second blank line
 }
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {

@@ -17,9 +17,12 @@ inline constexpr auto simulation = "Simulation", placement = "Placement", certif
                       runs = "Files and runs";
 }
 
-/// Prints the option_text of an option instead of its type and limits, and wraps descriptions.
+/// Prints the option_text of an option instead of its type and limits, wraps descriptions, and separates
+/// groups by one blank line.
 class HelpFormatter : public CLI::Formatter {
  public:
+  std::string make_group(std::string name, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override;
   std::string make_option_opts(const CLI::Option* option) const override;
   std::string make_option_desc(const CLI::Option* option) const override;
 };

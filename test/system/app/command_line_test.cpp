@@ -79,8 +79,8 @@ TEST_F(CommandLine, WrongUseIsOneError) {
   };
   const std::vector<Case> cases = {
       {{}, "see 'shelfbeam --help'"},
-      {{"simulat"}, "there is no verb 'simulat'; did you mean 'simulate'?"},
-      {{"certify", store}, "there is no verb 'certify'"},
+      {{"simulat"}, "unknown verb 'simulat'; did you mean 'simulate'?"},
+      {{"certify", store}, "unknown verb 'certify'"},
       {{"--frobnicate"}, "see 'shelfbeam --help'"},
       {{"inspect"}, "STORE is required; see 'shelfbeam inspect --help'"},
       {{"inspect", ""}, "STORE: the name is empty"},

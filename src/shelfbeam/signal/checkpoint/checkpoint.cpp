@@ -45,12 +45,6 @@ std::string value_of(std::string_view text, const std::string& name) {
   return "unknown";
 }
 
-// Version 0.1.0 wrote option names with the dashes of the command line.
-std::string without_dashes(std::string text) {
-  for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) text.erase(at, 2);
-  return text;
-}
-
 }  // namespace
 
 CheckpointFile::CheckpointFile(fs::path path, CheckpointIdentity identity, std::uint32_t items)
@@ -67,7 +61,7 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
                      "delete it, or start again without resuming", Setting::resumption);
   const auto first = file.next();
   if (!first) file.fail();
-  const std::string found = without_dashes(std::string(*first));
+  const std::string found(*first);
   for (const auto& [name, value] : identity_)
     if (const std::string theirs = value_of(found, name); theirs != value)
       throw InputError(
