@@ -90,22 +90,22 @@ LowShop::Sum LowShop::sum(std::size_t label, std::span<const std::size_t> select
 
 // Enumerates all selections, because this also tests the program's search.
 void LowShop::choose_requirement() {
-  const auto least = [&](const std::vector<std::size_t>& selected) {
+  const auto min_margin_of = [&](const std::vector<std::size_t>& selected) {
     double worst = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < reference_.rows(); ++i) worst = std::min(worst, sum(i, selected).signal);
     return worst;
   };
-  double most = 0, max_of_fewer = 0;
+  double best_margin = 0, max_of_fewer = 0;
   for_each_selection(reference_.columns(), units, [&](const std::vector<std::size_t>& selected) {
-    if (least(selected) <= most) return;
-    most = least(selected);
+    if (min_margin_of(selected) <= best_margin) return;
+    best_margin = min_margin_of(selected);
     best_ = selected;
   });
   for_each_selection(reference_.columns(), units - 1, [&](const std::vector<std::size_t>& selected) {
-    max_of_fewer = std::max(max_of_fewer, least(selected));
+    max_of_fewer = std::max(max_of_fewer, min_margin_of(selected));
   });
-  requirement_ = 0.99 * most;
-  margin_ = most / requirement_ - 1;
+  requirement_ = 0.99 * best_margin;
+  margin_ = best_margin / requirement_ - 1;
   margin_of_fewer_ = max_of_fewer / requirement_ - 1;
   for (LabelRow& label : reference_.labels) label.requirement = requirement_;
 }

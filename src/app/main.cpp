@@ -58,7 +58,7 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   app.footer(
       "Exit codes: 0 success; 1 no feasible placement, or labels missed; 2 invalid input; 3 stopped by a "
       "limit\n"
-      "or by the user, results so far are saved; 4 internal error. 'shelfbeam VERB --help' shows examples.");
+      "or by the user (results so far are saved); 4 internal error. 'shelfbeam VERB --help' shows examples.");
   add_new(app, chosen);
   add_inspect(app, chosen);
   add_simulate(app, chosen);

@@ -188,9 +188,9 @@ export class View {
     for (const part of this.parts) part.update();
     const touch = matchMedia("(pointer: coarse)").matches;
     this.hint.textContent = state.plan
-      ? `${touch ? "Two fingers move and zoom." : "Drag to move, scroll to zoom after a click."} Labels of one shelf are drawn side by side, the lowest level nearest to the shelf.`
+      ? `${touch ? "Use two fingers to move and zoom." : "Drag to move, scroll to zoom after a click."} Labels of one shelf are drawn side by side, the lowest level nearest to the shelf.`
       : touch
-        ? "Swipe sideways to turn, two fingers move and zoom. Tap a label or a unit."
+        ? "Swipe sideways to turn; use two fingers to move and zoom. Tap a label or a unit."
         : "Drag to turn, right button to move, scroll to zoom after a click. Click a label or a unit.";
     this.stage.draw();
   }
@@ -212,7 +212,7 @@ export class View {
     const parts: string[] = [];
     if (added.length) parts.push(`switched on: ${some(added)}`);
     if (removed.length) parts.push(`switched off: ${some(removed)}`);
-    if (!this.model.hasPlannedThresholds()) parts.push("other requirements");
+    if (!this.model.hasPlannedThresholds()) parts.push("changed requirements");
     this.changes.textContent = parts.length
       ? `Changed from the plan (${planned}): ${parts.join("; ")}.${store.certificate ? " The certificate does not cover these changes." : ""}`
       : store.units.selected.length
@@ -252,7 +252,7 @@ export class View {
       const shares = this.model.contributions(state.selection.index).map(({ directShare }) => directShare);
       if (shares.some((share) => share !== null))
         items.push(key(line("--direct", "none"), "direct share"), key(line("--reflected", "5 3"), "reflected share"));
-      if (shares.includes(null)) items.push(key(line("--edge", "none"), "share not in this page"));
+      if (shares.includes(null)) items.push(key(line("--edge", "none"), "share not stored in this page"));
     }
     items.push(
       key(`<svg viewBox="-10 -10 20 20"><circle r="8" style="fill:var(--unit)"/></svg>`, "unit that is on"),
@@ -272,7 +272,7 @@ export class View {
     this.canvas.dataset.drawCalls = String(drawCalls);
     if (frameTime === null) return;
     this.canvas.dataset.frameTime = frameTime.toFixed(1);
-    this.figures.textContent = `${counted(labels, "label")} drawn in ${counted(this.model.state.levels.filter(Boolean).length, "layer")}, ${significant(frameTime, 2)}\u00a0ms per frame.`;
+    this.figures.textContent = `${counted(labels, "label")} drawn in ${counted(this.model.state.levels.filter(Boolean).length, "level")}, ${significant(frameTime, 2)}\u00a0ms per frame.`;
   }
 
   // --- pointer and keys ---

@@ -97,7 +97,7 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
 void protect_input(const std::filesystem::path& output, const std::filesystem::path& input) {
   std::error_code missing;
   if (std::filesystem::equivalent(output, input, missing))
-    throw InputError(output.string(), "is the input, which would be overwritten",
+    throw InputError(output.string(), "is also the input and would be overwritten",
                      "choose another name for the output");
 }
 

@@ -36,9 +36,9 @@ std::string tail(const Path& path, std::ptrdiff_t parts) {
 
 /// The shortest tail of paths[k] that no other path has; empty if every tail is shared.
 std::string distinct_tail(const std::vector<Path>& paths, std::size_t k) {
-  std::ptrdiff_t most = 0;
-  for (const Path& path : paths) most = std::max(most, std::distance(path.begin(), path.end()));
-  for (std::ptrdiff_t parts = 1; parts <= most; ++parts) {
+  std::ptrdiff_t max_parts = 0;
+  for (const Path& path : paths) max_parts = std::max(max_parts, std::distance(path.begin(), path.end()));
+  for (std::ptrdiff_t parts = 1; parts <= max_parts; ++parts) {
     std::string name = tail(paths[k], parts);
     const auto has_it = [&](const Path& other) { return tail(other, parts) == name; };
     if (std::count_if(paths.begin(), paths.end(), has_it) == 1) return name;
@@ -80,7 +80,7 @@ void add_requirement_options(CLI::App& verb, Requirements& requirements) {
       ->option_text("FILE")
       ->group(group::placement);
   verb.add_option("--min-spacing", requirements.min_spacing,
-                  "Minimum distance between chosen transceivers in metres; installed ones stay")
+                  "Minimum distance in metres of each new transceiver from all others")
       ->check(positive_number())
       ->option_text("METRES")
       ->group(group::placement);
@@ -137,8 +137,9 @@ void add_placement_input(CLI::App& verb, PlacementInput& input) {
       ->required()
       ->option_text("FILE...")
       ->check(a_path());
-  verb.add_option("--threshold", input.threshold,
-                  "Requirement of every label, replacing those of the file; needed for CSV and NPY")
+  verb.add_option(
+          "--threshold", input.threshold,
+          "Requirement of every label, in place of the requirements in the file; required for CSV and NPY")
       ->check(positive_number())
       ->option_text("SIGNAL");
   add_requirement_options(verb, input.requirements);
@@ -149,7 +150,7 @@ void add_problem_options(CLI::App& verb, PlacementProblem& problem) {
              "cooperative (default): signals of several units add up; non-cooperative: one unit alone must "
              "reach the label");
   verb.add_flag("--survive-failure", problem.redundant,
-                "Every label must be reached even if any one unit fails, installed ones included");
+                "Every label must be reached even if any one unit fails, including installed units");
   add_choice(verb, "--objective", problem.objective, objective_help())->group(group::placement);
   auto* weighted = verb.add_flag_callback(
                            "--weighted", [&problem] { problem.combination = Combination::weighted; },

@@ -78,23 +78,24 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, DirectLight 
                       ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
                       ->option_text("N");
   auto* error =
-      verb.add_option("--relative-error", flags.relative_error,
-                      "Stop when 99 % of the entries that matter have this relative standard error, e.g. "
-                      "0.05")
+      verb.add_option(
+              "--relative-error", flags.relative_error,
+              "Stop when 99 % of the entries (see --above) have at most this relative standard error, e.g. "
+              "0.05")
           ->check(positive_number())
           ->option_text("E")
           ->group(group::simulation)
           ->excludes(samples);
   auto* share = verb.add_option("--above", flags.above,
-                                fmt::format("With --relative-error: entries above this share of the "
-                                            "requirement matter; default {}",
+                                fmt::format("With --relative-error: use the entries above this share of the "
+                                            "requirement; default {}",
                                             default_above))
                     ->check(positive_number())
                     ->option_text("SHARE")
                     ->group(group::simulation)
                     ->excludes(samples);
   verb.add_option("--max-samples", flags.max_samples,
-                  fmt::format("With --relative-error: at most this many samples per label; default {}",
+                  fmt::format("With --relative-error: maximum number of samples per label; default {}",
                               RelativeError{}.max_samples))
       ->check(CLI::Range(std::uint64_t{2096}, std::uint64_t{1} << 36))
       ->option_text("N")
@@ -110,18 +111,19 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, DirectLight 
   add_choice(verb, "--estimator", flags.estimator,
              "reuse (default): neighbouring labels share paths; uniform: the paper's random walk")
       ->group(group::simulation);
-  add_choice(verb, "--direct", flags.direct,
-             fmt::format("Direct light of uniform: sampled by the walk, or exact in closed form; default {}",
-                         to_text(default_direct)))
+  add_choice(
+      verb, "--direct", flags.direct,
+      fmt::format("With uniform: direct light sampled by the walk, or exact in closed form; default {}",
+                  to_text(default_direct)))
       ->group(group::simulation);
   add_choice(verb, "--strategy", flags.strategy,
-             "Path sampling strategy of uniform. walk: random hits only; nee: next event estimation; mis "
+             "With uniform: path sampling. walk: random hits only; nee: next event estimation; mis "
              "(default): both, combined by multiple importance sampling; particle: from the transceivers")
       ->group(group::simulation);
-  add_choice(verb, "--heuristic", flags.heuristic, "MIS weights of uniform; default balance")
+  add_choice(verb, "--heuristic", flags.heuristic, "With uniform: MIS weights; default balance")
       ->group(group::simulation);
   verb.add_option("--max-bounces", flags.max_bounces,
-                  "Maximum number of reflections and refractions per path, with uniform; default: no limit")
+                  "With uniform: maximum number of reflections and refractions per path; default: no limit")
       ->check(CLI::Range(0, 1000))
       ->option_text("N")
       ->group(group::simulation);
@@ -133,13 +135,14 @@ void add_layers(CLI::App& verb, SimulationFlags& flags) {
       ->needs("--max-bounces")
       ->group(group::simulation);
   verb.add_option("--by-length", flags.by_length,
-                  "Also store one matrix per step of the path length, in metres, with uniform")
+                  "With uniform: also store one matrix per step of the path length, in metres")
       ->check(positive_number())
       ->option_text("METRES")
       ->group(group::simulation);
-  verb.add_option("--lengths", flags.lengths,
-                  fmt::format("Number of these steps, default {}; the last step takes all longer paths",
-                              default_lengths))
+  verb.add_option(
+          "--lengths", flags.lengths,
+          fmt::format("Number of steps of --by-length; default {}; the last step includes all longer paths",
+                      default_lengths))
       ->check(CLI::Range(1, 10000))
       ->option_text("N")
       ->needs("--by-length")
@@ -182,7 +185,7 @@ std::string describe(const SimulationSummary& summary) {
                         summary.resumed_batches, summary.batches);
   for (const ErrorQuantiles& errors : summary.errors) {
     if (errors.entries == 0)
-      text += fmt::format("\nno entry exceeds {} of its requirement", errors.above);
+      text += fmt::format("\nno entry exceeds {} of the requirement", errors.above);
     else
       text += fmt::format(
           "\nrelative standard error of the {} entries above {} of the requirement: median {:.1f} %, "
@@ -193,7 +196,7 @@ std::string describe(const SimulationSummary& summary) {
   if (std::any_of(summary.errors.begin(), summary.errors.end(),
                   [](const ErrorQuantiles& errors) { return errors.flagged > 0; }))
     text +=
-        "\nflagged: few batches found most of the light, so the error is not reliable; take more samples. "
+        "\nflagged: few batches found most of the light, so the error is not reliable; use more samples. "
         "'/flags' in the signal file marks these entries";
   if (summary.unmet_error) {
     text += fmt::format(
@@ -203,7 +206,7 @@ std::string describe(const SimulationSummary& summary) {
     for (const UnmetEntry& entry : summary.worst_unmet)
       text += fmt::format("\n  label '{}' from '{}': {:.1f} %{}{}", entry.label, entry.source,
                           100 * entry.relative_error, entry.is_flagged ? ", flagged" : "",
-                          entry.is_out_of_reach ? ", out of reach" : "");
+                          entry.is_out_of_reach ? ", requires more than --max-samples" : "");
   }
   return text + fmt::format("\nhalving these errors would take another {:.0f} s", summary.seconds_to_halve);
 }

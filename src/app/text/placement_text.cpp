@@ -46,9 +46,9 @@ std::string infeasible(const Placement& placement, const SignalTable& table) {
   const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
   for (std::size_t u = 0; u < shown; ++u) {
     const Unreachable& one = placement.unreachable[u];
-    text += fmt::format("  {}: at most {:.4g}, requirement {:.4g}", table.labels[one.label].id, one.most,
-                        one.requirement);
-    if (one.most == 0)
+    text += fmt::format("  {}: maximum signal {:.4g}, requirement {:.4g}", table.labels[one.label].id,
+                        one.max_signal, one.requirement);
+    if (one.max_signal == 0)
       text += fmt::format(" ({})", no_signal_reason(placement.problem, !table.row(one.label).empty()));
     text += '\n';
   }
@@ -62,7 +62,7 @@ std::string nothing_found(const Placement& placement) {
   const std::string_view who = method_without_result(placement);
   return who.empty()
              ? fmt::format("No placement was found in time; {}.\n", needed)
-             : fmt::format("{} found no placement; {}. '--solver mip' searches for one.\n", who, needed);
+             : fmt::format("{} found no placement; {}. '--solver mip' may find a placement.\n", who, needed);
 }
 
 /// The number of labels that depend on each unit.
@@ -87,12 +87,13 @@ std::string solved(const Placement& placement, const SignalTable& table) {
                         counted(table.mounting_points(), "mounting point"));
   for (const ScenarioMargin& margin : scenario_margins(table, placement)) {
     const SignalTable::Scenario& scenario = table.scenarios[margin.scenario];
-    text += scenario.labels == 0 ? fmt::format("  {}: no labels\n", scenario.name)
-                                 : fmt::format(
-                                       "  {}: {}, the weakest ({}) receives {:.4g} times its "
-                                       "requirement\n",
-                                       scenario.name, counted(scenario.labels, "label"),
-                                       table.labels[margin.label].id, margin.smallest_margin);
+    text += scenario.labels == 0
+                ? fmt::format("  {}: no labels\n", scenario.name)
+                : fmt::format(
+                      "  {}: {}; the label with the minimum margin ({}) receives {:.4g} times its "
+                      "requirement\n",
+                      scenario.name, counted(scenario.labels, "label"), table.labels[margin.label].id,
+                      margin.smallest_margin);
   }
   return text + single_unit_labels(placement, table);
 }

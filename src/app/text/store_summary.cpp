@@ -151,7 +151,7 @@ void print_warnings(const CommonOptions& common, const Scene& scene, Strategy st
   if (common.json || common.quiet) return;
   print_warnings(scene);
   for (const std::string& light : chance_light(scene, strategy))
-    fmt::print("warning: {} is sampled only by chance: use more samples and check which errors are flagged\n",
+    fmt::print("warning: {} is sampled only by chance: use more samples and check the flagged entries\n",
                light);
 }
 

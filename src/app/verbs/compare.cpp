@@ -48,8 +48,8 @@ Outputs outputs_of(const Options& options) {
   if (output.extension() == ".html") return {{}, output};
   if (!output.extension().empty() && !fs::is_directory(output))
     throw InputError(output.string(),
-                     fmt::format("the extension '{}' is not known", output.extension().string()),
-                     "end the name in .csv or .html, or name a folder for both");
+                     fmt::format("has the unknown extension '{}'", output.extension().string()),
+                     "use .csv or .html, or name a folder for both");
   return {output / "comparison.csv", output / "comparison.html"};
 }
 

@@ -72,8 +72,8 @@ int run_export(const Options& options) {
   else if (is_matrix)
     export_matrix(options);
   else
-    throw InputError(options.output.string(), fmt::format("the extension '{}' is not known", kind),
-                     "end the name in .mps, .lp, .csv or .npy");
+    throw InputError(options.output.string(), fmt::format("has the unknown extension '{}'", kind),
+                     "use .mps, .lp, .csv or .npy");
   if (options.common.json)
     print_json({{"output", options.output.string()}});
   else if (!options.common.quiet)

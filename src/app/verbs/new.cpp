@@ -57,7 +57,7 @@ const std::vector<Template>& store_templates() {
        "a small grocery with gondolas, freezers and checkouts",
        {{"store.json", embedded::grocery_store}, {"checkout.glb", embedded::grocery_checkout}}},
       {"chiller",
-       "a station shop: glass doors, measured profiles, several ways to aim a unit",
+       "a petrol station shop: glass doors, profile files, several options per mounting point",
        {{"store.json", embedded::chiller_store},
         {"till.glb", embedded::chiller_till},
         {"security-mirror.obj", embedded::chiller_mirror},
@@ -78,7 +78,7 @@ const Template& find_template(const std::string& name) {
     if (t.name == name) return t;
     known.push_back(t.name);
   }
-  throw InputError("TEMPLATE", fmt::format("there is no template '{}'", name), suggest(name, known));
+  throw InputError("TEMPLATE", fmt::format("unknown template '{}'", name), suggest(name, known));
 }
 
 struct Options {
@@ -91,7 +91,7 @@ int run_new(const Options& options) {
   const Template& chosen = find_template(options.name);
   for (const TemplateFile& file : chosen.files)
     if (const auto path = options.folder / file.name; std::filesystem::exists(path))
-      throw InputError(path.string(), "exists already", "choose another folder, or remove the file");
+      throw InputError(path.string(), "already exists", "choose another folder, or remove the file");
   make_output_folder(options.folder);
   for (const TemplateFile& file : chosen.files) write_file(options.folder / file.name, file.content);
   const std::string store = (options.folder / "store.json").string();

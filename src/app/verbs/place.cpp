@@ -47,7 +47,8 @@ Answer cover(const Options& options, const SignalTable& table, const RunControl&
   if (options.curve && placement.has_selection()) {
     curve = add_curve(placement, table, options.solver.time_limit_s, control);
   } else if (options.curve) {
-    remark = fmt::format("  {}; '--at-most K' reports how many labels K transceivers reach\n", no_curve);
+    remark =
+        fmt::format("  {}; '--at-most K' reports the number of labels that K transceivers reach\n", no_curve);
   }
   return {placement_json(placement, table, curve),
           describe(placement, table) + describe(curve, table) + remark,
@@ -80,7 +81,8 @@ int run_place(const Options& options) {
 }  // namespace
 
 void add_place(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb = app.add_subcommand("place", "Choose transceivers on a signal matrix, with a proven bound");
+  CLI::App* verb =
+      app.add_subcommand("place", "Choose transceivers for a signal matrix, with a proven bound");
   auto options = std::make_shared<Options>();
   add_placement_input(*verb, options->input);
   add_path(*verb, "-o,--output", options->output, "Write the placement as JSON to this file");
@@ -89,7 +91,8 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
                        "Max coverage: reach as many labels as possible with at most K transceivers")
           ->check(positive_count())
           ->option_text("K");
-  verb->add_flag("--curve", options->curve, "Also print how many labels fewer transceivers can reach")
+  verb->add_flag("--curve", options->curve,
+                 "Also print the number of labels that fewer transceivers can reach")
       ->excludes(at_most);
   add_problem_options(*verb, options->problem);
   add_solver_options(*verb, options->solver);

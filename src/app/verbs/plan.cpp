@@ -63,8 +63,9 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
   const Placement& placement = plan.placement;
   std::string text = describe(plan.curve, table);
   if (options.curve && !placement.has_selection())
-    text += fmt::format("  {}; 'place {} --at-most K' reports how many labels K transceivers reach\n",
-                        no_curve, (options.folder / signal_name).string());
+    text +=
+        fmt::format("  {}; 'place {} --at-most K' reports the number of labels that K transceivers reach\n",
+                    no_curve, (options.folder / signal_name).string());
   if (plan.certificate) text += fmt::format("certificate: {}\n", certificate_sentence(plan));
   if (plan.sensitivity)
     text += fmt::format("sensitivity: {}\n", sensitivity_sentence(*plan.sensitivity, table.rows()));
@@ -105,18 +106,18 @@ int run_plan(const Options& options) {
   try {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel, progress.sink()};
-    PlanOptions asked;
-    asked.simulation = simulation;
-    asked.problem = options.problem;
-    asked.place = options.solver;
-    asked.place.seed = options.common.seed;
-    asked.table = [&](const SignalMatrix& matrix) { return table_of(options, matrix); };
+    PlanOptions plan_options;
+    plan_options.simulation = simulation;
+    plan_options.problem = options.problem;
+    plan_options.place = options.solver;
+    plan_options.place.seed = options.common.seed;
+    plan_options.table = [&](const SignalMatrix& matrix) { return table_of(options, matrix); };
     const double confidence = options.certificate.confidence;
-    asked.confidence = options.no_certificate ? std::nullopt : std::optional(confidence);
-    asked.budget.seconds = options.certificate.budget_s;
-    asked.curve = options.curve;
-    if (options.sensitivity) asked.sensitivity = {options.reflectance_error, confidence};
-    plan = make_plan(scene, asked, control);
+    plan_options.confidence = options.no_certificate ? std::nullopt : std::optional(confidence);
+    plan_options.budget.seconds = options.certificate.budget_s;
+    plan_options.curve = options.curve;
+    if (options.sensitivity) plan_options.sensitivity = {options.reflectance_error, confidence};
+    plan = make_plan(scene, plan_options, control);
   } catch (...) {  // stopped too early, or refused
     std::error_code not_empty;
     if (is_new) std::filesystem::remove(options.folder, not_empty);
@@ -173,7 +174,8 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
   verb->add_flag("--no-certificate", options->no_certificate,
                  "Skip certification: place on the simulated matrix as if it were exact")
       ->group(group::certificate);
-  verb->add_flag("--curve", options->curve, "Also report how many labels fewer transceivers can reach");
+  verb->add_flag("--curve", options->curve,
+                 "Also report the number of labels that fewer transceivers can reach");
   auto* sensitivity =
       verb->add_flag("--sensitivity", options->sensitivity,
                      "Also simulate the chosen transceivers with all reflectances at the ends of their "

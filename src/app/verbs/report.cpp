@@ -32,8 +32,7 @@ int run_report(const Options& options) {
   // The hash is of the bytes that `plan` wrote; this version might write the same store differently.
   if (matrix.provenance.store_hash != content_hash(read_file(options.folder / store_name)))
     throw InputError((options.folder / signal_name).string(),
-                     "belongs to a different store file than the one in this folder",
-                     "run 'shelfbeam plan' again");
+                     "does not belong to the store file in this folder", "run 'shelfbeam plan' again");
   const SignalTable table = make_signal_table(matrix, (options.folder / signal_name).string());
   const CertifiedPlan plan = read_plan(options.folder / placement_name, table);
   AtomicFolder files(options.folder);

@@ -57,7 +57,7 @@ Installation load_installation(const Options& options) {
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));
   if (!placement.has_selection() || placement.selected.empty())
-    throw InputError(units.string(), "has no selection", "it has no units to verify");
+    throw InputError(units.string(), "has no selection", "verify a placement that has a selection");
   std::vector<std::uint32_t> labels(scene.labels.size());
   std::iota(labels.begin(), labels.end(), 0U);
   return {sub_scene(scene, labels, placement.selected), placement.problem};
@@ -77,12 +77,12 @@ int run_verify(const Options& options) {
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
-    CertifyOptions asked;
-    asked.confidence = options.certificate.confidence;
-    asked.budget.seconds = options.certificate.budget_s;
-    asked.simulation = simulation;
-    asked.simulation.checkpoint = {};
-    verified = verify_installation(installation.scene, problem, asked, control);
+    CertifyOptions certify_options;
+    certify_options.confidence = options.certificate.confidence;
+    certify_options.budget.seconds = options.certificate.budget_s;
+    certify_options.simulation = simulation;
+    certify_options.simulation.checkpoint = {};
+    verified = verify_installation(installation.scene, problem, certify_options, control);
   }
   const Certificate& certificate = *verified.certificate;
   if (!options.output.empty()) write_file(options.output, verification_csv(certificate, installation.scene));
@@ -97,17 +97,18 @@ int run_verify(const Options& options) {
 }  // namespace
 
 void add_verify(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb = app.add_subcommand(
-      "verify", "Verify with independent samples which labels a placement or an installation reaches");
+  CLI::App* verb =
+      app.add_subcommand("verify", "Verify a placement or an installation with independent samples");
   auto options = std::make_shared<Options>();
   add_path(*verb, "STORE", options->store, "Store file")->required();
   add_path(*verb, "PLACEMENT", options->placement,
            "placement.json, or a CSV of units with columns id,x,y,z,ax,ay,az,roll_deg,type")
       ->required();
   add_path(*verb, "-o,--output", options->output, "Write one row per label to this CSV file");
-  add_choice(*verb, "--model", options->model, "Default: the model of the placement, cooperative for a CSV");
+  add_choice(*verb, "--model", options->model,
+             "Communication model; default: the model of the placement, or cooperative for a CSV");
   verb->add_flag("--survive-failure", options->survive_failure,
-                 "Every label must be reached even if any one unit fails, installed ones included");
+                 "Every label must be reached even if any one unit fails, including installed units");
   add_certificate_options(*verb, options->certificate);
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
   add_run_options(*verb, options->simulation);

@@ -41,7 +41,7 @@ double Conductor::specular_reflectance(const Vec3& wo) const {
 Conductor Conductor::read(const JsonCursor& json, double) {
   json.expect_keys({"type", "eta", "k", "roughness", "distribution", "masking", "sampling"});
   const double eta = json["eta"].number(0, 100), k = json["k"].number(0, 100);
-  if (eta == 0 && k == 0) json.fail("has eta and k of 0", "an ideal mirror is eta 0 and k 1");
+  if (eta == 0 && k == 0) json.fail("has eta and k of 0", "an ideal mirror has eta 0 and k 1");
   return make_conductor(eta, k, read_facets(json, {}));
 }
 
@@ -54,7 +54,7 @@ void Conductor::write(MaterialWriter& writer) const {
 Conductor make_conductor(double eta, double k, const std::optional<Microfacets>& facets) {
   detail::require_range("eta", eta, 0, 100);
   detail::require_range("k", k, 0, 100);
-  if (eta + k == 0) throw std::invalid_argument("eta and k are both 0, an ideal mirror is eta 0 and k 1");
+  if (eta + k == 0) throw std::invalid_argument("eta and k are both 0; an ideal mirror has eta 0 and k 1");
   return {eta, k, facets};
 }
 

@@ -36,7 +36,7 @@ const NamedReflectance& named_reflectance(const JsonCursor& cursor, double wavel
 
 // alpha along x and y; nothing for a smooth surface.
 std::optional<std::array<double, 2>> read_roughness(const JsonCursor& material, bool has_directions) {
-  constexpr double least = 0.001;
+  constexpr double min = 0.001;
   const auto roughness = material.find("roughness");
   if (!roughness) return std::nullopt;
   if (roughness->is_array()) {
@@ -44,12 +44,12 @@ std::optional<std::array<double, 2>> read_roughness(const JsonCursor& material, 
       roughness->fail("has two values, but the coat of plastic is isotropic", "give one number");
     roughness->numbers(2);
     const auto values = roughness->elements();
-    return std::array{values[0].number(least, 1), values[1].number(least, 1)};
+    return std::array{values[0].number(min, 1), values[1].number(min, 1)};
   }
   const double alpha = roughness->number();
   if (alpha == 0) return std::nullopt;
-  if (alpha < least || alpha > 1)
-    roughness->fail(fmt::format("is {}, which is outside {} to 1", alpha, least),
+  if (alpha < min || alpha > 1)
+    roughness->fail(fmt::format("is {}, which is outside {} to 1", alpha, min),
                     "use a value in that range, or 0 for a smooth surface");
   return std::array{alpha, alpha};
 }
@@ -106,8 +106,8 @@ std::optional<std::array<double, 2>> read_reflectance_range(const JsonCursor& cu
   return std::array{ends[0], ends[1]};
 }
 
-double read_ior(const JsonCursor& material, double least) {
-  return material["ior"].number(least, 4);
+double read_ior(const JsonCursor& material, double min) {
+  return material["ior"].number(min, 4);
 }
 
 std::optional<Microfacets> read_facets(const JsonCursor& material, const FacetRules& rules) {

@@ -24,7 +24,7 @@ std::optional<std::array<double, 2>> read_reflectance_range(const JsonCursor& js
 
 /// A number, or a name from reflectances_940nm.hpp.
 double read_reflectance(const JsonCursor& cursor, double wavelength_nm);
-double read_ior(const JsonCursor& material, double least = 1);
+double read_ior(const JsonCursor& material, double min = 1);
 
 struct FacetRules {
   bool has_directions = true, refracts = false;

@@ -35,9 +35,9 @@ class SafeNames {
  public:
   explicit SafeNames(std::string prefix) : prefix_(std::move(prefix)) {}
 
-  std::string make(const std::string& wanted, std::size_t position) {
+  std::string make(const std::string& base, std::size_t position) {
     std::string name;
-    for (const char c : wanted.substr(0, 48)) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    for (const char c : base.substr(0, 48)) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
     if (name.empty()) name = fmt::format("{}{}", prefix_, position);
     const std::string plain = lower(name);
     const bool is_word = std::find(reserved.begin(), reserved.end(), plain) != reserved.end();
@@ -193,10 +193,10 @@ void write_mps(const Model& model, const std::filesystem::path& path) {
   out += "COLUMNS\n";
   bool integer = false;
   int markers = 0;
-  const auto mark = [&](bool wanted) {
-    if (wanted == integer) return;
-    out += fmt::format(" M{} 'MARKER' '{}'\n", ++markers, wanted ? "INTORG" : "INTEND");
-    integer = wanted;
+  const auto mark = [&](bool is_integer) {
+    if (is_integer == integer) return;
+    out += fmt::format(" M{} 'MARKER' '{}'\n", ++markers, is_integer ? "INTORG" : "INTEND");
+    integer = is_integer;
   };
   for (std::size_t j = 0; j < names.size(); ++j) {
     mark(model.columns[j].integer);

@@ -31,8 +31,8 @@ std::vector<Unreachable> unreachable_labels(const SignalTable& table, const Plac
   std::vector<Unreachable> result;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
     const double requirement = requirement_of(table.labels[i], problem.model);
-    const double most = mounts.max_signal(table.row(i), problem);
-    if (!is_met(most * rounding, requirement)) result.push_back({i, requirement, most});
+    const double max_signal = mounts.max_signal(table.row(i), problem);
+    if (!is_met(max_signal * rounding, requirement)) result.push_back({i, requirement, max_signal});
   }
   return result;
 }

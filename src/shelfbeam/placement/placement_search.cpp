@@ -124,14 +124,14 @@ Placement answer_of(State state) {
                                                        state.bounds.fewest(placement.lower_bound)))
                         : state.incumbent.bound();
   placement.bound_proof = state.incumbent.proof();
-  placement.solver = state.asked.empty() ? "search" : "search with " + state.asked;
+  placement.solver = state.last_backend.empty() ? "search" : "search with " + state.last_backend;
   return placement;
 }
 
 Placement search(SearchState& state) {
   if (!state.out_of_time()) improve(state, opening(state));
   const Selection of_opening = state.incumbent.selected();
-  state.tell();
+  state.report_state();
   run(schedule, state);
   if (!state.is_weighted && state.problem.objective != Objective::count) {
     std::vector<double> cost = objective_coefficients(state.table, state.problem);
@@ -168,20 +168,20 @@ Placement search_placement(const SignalTable& table, const PlacementProblem& pro
                            const std::vector<std::uint32_t>& start, const Solvers& solvers,
                            double time_limit_s, std::uint64_t seed, const RunControl& control,
                            const SearchLimits& limits) {
-  const auto answer = [&](const SignalTable& asked) {
-    SearchState state(asked, problem, start, solvers, time_limit_s, seed, control, limits);
+  const auto answer = [&](const SignalTable& used) {
+    SearchState state(used, problem, start, solvers, time_limit_s, seed, control, limits);
     return search(state);
   };
   const Check known = check_selection(table, problem, start);
-  const double most = 2 * (known.objective + known.transceiver_cost);
-  const auto is_too_expensive = [&](const SignalTable::Transceiver& unit) { return unit.cost > most; };
-  if (problem.combination == Combination::lexicographic || !(most > 0) ||
+  const double max_cost = 2 * (known.objective + known.transceiver_cost);
+  const auto is_too_expensive = [&](const SignalTable::Transceiver& unit) { return unit.cost > max_cost; };
+  if (problem.combination == Combination::lexicographic || !(max_cost > 0) ||
       std::none_of(table.transceivers.begin(), table.transceivers.end(), is_too_expensive))
     return answer(table);
   // No selection as good as the known one contains a more expensive unit. Capping such prices keeps the other
   // prices from vanishing in the rounding.
   SignalTable cheaper = table;
-  for (auto& unit : cheaper.transceivers) unit.cost = std::min(unit.cost, most);
+  for (auto& unit : cheaper.transceivers) unit.cost = std::min(unit.cost, max_cost);
   return answer(cheaper);
 }
 

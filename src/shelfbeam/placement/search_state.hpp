@@ -105,7 +105,7 @@ struct SearchState final : ProgressSink {
   Incumbent incumbent;
   std::optional<SecondObjective> second;  ///< once the first objective is done
   std::optional<DualBound> relaxation;    ///< of the first objective
-  std::string asked;                      ///< name and version of the last back end used; empty if none
+  std::string last_backend;               ///< name and version of the last back end used; empty if none
   ProgressSink* watcher;
   RunControl control;     ///< reports through this object
   std::string_view step;  ///< name of the current step
@@ -129,10 +129,10 @@ struct SearchState final : ProgressSink {
   }
 
   void offer(const std::optional<Selection>& found) {
-    if (incumbent.offer(found)) tell();
+    if (incumbent.offer(found)) report_state();
   }
   void raise(double bound, BoundProof proof) {
-    if (incumbent.raise(bound, proof, step)) tell();
+    if (incumbent.raise(bound, proof, step)) report_state();
   }
   /// The same for the second objective.
   void offer_second(const std::optional<Selection>& found);
@@ -141,7 +141,7 @@ struct SearchState final : ProgressSink {
   /// The remainder of the reductions, computed on first use.
   const Reduction& reduction();
 
-  void tell() const { control.report("placing", -1); }
+  void report_state() const { control.report("placing", -1); }
   void report(std::string_view stage, double fraction, std::string_view detail) override;
 
  private:

@@ -20,7 +20,7 @@ using Answer = CoverModel::Outcome;
 template <class Ask>
 auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, const Ask& ask) {
   for (std::size_t k = 0;; ++k) {
-    state.asked = fmt::format("{} {}", backends[k].name, backends[k].version);
+    state.last_backend = fmt::format("{} {}", backends[k].name, backends[k].version);
     auto answer = ask(backends[k]);
     if (!answer.failed || k + 1 == backends.size()) return answer;
   }

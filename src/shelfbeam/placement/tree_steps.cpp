@@ -52,8 +52,8 @@ Cheapest cheapest(const SearchState& state, std::size_t max_units, const Effort&
   // Every other selection costs more than `max_cost` multiples of cost_unit, each column rounded by up to a
   // half.
   const double rounding = static_cast<double>(max_units + 1) / 2;
-  const double least = static_cast<double>(answer.proof.max_cost) + 1 - rounding;
-  return {answer.selected, std::max(0.0, least * state.instance.cost_unit), strength_of(answer.proof, state)};
+  const double bound = static_cast<double>(answer.proof.max_cost) + 1 - rounding;
+  return {answer.selected, std::max(0.0, bound * state.instance.cost_unit), strength_of(answer.proof, state)};
 }
 
 }  // namespace

@@ -152,15 +152,15 @@ SignalTable predicted_upper_rows(const SignalTable& planned, const SignalMatrix&
 }
 
 CoreRows core_rows(const SignalTable& table, const PlacementProblem& problem, std::size_t count,
-                   const PlaceOptions& wanted, const RunControl& control) {
-  const Deadline deadline(wanted.time_limit_s);
+                   const PlaceOptions& given, const RunControl& control) {
+  const Deadline deadline(given.time_limit_s);
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t i = 0; i < table.rows(); ++i)
     order.emplace_back(max_of(table, problem, i, std::max<std::size_t>(count, 2) - 1), i);
   CoreRows decisive;
   decisive.rows = spread(table, std::move(order));
   std::sort(decisive.rows.begin(), decisive.rows.end());
-  PlaceOptions options = wanted;
+  PlaceOptions options = given;
   while ((options.step_limit || !deadline.has_passed()) && !control.cancelled()) {
     options.time_limit_s = deadline.seconds_left();
     options.settles_ties = false;

@@ -139,7 +139,7 @@ class Certifier {
   // Core rows for `count` units, expected from the batches of this round or, after the first round, from the
   // smallest larger number that suffices. Sets bound_batches_ if there are any.
   std::vector<std::uint32_t> promising_rows(std::size_t count, double level) {
-    const std::uint32_t most = rounds_.round() == 1 ? bound_batches_ : Rounds::max_batches;
+    const std::uint32_t max_batches = rounds_.round() == 1 ? bound_batches_ : Rounds::max_batches;
     std::vector<std::uint32_t> rows;
     for (std::uint32_t batches = bound_batches_;; batches = Rounds::more(batches)) {
       control_.report(
@@ -153,7 +153,7 @@ class Certifier {
       CoreRows decisive = core_rows(expected, count_problem(), count, options, control_);
       if (rows.empty() || decisive.suffice) rows = std::move(decisive.rows);
       if (decisive.suffice) bound_batches_ = batches;
-      if (decisive.suffice || batches >= most || control_.cancelled()) return rows;
+      if (decisive.suffice || batches >= max_batches || control_.cancelled()) return rows;
     }
   }
 
@@ -162,10 +162,10 @@ class Certifier {
     const std::uint32_t batches = bound_batches_;
     const std::vector<std::uint32_t> rows = promising_rows(count, level);
     const double cost = bound_cost_ * static_cast<double>(rows.size()) * bound_batches_;
-    why_no_bound_.clear();
+    bound_obstacle_.clear();
     if (cost > rounds_.left()) {
-      why_no_bound_ = fmt::format("proving that {} {} needed would take about {:.0f} {}", count,
-                                  count == 1 ? "is" : "are", cost, rounds_.unit());
+      bound_obstacle_ = fmt::format("proving that {} {} needed would take about {:.0f} {}", count,
+                                    count == 1 ? "is" : "are", cost, rounds_.unit());
       bound_batches_ = batches;
       return;
     }
@@ -189,11 +189,11 @@ class Certifier {
     for (const Unreachable& label : fewest_for(rows, level).unreachable) {
       LabelVerdict& verdict = certificate_.labels[rows[label.label]];
       verdict.verdict = Verdict::missed;
-      verdict.upper = label.most;
+      verdict.upper = label.max_signal;
       verdict.samples = fresh_[label.label].samples;
     }
     for (const Unreachable& label : placement_.unreachable)
-      certificate_.labels[label.label].signal = label.most;
+      certificate_.labels[label.label].signal = label.max_signal;
   }
 
   // Labels that a selection misses on the matrix, the smallest margin first.
@@ -210,22 +210,22 @@ class Certifier {
 
   // Whether another round is worth its time; otherwise sets the reason.
   bool should_continue() {
-    certificate_.open = control_.cancelled() ? interrupted : why_not_on();
+    certificate_.open = control_.cancelled() ? interrupted : no_refinement_reason();
     return certificate_.open.empty();
   }
 
-  std::string why_not_on() const {
+  std::string no_refinement_reason() const {
     const bool labels_are_open = placement_.has_selection() && !certificate_.all_reached();
     if (!placement_.has_selection() && open_labels().empty())
-      return "candidates are in conflict, and each label alone can be reached";
-    if (!labels_are_open && !why_no_bound_.empty()) return why_no_bound_;
+      return "each label can be reached alone, but conflicts prevent a selection that reaches all labels";
+    if (!labels_are_open && !bound_obstacle_.empty()) return bound_obstacle_;
     if (!bound_holds() && bound_batches_ == Rounds::max_batches)
       return "signals are too close to requirements for a proof";
     const double bound_cost =
-        bound_holds() || !why_no_bound_.empty()
+        bound_holds() || !bound_obstacle_.empty()
             ? 0
             : bound_cost_ * static_cast<double>(bound_rows_) * Rounds::more(bound_batches_);
-    return why_no_more(rounds_, verdicts_, bound_cost + (labels_are_open ? verdicts_.cost_of_next() : 0));
+    return stop_reason(rounds_, verdicts_, bound_cost + (labels_are_open ? verdicts_.cost_of_next() : 0));
   }
 
   // Updates the matrix with more samples of the open labels and solves the placement problem again: both or
@@ -241,7 +241,7 @@ class Certifier {
       fresh_.insert(fresh_.end(), more.begin(), more.end());
     }
     if (!fresh_.empty() && !add_missed()) return false;
-    if (!bound_holds() && why_no_bound_.empty()) bound_batches_ = Rounds::more(bound_batches_);
+    if (!bound_holds() && bound_obstacle_.empty()) bound_batches_ = Rounds::more(bound_batches_);
     return true;
   }
 
@@ -251,7 +251,7 @@ class Certifier {
     for (const ValidationRow& row : fresh_) join(row, matrix_);
     SignalTable table = rule_(matrix_);
     Placement placement = place(table, placement_.problem, in_time(), control_);
-    certificate_.open = why_no_answer(placement);
+    certificate_.open = infeasibility_reason(placement);
     if (!certificate_.open.empty()) {
       before.restore(matrix_);
       return false;
@@ -262,7 +262,7 @@ class Certifier {
     return true;
   }
 
-  std::string why_no_answer(const Placement& placement) const {
+  std::string infeasibility_reason(const Placement& placement) const {
     if (control_.cancelled()) return interrupted;
     const bool is_answer = placement.has_selection() || placement.status == Status::infeasible;
     return is_answer ? "" : "no placement was found in time after independent samples changed the matrix";
@@ -291,7 +291,7 @@ class Certifier {
   std::uint32_t bound_batches_ = min_verifying_batches;
   std::size_t bound_rows_ = max_doubtful;  ///< expected maximum number of core rows
   double bound_cost_ = 0;                  ///< per batch and label, in the budget's unit of measure
-  std::string why_no_bound_;               ///< the proof exceeds the budget; empty otherwise
+  std::string bound_obstacle_;             ///< the proof exceeds the budget; empty otherwise
   std::vector<std::uint32_t> doubtful_;
   std::vector<ValidationRow> fresh_;  ///< not yet part of the matrix
 };

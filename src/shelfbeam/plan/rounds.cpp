@@ -47,7 +47,7 @@ double LabelRounds::cost_to_decide() const {
   return times == 0 || took_ == 0 ? 0 : times * took_;
 }
 
-std::string why_no_more(const Rounds& rounds, const LabelRounds& labels, double cost_of_next) {
+std::string stop_reason(const Rounds& rounds, const LabelRounds& labels, double cost_of_next) {
   const double left = std::max(0.0, rounds.left());
   if (labels.batches() >= Rounds::max_batches) return "labels are too close to their requirements";
   if (left < cost_of_next)
@@ -85,7 +85,7 @@ CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& pr
         if (certificate.labels[i].verdict == Verdict::undecided) rows.push_back(i);
       if (rows.empty()) break;
       if (rounds.round() > 0) {
-        certificate.open = why_no_more(rounds, verdicts, verdicts.cost_of_next());
+        certificate.open = stop_reason(rounds, verdicts, verdicts.cost_of_next());
         if (!certificate.open.empty()) break;
         verdicts.grow();
       }

@@ -103,7 +103,7 @@ class LabelRounds {
 
 /// The reason why another round of a certificate is not worth its time, such as "the next round would have
 /// taken about 40 s, but 12 s were left"; empty if it is. `cost_of_next` is the cost of the whole round.
-std::string why_no_more(const Rounds& rounds, const LabelRounds& labels, double cost_of_next);
+std::string stop_reason(const Rounds& rounds, const LabelRounds& labels, double cost_of_next);
 
 /// Verifies mounted units, all transceivers of the scene, in rounds as `certify` does, until every label is
 /// reached or missed. The certificate has no lower bound. Non-cooperative: a simulation with `options` plans

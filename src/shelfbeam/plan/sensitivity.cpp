@@ -79,7 +79,7 @@ class Steps {
     const Batches batches = is_other ? sample(changed) : as_given_;
     ReflectanceStep step;
     const std::size_t weakest_label = weakest(batches);
-    step.least = margin_of(batches, weakest_label);
+    step.min_margin = margin_of(batches, weakest_label);
     double changes = 0;
     for (std::size_t i = 0; i < requirement_.size(); ++i) {
       const double before = mean(as_given_[i]), after = mean(batches[i]);
@@ -145,8 +145,8 @@ ReflectanceEnd judged(const std::vector<LabelVerdict>& labels) {
     const LabelVerdict& label = labels[i];
     if (label.verdict == Verdict::missed) end.missed.push_back(i);
     if (label.verdict == Verdict::undecided) end.undecided.push_back(i);
-    if (const double ratio = label.signal / label.requirement; ratio < end.least.ratio)
-      end.least = {ratio, label.standard_error / label.requirement, i};
+    if (const double ratio = label.signal / label.requirement; ratio < end.min_margin.ratio)
+      end.min_margin = {ratio, label.standard_error / label.requirement, i};
   }
   return end;
 }
@@ -215,7 +215,7 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const PlacementProblem& 
   control.report("sensitivity", -1, "all reflectances high");
   result.high = judged(verify(high, problem, planned, level, effort, control));
   const std::vector<std::uint32_t> watched =
-      nearest_to_missing(at_low, result.high.least.ratio, varied.size());
+      nearest_to_missing(at_low, result.high.min_margin.ratio, varied.size());
   result.watched = watched.size();
   const std::size_t columns = scene.transceivers.size();
   std::vector<float> planned_of_watched;
@@ -234,7 +234,7 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const PlacementProblem& 
   }
   std::stable_sort(result.materials.begin(), result.materials.end(),
                    [](const MaterialSensitivity& a, const MaterialSensitivity& b) {
-                     return a.at_lower.least.ratio < b.at_lower.least.ratio;
+                     return a.at_lower.min_margin.ratio < b.at_lower.min_margin.ratio;
                    });
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -69,7 +69,7 @@ export class Card {
       ),
       this.facts([
         ...this.certified(label),
-        [store.redundant ? "Without strongest unit" : "Signal", `${this.signal(signal)}\u00a0${name}`, "signal"],
+        [store.redundant ? "Signal without strongest unit" : "Signal", `${this.signal(signal)}\u00a0${name}`, "signal"],
         ["Requirement", `${this.signal(coverage.requirement(label))}\u00a0${name}`, "requirement"],
         ["Reached alone by", counted(coverage.serving[label], "unit"), "serving"],
         ["Level", String(store.label.level[label] + 1)],
@@ -81,7 +81,7 @@ export class Card {
       found.length > mostRows
         ? element("p", {
             class: "v3-note",
-            text: `${grouped(found.length - mostRows)} more units give ${this.signal(rest)}\u00a0${name} in total.`,
+            text: `${grouped(found.length - mostRows)} more units contribute ${this.signal(rest)}\u00a0${name} in total.`,
           })
         : "",
     );
@@ -150,8 +150,8 @@ export class Card {
     const facts: [string, string, string?][] = [
       ["Reaches alone", counted(coverage.reach[unit], "label"), "alone"],
       ["Farthest reached", farthest > 0 ? `${fixed(farthest, 1)}\u00a0m` : "–"],
-      ["Gives 10 to 100 %", counted(classes[2], "label")],
-      ["Gives 1 to 10 %", counted(classes[1], "label")],
+      ["10 to 100 % of requirement at", counted(classes[2], "label")],
+      ["1 to 10 % of requirement at", counted(classes[1], "label")],
       ["Position", place],
     ];
     if (!store.redundant || !on)

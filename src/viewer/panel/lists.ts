@@ -62,7 +62,7 @@ export class UnitList extends SearchList {
     super(
       model,
       "units",
-      "Switch any candidate on or off to update all numbers. Planned units come first, then candidates that reach most labels alone.",
+      "Switch any candidate on or off to update all numbers. Planned units come first, then the candidates that reach the most labels alone.",
     );
   }
 
@@ -103,7 +103,7 @@ export class LabelList extends SearchList {
     model: Model,
     private readonly show: (label: number) => void,
   ) {
-    super(model, "labels", "Choose a label to see the units that it receives. The smallest margin comes first.");
+    super(model, "labels", "Choose a label to see the units whose signals it receives. The smallest margin comes first.");
   }
 
   protected order(): number[] {

@@ -32,7 +32,7 @@ const failed = (store: Store) => (store.redundant ? " without the strongest unit
 function marginClasses(store: Store, coverage: Coverage): Classes {
   const { margins } = store;
   return {
-    title: `Signal above the requirement${failed(store)}:`,
+    title: `Margin${failed(store)}:`,
     list: margins.map(({ name }, k) => ({ name, colour: `--m${k}`, shape: k < 2 ? "triangle" : "disc" })),
     of: (label) => {
       const margin = coverage.margin(label);

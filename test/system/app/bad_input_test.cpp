@@ -150,7 +150,7 @@ TEST_F(BadOutput, WouldOverwriteTheInput) {
   refused("simulate @store.json -o @old/../store.json", {path("old/../store.json"), "is the input"});
   refused("inspect @store.json -o @store.json", {path("store.json"), "is the input"});
   refused("plan @store.json -o " + folder.path().string(), {"is the folder of the store file"});
-  refused("new thesis " + folder.path().string(), {"store.json: exists already"});
+  refused("new thesis " + folder.path().string(), {"store.json: already exists"});
   refused("place @matrix.csv -o @matrix.csv --threshold 1", {path("matrix.csv"), "is the input"});
   refused("place @matrix.csv -o @costs.csv --costs @costs.csv", {path("costs.csv"), "is the input"});
   refused("export @matrix.csv -o @matrix.csv", {path("matrix.csv"), "is the input"});

@@ -89,7 +89,7 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"inspect", store, "-o", ""}, "the name is empty"},
       {{"inspect", store, "--threads", "-1"}, "--threads"},
       {{"inspect", store, "--seed", "1.5"}, "--seed"},
-      {{"new", "thesi", out}, "there is no template 'thesi'; did you mean 'thesis'?"},
+      {{"new", "thesi", out}, "unknown template 'thesi'; did you mean 'thesis'?"},
       {{"new", "thesis"}, "DIR is required"},
       {{"simulate", store}, "--output is required"},
       {{"simulate", store, "-o"}, "--output"},
@@ -123,8 +123,8 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"plan", store, "-o", out, "--time", "-1"}, "--time"},
       {{"plan", store, "-o", out, "--memory", "4X"}, "--memory"},
       {{"plan", store, "-o", out, "--checkpoint-interval", "-1"}, "--checkpoint-interval"},
-      {{"export", matrix, "-o", path("model.xml")}, "model.xml: the extension '.xml' is not known"},
-      {{"export", matrix, "-o", path("model")}, "end the name in .mps, .lp, .csv or .npy"},
+      {{"export", matrix, "-o", path("model.xml")}, "model.xml: has the unknown extension '.xml'"},
+      {{"export", matrix, "-o", path("model")}, "use .mps, .lp, .csv or .npy"},
       {{"export", path("signal.h5"), "-o", path("a.csv"), "--what", "variance"}, "--what"},
   };
   for (const auto& [arguments, message] : cases) test::expect_refused(folder, arguments, {message});

@@ -271,7 +271,7 @@ TEST_F(Workflow, PlacePrintsTheDocumentedSentences) {
           "transceiver reaches more.\n  chosen: C\n  optimal: reached 4, upper bound 4, gap 0.0 %; "});
   for (const std::string many : {"4294967296", "18446744073709551615"})
     expect("@m.csv --at-most " + many, {"2 transceivers reach all 6 labels (cooperative).\n"});
-  const std::string lost = "L3: at most 0, requirement 1 (light arrives from only one mounting point";
+  const std::string lost = "L3: maximum signal 0, requirement 1 (light arrives from only one mounting point";
   expect("@m.csv --survive-failure",
          {"2 cannot be reached even by all candidates together if", lost, "\n  infeasible; ",
           "solver not needed\n"},
@@ -282,12 +282,13 @@ TEST_F(Workflow, PlacePrintsTheDocumentedSentences) {
          {"because some candidates must not be chosen together (proven by",
           "\n  1 pair of candidates is excluded: "},
          1);
-  expect("@dark.csv", {"L2: at most 0, requirement 1 (no light arrives; "}, 1);
+  expect("@dark.csv", {"L2: maximum signal 0, requirement 1 (no light arrives; "}, 1);
   expect("@day.csv --survive-failure",
          {"3 transceivers reach all 2 labels (cooperative, even if any one unit fails)"});
   expect("@day.csv @night.csv",
-         {"2 transceivers reach all 3 labels", "day: 2 labels, the weakest (day:L1) receives 2 times",
-          "night: 1 label, the weakest (night:L1) receives 3 times"});
+         {"2 transceivers reach all 3 labels",
+          "day: 2 labels; the label with the minimum margin (day:L1) receives 2 times",
+          "night: 1 label; the label with the minimum margin (night:L1) receives 3 times"});
 }
 
 TEST_F(Workflow, PlacePrintsJson) {

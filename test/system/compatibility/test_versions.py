@@ -74,7 +74,7 @@ class Kept(unittest.TestCase):
             for unit in json.loads((kept / "plan/placement.json").read_text())["selected"]:
                 self.assertIn(unit, page)
 
-    def test_checkpoints_go_on_in_their_own_version_and_are_refused_by_others(self):
+    def test_checkpoints_are_resumed_by_their_own_version_only(self):
         for version, kept in self.each_version():
             resumed = run("simulate", kept / "store.json", "-o", kept / "interrupted.h5", *SAMPLES, "--resume")
             if version == present_version():

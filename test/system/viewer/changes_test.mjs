@@ -65,7 +65,7 @@ testReport("thresholds are edited, and the shares follow", { of: "grocery" }, as
     check(shown.startsWith(share), `${type}: ${shown} instead of ${share}`);
     says(shown, `(${met} of ${labels.length})`);
   }
-  says(await page.text(".v3-head"), "other requirements");
+  says(await page.text(".v3-head"), "changed requirements");
   await picture(page, "thresholds");
   // Move the slider with the keyboard.
   await page.focus(".v3-need input[type=range]");

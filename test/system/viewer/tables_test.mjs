@@ -71,7 +71,7 @@ function answerIs({ cards, facts, factor, units, weakest }, plan) {
   cellsAre(found, {
     Transceivers: count, "Lower bound on the count": needed, "Gap of the count": gap, Time: seconds, Solver: solver,
   }, "facts");
-  const [, redundant] = /\(([\d.]+)/.exec(found["Labels that two or more units reach alone (redundant)"]);
+  const [, redundant] = /\(([\d.]+)/.exec(found["Labels that at least two units each reach alone (redundant)"]);
   shows(redundant, 100 * placement.redundant_share, "redundant share");
   equal(fresh === undefined, certificate === undefined, "certificate");
 }

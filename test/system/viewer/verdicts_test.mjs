@@ -10,7 +10,7 @@ const selectLabel = (page, label) => page.run((view, index) => view.model.select
 // Changes after which the plan is no longer the certified one.
 const changes = {
   "a unit less": (view) => view.model.switchUnit(view.model.store.units.selected[0], false),
-  "other requirements": (view) => {
+  "changed requirements": (view) => {
     view.model.state.requirements[0] *= 2;
     view.model.recount();
   },

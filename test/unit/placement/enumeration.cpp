@@ -32,7 +32,7 @@ void expect_unreachable(const SignalTable& table, const PlacementProblem& proble
   }
   for (const Unreachable& label : answer.unreachable) {
     named.push_back(label.label);
-    EXPECT_NEAR(label.most, most[label.label], 1e-14 * most[label.label]);
+    EXPECT_NEAR(label.max_signal, most[label.label], 1e-14 * most[label.label]);
   }
   EXPECT_EQ(named, expected);
 }

@@ -31,14 +31,14 @@ TEST(Placement, ExplainsUnreachableLabels) {
   ASSERT_EQ(found.unreachable.size(), 1U);
   EXPECT_EQ(found.unreachable[0].label, 0U);
   EXPECT_EQ(found.unreachable[0].requirement, 1);
-  EXPECT_DOUBLE_EQ(found.unreachable[0].most, 0.9);
+  EXPECT_DOUBLE_EQ(found.unreachable[0].max_signal, 0.9);
 
   found = place(table, {alone}, {.solver = SolverChoice::greedy});
   EXPECT_EQ(found.status, Status::infeasible);
   ASSERT_EQ(found.unreachable.size(), 2U);
-  EXPECT_EQ(found.unreachable[0].most, 0.5);
+  EXPECT_EQ(found.unreachable[0].max_signal, 0.5);
   EXPECT_EQ(found.unreachable[1].label, 2U);
-  EXPECT_EQ(found.unreachable[1].most, 0.8);
+  EXPECT_EQ(found.unreachable[1].max_signal, 0.8);
 }
 
 TEST(Placement, HandlesTablesWithoutLabelsOrUnits) {
@@ -52,7 +52,7 @@ TEST(Placement, HandlesTablesWithoutLabelsOrUnits) {
     found = place(test::make_table({{}, {}}, 0), {model}, {});
     EXPECT_EQ(found.status, Status::infeasible);
     EXPECT_EQ(found.unreachable.size(), 2U);
-    EXPECT_EQ(found.unreachable[0].most, 0);
+    EXPECT_EQ(found.unreachable[0].max_signal, 0);
   }
   no_labels.transceivers[1].installed = true;
   const Placement found = place(no_labels, {coop, Objective::signal, Combination::weighted}, {});

@@ -56,7 +56,7 @@ TEST(PlanFile, IsReadBack) {
   EXPECT_EQ(read.certificate->labels[1].verdict, Verdict::undecided);
   EXPECT_EQ(read.sensitivity->holds(), Verdict::missed);
   EXPECT_EQ(read.sensitivity->low.undecided, std::vector<std::uint32_t>{1});
-  EXPECT_EQ(read.sensitivity->materials.at(0).at_upper.least.label, 1U);
+  EXPECT_EQ(read.sensitivity->materials.at(0).at_upper.min_margin.label, 1U);
   ASSERT_EQ(read.curve.points.size(), 2U);
   EXPECT_EQ(read.curve.points[1].at_least, 2U);
   EXPECT_FALSE(read.curve.is_complete);

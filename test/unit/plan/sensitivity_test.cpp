@@ -110,9 +110,9 @@ TEST(Sensitivity, DirectLightDoesNotDependOnReflectance) {
     EXPECT_EQ(step.change, 0);
     EXPECT_EQ(step.change_error, 0);
     EXPECT_EQ(step.mean_change, 0);
-    EXPECT_EQ(step.least.ratio, found.as_given.ratio);
+    EXPECT_EQ(step.min_margin.ratio, found.as_given.ratio);
   }
-  EXPECT_EQ(found.low.least.ratio, found.high.least.ratio);
+  EXPECT_EQ(found.low.min_margin.ratio, found.high.min_margin.ratio);
   EXPECT_EQ(found.low.missed, found.high.missed);
 }
 
@@ -147,15 +147,15 @@ TEST(Sensitivity, MoreReflectionIsMoreLight) {
     ASSERT_EQ(found.materials.size(), 3U);
     EXPECT_EQ(found.watched, scene.labels.size());
     for (const MaterialSensitivity& one : found.materials) {
-      EXPECT_LT(one.at_lower.least.ratio, found.as_given.ratio) << one.material;
-      EXPECT_GT(one.at_upper.least.ratio, found.as_given.ratio) << one.material;
+      EXPECT_LT(one.at_lower.min_margin.ratio, found.as_given.ratio) << one.material;
+      EXPECT_GT(one.at_upper.min_margin.ratio, found.as_given.ratio) << one.material;
       EXPECT_LT(one.at_lower.mean_change, 0);
       EXPECT_GT(one.at_upper.mean_change, 0);
-      EXPECT_LT(found.low.least.ratio, one.at_lower.least.ratio);
-      EXPECT_GT(found.high.least.ratio, one.at_upper.least.ratio);
+      EXPECT_LT(found.low.min_margin.ratio, one.at_lower.min_margin.ratio);
+      EXPECT_GT(found.high.min_margin.ratio, one.at_upper.min_margin.ratio);
     }
     EXPECT_EQ(found.materials.back().material, "dark") << "it hardly has a range";
-    EXPECT_LE(found.materials[0].at_lower.least.ratio, found.materials[1].at_lower.least.ratio);
+    EXPECT_LE(found.materials[0].at_lower.min_margin.ratio, found.materials[1].at_lower.min_margin.ratio);
   }
 }
 
@@ -163,7 +163,8 @@ TEST(Sensitivity, MoreReflectionIsMoreLight) {
 TEST(Sensitivity, DifferencesAreMorePreciseThanSignals) {
   const Sensitivity found = of(three_materials(), connections(PathRules::no_limit));
   for (const MaterialSensitivity& one : found.materials) {
-    const double independent = std::hypot(one.at_lower.least.standard_error, found.as_given.standard_error);
+    const double independent =
+        std::hypot(one.at_lower.min_margin.standard_error, found.as_given.standard_error);
     EXPECT_LT(one.at_lower.change_error, 0.6 * independent) << one.material;
     EXPECT_GT(one.at_lower.change_error, 0);
   }
@@ -174,8 +175,8 @@ TEST(Sensitivity, IsTheSameForAnyNumberOfThreads) {
   for (const SimulationOptions& options : {connections(PathRules::no_limit, 20), reuse()}) {
     const Sensitivity one = of(scene, options, {}, 0.1, 11, 1), three = of(scene, options, {}, 0.1, 11, 3);
     const Sensitivity other = of(scene, options, {}, 0.1, 12, 3);
-    EXPECT_EQ(one.low.least.ratio, three.low.least.ratio);
-    EXPECT_EQ(one.high.least.standard_error, three.high.least.standard_error);
+    EXPECT_EQ(one.low.min_margin.ratio, three.low.min_margin.ratio);
+    EXPECT_EQ(one.high.min_margin.standard_error, three.high.min_margin.standard_error);
     for (std::size_t k = 0; k < one.materials.size(); ++k) {
       EXPECT_EQ(one.materials[k].material, three.materials[k].material);
       EXPECT_EQ(one.materials[k].at_lower.change, three.materials[k].at_lower.change);
@@ -196,9 +197,9 @@ TEST(Sensitivity, UsesTheSignalOfTheProblem) {
       problem.model = model;
       problem.redundant = survives;
       const Sensitivity found = of(scene, connections(PathRules::no_limit), problem);
-      EXPECT_NEAR(found.as_given.ratio, found.low.least.ratio, 1e-5 * found.low.least.ratio);
-      EXPECT_EQ(found.as_given.label, found.low.least.label);
-      EXPECT_NEAR(found.as_given.standard_error, found.low.least.standard_error,
+      EXPECT_NEAR(found.as_given.ratio, found.low.min_margin.ratio, 1e-5 * found.low.min_margin.ratio);
+      EXPECT_EQ(found.as_given.label, found.low.min_margin.label);
+      EXPECT_NEAR(found.as_given.standard_error, found.low.min_margin.standard_error,
                   1e-4 * found.as_given.standard_error);
       EXPECT_EQ(found.materials[0].at_lower.change, 0);
       ratios.push_back(found.as_given.ratio);
@@ -211,12 +212,12 @@ TEST(Sensitivity, ReportsLabelsThatBecomeMissed) {
   const SimulationOptions options = connections(PathRules::no_limit);
   Scene scene = plan_scene(0.4, 0.7);
   const Sensitivity first = of(scene, options);
-  const double as_given = first.as_given.ratio, low = first.low.least.ratio;
+  const double as_given = first.as_given.ratio, low = first.low.min_margin.ratio;
   ASSERT_LT(low, 0.9 * as_given);
   scene.label_types[0].threshold *= (as_given + low) / 2;
   const Sensitivity falls = of(scene, options);
   EXPECT_EQ(falls.holds(), Verdict::missed);
-  EXPECT_EQ(std::count(falls.low.missed.begin(), falls.low.missed.end(), falls.low.least.label), 1);
+  EXPECT_EQ(std::count(falls.low.missed.begin(), falls.low.missed.end(), falls.low.min_margin.label), 1);
   EXPECT_TRUE(falls.high.missed.empty());
   EXPECT_TRUE(falls.high.undecided.empty());
   EXPECT_GE(falls.materials[0].at_lower.labels_short, falls.low.missed.size());
@@ -241,7 +242,7 @@ TEST(Sensitivity, AssumesMissingRanges) {
   }
   const Sensitivity exact = of(scene, connections(2), {}, 0);
   EXPECT_EQ(exact.materials[0].at_lower.change, 0);
-  EXPECT_EQ(exact.low.least.ratio, exact.high.least.ratio);
+  EXPECT_EQ(exact.low.min_margin.ratio, exact.high.min_margin.ratio);
 }
 
 // Labels a, a+1, a+2 ... share one position.
@@ -261,8 +262,8 @@ TEST(Sensitivity, WatchesTheLabelsWithTheSmallestMargins) {
   EXPECT_EQ(found.watched, min_watched_labels);
   const MaterialSensitivity& one = found.materials[0];
   // The weakest label of a step has its index in the whole scene.
-  const std::string &low = scene.labels[found.low.least.label].id,
-                    &step = scene.labels[one.at_lower.least.label].id;
+  const std::string &low = scene.labels[found.low.min_margin.label].id,
+                    &step = scene.labels[one.at_lower.min_margin.label].id;
   EXPECT_EQ(low.substr(0, low.find('+')), step.substr(0, step.find('+')));
 }
 
@@ -273,7 +274,7 @@ TEST(Sensitivity, WatchesAllLabelsThatMayHaveTheSmallestMargin) {
   Scene scene = plan_scene(0.05, 0.95);
   repeat_labels(scene, labels);
   const Sensitivity wide = of(scene, connections(2, 20));
-  ASSERT_GT(wide.high.least.ratio, 1);
+  ASSERT_GT(wide.high.min_margin.ratio, 1);
   EXPECT_GT(wide.watched, min_watched_labels);
   Scene three = three_materials();
   three.materials[0].reflectance_range = {0.05, 0.95};

@@ -75,7 +75,7 @@ TEST(PlanSections, StateThatAPlanHolds) {
 TEST(PlanSections, DrawMarginsOfNothing) {
   Supermarket s;
   s.plan.sensitivity = made_up();
-  s.plan.sensitivity->low.least.ratio = 0;
+  s.plan.sensitivity->low.min_margin.ratio = 0;
   const std::string html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   for (const char* broken : {"nan\"", "inf\""}) EXPECT_EQ(html.find(broken), std::string::npos);

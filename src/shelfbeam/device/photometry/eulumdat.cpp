@@ -42,7 +42,7 @@ class EulumdatReader {
     const std::vector<double> c = angles(c_count, 360, "the C-angle");
     const std::size_t c_line = lines_.line();
     const std::vector<double> gamma = angles(gamma_count, 180, "the gamma angle");
-    if (gamma_count < 2) lines_.fail("there is only one gamma angle", "at least two are required");
+    if (gamma_count < 2) lines_.fail("has only one gamma angle", "at least two are required");
     std::vector<Plane> planes;
     for (const double angle : stored(symmetry, c, c_line))
       planes.push_back({angle, intensities(angle, gamma_count, factor)});
@@ -76,9 +76,9 @@ class EulumdatReader {
   }
 
   /// A count of values that follow, one per line.
-  std::size_t extent(std::string_view what, std::size_t least = 1) {
+  std::size_t extent(std::string_view what, std::size_t min = 1) {
     const std::size_t count =
-        lines_.whole(number(what), least, std::numeric_limits<std::uint32_t>::max(), what);
+        lines_.whole(number(what), min, std::numeric_limits<std::uint32_t>::max(), what);
     if (count > lines_.remaining())
       lines_.fail(fmt::format("{} is {}, but only {} lines follow", what, count, lines_.remaining()),
                   "check the counts, or download the file again if it is truncated");

@@ -89,7 +89,7 @@ class IesReader {
     while (!is_tilt(line)) {
       if (lines_.at_end())
         lines_.fail(0, "has no TILT= line, so it is truncated or not an IES (LM-63) file",
-                    "for an EULUMDAT file, use the type 'eulumdat'");
+                    "for a EULUMDAT file, use the type 'eulumdat'");
       line = lines_.next("TILT=");
     }
     read_tilt(trim(line.substr(line.find('=') + 1)));
@@ -130,7 +130,7 @@ class IesReader {
     const std::vector<double> lamp = record(10, "the lamp data");
     verticals_ = extent(lamp[3], "the number of vertical angles");
     horizontals_ = extent(lamp[4], "the number of horizontal angles");
-    if (verticals_ < 2) lines_.fail("there is only one vertical angle", "at least two are required");
+    if (verticals_ < 2) lines_.fail("has only one vertical angle", "at least two are required");
     if (horizontals_ > lines_.characters() / verticals_)
       lines_.fail(
           fmt::format("{} x {} intensities are more than the file can contain", verticals_, horizontals_),

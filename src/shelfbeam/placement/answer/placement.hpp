@@ -32,7 +32,7 @@ enum class BoundProof {
 struct Unreachable {
   std::uint32_t label = 0;
   double requirement = 0;
-  double most = 0;  ///< Mounts::max_signal
+  double max_signal = 0;  ///< Mounts::max_signal
 };
 
 /// The result of `place`. Indices refer to the table; `selected` is ascending and contains every installed

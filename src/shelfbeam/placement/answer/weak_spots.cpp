@@ -12,12 +12,12 @@ std::vector<ScenarioMargin> scenario_margins(const SignalTable& table, const Pla
   const std::vector<double> signal = check_selection(table, placement.problem, placement.selected).signal;
   for (std::size_t k = 0; k < table.scenarios.size(); ++k) {
     const SignalTable::Scenario& scenario = table.scenarios[k];
-    ScenarioMargin least{k, std::numeric_limits<double>::infinity(), 0};
+    ScenarioMargin smallest{k, std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = scenario.first; i < scenario.first + scenario.labels; ++i) {
       const double margin = signal[i] / requirement_of(table.labels[i], placement.problem.model);
-      if (margin < least.smallest_margin) least = {k, margin, static_cast<std::uint32_t>(i)};
+      if (margin < smallest.smallest_margin) smallest = {k, margin, static_cast<std::uint32_t>(i)};
     }
-    margins.push_back(least);
+    margins.push_back(smallest);
   }
   return margins;
 }
@@ -34,16 +34,16 @@ std::vector<Critical> critical_units(const SignalTable& table, const PlacementPr
     working[j] = true;
     result.push_back({j, {}});
   }
-  std::vector<SignalEntry> heard;
+  std::vector<SignalEntry> received;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
     const double requirement = requirement_of(table.labels[i], problem.model);
-    heard.clear();
+    received.clear();
     for (const SignalEntry& entry : table.row(i))
-      if (working[entry.transceiver]) heard.push_back(entry);
-    if (!is_met(received_signal(heard, working, nothing_fails), requirement)) continue;
-    for (const SignalEntry& entry : heard) {
+      if (working[entry.transceiver]) received.push_back(entry);
+    if (!is_met(received_signal(received, working, nothing_fails), requirement)) continue;
+    for (const SignalEntry& entry : received) {
       working[entry.transceiver] = false;
-      if (!is_met(received_signal(heard, working, nothing_fails), requirement))
+      if (!is_met(received_signal(received, working, nothing_fails), requirement))
         result[place[entry.transceiver]].labels.push_back(i);
       working[entry.transceiver] = true;
     }

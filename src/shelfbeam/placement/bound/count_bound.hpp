@@ -18,16 +18,16 @@ struct CountBound {
 CountBound count_bound(const SignalTable& table, const PlacementProblem& problem,
                        const milp::Backend& backend, double time_limit_s, const RunControl& control);
 
-/// Proves by cases that every feasible selection has more than `most` units, if `open`, the LP bound for at
-/// most that many, falls short by at most a half. Either some unit contributes the share t or more to label
-/// i, or none does:
+/// Proves by cases that every feasible selection has more than `max_count` units, if `open`, the LP bound for
+/// at most that many, falls short by at most a half. Either some unit contributes the share t or more to
+/// label i, or none does:
 ///
 ///   sum_{j: a_ij >= t} T_j >= 1      or      T_j = 0 for every j with a_ij >= t.
 ///
 /// Each case has its own LP bound and is divided again if required. Ends after 64 cases, at the time limit or
 /// when cancelled; false if nothing was proven.
 bool prove_count_exceeds(const SignalTable& table, const PlacementProblem& problem,
-                         const milp::Backend& backend, std::size_t most, const LpBound& open,
+                         const milp::Backend& backend, std::size_t max_count, const LpBound& open,
                          double time_limit_s, const RunControl& control);
 
 }  // namespace shelfbeam::detail

@@ -23,15 +23,15 @@ struct Split {
 class Cases {
  public:
   Cases(const SignalTable& table, const PlacementProblem& problem, const milp::Backend& backend,
-        std::size_t most, double time_limit_s, const RunControl& control)
+        std::size_t max_count, double time_limit_s, const RunControl& control)
       : table_(table),
         problem_(problem),
         backend_(backend),
-        most_(most),
-        enough_(static_cast<double>(most) + 1e-6),
+        max_count_(max_count),
+        enough_(static_cast<double>(max_count) + 1e-6),
         deadline_(time_limit_s),
         control_(control),
-        cover_(table, problem, most),
+        cover_(table, problem, max_count),
         ones_(table.columns(), 1.0) {}
 
   // True if no selection without the columns `without` remains; `open` is the LP bound of these selections.
@@ -58,9 +58,9 @@ class Cases {
     std::vector<bool> is_out(table_.columns(), false);
     for (const std::uint32_t j : without) is_out[j] = true;
     return std::any_of(open.labels.begin(), open.labels.end(), [&](std::uint32_t label) {
-      double most = 0;
-      cover_.for_entries(label, [&](std::uint32_t j, double a) { most += is_out[j] ? 0 : a; });
-      return most * (1 + rounding) < cover_.bound();
+      double outside = 0;
+      cover_.for_entries(label, [&](std::uint32_t j, double a) { outside += is_out[j] ? 0 : a; });
+      return outside * (1 + rounding) < cover_.bound();
     });
   }
 
@@ -68,11 +68,11 @@ class Cases {
                   const std::vector<std::uint32_t>& without) {
     const double left = deadline_.seconds_left();
     if (left <= 0 || control_.cancelled() || ++cases_ > max_cases) return false;
-    control_.report("bound", -1, fmt::format("at most {} units, case {}", most_, cases_));
+    control_.report("bound", -1, fmt::format("at most {} units, case {}", max_count_, cases_));
     const LpBound bound = lp_bound(table_, problem_, ones_, backend_,
                                    {.time_limit_s = left,
                                     .enough = enough_,
-                                    .selections = {.max_count = most_, .without = without},
+                                    .selections = {.max_count = max_count_, .without = without},
                                     .rows = std::move(rows)},
                                    {control_.threads, control_.cancel});
     if (bound.dual.bound >= enough_) return true;
@@ -86,12 +86,12 @@ class Cases {
     std::vector<double> weight(table_.rows(), 0.0);
     for (std::size_t k = 0; k < open.rows.size(); ++k) weight[open.rows[k].label] += open.y[k];
     std::optional<Split> best;
-    double most = 0;
+    double max_weight = 0;
     for (std::uint32_t label = 0; label < table_.rows(); ++label) {
-      if (weight[label] <= most) continue;
+      if (weight[label] <= max_weight) continue;
       std::optional<Split> split = halved(label, open.x);
       if (!split) continue;
-      most = weight[label];
+      max_weight = weight[label];
       best = std::move(split);
     }
     return best;
@@ -124,7 +124,7 @@ class Cases {
   const SignalTable& table_;
   const PlacementProblem& problem_;
   const milp::Backend& backend_;
-  std::size_t most_;
+  std::size_t max_count_;
   double enough_;
   Deadline deadline_;
   const RunControl& control_;
@@ -136,11 +136,11 @@ class Cases {
 }  // namespace
 
 bool prove_count_exceeds(const SignalTable& table, const PlacementProblem& problem,
-                         const milp::Backend& backend, std::size_t most, const LpBound& open,
+                         const milp::Backend& backend, std::size_t max_count, const LpBound& open,
                          double time_limit_s, const RunControl& control) {
   constexpr double max_lacking = 0.5;
-  if (open.dual.bound < static_cast<double>(most) - max_lacking) return false;
-  return Cases(table, problem, backend, most, time_limit_s, control).close(open, {});
+  if (open.dual.bound < static_cast<double>(max_count) - max_lacking) return false;
+  return Cases(table, problem, backend, max_count, time_limit_s, control).close(open, {});
 }
 
 }  // namespace shelfbeam::detail

@@ -77,7 +77,7 @@ Cut best_share(std::uint32_t label, const CoverRows& cover, std::span<const doub
 }
 
 template <class Separate>
-std::vector<BoundRow> max_violated(std::span<const std::uint32_t> labels, std::size_t most,
+std::vector<BoundRow> max_violated(std::span<const std::uint32_t> labels, std::size_t max_cuts,
                                    Separate separate) {
   std::vector<Cut> cuts(labels.size());
   parallel_for_ranges(labels.size(), [&](std::size_t first, std::size_t last) {
@@ -86,7 +86,7 @@ std::vector<BoundRow> max_violated(std::span<const std::uint32_t> labels, std::s
   std::erase_if(cuts, [](const Cut& cut) { return cut.violation < min_violation; });
   std::stable_sort(cuts.begin(), cuts.end(),
                    [](const Cut& a, const Cut& b) { return a.violation > b.violation; });
-  cuts.resize(std::min(cuts.size(), most));
+  cuts.resize(std::min(cuts.size(), max_cuts));
   std::vector<BoundRow> rows;
   rows.reserve(cuts.size());
   for (Cut& cut : cuts) rows.push_back(std::move(cut.row));
@@ -97,17 +97,17 @@ std::vector<BoundRow> max_violated(std::span<const std::uint32_t> labels, std::s
 
 std::vector<BoundRow> cover_cuts(const SignalTable& table, const PlacementProblem& problem,
                                  std::span<const std::uint32_t> labels, std::span<const double> x,
-                                 std::size_t most) {
+                                 std::size_t max_cuts) {
   const CoverRows cover(table, problem);
-  return max_violated(labels, most, [&](std::uint32_t label) { return best_cover(label, cover, x); });
+  return max_violated(labels, max_cuts, [&](std::uint32_t label) { return best_cover(label, cover, x); });
 }
 
 std::vector<BoundRow> share_cuts(const SignalTable& table, const PlacementProblem& problem,
                                  std::size_t max_units, std::span<const std::uint32_t> labels,
-                                 std::span<const double> x, std::size_t most) {
+                                 std::span<const double> x, std::size_t max_cuts) {
   if (max_units == 0) return {};
   const CoverRows cover(table, problem, max_units);
-  return max_violated(labels, most,
+  return max_violated(labels, max_cuts,
                       [&](std::uint32_t label) { return best_share(label, cover, x, max_units); });
 }
 

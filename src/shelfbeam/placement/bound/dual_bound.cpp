@@ -56,27 +56,27 @@ std::vector<Point> free_points(const SignalTable& table, const std::vector<std::
 }
 
 /// Adds the taken points to the bound and sets `if_chosen` to the increase that each column causes.
-void take_points(std::vector<Point> points, std::size_t least, std::size_t most, DualBound& dual) {
+void take_points(std::vector<Point> points, std::size_t least, std::size_t max_count, DualBound& dual) {
   std::stable_sort(points.begin(), points.end(),
                    [](const Point& a, const Point& b) { return a.least < b.least; });
   const auto negative = static_cast<std::size_t>(
       std::count_if(points.begin(), points.end(), [](const Point& point) { return point.least < 0; }));
-  most = std::min(most, points.size());
-  least = std::min(least, most);
-  const std::size_t taken = std::clamp(negative, least, most);
+  max_count = std::min(max_count, points.size());
+  least = std::min(least, max_count);
+  const std::size_t taken = std::clamp(negative, least, max_count);
   const double last = taken > 0 ? points[taken - 1].least : 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point& point = points[k];
     const bool is_taken = k < taken;
     if (is_taken) dual.bound += point.least;
     // If the count is at its maximum, or at a minimum that forces units, a further unit replaces the last.
-    const bool replaces = taken == most || (taken == least && negative < least);
+    const bool replaces = taken == max_count || (taken == least && negative < least);
     for (const std::uint32_t j : point.options) {
       const double r = dual.reduced_cost[j];
       if (is_taken)
         dual.if_chosen[j] = r - point.least;
       else
-        dual.if_chosen[j] = most == 0 ? infinite : r - (replaces ? last : 0);
+        dual.if_chosen[j] = max_count == 0 ? infinite : r - (replaces ? last : 0);
     }
   }
 }

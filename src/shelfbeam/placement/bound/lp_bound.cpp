@@ -121,17 +121,17 @@ class RowGeneration {
 
   // Cuts are added only if no label row is violated: they cost more, and many would be useless.
   std::vector<BoundRow> violated_rows() {
-    const std::size_t most = 50 + table_.columns() / 4;
+    const std::size_t max_cuts = 50 + table_.columns() / 4;
     std::vector<BoundRow> batch;
     // The LP violates its own rows by at most the solver's tolerance.
-    for (const auto& row : pricing_.violated(result_.x, row_tolerance, most, is_row_))
+    for (const auto& row : pricing_.violated(result_.x, row_tolerance, max_cuts, is_row_))
       batch.push_back({row.label});
     result_.complete = batch.empty();
     if (batch.empty() && options_.cuts && problem_.model == CommunicationModel::cooperative) {
-      batch = cover_cuts(table_, problem_, result_.labels, result_.x, most);
+      batch = cover_cuts(table_, problem_, result_.labels, result_.x, max_cuts);
       if (options_.selections.max_count < table_.columns())
         for (BoundRow& row :
-             share_cuts(table_, problem_, options_.selections.max_count, result_.labels, result_.x, most))
+             share_cuts(table_, problem_, options_.selections.max_count, result_.labels, result_.x, max_cuts))
           batch.push_back(std::move(row));
     }
     return batch;

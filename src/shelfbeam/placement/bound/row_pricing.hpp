@@ -54,9 +54,9 @@ class RowPricing {
     std::uint32_t label = 0;
   };
   /// The labels that `x` violates by more than `tolerance`: the most violated per strongest unit, in
-  /// descending order, at most `most`, without `known` labels. Scans the table once on the threads of the
+  /// descending order, at most `max_cuts`, without `known` labels. Scans the table once on the threads of the
   /// current arena.
-  std::vector<Violated> violated(std::span<const double> x, double tolerance, std::size_t most,
+  std::vector<Violated> violated(std::span<const double> x, double tolerance, std::size_t max_cuts,
                                  const std::vector<bool>& known) const {
     std::vector<double> lacking(rows_);
     parallel_for_ranges(rows_, [&](std::size_t first, std::size_t last) {
@@ -72,7 +72,7 @@ class RowPricing {
     std::sort(worst.begin(), worst.end(), [](const Violated& a, const Violated& b) {
       return a.by != b.by ? a.by > b.by : a.label < b.label;
     });
-    worst.resize(std::min(worst.size(), most));
+    worst.resize(std::min(worst.size(), max_cuts));
     return worst;
   }
 

@@ -99,7 +99,7 @@ double CoverageBound::evaluate(const Kind& kind, std::size_t units, std::vector<
     if (installed_[j]) sum += value[j];
   const std::vector<Candidate> candidates = best_candidates(value);
   const std::size_t last = kind.omitted == 0 ? best_.size() - 1 : units;
-  double wanted = sum;
+  double at_most_units = sum;
   for (std::size_t k = installed_count_; k <= last; ++k) {
     const std::size_t next = k - installed_count_;
     if (next > 0 && next <= candidates.size()) {
@@ -107,9 +107,9 @@ double CoverageBound::evaluate(const Kind& kind, std::size_t units, std::vector<
       if (k <= units) counted[candidates[next - 1].column] = true;
     }
     best_[k] = std::min(best_[k], sum);
-    if (k == units) wanted = sum;
+    if (k == units) at_most_units = sum;
   }
-  return wanted;
+  return at_most_units;
 }
 
 void CoverageBound::improve(std::size_t units, std::size_t reached, std::size_t steps,
@@ -124,7 +124,7 @@ void CoverageBound::improve(Kind& kind, std::size_t units, std::size_t reached, 
                             const RunControl& control, Clock::time_point until) {
   std::vector<double>& multiplier = kind.multiplier;
   double length = 1;
-  double least = std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
   std::size_t since_better = 0;
   std::vector<double> best_multiplier = multiplier;
   std::vector<bool> counted;
@@ -132,7 +132,7 @@ void CoverageBound::improve(Kind& kind, std::size_t units, std::size_t reached, 
   for (std::size_t step = 0; step < steps && !control.cancelled() && Clock::now() < until; ++step) {
     const double value = evaluate(kind, units, counted);
     if (labels(units) <= reached) break;
-    if (value < least * (1 - 1e-6)) {
+    if (value < smallest * (1 - 1e-6)) {
       since_better = 0;
     } else if (++since_better >= 10) {
       length *= 0.5;
@@ -141,8 +141,8 @@ void CoverageBound::improve(Kind& kind, std::size_t units, std::size_t reached, 
       if (length < 1e-4) return;
       continue;
     }
-    if (value < least) {
-      least = value;
+    if (value < smallest) {
+      smallest = value;
       best_multiplier = multiplier;
     }
     // Subgradient step with Polyak's length towards the best known selection:

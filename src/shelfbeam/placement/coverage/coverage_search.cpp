@@ -143,16 +143,16 @@ bool CoverageSearch::exchange(std::uint32_t out) {
 void CoverageSearch::improve(std::size_t max_units, std::size_t work, const RunControl& control,
                              std::chrono::steady_clock::time_point until) {
   const std::size_t end = work_ + work;
-  const auto goes_on = [&] {
+  const auto may_continue = [&] {
     return work_ < end && !control.cancelled() && std::chrono::steady_clock::now() < until;
   };
   bool better = true;
-  while (better && goes_on()) {
+  while (better && may_continue()) {
     better = false;
-    while (count_ < max_units && goes_on()) {
+    while (count_ < max_units && may_continue()) {
       const std::size_t before = reached_;
       const std::vector<std::uint32_t> kept = selected();
-      const auto choice = best(gains({}), {}, count_ + 1 == max_units ? Aim::labels : Aim::what_is_lacking);
+      const auto choice = best(gains({}), {}, count_ + 1 == max_units ? Aim::labels : Aim::deficit);
       if (!choice) break;
       choose(choice->column, true);
       look();
@@ -163,7 +163,7 @@ void CoverageSearch::improve(std::size_t max_units, std::size_t work, const RunC
       better = true;
     }
     for (const std::uint32_t j : selected())
-      if (!table_.transceivers[j].installed && chosen_[j] && goes_on() && exchange(j)) better = true;
+      if (!table_.transceivers[j].installed && chosen_[j] && may_continue() && exchange(j)) better = true;
   }
   while (true) {
     const std::vector<std::uint32_t> before = selected();

@@ -33,8 +33,8 @@ class CoverageSearch {
 
  private:
   enum class Aim {
-    what_is_lacking,  ///< the greedy gain: reduction of the total lack
-    labels            ///< labels newly reached, then the same
+    deficit,  ///< the greedy gain: reduction of the total lack
+    labels    ///< labels newly reached, then the same
   };
 
   struct Gains {

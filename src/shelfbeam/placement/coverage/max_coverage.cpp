@@ -55,27 +55,27 @@ MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& 
     if (table.transceivers[j].installed) reach.selected.push_back(j);
   if (reach.selected.size() > units)
     throw InputError("number of units",
-                     fmt::format("is {}, but {} units are installed already", units, reach.selected.size()),
-                     "allow at least these units", Setting::units);
+                     fmt::format("is {}, but {} units are already installed", units, reach.selected.size()),
+                     "use at least the number of installed units", Setting::units);
   units = std::min(units, table.columns());
   reach.missed = check_selection(table, problem, reach.selected).unmet;
   reach.reached = table.rows() - reach.missed.size();
 
   const bool may_ask = options.solver == SolverChoice::automatic || options.solver == SolverChoice::mip;
   const bool fits = CoverageModel::fits(table, problem);
-  const bool is_asked = may_ask && fits;
+  const bool uses_solver = may_ask && fits;
   reach.too_large = may_ask && !fits;
-  const Deadline search_end((is_asked ? 0.3 : 0.5) * limit_s), bound_end((is_asked ? 0.5 : 1) * limit_s),
-      end(limit_s);
+  const Deadline search_end((uses_solver ? 0.3 : 0.5) * limit_s),
+      bound_end((uses_solver ? 0.5 : 1) * limit_s), end(limit_s);
 
   detail::CoverageSearch search(table, problem);
   search.improve(units, search_work, control, search_end.end());
   offer(reach, table, search.selected());
 
   CoverageBound bound(table, problem, units);
-  const auto lower_to = [&](std::size_t most, BoundProof proof) {
-    if (most >= reach.upper_bound) return;
-    reach.upper_bound = most;
+  const auto lower_to = [&](std::size_t value, BoundProof proof) {
+    if (value >= reach.upper_bound) return;
+    reach.upper_bound = value;
     reach.bound_proof = proof;
   };
   reach.upper_bound = bound.labels(units);
@@ -83,7 +83,7 @@ MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& 
                 control, bound_end.end());
   lower_to(bound.labels(units), BoundProof::dual);
 
-  if (is_asked)
+  if (uses_solver)
     for (const milp::Backend& backend : backends) {
       CoverageModel model(table, problem, units);
       const auto outcome =
@@ -95,7 +95,7 @@ MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& 
     }
   const bool was_cut_short = control.cancelled() || end.has_passed();
   reach.status = reach.upper_bound <= reach.reached ? Status::optimal
-                 : is_asked || was_cut_short        ? Status::stopped
+                 : uses_solver || was_cut_short     ? Status::stopped
                                                     : Status::feasible;
   reach.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return reach;

@@ -84,8 +84,8 @@ class Annealing {
     std::fill(held_.begin() + static_cast<std::ptrdiff_t>(rows_.size()), held_.end(), 1.0F);
     for (const std::uint32_t j : selection())
       SearchKernels::receive(Receiving::sum, rows_.column(j), held_.size(), held_.data(), nullptr);
-    nothing_.assign(held_.size(), 0.0F);
-    lack_ = lack_after(nothing_.data(), nothing_.data());
+    zeros_.assign(held_.size(), 0.0F);
+    lack_ = lack_after(zeros_.data(), zeros_.data());
   }
 
   float lack_after(const float* out, const float* in) const {
@@ -93,16 +93,16 @@ class Annealing {
   }
 
   void drop_weakest() {
-    std::size_t least = 0;
+    std::size_t weakest = 0;
     float min_lack = std::numeric_limits<float>::infinity();
     for (std::size_t k = 0; k < free_.size(); ++k) {
-      const float lack = lack_after(rows_.column(free_[k]), nothing_.data());
+      const float lack = lack_after(rows_.column(free_[k]), zeros_.data());
       if (lack >= min_lack) continue;
       min_lack = lack;
-      least = k;
+      weakest = k;
     }
-    in_[free_[least]] = false;
-    free_[least] = free_.back();
+    in_[free_[weakest]] = false;
+    free_[weakest] = free_.back();
     free_.pop_back();
     recount();
   }
@@ -168,7 +168,7 @@ class Annealing {
   std::vector<bool> in_;
   std::vector<std::uint32_t> fixed_, free_, candidates_;
   std::optional<SimilarColumns> similar_;
-  std::vector<float> held_, nothing_, memory_;
+  std::vector<float> held_, zeros_, memory_;
   float lack_ = 0;           ///< L(T), total lack of the active rows
   bool has_failed_ = false;  ///< misses a label on all rows, although none of them is new
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();

@@ -53,10 +53,10 @@ class CoverWalk {
         touched_(cover.column.size(), 0),
         weight_(cover.columns_of.size(), 1),
         times_(cover.columns_of.size(), 0),
-        place_(cover.columns_of.size(), 0),
+        position_(cover.columns_of.size(), 0),
         random_(seed) {
     for (std::uint32_t i = 0; i < weight_.size(); ++i) {
-      place_[i] = static_cast<std::uint32_t>(open_.size());
+      position_[i] = static_cast<std::uint32_t>(open_.size());
       open_.push_back(i);
     }
     for (std::size_t c = 0; c < in_.size(); ++c)
@@ -150,7 +150,7 @@ class CoverWalk {
       if (--times_[i] == 0) {
         lost += weight_[i];
         for (const std::uint32_t other : cover_.columns_of[i]) score_[other] += weight_[i];
-        place_[i] = static_cast<std::uint32_t>(open_.size());
+        position_[i] = static_cast<std::uint32_t>(open_.size());
         open_.push_back(i);
       } else if (times_[i] == 1) {
         for (const std::uint32_t other : cover_.columns_of[i])
@@ -161,9 +161,9 @@ class CoverWalk {
   }
 
   void close(std::uint32_t row) {
-    const std::uint32_t at = place_[row];
+    const std::uint32_t at = position_[row];
     open_[at] = open_.back();
-    place_[open_[at]] = at;
+    position_[open_[at]] = at;
     open_.pop_back();
   }
 
@@ -174,7 +174,7 @@ class CoverWalk {
   std::vector<std::uint64_t> touched_;  ///< last move that added or removed the column
   std::vector<std::int64_t> weight_;
   std::vector<std::uint32_t> times_;  ///< by row: chosen columns that reach it
-  std::vector<std::uint32_t> open_, place_;
+  std::vector<std::uint32_t> open_, position_;
   std::vector<std::uint32_t> chosen_;
   std::optional<std::vector<std::uint32_t>> best_;
   std::mt19937 random_;

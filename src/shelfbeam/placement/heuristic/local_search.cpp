@@ -143,13 +143,13 @@ class Walk {
 
   bool remove_cheapest() {
     std::uint32_t out = none;
-    double least = std::numeric_limits<double>::infinity();
+    double min_loss = std::numeric_limits<double>::infinity();
     for (std::uint32_t j = 0; j < in_.size(); ++j) {
       if (!in_[j] || !is_free_[j] || touched_[j] == now_) continue;
       const double loss = ratio(lost_with(j), price_[j]);
-      if (out == none || loss < least || (loss == least && touched_[j] < touched_[out])) {
+      if (out == none || loss < min_loss || (loss == min_loss && touched_[j] < touched_[out])) {
         out = j;
-        least = loss;
+        min_loss = loss;
       }
     }
     if (out == none) return false;
@@ -176,7 +176,7 @@ class Walk {
   bool exchange() {
     const std::uint32_t row = unmet_[random_() % unmet_.size()];
     std::uint32_t in = none;
-    double most = 0;
+    double max_worth = 0;
     for (const std::uint32_t j : supporters_[row]) {
       if (in_[j] || (touched_[j] > 0 && touched_[j] + 1 >= now_) || price_[j] >= best_cost_) continue;
       double gained = static_cast<double>(
@@ -184,9 +184,9 @@ class Walk {
       for (const std::uint32_t other : instance_.excludes[j])
         if (in_[other]) gained -= lost_with(other);
       const double worth = ratio(gained, price_[j]);
-      if (in == none || worth > most || (worth == most && touched_[j] < touched_[in])) {
+      if (in == none || worth > max_worth || (worth == max_worth && touched_[j] < touched_[in])) {
         in = j;
-        most = worth;
+        max_worth = worth;
       }
     }
     if (in != none) {

@@ -115,8 +115,9 @@ Json detail::placement_object(const Placement& placement, const SignalTable& tab
                               const CoverageCurve& curve) {
   Json unreachable = Json::array();
   for (const Unreachable& label : placement.unreachable)
-    unreachable.push_back(
-        {{"label", table.labels[label.label].id}, {"requirement", label.requirement}, {"most", label.most}});
+    unreachable.push_back({{"label", table.labels[label.label].id},
+                           {"requirement", label.requirement},
+                           {"most", label.max_signal}});
   const PlacementProblem& problem = placement.problem;
   Json file = {{"format", format_version},
                {"model", to_text(problem.model)},

@@ -62,15 +62,15 @@ Margin margin_of(const SignalTable& table, const PlacementProblem& problem, cons
   float* const best = received.data() + all.padded_rows();
   for (const std::uint32_t j : selected)
     SearchKernels::receive(rule, all.column(j), all.padded_rows(), value, best);
-  float least = std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < all.rows(); ++i) least = std::min(least, received[i]);
+  float smallest = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < all.rows(); ++i) smallest = std::min(smallest, received[i]);
   std::vector<bool> chosen(table.columns(), false);
   for (const std::uint32_t j : selected) chosen[j] = true;
   double of_unmet = std::numeric_limits<double>::infinity();
   // These rows include the smallest margin in double precision, and a missed label if there is any. (Capped
   // ratios cannot be told apart.)
-  const float lowest = least < largest / 10 ? least * (1 + 5 * static_cast<float>(search_tolerance))
-                                            : std::numeric_limits<float>::infinity();
+  const float lowest = smallest < largest / 10 ? smallest * (1 + 5 * static_cast<float>(search_tolerance))
+                                               : std::numeric_limits<float>::infinity();
   for (std::uint32_t i = 0; i < all.rows(); ++i) {
     if (received[i] > lowest) continue;
     const double requirement = requirement_of(table.labels[i], problem.model);
@@ -90,10 +90,12 @@ SearchInstance::SearchInstance(const SignalTable& t, const PlacementProblem& q)
     : table(t), problem(q), excludes(t.columns()), available(t.columns(), true) {
   const std::vector<double> coefficients =
       q.combination == Combination::weighted ? first_objective(t, q) : objective_coefficients(t, q);
-  const double most = coefficients.empty() ? 0 : *std::max_element(coefficients.begin(), coefficients.end());
+  const double largest_coefficient =
+      coefficients.empty() ? 0 : *std::max_element(coefficients.begin(), coefficients.end());
   constexpr double bits = 60;  // of the cost of all columns together
-  if (most > 0)
-    cost_unit = std::exp2(std::ceil(std::log2(most) + std::log2(static_cast<double>(t.columns()))) - bits);
+  if (largest_coefficient > 0)
+    cost_unit = std::exp2(
+        std::ceil(std::log2(largest_coefficient) + std::log2(static_cast<double>(t.columns()))) - bits);
   for (const double coefficient : coefficients) cost.push_back(std::llround(coefficient / cost_unit));
   has_costs = std::any_of(cost.begin(), cost.end(), [](std::int64_t c) { return c != 0; });
   std::vector<std::uint32_t> by_id(t.columns());
@@ -113,13 +115,13 @@ SearchInstance::SearchInstance(const SignalTable& t, const PlacementProblem& q)
 
 bool SearchInstance::is_first_by_id(std::span<const std::uint32_t> a,
                                     std::span<const std::uint32_t> b) const {
-  const auto places = [&](std::span<const std::uint32_t> selected) {
+  const auto mounting_points = [&](std::span<const std::uint32_t> selected) {
     std::vector<std::uint32_t> result;
     for (const std::uint32_t j : selected) result.push_back(rank_by_id[j]);
     std::sort(result.begin(), result.end());
     return result;
   };
-  return places(a) < places(b);
+  return mounting_points(a) < mounting_points(b);
 }
 
 }  // namespace shelfbeam::detail

@@ -74,9 +74,9 @@ template <bool sums>
 SHELFBEAM_INLINE inline void add_load(const float* column, const SearchKernels::Rows& rows, float* load) {
   SHELFBEAM_VECTORIZE
   for (std::size_t i = 0; i < rows.count; ++i) {
-    const float most = rows.lacking[i], a = given<sums>(column[i], rows.target);
+    const float lack = rows.lacking[i], a = given<sums>(column[i], rows.target);
     const float counted = sums ? larger(0.0F, a - rows.shift[i]) : a;
-    load[i] += most > 0 ? smaller(counted, most) / most : 0.0F;
+    load[i] += lack > 0 ? smaller(counted, lack) / lack : 0.0F;
   }
 }
 

@@ -32,7 +32,7 @@ class SimilarColumns {
 
   /// Up to 60 candidates other than `column`, the most similar first.
   std::span<const std::uint32_t> to(std::uint32_t column) {
-    constexpr std::size_t most = 60;
+    constexpr std::size_t max_count = 60;
     std::vector<std::uint32_t>& similar = similar_[column];
     if (!similar.empty()) return similar;
     std::vector<std::pair<float, std::uint32_t>> by_distance;
@@ -41,7 +41,7 @@ class SimilarColumns {
       if (j == column) continue;
       by_distance.emplace_back(SearchKernels::distance(own, sample_.data() + j * sampled_, sampled_), j);
     }
-    const std::size_t count = std::min(most, by_distance.size());
+    const std::size_t count = std::min(max_count, by_distance.size());
     std::partial_sort(by_distance.begin(), by_distance.begin() + static_cast<std::ptrdiff_t>(count),
                       by_distance.end());
     for (std::size_t k = 0; k < count; ++k) similar.push_back(by_distance[k].second);

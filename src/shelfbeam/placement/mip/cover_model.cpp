@@ -55,16 +55,17 @@ void CoverModel::build() {
 
 // The rows (i, j) of the k chosen units that reach label i add up to (k - 1) sum_j a_ij T_j >= k. As k / (k -
 // 1) falls with k, any upper bound on k is valid. The right-hand side follows the grid as in `relaxed`.
-void CoverModel::bound_label_rows(std::size_t most) {
+void CoverModel::bound_label_rows(std::size_t max_units) {
   if (!problem_.redundant || problem_.model == CommunicationModel::non_cooperative) return;
   for (std::size_t i = 0; i < table_.rows(); ++i) {
-    const auto units = static_cast<double>(std::max<std::size_t>(2, std::min(most, table_.row(i).size())));
+    const auto units =
+        static_cast<double>(std::max<std::size_t>(2, std::min(max_units, table_.row(i).size())));
     double without = 0;
     for (const SignalEntry& entry : table_.row(i))
       if (const double share = entry.signal / table_.labels[i].requirement; share < negligible)
         without += share;
-    const double least = (1 - 2 * met_tolerance) * units / (units - 1) - without;
-    model_.rows[i].lower = (std::ceil(least * steps) - 0.5) / steps;
+    const double min_sum = (1 - 2 * met_tolerance) * units / (units - 1) - without;
+    model_.rows[i].lower = (std::ceil(min_sum * steps) - 0.5) / steps;
   }
 }
 

@@ -64,7 +64,7 @@ milp::Model placement_model(const SignalTable& table, const PlacementProblem& pr
     throw InputError("model that survives a failure",
                      fmt::format("requires {} entries in the model file, but at most {} are written", entries,
                                  largest_model),
-                     "place without a model file; the search adds rows as required", Setting::failure);
+                     "use 'place', which adds rows only as required", Setting::failure);
   for (std::size_t i = 0; i < table.rows(); ++i)
     for (const SignalEntry& entry : table.row(i))
       model.rows.push_back(failure_row(table, i, entry.transceiver));

@@ -79,8 +79,8 @@ struct Search {
     MipResult answer;
     const std::vector<double> cost = first_objective(table, problem);
     const CostBounds bounds(table, cost);
-    const std::size_t least = trivial_count_bound(table, problem);
-    double bound = bounds.cheapest(least);
+    const std::size_t min_count = trivial_count_bound(table, problem);
+    double bound = bounds.cheapest(min_count);
     bool is_optimal = closes(bound, value);
     if (!is_optimal) {
       const auto best = model.minimise(cost, value);
@@ -92,7 +92,7 @@ struct Search {
     }
     set_value(answer.placement, value, bound, is_optimal);
     answer.placement.count_lower_bound =
-        static_cast<double>(std::max(least, bounds.fewest(answer.placement.lower_bound)));
+        static_cast<double>(std::max(min_count, bounds.fewest(answer.placement.lower_bound)));
     return answer;
   }
 

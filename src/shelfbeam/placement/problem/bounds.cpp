@@ -19,9 +19,9 @@ std::size_t trivial_count_bound(const SignalTable& table, const PlacementProblem
   std::vector<std::uint32_t> installed;
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     if (table.transceivers[j].installed) installed.push_back(j);
-  const std::size_t least =
+  const std::size_t min_count =
       installed.size() + (check_selection(table, problem, installed).unmet.empty() ? 0 : 1);
-  return problem.redundant && table.rows() > 0 ? std::max<std::size_t>(least, 2) : least;
+  return problem.redundant && table.rows() > 0 ? std::max<std::size_t>(min_count, 2) : min_count;
 }
 
 CostBounds::CostBounds(const SignalTable& table, std::span<const double> cost) {
@@ -55,12 +55,12 @@ std::size_t CostBounds::fewest(double cost) const {
 }
 
 std::size_t CostBounds::affordable(double cost) const {
-  const double most = cost * (1 + 1e-9);
+  const double max_cost = cost * (1 + 1e-9);
   double spent = installed_cost_;
   std::size_t count = installed_;
   for (const double one : ascending_) {
     spent += one;
-    if (spent > most) break;
+    if (spent > max_cost) break;
     ++count;
   }
   return count;

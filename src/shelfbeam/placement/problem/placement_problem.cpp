@@ -62,11 +62,11 @@ std::vector<double> objective_coefficients(const SignalTable& table, const Place
   }
   const double share = words_of(problem.objective).has_share ? problem.share : 1.0;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    const double least = share * requirement_of(table.labels[i], problem.model);
+    const double min_signal = share * requirement_of(table.labels[i], problem.model);
     for (const SignalEntry& entry : table.row(i)) {
       if (problem.objective == Objective::signal)
         result[entry.transceiver] += cost[i] * entry.signal;
-      else if (is_met(entry.signal, least))
+      else if (is_met(entry.signal, min_signal))
         result[entry.transceiver] += cost[i];
     }
   }

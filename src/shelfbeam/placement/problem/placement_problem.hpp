@@ -35,11 +35,11 @@ struct ObjectiveWords {
 };
 inline constexpr std::array objective_words = {
     ObjectiveWords{Objective::count, "count", "none (default)", "transceivers"},
-    ObjectiveWords{Objective::links, "links", "links at their costs", "links"},
+    ObjectiveWords{Objective::links, "links", "cost of all links", "links"},
     ObjectiveWords{Objective::effective_links, "effective-links",
-                   "links whose signal alone is a given share of the requirement", "effective links",
+                   "cost of the links with at least a given share of the requirement", "effective links",
                    "fewest", true},
-    ObjectiveWords{Objective::signal, "signal", "signals at their costs", "signal", "least"}};
+    ObjectiveWords{Objective::signal, "signal", "cost of all signals", "signal", "lowest"}};
 
 /// Precondition: `objective_words` contains the objective.
 constexpr const ObjectiveWords& words_of(Objective objective) {

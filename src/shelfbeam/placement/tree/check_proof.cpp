@@ -56,14 +56,14 @@ class ProofChecker {
   }
 
   // Contributions of the columns to a label: shares of its requirement, or whether a column alone supplies
-  // `least` of it.
-  std::vector<double> dense(std::uint32_t i, double least) const {
+  // `min_share` of it.
+  std::vector<double> dense(std::uint32_t i, double min_share) const {
     std::vector<double> row(table_.columns(), 0.0);
     const double requirement = requirement_of(table_.labels[i], problem_.model);
     for (const SignalEntry& entry : table_.row(i))
-      row[entry.transceiver] = is_sum_                               ? entry.signal / requirement
-                               : entry.signal >= requirement * least ? 1.0
-                                                                     : 0.0;
+      row[entry.transceiver] = is_sum_                                   ? entry.signal / requirement
+                               : entry.signal >= requirement * min_share ? 1.0
+                                                                         : 0.0;
     return row;
   }
 
@@ -100,7 +100,7 @@ class ProofChecker {
   }
 
   struct Sums {
-    double most = 0, without_one = 0;
+    double largest = 0, without_one = 0;
   };
   static Sums largest(const std::vector<double>& value, const std::vector<bool>& allowed, std::size_t count) {
     std::vector<double> positive;
@@ -111,7 +111,7 @@ class ProofChecker {
                       positive.end(), std::greater<>());
     Sums sums;
     for (std::size_t k = 0; k < largest; ++k) {
-      sums.most += positive[k];
+      sums.largest += positive[k];
       if (k + 1 < count) sums.without_one += positive[k];
     }
     return sums;
@@ -130,7 +130,7 @@ class ProofChecker {
           return units == 0;
         case Proof::sum_fails: {
           const Weighing w = weighing(units, allowed);
-          return w.paid + largest(w.value, allowed, units).most < w.need * (1 - slack);
+          return w.paid + largest(w.value, allowed, units).largest < w.need * (1 - slack);
         }
         case Proof::filter: {
           const Weighing w = weighing(units, allowed);

@@ -22,10 +22,10 @@ namespace shelfbeam::detail {
 /// badly gain weight.
 class RowWeights {
  public:
-  /// `column(k)` has gain[k]; weights do not fall below `least`. Rows::weight is not used.
+  /// `column(k)` has gain[k]; weights do not fall below `min_weight`. Rows::weight is not used.
   template <class Column>
   void step(Receiving rule, const SearchKernels::Rows& rows, std::span<const float> gain, std::size_t count,
-            const Column& column, float least, std::span<float> weight) {
+            const Column& column, float min_weight, std::span<float> weight) {
     order_.resize(gain.size());
     std::iota(order_.begin(), order_.end(), 0U);
     const auto best = order_.begin() + static_cast<std::ptrdiff_t>(std::min(count, order_.size()));
@@ -36,14 +36,14 @@ class RowWeights {
     for (auto k = order_.begin(); k != best; ++k) SearchKernels::load(rule, column(*k), rows, load_.data());
 
     constexpr float rate = 0.4F;
-    constexpr float most = 1e20F;  // rows without a lack would grow without limit
+    constexpr float max_weight = 1e20F;  // rows without a lack would grow without limit
     float largest = 0;
     for (std::size_t i = 0; i < weight.size(); ++i) {
       weight[i] *= std::exp(rate * std::clamp(1 - load_[i], -2.0F, 1.0F));
       if (rows.lacking[i] > 0) largest = std::max(largest, weight[i]);
     }
     if (largest > 0)
-      for (float& w : weight) w = std::clamp(w / largest, least, most);
+      for (float& w : weight) w = std::clamp(w / largest, min_weight, max_weight);
   }
 
  private:

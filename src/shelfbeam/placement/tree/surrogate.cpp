@@ -70,15 +70,15 @@ Surrogate SurrogateTest::of(const TreeNode& node, std::size_t units, std::int64_
   Surrogate result;
   result.need =
       static_cast<double>(SearchKernels::need(node.counted.data(), node.weight.data(), node.value.size()));
-  std::tie(result.most, result.without_one) = largest_sums(node, units, 0);
+  std::tie(result.largest, result.without_one) = largest_sums(node, units, 0);
   const std::int64_t left = run_.max_cost() - spent;
   if (!run_.instance.has_costs || left <= 0 || run_.max_cost() == no_limit) return result;
   for (const double part : {0.3, 0.5, 0.7, 0.8, 0.9, 0.96}) {
     const auto price = static_cast<float>(part * result.need / static_cast<double>(left));
     const double paid = static_cast<double>(price) * static_cast<double>(left);
-    const auto [most, without_one] = largest_sums(node, units, static_cast<double>(price));
-    if (paid + most >= result.most) continue;
-    result.most = paid + most;
+    const auto [largest, without_one] = largest_sums(node, units, static_cast<double>(price));
+    if (paid + largest >= result.largest) continue;
+    result.largest = paid + largest;
     result.without_one = paid + without_one;
     result.price = price;
   }
@@ -101,10 +101,10 @@ std::size_t SurrogateTest::filter(TreeNode& node, const Surrogate& surrogate) co
 }
 
 void SurrogateTest::sharpen(TreeNode& node, std::size_t units) {
-  constexpr float least = 1e-6F;
+  constexpr float min_weight = 1e-6F;
   weights_.step(
       run_.rule, rows_of(node), node.gain, units,
-      [&](std::uint32_t c) { return node.window->column(node.allowed[c]); }, least, node.weight);
+      [&](std::uint32_t c) { return node.window->column(node.allowed[c]); }, min_weight, node.weight);
   node.weights_id = TreeNode::unlogged;
 }
 

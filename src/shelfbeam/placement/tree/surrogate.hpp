@@ -75,14 +75,14 @@ struct TreeNode {
 /// W <= v_j - p c_j + B_(b-1); columns that violate it are filtered.
 struct Surrogate {
   double need = 0;         ///< W
-  double most = 0;         ///< B_b
+  double largest = 0;      ///< B_b
   double without_one = 0;  ///< B_(b-1)
   float price = 0;         ///< p, the tried price with the smallest B_b
 
   static constexpr double safe = 1e-4;  ///< relative tolerance for single-precision sums of gains
 
   /// W > B_b: no columns complete the node.
-  bool closes_node() const { return most < need * (1 - safe); }
+  bool closes_node() const { return largest < need * (1 - safe); }
   /// W > v_j - p c_j + B_(b-1): no completion of the node contains j.
   bool rules_out(double gain, double cost) const {
     return gain - static_cast<double>(price) * cost < need * (1 - safe) - without_one;

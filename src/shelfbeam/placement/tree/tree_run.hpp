@@ -27,7 +27,7 @@ class TreeRun {
   /// Counts a node; true if the search ends here, by a limit or because `any` is found.
   bool ends();
   /// Counts matrix cells that were examined.
-  void count_work(std::uint64_t places) { work_.fetch_add(places, std::memory_order_relaxed); }
+  void count_work(std::uint64_t entries) { work_.fetch_add(entries, std::memory_order_relaxed); }
   /// The minimum margin of an acceptable selection; lowered for single precision in `target`.
   float target() const;
   double exact_target() const;

@@ -34,12 +34,13 @@ void TreeSearch::choose_rows(std::size_t units) {
   std::vector<float> gain(columns.size()), supporters(padded, 0.0F);
   RowWeights weights;
   constexpr int steps = 60;
-  constexpr float least = 1e-12F;
+  constexpr float min_weight = 1e-12F;
   for (int step = 0; step < steps; ++step) {
     for (std::size_t k = 0; k < columns.size(); ++k)
       gain[k] = SearchKernels::gain(rule_, all_.column(columns[k]), 1.0F, rows, supporters.data());
     weights.step(
-        rule_, rows, gain, units, [&](std::uint32_t k) { return all_.column(columns[k]); }, least, weight);
+        rule_, rows, gain, units, [&](std::uint32_t k) { return all_.column(columns[k]); }, min_weight,
+        weight);
   }
   std::partial_sort(rows_.begin(), rows_.begin() + rows_at_first, rows_.end(),
                     [&](std::uint32_t a, std::uint32_t b) {
@@ -54,18 +55,18 @@ void TreeSearch::begin_with(std::span<const std::uint32_t> rows, std::span<const
   rows_.assign(rows.begin(), rows.end());
   matrix_.reset();
   const double largest = weights.empty() ? 0 : *std::max_element(weights.begin(), weights.end());
-  constexpr double least = 1e-4;
+  constexpr double min_weight = 1e-4;
   weights_.clear();
   for (const double weight : weights)
-    weights_.push_back(static_cast<float>(largest > 0 ? std::max(weight / largest, least) : 1));
+    weights_.push_back(static_cast<float>(largest > 0 ? std::max(weight / largest, min_weight) : 1));
 }
 
-TreeResult TreeSearch::run(const TreeGoal& wanted, const Limits& limits, const RunControl& control) {
+TreeResult TreeSearch::run(const TreeGoal& given, const Limits& limits, const RunControl& control) {
   constexpr std::size_t rows_at_once = 32;
   constexpr float weight_of_new = 0.3F;
   TreeResult answer;
-  if (rows_.empty()) choose_rows(wanted.max_units);
-  TreeGoal goal = wanted;
+  if (rows_.empty()) choose_rows(given.max_units);
+  TreeGoal goal = given;
   Limits left = limits;
   while (true) {
     if (!matrix_) matrix_.emplace(instance_.table, instance_.problem.model, rows_);

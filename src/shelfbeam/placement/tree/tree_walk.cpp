@@ -11,9 +11,9 @@ namespace shelfbeam::detail {
 
 void ProofLog::add_weighing(TreeNode& node, Proof::Tag tag, float price) {
   if (!logs_) return;
-  constexpr std::size_t most = 1 << 16;
+  constexpr std::size_t max_weighings = 1 << 16;
   if (node.weights_id == TreeNode::unlogged) {
-    if (weights_.size() == most || !run_.may_log(run_.matrix.rows())) return give_up();
+    if (weights_.size() == max_weighings || !run_.may_log(run_.matrix.rows())) return give_up();
     node.weights_id = number_ << 16 | static_cast<std::uint32_t>(weights_.size());
     std::vector<float>& whole = weights_.emplace_back(run_.matrix.rows(), 0.0F);
     for (std::size_t i = 0; i < node.window->rows.size(); ++i) whole[node.window->rows[i]] = node.weight[i];
@@ -86,20 +86,20 @@ bool TreeWalk::may_complete(std::size_t depth) {
     const std::size_t before = node.allowed.size(), forbidden = surrogate_.filter(node, now);
     if (forbidden > 0) log_.add_weighing(node, Proof::filter, now.price);
     if (step >= steps && 10 * forbidden <= before) return true;
-    if (depth > 0 && step >= 2 && now.most > hopeless * now.need) return true;
+    if (depth > 0 && step >= 2 && now.largest > hopeless * now.need) return true;
     if (step < steps) surrogate_.sharpen(node, units);
   }
 }
 
 // Children: the allowed columns that contribute the pigeonhole share to the row, the largest gain first.
-void TreeWalk::branch_on(std::size_t depth, std::uint32_t row, double least) {
+void TreeWalk::branch_on(std::size_t depth, std::uint32_t row, double needed) {
   TreeNode& node = nodes_[depth];
   node.order.clear();
   for (std::uint32_t c = 0; c < node.allowed.size(); ++c) {
     const std::uint32_t j = node.allowed[c];
     const double scale = node.by_cost ? static_cast<double>(run_.instance.cost[j]) : 1;
     const auto given = static_cast<double>(run_.all.column(j)[row]);
-    if (given > 0 && given >= scale * least) node.order.push_back(c);
+    if (given > 0 && given >= scale * needed) node.order.push_back(c);
   }
   if (node.gain.size() == node.allowed.size())
     std::sort(node.order.begin(), node.order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -152,11 +152,11 @@ void TreeWalk::complete(std::size_t depth) {
     return;
   }
   const double lacking = std::max(0.0, target - margin.smallest) / static_cast<double>(units);
-  const double least = is_sum(run_.rule) ? std::max(lacking * (1 - search_tolerance) - 1e-12, 1e-30)
-                                         : target * (1 - search_tolerance);
+  const double needed = is_sum(run_.rule) ? std::max(lacking * (1 - search_tolerance) - 1e-12, 1e-30)
+                                          : target * (1 - search_tolerance);
   node.gain.clear();
   node.by_cost = false;
-  branch_on(depth, margin.label, least);
+  branch_on(depth, margin.label, needed);
   node.below = node.window;
   visit_children(depth);
 }
@@ -169,11 +169,11 @@ void TreeWalk::take_last(std::size_t depth) {
     if (node.lacking[i] > node.lacking[hardest]) hardest = i;
   const float target = run_.target();
   const bool sums = is_sum(run_.rule);
-  const float least = sums ? node.lacking[hardest] : target;
+  const float needed = sums ? node.lacking[hardest] : target;
   bool is_open = false;
   for (const std::uint32_t j : node.allowed) {
     const float* const column = node.window->column(j);
-    if (column[hardest] < least || spent_ + run_.instance.cost[j] > run_.max_cost()) continue;
+    if (column[hardest] < needed || spent_ + run_.instance.cost[j] > run_.max_cost()) continue;
     run_.count_work(node.value.size());
     if (!SearchKernels::suffices(run_.rule, column, node.lacking.data(), target, node.value.size())) continue;
     if (run_.ends()) {

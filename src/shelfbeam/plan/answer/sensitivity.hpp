@@ -26,13 +26,13 @@ struct MinMargin {
 /// All reflectances at the same end of their ranges. Verdicts rest on independent samples, with a joint
 /// confidence (Sensitivity::confidence); labels in neither list are reached.
 struct ReflectanceEnd {
-  MinMargin least;
+  MinMargin min_margin;
   std::vector<std::uint32_t> missed, undecided;
 };
 
 /// One material at one end of its range, all others as given. Estimates at the watched labels, not certified.
 struct ReflectanceStep {
-  MinMargin least;
+  MinMargin min_margin;
   /// Change of that label's margin from the margin as given, with common random numbers.
   double change = 0, change_error = 0;
   double mean_change = 0;        ///< relative change of the labels' signals; labels without signal count 0

@@ -21,7 +21,7 @@ void add(Json& object, const MinMargin& least, const SignalTable& table) {
 
 Json to_json(const ReflectanceEnd& end, const SignalTable& table) {
   Json object = Json::object();
-  add(object, end.least, table);
+  add(object, end.min_margin, table);
   object["missed"] = ids_of(table.labels, end.missed);
   object["undecided"] = ids_of(table.labels, end.undecided);
   return object;
@@ -29,7 +29,7 @@ Json to_json(const ReflectanceEnd& end, const SignalTable& table) {
 
 Json to_json(const ReflectanceStep& step, const SignalTable& table) {
   Json object = Json::object();
-  add(object, step.least, table);
+  add(object, step.min_margin, table);
   object["change"] = step.change;
   object["change_standard_error"] = step.change_error;
   object["mean_change"] = step.mean_change;

@@ -13,16 +13,16 @@ namespace {
 
 constexpr double width = 560, left = 86, right = 24, bottom = 62;
 
-// A drawing with two axes: x from `low` to `high`, y from 0 to `most`.
+// A drawing with two axes: x from `low` to `high`, y from 0 to `highest`.
 struct Axes {
-  double height, top, low, high, most;
+  double height, top, low, high, highest;
   double inset = 0;  // free space at both ends of the x axis
   SvgCanvas canvas = {};
 
   double x(double value) const {
     return left + inset + (value - low) / (high - low) * (width - left - right - 2 * inset);
   }
-  double y(double value) const { return height - bottom - value / most * (height - top - bottom); }
+  double y(double value) const { return height - bottom - value / highest * (height - top - bottom); }
 
   void draw_height(double value, const std::string& text) {
     if (value > 0) canvas.line({left, y(value)}, {width - right, y(value)}, "grid");
@@ -45,16 +45,16 @@ struct Axes {
 
 std::string histogram_svg(const HistogramChart& chart) {
   if (chart.bars.empty()) return {};
-  double most = 1;
-  for (const auto& bar : chart.bars) most = std::max(most, bar.height);
-  const double step = std::max(1.0, round_step(most / 4.5));
+  double highest = 1;
+  for (const auto& bar : chart.bars) highest = std::max(highest, bar.height);
+  const double step = std::max(1.0, round_step(highest / 4.5));
   constexpr double height = 340, top = 34;
-  Axes axes{height, top, chart.bars.front().from, chart.bars.back().to, 1.04 * most};
+  Axes axes{height, top, chart.bars.front().from, chart.bars.back().to, 1.04 * highest};
   SvgCanvas& canvas = axes.canvas;
   const auto x = [&](double value) { return axes.x(value); };
   const double floor = axes.y(0);
 
-  for (const double value : multiples(0, axes.most, step))
+  for (const double value : multiples(0, axes.highest, step))
     axes.draw_height(value, grouped(static_cast<std::uint64_t>(std::lround(value))));
   for (const auto& bar : chart.bars) {
     if (bar.height <= 0) continue;
@@ -122,8 +122,8 @@ std::string tornado_svg(const TornadoChart& chart) {
   };
   constexpr double widest_text = 170;
   const bool limit_is_left = chart.limit < chart.middle;
-  const auto to_left = [&](double at, bool wanted) {
-    return wanted ? x(at) > widest_text : x(at) > width - widest_text;
+  const auto to_left = [&](double at, bool is_right_aligned) {
+    return is_right_aligned ? x(at) > widest_text : x(at) > width - widest_text;
   };
   mark(chart.limit, chart.limit_text, 12, to_left(chart.limit, limit_is_left), "mark");
   double y = top;

@@ -36,7 +36,8 @@ std::string scatter_figure(const ComparisonInput& input) {
   std::sort(values.begin(), values.end());
   const SignalUnit unit = signal_unit(values[values.size() / 2]);
   ScatterChart chart;
-  chart.description = "Measured signals, divided by the factor, over simulated signals on logarithmic axes";
+  chart.description =
+      "Measured signals, divided by the factor, against simulated signals on logarithmic axes";
   chart.band_db = comparison.residual_quantile_90;
   chart.x_title = fmt::format("simulated ({})", unit.name);
   chart.y_title = fmt::format("measured / {} ({})", significant(comparison.factor), unit.name);
@@ -60,7 +61,7 @@ std::string scatter_figure(const ComparisonInput& input) {
   }
   std::string note = fmt::format(
       "On the solid line, measured and simulated signals agree; 90\u00A0% of the fitted pairs lie between "
-      "the dashed lines, {}\u00A0dB from it.",
+      "the dashed lines, {}\u00A0dB from the solid line.",
       fixed(comparison.residual_quantile_90, 2));
   if (absent > 0)
     note += fmt::format(" {} without a positive signal on both sides {} not drawn.", counted(absent, "pair"),
@@ -90,7 +91,7 @@ std::string residual_figure(const Comparison& comparison) {
   for (const double value : multiples(low, high, round_step((high - low) / 6)))
     chart.ticks.push_back({value, plain(value)});
   chart.lines.push_back({0, "the factor"});
-  chart.x_title = "measured over factor × simulated (dB)";
+  chart.x_title = "measured / (factor × simulated) (dB)";
   chart.y_title = "pairs";
   const std::size_t outliers = comparison.fitted - residuals.size();
   const std::string note =
@@ -172,9 +173,9 @@ std::string comparison_html(const ComparisonInput& input) {
       "<div class=\"pair\">\n" + scatter_figure(input) + residual_figure(comparison) + "</div>\n");
   if (!comparison.outliers.empty())
     body += html_section("outliers", counted(comparison.outliers.size(), "outlier"),
-                         paragraph("Chance alone produces residuals this large in one of a hundred "
-                                   "comparisons. Check for a wrong id, an obstacle, a wrong material or a "
-                                   "saturated receiver.") +
+                         paragraph("Chance alone produces residuals this large in one comparison "
+                                   "in a hundred. Check for a wrong id, an obstacle, a wrong material or a "
+                                   "saturated label.") +
                              pair_table(input, comparison.outliers));
   body += html_section("worst", std::string(worst_pairs_heading(comparison)),
                        pair_table(input, comparison.worst));

@@ -23,13 +23,13 @@ std::vector<SignalEntry> entries_of(const SignalMatrix& matrix, std::size_t labe
 // requirement.
 bool depends_on_flagged(const SignalMatrix& matrix, const Placement& placement,
                         const std::vector<bool>& chosen, std::size_t label) {
-  constexpr double least = 0.02;
+  constexpr double min_flagged_share = 0.02;
   const double requirement = matrix.labels[label].requirement;
   const auto is_flagged = [&](std::uint32_t column) { return matrix.is_flagged(matrix.at(label, column)); };
   double flagged = 0;
   for (const std::uint32_t column : placement.selected)
     if (is_flagged(column)) flagged += static_cast<double>(matrix.mean[matrix.at(label, column)]);
-  if (!(flagged > least * requirement)) return false;
+  if (!(flagged > min_flagged_share * requirement)) return false;
   std::vector<SignalEntry> entries = entries_of(matrix, label);
   std::erase_if(entries, [&](const SignalEntry& entry) { return is_flagged(entry.transceiver); });
   return !is_met(received_signal(entries, chosen, placement.problem), requirement);

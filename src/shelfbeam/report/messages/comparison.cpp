@@ -22,7 +22,8 @@ std::string factor_statement(const Comparison& c) {
 
 std::string test_statement(const Comparison& c) {
   if (!c.test)
-    return "No measurement errors are given, so one factor cannot be tested as the cause of all differences.";
+    return "No measurement errors are given, so it cannot be tested whether one factor explains all "
+           "differences.";
   const std::string figures =
       fmt::format("chi-square {} with {} degrees of freedom, p {}", significant(c.test->statistic, 4),
                   grouped(static_cast<std::uint64_t>(c.test->degrees_of_freedom)),
@@ -41,7 +42,7 @@ std::string slope_statement(const Comparison& c) {
              ? fmt::format("Measured and simulated signals grow at the same rate in decibels ({}).", figures)
              : fmt::format(
                    "Measured and simulated signals grow at different rates in decibels; no factor corrects "
-                   "this ({}).",
+                   "this difference ({}).",
                    figures);
 }
 

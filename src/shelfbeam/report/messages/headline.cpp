@@ -41,7 +41,8 @@ Headline with_selection(const ReportData& data) {
     result.remarks.push_back(fmt::format("The search stopped after {}, before the proof was complete.",
                                          time_text(placement.seconds)));
   if (placement.status == Status::feasible)
-    result.remarks.push_back("The greedy method chose this selection; it does not search for a smaller one.");
+    result.remarks.push_back(
+        "The greedy method chose this selection; it does not search for smaller selections.");
   return result;
 }
 
@@ -52,9 +53,9 @@ Headline infeasible(const ReportData& data) {
     result.answer = fmt::format("No selection reaches all labels: {}.", page_out_of_reach(data));
   else if (const std::string why = conflict_reason(placement, data.has_options()); !why.empty())
     result.answer = fmt::format("No selection reaches all labels: each label {}.", not_all_together(why));
-  const auto dark =
-      std::count_if(placement.unreachable.begin(), placement.unreachable.end(),
-                    [&](const Unreachable& label) { return label.most <= 0 && !data.is_heard(label.label); });
+  const auto dark = std::count_if(
+      placement.unreachable.begin(), placement.unreachable.end(),
+      [&](const Unreachable& label) { return label.max_signal <= 0 && !data.is_heard(label.label); });
   if (dark > 0) result.remarks.push_back(dark_labels(static_cast<std::size_t>(dark)));
   result.remarks.push_back(fmt::format(
       "Possible remedies: more mounting points, stronger units, or labels with a lower requirement. The "
@@ -65,14 +66,15 @@ Headline infeasible(const ReportData& data) {
 
 Headline nothing_found(const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
-  const std::size_t least = proven_count(placement);
+  const std::size_t count_bound = proven_count(placement);
   const std::string_view who = method_without_result(placement);
   Headline result;
   result.answer = who.empty() ? fmt::format("No selection was found within {}", time_text(placement.seconds))
                               : fmt::format("{} found no selection", who);
-  result.answer += least == 0 ? "." : fmt::format("; it is proven that {}.", units_needed(least));
+  result.answer += count_bound == 0 ? "." : fmt::format("; it is proven that {}.", units_needed(count_bound));
   result.remarks.push_back(
-      fmt::format("It is open whether a selection exists; {} may find one. The floor plans below show the "
+      fmt::format("It is unknown whether a feasible selection exists; {} may find a selection. The floor "
+                  "plans below show the "
                   "signal that each label would receive {}.",
                   placement.solver == "greedy" ? "an exact search"
                   : who.empty()                ? "more time"
@@ -85,8 +87,9 @@ std::string closeness_remark(const ReportData& data) {
   if (data.uncertain == 0) return {};
   const bool one = data.uncertain == 1;
   return fmt::format(
-      "At least {} so close to {} that other random samples could change the result: less than two standard "
-      "errors of the largest contribution away. Use more samples to decide.",
+      "At least {} so close to {} that other random samples could change the result: the distance is less "
+      "than two standard "
+      "errors of the largest single signal. Use more samples to decide.",
       one ? "one label is" : counted(data.uncertain, "label") + " are",
       one ? "its requirement" : "their requirements");
 }

@@ -69,38 +69,40 @@ std::size_t proven_count(const Placement& placement) {
 }
 
 double count_gap(const Placement& placement) {
-  const std::size_t count = placement.count(), least = std::min(proven_count(placement), count);
-  return count == 0 ? 0 : static_cast<double>(count - least) / static_cast<double>(count);
+  const std::size_t count = placement.count(), count_bound = std::min(proven_count(placement), count);
+  return count == 0 ? 0 : static_cast<double>(count - count_bound) / static_cast<double>(count);
 }
 
 bool count_is_proven(const Placement& placement) {
   return placement.count() > 0 && proven_count(placement) >= placement.count();
 }
 
-std::string units_needed(std::size_t least) {
-  return fmt::format("at least {} {} needed", counted(least, "transceiver"), least == 1 ? "is" : "are");
+std::string units_needed(std::size_t count_bound) {
+  return fmt::format("at least {} {} needed", counted(count_bound, "transceiver"),
+                     count_bound == 1 ? "is" : "are");
 }
 
 std::string terminal_bound(const Placement& placement) {
-  const std::size_t least = proven_count(placement);
-  return least >= placement.count() ? "it is proven that " + fewer_are_not_enough(placement.count())
-                                    : units_needed(least);
+  const std::size_t count_bound = proven_count(placement);
+  return count_bound >= placement.count() ? "it is proven that " + fewer_are_not_enough(placement.count())
+                                          : units_needed(count_bound);
 }
 
 std::string page_bound(const Placement& placement) {
-  const std::size_t least = proven_count(placement);
-  const std::string needed = fmt::format("{} {} needed", grouped(least), least == 1 ? "is" : "are");
+  const std::size_t count_bound = proven_count(placement);
+  const std::string needed =
+      fmt::format("{} {} needed", grouped(count_bound), count_bound == 1 ? "is" : "are");
   if (count_is_proven(placement))
     return fmt::format("; it is proven that {}.", fewer_are_not_enough(placement.count()));
   if (placement.status == Status::optimal && placement.problem.combination == Combination::weighted)
     return "; it is proven that no selection costs less.";
-  if (least == 0) return "; the smallest possible number is not known.";
+  if (count_bound == 0) return "; no lower bound on the count is proven.";
   return fmt::format("; it is proven that at least {} (gap {}).", needed, percent(count_gap(placement)));
 }
 
 std::string_view bound_proof_text(BoundProof proof) {
   constexpr const char* words[] = {
-      "counting alone, without a search", "linear programming bound, recomputed from the matrix",
+      "counting without a search", "linear programming bound, recomputed from the matrix",
       "exhaustive search, log checked", "exhaustive search, log too long to check",
       "MIP solver, not verified independently"};
   return words[static_cast<std::size_t>(proof)];
@@ -129,8 +131,9 @@ std::string objective_sentence(const Placement& placement) {
   if (problem.objective == Objective::count && problem.combination == Combination::lexicographic) return {};
   if (problem.combination == Combination::lexicographic &&
       (placement.status == Status::feasible || !count_is_proven(placement)))
-    return fmt::format("Secondary objective ({}) not optimised: the number of transceivers comes first.",
-                       objective_text(problem));
+    return fmt::format(
+        "The secondary objective ({}) is not optimised: the number of transceivers comes first.",
+        objective_text(problem));
   const std::string value = plain(placement.objective_value);
   const std::string bound = plain(placement.lower_bound);
   const bool proven = placement.status == Status::optimal;
@@ -168,11 +171,11 @@ std::string sensitivity_sentence(const Sensitivity& sensitivity, std::size_t lab
               ? "for all reflectances within their ranges"
               : fmt::format("with all reflectances at the low end of their ranges ({} missed, {} undecided)",
                             grouped(missed), grouped(open));
-  text += fmt::format(", {}; the weakest label receives {:.3g} to {:.3g} times its requirement",
-                      joint_confidence(sensitivity.confidence), sensitivity.low.least.ratio,
-                      sensitivity.high.least.ratio);
+  text += fmt::format(", {}; the smallest signal is {:.3g} to {:.3g} times the requirement",
+                      joint_confidence(sensitivity.confidence), sensitivity.low.min_margin.ratio,
+                      sensitivity.high.min_margin.ratio);
   if (!sensitivity.materials.empty() &&
-      sensitivity.materials.front().at_lower.least.ratio < sensitivity.as_given.ratio)
+      sensitivity.materials.front().at_lower.min_margin.ratio < sensitivity.as_given.ratio)
     text +=
         fmt::format("; '{}' is estimated to have the largest effect", sensitivity.materials.front().material);
   return text + ".";

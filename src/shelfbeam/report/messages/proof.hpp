@@ -21,7 +21,7 @@ double count_gap(const Placement& placement);
 bool count_is_proven(const Placement& placement);
 
 /// "at least 1 transceiver is needed"
-std::string units_needed(std::size_t least);
+std::string units_needed(std::size_t count_bound);
 
 /// With a selection: "it is proven that 3 are not enough", or units_needed().
 std::string terminal_bound(const Placement& placement);

@@ -8,7 +8,7 @@ namespace shelfbeam {
 
 namespace {
 
-std::string what_is_forbidden(const Placement& placement) {
+std::string conflicts_clause(const Placement& placement) {
   if (placement.min_spacing > 0)
     return fmt::format("units must be at least {:.6g} m apart", placement.min_spacing);
   return placement.forbidden_pairs > 0 ? "some candidates must not be chosen together" : "";
@@ -43,16 +43,16 @@ std::string_view method_without_result(const Placement& placement) {
 }
 
 std::string conflict_sentence(const Placement& placement) {
-  const std::string forbidden = what_is_forbidden(placement);
+  const std::string forbidden = conflicts_clause(placement);
   if (forbidden.empty()) return {};
   const std::size_t pairs = placement.forbidden_pairs;
-  return fmt::format("{} {} excluded: {}", counted(pairs, "pair of candidates", "pairs of candidates"),
-                     pairs == 1 ? "is" : "are", forbidden);
+  return fmt::format("{} {} excluded{}", counted(pairs, "pair of candidates", "pairs of candidates"),
+                     pairs == 1 ? "is" : "are", placement.min_spacing > 0 ? ": " + forbidden : "");
 }
 
 std::string conflict_reason(const Placement& placement, bool has_options) {
   const std::string options = has_options ? "each mounting point takes only one unit" : "";
-  const std::string forbidden = what_is_forbidden(placement);
+  const std::string forbidden = conflicts_clause(placement);
   return options + (options.empty() || forbidden.empty() ? "" : " and ") + forbidden;
 }
 

@@ -20,9 +20,9 @@ std::string card(const std::string& name, const std::string& value, const std::s
 }
 
 std::string shortfall(const ReportData& data, const Unreachable& label) {
-  if (label.most <= 0)
+  if (label.max_signal <= 0)
     return std::string(no_signal_reason(data.input.plan.placement.problem, data.is_heard(label.label)));
-  const double db = -margin_db(label.most, label.requirement);
+  const double db = -margin_db(label.max_signal, label.requirement);
   return fixed(db, db < 0.095 ? 2 : 1) + "\u00A0dB";
 }
 
@@ -110,7 +110,7 @@ std::string unreachable_section(const ReportData& data) {
   constexpr std::size_t max_rows = 100;
   std::vector<Unreachable> worst = unreachable;
   std::stable_sort(worst.begin(), worst.end(), [](const Unreachable& a, const Unreachable& b) {
-    return margin_db(a.most, a.requirement) < margin_db(b.most, b.requirement);
+    return margin_db(a.max_signal, a.requirement) < margin_db(b.max_signal, b.requirement);
   });
   HtmlTable table({{"Label", false},
                    {"x (m)"},
@@ -118,24 +118,26 @@ std::string unreachable_section(const ReportData& data) {
                    {"Height (m)"},
                    {fmt::format("Requirement ({})", data.unit.name)},
                    {fmt::format("Maximum signal ({})", data.unit.name)},
-                   {"Short by", true, true}});
+                   {"Shortfall", true, true}});
   for (std::size_t k = 0; k < std::min(worst.size(), max_rows); ++k) {
     const LabelRow& label = data.label(worst[k].label);
     table.add_row({label.id, fixed(label.position.x, 2), fixed(label.position.y, 2),
                    fixed(label.position.z, 2), data.unit.number(worst[k].requirement),
-                   data.unit.number(worst[k].most), shortfall(data, worst[k])});
+                   data.unit.number(worst[k].max_signal), shortfall(data, worst[k])});
   }
   std::string html = paragraph(
       data.input.plan.placement.problem.model == CommunicationModel::cooperative
-          ? fmt::format("The maximum signal is the signal of the label {}.", maximum_signal_condition(data))
+          ? fmt::format("The maximum signal is the signal that the label would receive {}.",
+                        maximum_signal_condition(data))
           : fmt::format(
                 "The maximum signal is the signal of the label from the best single candidate{}.",
                 data.input.plan.placement.problem.redundant ? " that remains if the strongest fails" : ""));
   html += table.html();
   if (worst.size() > max_rows)
-    html += paragraph(fmt::format("The {} labels with the largest shortfall; placement.json lists all {}.",
-                                  max_rows, grouped(worst.size())),
-                      "note");
+    html += paragraph(
+        fmt::format("The table shows the {} labels with the largest shortfall; placement.json lists all {}.",
+                    max_rows, grouped(worst.size())),
+        "note");
   return html_section("unreachable", "Labels out of reach", html);
 }
 

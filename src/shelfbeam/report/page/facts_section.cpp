@@ -67,7 +67,7 @@ std::string placement_facts(const ReportData& data) {
       facts.add("Gap of the objective", percent(placement.gap()));
     }
     const std::size_t labels = data.outcome.labels.size();
-    facts.add("Labels that two or more units reach alone (redundant)",
+    facts.add("Labels that at least two units each reach alone (redundant)",
               fmt::format("{} of {} ({})", grouped(data.outcome.redundant), grouped(labels),
                           percent(share_of(data.outcome.redundant, labels))));
   } else if (placement.status != Status::infeasible) {
@@ -174,9 +174,10 @@ std::string list(const char* title, const char* remark, const std::vector<std::s
 std::string facts_section(const ReportData& data) {
   std::string html = "<div class=\"facts\">\n" + placement_facts(data) + certificate_facts(data) +
                      simulation_facts(data) + origin_facts(data) + "</div>\n";
-  html += list("Light that is not simulated",
-               "Real signals are larger by this light. It is simulated if the transceiver type has a radius.",
-               uncovered_light(data.input.scene));
+  html += list(
+      "Light that is not simulated",
+      "Real signals include this light and are larger. Give the transceiver type a radius to simulate it.",
+      uncovered_light(data.input.scene));
   html += list("Light that is sampled only by chance", "Signals from this light have large errors.",
                chance_light(data.input.scene));
   html += list("Warnings about the store", "", data.input.scene.warnings);

@@ -96,13 +96,14 @@ std::string margin_section(const ReportData& data, const Maps& maps) {
   if (data.levels.empty()) return {};
   std::string html = paragraph(
       data.has_selection()
-          ? "Each mark is a label, drawn on the side that it faces. Its colour shows by how many decibels "
-            "its signal exceeds the requirement: 3 dB is twice the requirement, 10 dB ten times. Triangles "
-            "are labels that are not reached. Numbers are the chosen units, as in the table below."
-          : fmt::format("Each mark is a label, drawn on the side that it faces. Its colour compares the "
-                        "requirement with the signal that the label would receive {}. Triangles are labels "
-                        "that no selection reaches.",
-                        maximum_signal_condition(data)));
+          ? "Each mark is a label, drawn on the side that the label faces. Its colour shows the margin in "
+            "decibels: at 3 dB the signal is twice the requirement, at 10 dB ten times. Triangles "
+            "are labels that are not reached. Numbers mark the chosen units, as in the table below."
+          : fmt::format(
+                "Each mark is a label, drawn on the side that the label faces. Its colour compares the "
+                "requirement with the signal that the label would receive {}. Triangles are labels "
+                "that no selection reaches.",
+                maximum_signal_condition(data)));
   if (const std::size_t count = data.outcome.flagged_labels; count > 0)
     html += paragraph(fmt::format(
         "The {} on signals with an unreliable standard error: few batches of samples found most of their "

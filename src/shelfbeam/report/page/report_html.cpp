@@ -17,8 +17,8 @@ std::string report_html(const ReportInput& input) {
                            weakest_section(data) + facts_section(data);
   return html_page(
       name + " – transceiver placement",
-      fmt::format("{}<main>\n{}<footer>Signals are simulated for the store as it is described, not "
-                  "measured.</footer>\n</main>\n",
+      fmt::format("{}<main>\n{}<footer>Signals are simulated for the store as described; they are "
+                  "not measured.</footer>\n</main>\n",
                   maps.definitions(), body),
       maps.colours(false), maps.colours(true));
 }

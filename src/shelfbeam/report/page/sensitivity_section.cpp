@@ -17,13 +17,13 @@ namespace {
 constexpr std::size_t max_bars = 12;
 constexpr double lowest_db = -30;  // smaller margins are drawn at this value
 
-double drawn_db(const MinMargin& least) {
-  return std::max(margin_db(least.ratio, 1), lowest_db);
+double drawn_db(const MinMargin& min_margin) {
+  return std::max(margin_db(min_margin.ratio, 1), lowest_db);
 }
 
 // Two decimals: materials differ by less than a tenth.
-std::string margin(const MinMargin& least) {
-  return decibels(margin_db(least.ratio, 1), 2);
+std::string margin(const MinMargin& min_margin) {
+  return decibels(margin_db(min_margin.ratio, 1), 2);
 }
 
 std::string rounded(double reflectance) {
@@ -48,10 +48,10 @@ std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
          fmt::format("{}: {} at the low end (label {}), {} at the high end (label {})", name, margin(low),
                      data.label(low.label).id, margin(high), data.label(high.label).id)});
   };
-  add("all together", sensitivity.low.least, sensitivity.high.least);
+  add("all together", sensitivity.low.min_margin, sensitivity.high.min_margin);
   for (std::size_t k = 0; k < std::min(max_bars, sensitivity.materials.size()); ++k) {
     const MaterialSensitivity& one = sensitivity.materials[k];
-    add(one.material + ", " + range_of(one), one.at_lower.least, one.at_upper.least);
+    add(one.material + ", " + range_of(one), one.at_lower.min_margin, one.at_upper.min_margin);
   }
   chart.middle = drawn_db(sensitivity.as_given);
   chart.middle_text = "as in the store file";
@@ -77,11 +77,11 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
     table.add_row(
         {one.material,
          fmt::format("{} ({}){}", rounded(one.reflectance), range_of(one), one.is_assumed ? " *" : ""),
-         margin(one.at_lower.least), data.label(one.at_lower.least.label).id,
+         margin(one.at_lower.min_margin), data.label(one.at_lower.min_margin.label).id,
          fmt::format("{} (±\u00A0{})", signed_percent(one.at_lower.change),
                      fixed(100 * one.at_lower.change_error, 2)),
          grouped(one.at_lower.labels_short), signed_percent(one.at_lower.mean_change),
-         margin(one.at_upper.least), signed_percent(one.at_upper.mean_change)});
+         margin(one.at_upper.min_margin), signed_percent(one.at_upper.mean_change)});
   return table.html();
 }
 
@@ -100,17 +100,18 @@ std::string labels(const ReportData& data, const std::vector<std::uint32_t>& row
 std::string notes(const ReportData& data, const Sensitivity& sensitivity) {
   std::string text =
       "Each row sets one material to the low and to the high end of its range; all others stay as in the "
-      "store file. The material with the smallest margin at its low end comes first. Margins are those of "
-      "the chosen units, with independent samples. The signal change at the label with the smallest margin "
+      "store file. The material with the smallest margin at its low end comes first. Margins are "
+      "simulated for the chosen units with independent samples. The signal change at the label with the "
+      "smallest margin "
       "is in percent of its requirement, with its standard error; the mean signal change is the average "
-      "over the labels. The rows are estimates: the confidence applies only to all reflectances at the low "
-      "end and all at the high end.";
+      "over the labels. The rows are estimates: the confidence applies only to the two simulations with all "
+      "reflectances at the low end and with all at the high end.";
   if (sensitivity.watched < data.outcome.labels.size())
     text += fmt::format(" All rows consider only the {} labels with the smallest margins at the low ends.",
                         grouped(sensitivity.watched));
   if (std::any_of(sensitivity.materials.begin(), sensitivity.materials.end(),
                   [](const MaterialSensitivity& one) { return one.is_assumed; }))
-    text += fmt::format(" * Without a given range: {} to both sides is assumed, up to a reflectance of 0.99.",
+    text += fmt::format(" * No range is given: {} to both sides is assumed, up to a reflectance of 0.99.",
                         percent(sensitivity.assumed_error, 0));
   if (!sensitivity.kept.empty())
     text += fmt::format(" Not varied, because refractive indices determine their reflectance: {}.",

@@ -32,15 +32,17 @@ std::string rounding(const ReportData& data, const PageSignals& signals) {
       signals.omitted == 0 ? ""
                            : fmt::format(", and the {} smallest of {} are omitted", grouped(signals.omitted),
                                          grouped(signals.omitted + signals.mean.size())));
-  const std::string most = share_text(signals.largest_error);
+  const std::string largest_error = share_text(signals.largest_error);
   if (problem.model == CommunicationModel::non_cooperative)
     return text + fmt::format(
                       "with other units on, a label's signal has an error of at most {} of its "
                       "requirement.",
-                      most);
+                      largest_error);
   text += fmt::format(
-      "each switched unit causes an error of at most {} of a label's requirement{}", most,
-      problem.redundant ? " (the first unit three times that, because the strongest unit may change)" : "");
+      "each switched unit causes an error of at most {} of a label's requirement{}", largest_error,
+      problem.redundant
+          ? " (the first unit at most three times this error, because the strongest unit may change)"
+          : "");
   const LabelRow& label = data.label(signals.max_affected);
   double everything = 0;
   for (const float mean : data.input.matrix.mean_row(signals.max_affected))

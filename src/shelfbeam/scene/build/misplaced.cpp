@@ -169,7 +169,7 @@ void warn_of_overhang(const Scene& scene, const std::string& place, const std::s
   if (side.empty()) side = beyond_room(scene, middle + reach);
   if (!side.empty())
     warnings.add("devices that extend outside the room",
-                 fmt::format("{}: {} extends {}, where there is no light; move it inwards, or make it "
+                 fmt::format("{}: {} extends {}, where no light arrives; move it inwards, or make it "
                              "smaller",
                              place, what, side));
 }

@@ -63,7 +63,7 @@ Chunks chunks_of(std::string_view text, const std::string& name) {
   constexpr std::uint32_t json_type = 0x4E4F534A, binary_type = 0x004E4942;
   if (text.size() < 20) fail("ends within its header");
   if (value_at<std::uint32_t>(text, 4) != 2) fail("is not glTF version 2");
-  if (value_at<std::uint32_t>(text, 8) != text.size()) fail("does not have the length in its header");
+  if (value_at<std::uint32_t>(text, 8) != text.size()) fail("does not have the length stated in its header");
   Chunks chunks;
   for (std::size_t at = 12; text.size() - at >= 8;) {
     const std::size_t length = value_at<std::uint32_t>(text, at);

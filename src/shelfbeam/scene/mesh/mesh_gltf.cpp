@@ -79,8 +79,7 @@ class GltfReader {
       const JsonCursor node = file_.item("nodes", reference);
       const auto index = static_cast<std::size_t>(reference.number());
       // A node has only one parent, so the recursion ends.
-      if (seen_[index])
-        reference.fail(fmt::format("names node {} a second time", index), "export the file again");
+      if (seen_[index]) reference.fail(fmt::format("names node {} twice", index), "export the file again");
       seen_[index] = true;
       const Placement placement = parent.of(placement_of(node));
       if (const auto mesh = node.find("mesh")) add_mesh(file_.item("meshes", *mesh), placement);

@@ -64,12 +64,12 @@ void each_record(const std::filesystem::path& path, std::string_view header, Use
   std::string_view content = text;
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   CsvReader csv(content, path.string());
-  const std::string wanted = fmt::format("the first line must be {}", header);
-  if (!csv.next()) throw InputError(path.string(), "is empty", wanted);
+  const std::string expected = fmt::format("the first line must be {}", header);
+  if (!csv.next()) throw InputError(path.string(), "is empty", expected);
   const std::vector<std::string_view> columns = split(header, ',');
   if (csv.fields().size() < columns.size() ||
       !std::equal(columns.begin(), columns.end(), csv.fields().begin()))
-    csv.fail("has an unknown header", wanted);
+    csv.fail("has an unknown header", expected);
   while (csv.next()) {
     if (csv.fields().size() < columns.size())
       csv.fail(fmt::format("has {} fields", csv.fields().size()),

@@ -52,8 +52,8 @@ void add_conflicts(SignalTable& table, double metres, const std::string& name) {
       const std::uint32_t a = along[first], b = along[next];
       const Vec3 between = *units[b].position - *units[a].position;
       if (between.x >= min_distance) break;
-      const bool hang = units[a].installed && units[b].installed;
-      if (length(between) < min_distance && point[a] != point[b] && !hang)
+      const bool are_installed = units[a].installed && units[b].installed;
+      if (length(between) < min_distance && point[a] != point[b] && !are_installed)
         table.conflicts.emplace_back(std::min(a, b), std::max(a, b));
     }
   order(table.conflicts);
@@ -61,7 +61,8 @@ void add_conflicts(SignalTable& table, double metres, const std::string& name) {
 }
 
 void forbid_pairs(SignalTable& table, const std::filesystem::path& path) {
-  const char* const expected = "the first line must be 'a,b', and each other line two transceiver ids";
+  const char* const expected =
+      "the first line must be 'a,b'; each other line must contain two transceiver ids";
   const std::string text = detail::read_text_file(path);
   CsvReader csv(text, path.string());
   if (!csv.next()) csv.fail("is empty", expected);
@@ -75,8 +76,8 @@ void forbid_pairs(SignalTable& table, const std::filesystem::path& path) {
     const std::uint32_t a = columns.read(csv, 0), b = columns.read(csv, 1);
     if (a == b) csv.fail(fmt::format("names '{}' twice", csv.id(0)), "name two different transceivers");
     if (table.transceivers[a].installed && table.transceivers[b].installed)
-      csv.fail(fmt::format("'{}' and '{}' are both installed already", csv.id(0), csv.id(1)),
-               "remove the line, or simulate without one of them");
+      csv.fail(fmt::format("'{}' and '{}' are both already installed", csv.id(0), csv.id(1)),
+               "remove the line, or one of the two units from 'installed'");
     table.conflicts.emplace_back(std::min(a, b), std::max(a, b));
   }
   order(table.conflicts);

@@ -30,7 +30,7 @@ void expect_same(const SignalTable::Transceiver& unit, const SignalTable::Transc
   if (!unit.position || !first.position) return;
   const Vec3 between = *unit.position - *first.position;
   for (const int axis : {0, 1, 2})
-    if (std::abs(between[axis]) > position_tolerance) fail("has another position", "is elsewhere");
+    if (std::abs(between[axis]) > position_tolerance) fail("is at one position", "is at another");
 }
 
 /// For every column of this table, its column in the first table.
@@ -80,7 +80,7 @@ SignalTable stack_tables(std::vector<NamedTable> tables) {
     for (std::size_t earlier = 0; earlier < k; ++earlier)
       if (tables[k].name == tables[earlier].name)
         throw InputError(tables[k].file,
-                         fmt::format("has the duplicate scenario name '{}', also of '{}'", tables[k].name,
+                         fmt::format("has the scenario name '{}', which '{}' has already", tables[k].name,
                                      tables[earlier].file),
                          "give each scenario its own file name");
   SignalTable all;

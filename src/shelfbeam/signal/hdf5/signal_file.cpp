@@ -138,9 +138,9 @@ class OwnRows : public SignalRows {
   }
   void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                   std::span<float> values) const override {
-    const SignalLayer& asked =
+    const SignalLayer& part =
         layer < bounce_layers() ? matrix_.by_bounce[layer] : matrix_.by_length[layer - bounce_layers()];
-    copy(quantity == Quantity::mean ? asked.mean : asked.standard_error, row, values);
+    copy(quantity == Quantity::mean ? part.mean : part.standard_error, row, values);
   }
   std::size_t bounce_layers() const override { return matrix_.by_bounce.size(); }
   std::size_t length_layers() const override { return matrix_.by_length.size(); }

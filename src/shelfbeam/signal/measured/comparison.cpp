@@ -33,15 +33,15 @@ double decibel(double ratio) {
 class NoiseFloor {
  public:
   explicit NoiseFloor(std::span<const ComparedPair> pairs) {
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     bool some_silent = false;
     for (const ComparedPair& pair : pairs) {
       if (pair.measured > 0)
-        least = std::min(least, pair.measured);
+        smallest = std::min(smallest, pair.measured);
       else
         some_silent = true;
     }
-    smallest_ = some_silent && std::isfinite(least) ? least : 0;
+    smallest_ = some_silent && std::isfinite(smallest) ? smallest : 0;
   }
   double limit(const ComparedPair& pair) const {
     return pair.error ? clear * *pair.error : min_over_noise * smallest_;

@@ -80,7 +80,8 @@ SignalTable read_rail(TextScanner& in) {
     column_begin.push_back(covered.size());
   }
   if (!in.at_end())
-    in.fail(fmt::format("the file continues after column {}", extent.columns), "remove the rest or fix n");
+    in.fail(fmt::format("the file continues after column {}", extent.columns),
+            "remove the rest or correct n");
 
   SignalTable table = covering_table(extent, costs);
   table.row_begin.assign(extent.rows + std::size_t{1}, 0);

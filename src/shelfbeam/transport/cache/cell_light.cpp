@@ -37,10 +37,10 @@ struct Asked {
 }  // namespace
 
 CellLight straight_light(const World& world, const UnitGroups& units, const SurfaceCells& cells,
-                         std::size_t cell, float least) {
+                         std::size_t cell, float threshold) {
   const std::size_t width = units.size() * lanes;
-  std::array<std::vector<Asked>, SurfaceCells::quadrants> asked;
-  for (auto& of_quadrant : asked) of_quadrant.resize(width);
+  std::array<std::vector<Asked>, SurfaceCells::quadrants> samples;
+  for (auto& of_quadrant : samples) of_quadrant.resize(width);
   std::vector<std::uint8_t> seen(width), hidden(width);
   std::vector<std::size_t> which;
   std::vector<float> open, shares;
@@ -51,12 +51,12 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
     open.clear();
     targets.clear();
     for (std::size_t g = 0; g < units.size(); ++g) {
-      if (units.bound(g, point) < least) continue;
+      if (units.bound(g, point) < threshold) continue;
       LaneValues e;
       units.irradiance(g, point, e);
       for (std::size_t lane = 0; lane < units.count(g); ++lane) {
         const std::size_t k = g * lanes + lane;
-        if (e[lane] < 0.1F * least || (!is_first && seen[k] != hidden[k])) continue;
+        if (e[lane] < 0.1F * threshold || (!is_first && seen[k] != hidden[k])) continue;
         which.push_back(k);
         open.push_back(e[lane]);
         targets.push_back(world.scene.transceivers[units.column(g, lane)].position);
@@ -70,7 +70,7 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
       const float value = shares[t] == 0 || !units.is_approximate(g)
                               ? open[t]
                               : true_irradiance(world, units.column(g, which[t] % lanes), lane_index);
-      asked[quadrant][which[t]] += {open[t], value * shares[t], 1};
+      samples[quadrant][which[t]] += {open[t], value * shares[t], 1};
     }
   };
   for (std::size_t k = 0; k < SurfaceCells::max_points; ++k)
@@ -81,19 +81,19 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
   CellLight light;
   for (std::size_t g = 0; g < units.size(); ++g) {
     std::array<Asked, lanes> whole{};
-    float most = 0;
+    float largest = 0;
     for (std::size_t k = 0; k < lanes; ++k) {
-      for (const auto& of_quadrant : asked) whole[k] += of_quadrant[g * lanes + k];
-      most = std::max(most, whole[k].arrived);
+      for (const auto& of_quadrant : samples) whole[k] += of_quadrant[g * lanes + k];
+      largest = std::max(largest, whole[k].arrived);
     }
-    if (most == 0) continue;
+    if (largest == 0) continue;
     light.groups.push_back(static_cast<std::uint16_t>(g));
     for (std::size_t k = 0; k < lanes; ++k) {
       light.mean.push_back(PackedLane::pack(
           whole[k].sample_points > 0 ? whole[k].arrived / static_cast<float>(whole[k].sample_points) : 0));
       for (std::size_t q = 0; q < SurfaceCells::quadrants; ++q) {
         // The whole cell's share counts like one more point.
-        const Asked& own = asked[q][g * lanes + k];
+        const Asked& own = samples[q][g * lanes + k];
         const float one =
             whole[k].sample_points > 0 ? whole[k].open / static_cast<float>(whole[k].sample_points) : 0;
         const float share = whole[k].open > 0 ? whole[k].arrived / whole[k].open : 0;

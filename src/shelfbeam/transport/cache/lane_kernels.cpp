@@ -240,7 +240,7 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
     const float* const cap = is_capped ? group.cap.data() : groups.no_cap_.data();
     float* const whole = irradiance + c * lanes;
     float* const at_stake = importance + c * lanes;
-    const float least = floor > 0 ? floor * groups.bound(list[c], p) : 0;
+    const float threshold = floor > 0 ? floor * groups.bound(list[c], p) : 0;
     alignas(64) float part[lanes], more[lanes];
     unpack(s, part);
     SHELFBEAM_VECTORIZE
@@ -254,7 +254,7 @@ float LaneKernels::importance(const UnitGroups& groups, const std::uint16_t* lis
                 whole[k] = e;
                 const float used = e < cap[k] ? e : cap[k];
                 const float value =
-                    used * more[k] * (std::sqrt(std::abs(part[k] * (1 - part[k]))) + 0.05F) + least;
+                    used * more[k] * (std::sqrt(std::abs(part[k] * (1 - part[k]))) + 0.05F) + threshold;
                 at_stake[k] = value;
                 total[k] += value;
               });

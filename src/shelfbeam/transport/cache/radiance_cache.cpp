@@ -41,7 +41,7 @@ void for_cells(std::size_t count, const RunControl& control, const Body& body) {
 
 }  // namespace
 
-RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float least, std::uint64_t seed,
+RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float threshold, std::uint64_t seed,
                              const RunControl& control)
     : guides_(surface_guides(world.scene)), cells_(world, seed, control) {
   control.report("preparing", 0.1);
@@ -49,19 +49,19 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
   std::vector<CellLight> light(count);
   std::vector<std::vector<CellLink>> links(count);
   for_cells(count, control, [&](std::size_t cell) {
-    light[cell] = detail::straight_light(world, units, cells_, cell, least);
+    light[cell] = detail::straight_light(world, units, cells_, cell, threshold);
     links[cell] = detail::gather_links(world, cells_, cell, guides_, seed);
   });
   cells_.free_points();
   control.report("preparing", 0.5);
-  choose_groups(units.size(), light, links, least, control);
+  choose_groups(units.size(), light, links, threshold, control);
   control.report("preparing", 0.6);
   iterate(light, links, control);
 }
 
 // Chooses the groups of each cell by the rounds of `iterate` with one number per group, its brightest lane.
 void RadianceCache::choose_groups(std::size_t n_groups, const std::vector<CellLight>& light,
-                                  const std::vector<std::vector<CellLink>>& links, float least,
+                                  const std::vector<std::vector<CellLink>>& links, float threshold,
                                   const RunControl& control) {
   const std::size_t count = light.size();
   std::vector<float> straight(count * n_groups);
@@ -87,7 +87,7 @@ void RadianceCache::choose_groups(std::size_t n_groups, const std::vector<CellLi
   begin_.push_back(0);
   for (std::size_t cell = 0; cell < count; ++cell) {
     for (std::size_t g = 0; g < n_groups; ++g)
-      if (now[cell * n_groups + g] >= least) groups_.push_back(static_cast<std::uint16_t>(g));
+      if (now[cell * n_groups + g] >= threshold) groups_.push_back(static_cast<std::uint16_t>(g));
     begin_.push_back(groups_.size());
   }
 }

@@ -17,9 +17,9 @@ namespace shelfbeam {
 /// and never bias.
 class RadianceCache {
  public:
-  /// A cell omits the groups whose units all give it less than `least` W/m^2.
+  /// A cell omits the groups whose units all give it less than `threshold` W/m^2.
   /// Throws Interrupted when cancelled.
-  RadianceCache(const World& world, const UnitGroups& groups, float least, std::uint64_t seed,
+  RadianceCache(const World& world, const UnitGroups& groups, float threshold, std::uint64_t seed,
                 const RunControl& control = {});
 
   /// The groups in a cell, ascending, one row of lanes each.
@@ -51,7 +51,7 @@ class RadianceCache {
 
  private:
   void choose_groups(std::size_t n_groups, const std::vector<detail::CellLight>& light,
-                     const std::vector<std::vector<detail::CellLink>>& links, float least,
+                     const std::vector<std::vector<detail::CellLink>>& links, float threshold,
                      const RunControl& control);
   void iterate(std::vector<detail::CellLight>& light, const std::vector<std::vector<detail::CellLink>>& links,
                const RunControl& control);

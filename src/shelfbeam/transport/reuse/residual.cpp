@@ -187,16 +187,16 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
     next.chances[a] = survival * (1 - otherwise);
     const double u = random.uniform();
     if (u >= survival) continue;
-    const bool goes_by_base = u < next.chances[a];
-    const std::optional<Found>& found = goes_by_base ? by_base : by_other;
+    const bool samples_base = u < next.chances[a];
+    const std::optional<Found>& found = samples_base ? by_base : by_other;
     if (!found) continue;
     const ChainEnd& end = found->vertex.end;
     next.vertices.push_back(found->vertex);
     next.continuations.push_back(
         {index,
-         found->weight / (goes_by_base ? next.chances[a] : survival - next.chances[a]),
-         goes_by_base,
-         goes_by_base && end.is_straight && found->vertex.has_base(),
+         found->weight / (samples_base ? next.chances[a] : survival - next.chances[a]),
+         samples_base,
+         samples_base && end.is_straight && found->vertex.has_base(),
          {end.throughput * end.probability, end.probability}});
   }
 }

@@ -263,7 +263,7 @@ std::uint64_t ReuseEstimator::samples_per_batch() const {
   return impl_->effort.lookups + impl_->effort.points;
 }
 std::string ReuseEstimator::name() const {
-  return fmt::format("reuse, {} + {} first rays a batch", impl_->effort.lookups, impl_->effort.points);
+  return fmt::format("reuse, {} + {} first rays per batch", impl_->effort.lookups, impl_->effort.points);
 }
 std::size_t ReuseEstimator::bytes() const {
   return impl_->cache.bytes();

@@ -76,7 +76,7 @@ CheckpointIdentity BatchScheduler::identity(const std::string& hash) const {
           {"seed", fmt::format("{}", options_.seed)},
           {"estimator", estimator_.name()},
           {"stopping rule", stop},
-          {"samples a batch", fmt::format("{}", estimator_.samples_per_batch())},
+          {"samples per batch", fmt::format("{}", estimator_.samples_per_batch())},
           {"number of bounce layers", fmt::format("{}", options_.bounce_layers())},
           {"lengths of paths",
            fmt::format("{} steps of {} m", options_.by_length.count, options_.by_length.step)},

@@ -24,12 +24,13 @@ void expect_possible(const Scene& scene, const SimulationOptions& options) {
     return;
   }
   if (options.by_bounce && options.max_bounces == PathRules::no_limit)
-    throw InputError("matrices by number of bounces", "require a maximum number", "set it", Setting::bounces);
+    throw InputError("matrices by number of bounces", "require a maximum number of bounces", "set it",
+                     Setting::bounces);
   if (options.by_length.count > 0 && options.strategy == Strategy::particle)
     throw InputError("matrices by path length", "require walks from labels",
                      "use a strategy other than particle", Setting::strategy);
   if (options.by_length.count > 0 && options.direct == DirectLight::exact)
-    throw InputError("matrices by path length", "require direct light from the walks", "sample it",
+    throw InputError("matrices by path length", "require sampled direct light", "sample it",
                      Setting::direct_light);
   if (options.strategy != Strategy::walk) return;
   for (const Transceiver& unit : scene.transceivers)

@@ -43,7 +43,7 @@ std::string UniformEstimator::name() const {
   if (rules_.strategy == Strategy::mis) name += fmt::format(" ({})", to_text(rules_.heuristic));
   name += fmt::format(", direct {}", rules_.samples_direct ? "sampled" : "exact");
   if (rules_.max_bounces != PathRules::no_limit)
-    name += fmt::format(", {} bounces at most", rules_.max_bounces);
+    name += fmt::format(", at most {} bounces", rules_.max_bounces);
   return name;
 }
 

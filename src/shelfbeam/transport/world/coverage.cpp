@@ -43,13 +43,13 @@ std::vector<std::string> unconnected_light(const Scene& scene, const char* way) 
   std::vector<std::string> result;
   const PlaneMirrors mirrors(scene);
   if (mirrors.size() > 1)
-    result.push_back(fmt::format("light {} over two or more mirrors in succession ({})", way,
+    result.push_back(fmt::format("light {} via two or more mirrors in succession ({})", way,
                                  used_materials(scene, is_partly_specular)));
   if (const std::string solids = used_materials(scene, refracts_smoothly); !solids.empty())
     result.push_back(fmt::format("light {} refracted by solid glass ({})", way, solids));
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
     if (mirrors.omitted()[m] > 0)
-      result.push_back(fmt::format("light {} over {} small mirrors of '{}'", way, mirrors.omitted()[m],
+      result.push_back(fmt::format("light {} via {} small mirrors of '{}'", way, mirrors.omitted()[m],
                                    scene.materials[m].name));
   return result;
 }
@@ -72,7 +72,7 @@ std::vector<std::string> chance_light(const Scene& scene, Strategy strategy) {
       return is_partly_specular(material) || refracts_smoothly(material);
     });
     if (exists && !bending.empty())
-      found.push_back(fmt::format("light {} over mirrors and through solid glass ({})", way, bending));
+      found.push_back(fmt::format("light {} via mirrors and through solid glass ({})", way, bending));
   };
   if (strategy == Strategy::particle) {
     add_without_images(has_labels(scene, false), "to labels with a size");

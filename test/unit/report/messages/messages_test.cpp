@@ -142,14 +142,14 @@ void say_certificates(Sentences& to) {
   to.heading("sensitivity");
   Sensitivity sensitivity;
   sensitivity.as_given = {1.25, 0.0125, 3};
-  sensitivity.low.least.ratio = 1.0625;
-  sensitivity.high.least.ratio = 1.75;
+  sensitivity.low.min_margin.ratio = 1.0625;
+  sensitivity.high.min_margin.ratio = 1.75;
   to.say(sensitivity_sentence(sensitivity, 1200));
   sensitivity.low.missed = {7, 8, 9};
   sensitivity.low.undecided = {21};
   sensitivity.materials = {{"tiles <grey>", 0.6, 0.45, 0.75, true, {}, {}}};
   for (const double ratio : {1.25, 1.2}) {  // the first as if it had no range
-    sensitivity.materials[0].at_lower.least.ratio = ratio;
+    sensitivity.materials[0].at_lower.min_margin.ratio = ratio;
     to.say(sensitivity_sentence(sensitivity, 926));
   }
 }

@@ -171,7 +171,8 @@ TEST(ReportHtml, HasTheSectionsOfTheResult) {
               infeasible(p, {.model = CommunicationModel::non_cooperative, .redundant = true}, {{3, 1, 0}});
             },
             {std::string(no_signal_reason({.redundant = true}, true)),
-             "The maximum signal is the signal of the label from the best single candidate that remains if "
+             "The maximum signal is the signal that the label would receive from the best single candidate "
+             "that remains if "
              "the strongest fails."}}}) {
     Supermarket s;
     change(s.placement);
@@ -318,7 +319,7 @@ TEST(ReportHtml, ExplainsInfeasibility) {
   const SignalUnit unit = ReportData(s.input).unit;
   for (const Unreachable& label : s.placement.unreachable) {
     EXPECT_TRUE(cells.contains(s.matrix.labels[label.label].id));
-    EXPECT_TRUE(cells.contains(unit.number(label.most)));
+    EXPECT_TRUE(cells.contains(unit.number(label.max_signal)));
   }
   // Triangles on the plans: one per missed label, and no others.
   std::size_t triangles = 0;

@@ -34,8 +34,8 @@ struct Prepared {
   UnitGroups groups{world};
   RadianceCache cache;
 
-  explicit Prepared(double of_all = albedo, float least = 1e-4F, std::uint64_t seed = 5)
-      : scene(room(of_all)), cache(world, groups, least, seed) {}
+  explicit Prepared(double of_all = albedo, float threshold = 1e-4F, std::uint64_t seed = 5)
+      : scene(room(of_all)), cache(world, groups, threshold, seed) {}
 
   double cached(const SurfacePoint& at, std::size_t j) const {
     const RadianceCache::Row row = cache.row(at);

@@ -44,11 +44,11 @@ TEST(StrategyCoverage, ListsLightFoundByChance) {
   sized.label({3, 2, 1}, {1, 0, 0}, CosineResponse{}, {0.1, 0.1});
   EXPECT_THAT(chance_light(sized.scene), IsEmpty());
   EXPECT_THAT(chance_light(sized.scene, Strategy::particle),
-              ElementsAre("light to labels with a size over mirrors and through solid glass (m0, m2)"));
+              ElementsAre("light to labels with a size via mirrors and through solid glass (m0, m2)"));
   test::BareScene lit = hall_of_mirrors(0);
   lit.scene.emitting_surfaces.push_back({"panel", lit.material(Lambertian{0.5}), 1});
   EXPECT_THAT(chance_light(lit.scene),
-              ElementsAre("light from emitting surfaces over mirrors and through solid glass (m0, m2)"));
+              ElementsAre("light from emitting surfaces via mirrors and through solid glass (m0, m2)"));
 }
 
 TEST(StrategyCoverage, IsCompleteWithoutMirrors) {
