@@ -98,7 +98,7 @@ TEST_F(Compare, RefusesIncomparableInput) {
   refuse("label,transceiver,signal\ndor,G1-1-1,1\n", "", {"m.csv: line 2", "'door'"});
   refuse("label,transceiver,signal\ndoor,G1-1-1,1\n", "", {"m.csv", "three"});
   refuse(good, "--placement @placement.json", {"remove --placement"});
-  refuse(good, "-o @m.csv", {"is the input"});
+  refuse(good, "-o @m.csv", {"m.csv: "});
   refuse(good, "-o @page.txt", {".csv or .html"});
   refuse(good, "-o @missing/page.html", {"missing"});
   refuse(good, "--confidence 1", {"--confidence"});

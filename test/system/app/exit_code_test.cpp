@@ -63,7 +63,7 @@ TEST_F(ExitCode, OneIfOptionsConflict) {
   told("report @plan");
   // Greedy cannot prove infeasibility.
   out = told("place @plan/signal.h5 -o @p.json --solver greedy", 3);
-  EXPECT_NE(out.find("'--solver mip' searches for one"), std::string::npos) << out;
+  EXPECT_NE(out.find("'--solver mip'"), std::string::npos) << out;
   EXPECT_EQ(json("p.json")["status"], "stopped");
   told("plan @spots.json -o @plan --samples 320 --solver greedy", 3);
 }

@@ -280,7 +280,7 @@ TEST_F(Workflow, PlacePrintsTheDocumentedSentences) {
          {"if any one unit fails: 2 cannot be reached by two units.\n", lost}, 1);
   expect("@m.csv --forbid @pairs.csv",
          {"because some candidates must not be chosen together (proven by",
-          "\n  1 pair of candidates is excluded: "},
+          "\n  1 pair of candidates is excluded"},
          1);
   expect("@dark.csv", {"L2: maximum signal 0, requirement 1 (no light arrives; "}, 1);
   expect("@day.csv --survive-failure",

@@ -130,7 +130,8 @@ std::string unreachable_section(const ReportData& data) {
           ? fmt::format("The maximum signal is the signal that the label would receive {}.",
                         maximum_signal_condition(data))
           : fmt::format(
-                "The maximum signal is the signal of the label from the best single candidate{}.",
+                "The maximum signal is the signal that the label would receive from the best single "
+                "candidate{}.",
                 data.input.plan.placement.problem.redundant ? " that remains if the strongest fails" : ""));
   html += table.html();
   if (worst.size() > max_rows)

@@ -172,8 +172,7 @@ TEST(ReportHtml, HasTheSectionsOfTheResult) {
             },
             {std::string(no_signal_reason({.redundant = true}, true)),
              "The maximum signal is the signal that the label would receive from the best single candidate "
-             "that remains if "
-             "the strongest fails."}}}) {
+             "that remains if the strongest fails."}}}) {
     Supermarket s;
     change(s.placement);
     const std::string html = report_html(s.input);
