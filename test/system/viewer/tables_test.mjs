@@ -132,7 +132,7 @@ function sectionsAre({ answer, sensitivity, curve }, { placement, labels }) {
     answer,
     `${met} of ${labels.length} labels are reached with all reflectances at the low end`,
     `${missed.length} missed, ${undecided.length} undecided), with ${100 * of.confidence} % confidence`,
-    `${smallest_margin} to ${of.high.smallest_margin.toPrecision(3)} times its requirement`,
+    `${smallest_margin} to ${of.high.smallest_margin.toPrecision(3)} times the requirement`,
     `'${of.materials[0].name}'`,
   );
   equal(curve.length, placement.curve.length, "points of the curve");

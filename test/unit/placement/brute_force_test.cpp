@@ -86,10 +86,10 @@ TEST_P(PlacementBruteForce, EqualsEnumerationWhereAUnitMayFailAndPairsAreForbidd
 }
 
 TEST_P(PlacementBruteForceSlow, EqualsEnumerationOnManyMore) {
-  compare_random(2, 30000, {}, options());
-  compare_random(14, 15000, {.labels = 30, .transceivers = 12}, options());
-  EXPECT_GT(compare_random(4, 30000, {.mounts = true}, options()).by_exclusion, 500);
-  EXPECT_GT(compare_random(6, 30000, test::beyond_the_paper, options()).by_exclusion, 500);
+  compare_random(2, 15000, {}, options());
+  compare_random(14, 8000, {.labels = 30, .transceivers = 12}, options());
+  EXPECT_GT(compare_random(4, 15000, {.mounts = true}, options()).by_exclusion, 250);
+  EXPECT_GT(compare_random(6, 15000, test::beyond_the_paper, options()).by_exclusion, 250);
 }
 
 }  // namespace
