@@ -1,5 +1,7 @@
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -91,10 +93,11 @@ void add_export(CLI::App& app, ChosenVerb& chosen) {
   add_path(*verb, "-o,--output", options->output,
            "File to write: .mps or .lp for the model, .csv or .npy for the matrix")
       ->required();
+  const std::vector<std::string> matrices{"mean", "standard-error", "direct"};
   verb->add_option("--what", options->what,
                    "Matrix of a signal file to export: mean (default), standard-error or direct")
-      ->check(CLI::IsMember({"mean", "standard-error", "direct"}))
-      ->option_text("{mean,standard-error,direct}");
+      ->check(CLI::IsMember(matrices))
+      ->option_text(choices(matrices));
   add_problem_options(*verb, options->problem);
   add_common_options(*verb, options->common);
   verb->footer(

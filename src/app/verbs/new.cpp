@@ -109,14 +109,15 @@ int run_new(const Options& options) {
 void add_new(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("new", "Write an example store to start from");
   auto options = std::make_shared<Options>();
-  std::string names, choices;
+  std::string descriptions;
+  std::vector<std::string> names;
   for (const Template& t : store_templates()) {
-    names += fmt::format("\n  {:<11} {}", t.name, t.description);
-    choices += fmt::format("{}{}", choices.empty() ? "" : ",", t.name);
+    descriptions += fmt::format("\n  {:<11} {}", t.name, t.description);
+    names.emplace_back(t.name);
   }
-  verb->add_option("TEMPLATE", options->name, "One of:" + names)
+  verb->add_option("TEMPLATE", options->name, "One of:" + descriptions)
       ->required()
-      ->option_text("{" + choices + "}");
+      ->option_text(choices(names));
   add_path(*verb, "DIR", options->folder, "Folder for the store file and the files that it names")
       ->required();
   add_common_options(*verb, options->common);

@@ -168,8 +168,8 @@ Placement search_placement(const SignalTable& table, const PlacementProblem& pro
                            const std::vector<std::uint32_t>& start, const Solvers& solvers,
                            double time_limit_s, std::uint64_t seed, const RunControl& control,
                            const SearchLimits& limits) {
-  const auto answer = [&](const SignalTable& used) {
-    SearchState state(used, problem, start, solvers, time_limit_s, seed, control, limits);
+  const auto answer = [&](const SignalTable& priced) {
+    SearchState state(priced, problem, start, solvers, time_limit_s, seed, control, limits);
     return search(state);
   };
   const Check known = check_selection(table, problem, start);

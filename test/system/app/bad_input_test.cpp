@@ -147,13 +147,13 @@ TEST_F(BadOutput, DeviceStaysADevice) {
 TEST_F(BadOutput, WouldOverwriteTheInput) {
   folder.write("matrix.csv", "1,2\n3,4\n");
   folder.write("costs.csv", "id,cost\n1,2\n");
-  refused("simulate @store.json -o @old/../store.json", {path("old/../store.json")});
-  refused("inspect @store.json -o @store.json", {path("store.json")});
+  refused("simulate @store.json -o @old/../store.json", {"error: " + path("old/../store.json") + ": "});
+  refused("inspect @store.json -o @store.json", {"error: " + path("store.json") + ": "});
   refused("plan @store.json -o " + folder.path().string(), {folder.path().string() + ": "});
   refused("new thesis " + folder.path().string(), {"store.json: "});
-  refused("place @matrix.csv -o @matrix.csv --threshold 1", {path("matrix.csv")});
-  refused("place @matrix.csv -o @costs.csv --costs @costs.csv", {path("costs.csv")});
-  refused("export @matrix.csv -o @matrix.csv", {path("matrix.csv")});
+  refused("place @matrix.csv -o @matrix.csv --threshold 1", {"error: " + path("matrix.csv") + ": "});
+  refused("place @matrix.csv -o @costs.csv --costs @costs.csv", {"error: " + path("costs.csv") + ": "});
+  refused("export @matrix.csv -o @matrix.csv", {"error: " + path("matrix.csv") + ": "});
 }
 
 class BadMatrix : public test::ProgramTest {
@@ -213,18 +213,19 @@ TEST_F(BadMatrix, OptionsThatDoNotFitTheMatrix) {
             {path("pairs.csv"), "line 3", "'T9'"}},
            {"export @m.csv --threshold 1 --forbid @pairs.csv -o @new.mps",
             {path("pairs.csv"), "line 3", "'T9'"}},
-           {"place @m.csv --forbid @pairs.csv -o @pairs.csv", {path("pairs.csv")}},
+           {"place @m.csv --forbid @pairs.csv -o @pairs.csv", {"error: " + path("pairs.csv") + ": "}},
            {"place @m.csv --threshold 1 --min-spacing 2", {path("m.csv"), "position", "--forbid"}},
            {"place @m.csv --threshold 1 --min-spacing -2", {"--min-spacing"}},
            {"export @m.csv --min-spacing 2 -o @new.csv", {"--min-spacing"}},
            {"place @m.csv @shut.csv --threshold 1", {"error: " + path("shut.csv"), "'T3'", path("m.csv")}},
            {"place @m.csv @m.csv --threshold 1", {"error: " + path("m.csv"), "'m'"}},
-           {"place @m.csv @none.csv --threshold 1", {path("none.csv")}},
-           {"place @m.csv @shut.csv -o @shut.csv", {path("shut.csv")}}})
+           {"place @m.csv @none.csv --threshold 1", {"error: " + path("none.csv") + ": "}},
+           {"place @m.csv @shut.csv -o @shut.csv", {"error: " + path("shut.csv") + ": "}}})
     refused(line, parts);
   for (const char* costs : {"id,cost\nT9,2\n", "id,price\nT1,2\n"}) {
     folder.write("costs.csv", costs);
-    refused("place @m.csv --threshold 1 --costs @costs.csv -o @new.json", {path("costs.csv")});
+    refused("place @m.csv --threshold 1 --costs @costs.csv -o @new.json",
+            {"error: " + path("costs.csv") + ": "});
   }
 }
 

@@ -74,8 +74,7 @@ Headline nothing_found(const ReportData& data) {
   result.answer += count_bound == 0 ? "." : fmt::format("; it is proven that {}.", units_needed(count_bound));
   result.remarks.push_back(
       fmt::format("It is unknown whether a feasible selection exists; {} may find a selection. The floor "
-                  "plans below show the "
-                  "signal that each label would receive {}.",
+                  "plans below show the signal that each label would receive {}.",
                   placement.solver == "greedy" ? "an exact search"
                   : who.empty()                ? "more time"
                                                : "a MIP solver",
@@ -88,8 +87,7 @@ std::string closeness_remark(const ReportData& data) {
   const bool one = data.uncertain == 1;
   return fmt::format(
       "At least {} so close to {} that other random samples could change the result: the distance is less "
-      "than two standard "
-      "errors of the largest single signal. Use more samples to decide.",
+      "than two standard errors of the largest single signal. Use more samples to decide.",
       one ? "one label is" : counted(data.uncertain, "label") + " are",
       one ? "its requirement" : "their requirements");
 }

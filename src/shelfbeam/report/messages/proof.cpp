@@ -89,15 +89,13 @@ std::string terminal_bound(const Placement& placement) {
 }
 
 std::string page_bound(const Placement& placement) {
-  const std::size_t count_bound = proven_count(placement);
-  const std::string needed =
-      fmt::format("{} {} needed", grouped(count_bound), count_bound == 1 ? "is" : "are");
-  if (count_is_proven(placement))
-    return fmt::format("; it is proven that {}.", fewer_are_not_enough(placement.count()));
+  if (count_is_proven(placement)) return fmt::format("; {}.", terminal_bound(placement));
   if (placement.status == Status::optimal && placement.problem.combination == Combination::weighted)
     return "; it is proven that no selection costs less.";
+  const std::size_t count_bound = proven_count(placement);
   if (count_bound == 0) return "; no lower bound on the count is proven.";
-  return fmt::format("; it is proven that at least {} (gap {}).", needed, percent(count_gap(placement)));
+  return fmt::format("; it is proven that at least {} {} needed (gap {}).", grouped(count_bound),
+                     count_bound == 1 ? "is" : "are", percent(count_gap(placement)));
 }
 
 std::string_view bound_proof_text(BoundProof proof) {
