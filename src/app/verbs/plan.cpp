@@ -88,6 +88,12 @@ bool is_open(const Options& options, const Plan& plan) {
          (options.sensitivity && plan.placement.has_selection() && !plan.sensitivity);
 }
 
+// Whether the certificate decides how many samples are taken where.
+bool follows_decision(const Options& options) {
+  const SimulationFlags& flags = options.simulation;
+  return !options.no_certificate && !flags.samples && !flags.relative_error && !flags.time_s;
+}
+
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   const Store store = load_store(options.store, options.allow_outside, options.simulation.memory);
@@ -97,8 +103,9 @@ int run_plan(const Options& options) {
   // Reports errors in the placement options before the simulation.
   SignalTable nothing = table_without_signals(scene);
   options.requirements.apply(nothing, options.store.string());
-  const SimulationOptions simulation =
+  SimulationOptions simulation =
       options.simulation.options(options.common.seed, options.folder / signal_name);
+  if (follows_decision(options)) simulation.samples = decision_samples;
   const bool is_new = !std::filesystem::exists(options.folder);
   prepare_plan_folder(options.folder);
   print_warnings(options.common, scene, simulation.rules().strategy);

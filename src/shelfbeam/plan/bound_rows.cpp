@@ -10,7 +10,6 @@
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
-#include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 
 namespace shelfbeam {
@@ -103,27 +102,27 @@ void add_limits(SignalTable& table, std::span<const ValidationEstimate> sums,
   table.row_begin.push_back(table.entries.size());
 }
 
-UpperConfidenceRows upper_confidence_rows(const Scene& scene, const SignalTable& planned,
-                                          const std::vector<std::uint32_t>& rows, double level,
-                                          const VerificationEffort& effort, const RunControl& control) {
+UpperConfidenceRows upper_confidence_rows(const PreparedScene& prepared, const SignalTable& planned,
+                                          const BatchRequest& request, double level, std::size_t signals,
+                                          const RunControl& control) {
   const std::size_t n = planned.columns();
+  const std::vector<std::uint32_t> rows(request.labels.begin(), request.labels.end());
   std::vector<std::vector<std::uint32_t>> orders;
   orders.reserve(rows.size());
   for (const std::uint32_t i : rows) orders.push_back(by_strength(planned, i));
-  const SumRule rule = [&](std::size_t label, std::span<const double> signals, std::span<double> sums) {
+  const SumRule rule = [&](std::size_t label, std::span<const double> values, std::span<double> sums) {
     double sum = 0;
     for (std::size_t k = n; k-- > 0;) {
-      sums[k] = signals[orders[label][k]];
+      sums[k] = values[orders[label][k]];
       sums[n + k] = sum += sums[k];
     }
   };
-  const ValidationEstimates fresh =
-      validation_estimates(sub_scene(scene, rows), effort.simulation, effort.batches, 2 * n, rule, control);
+  const ValidationEstimates fresh = validation_estimates(prepared, request, 2 * n, rule, control);
   UpperConfidenceRows result{table_of_rows(planned, rows), {}};
   result.table.entries.clear();
   result.table.row_begin = {0};
-  // P(any limit is too low) <= 3 r n (level / (3 r n)), for r rows and n columns (Bonferroni).
-  const double of_one = level / (limits_an_entry * static_cast<double>(n) *
+  // P(any limit is too low) <= 3 r s (level / (3 r s)), for s signals in each of r rows (Bonferroni).
+  const double of_one = level / (limits_an_entry * static_cast<double>(signals) *
                                  static_cast<double>(std::max<std::size_t>(1, rows.size())));
   for (std::size_t k = 0; k < rows.size(); ++k)
     add_limits(result.table, fresh.of(k), orders[k], of_one, fresh.largest,
@@ -133,21 +132,32 @@ UpperConfidenceRows upper_confidence_rows(const Scene& scene, const SignalTable&
   return result;
 }
 
+// The error of a flagged entry may be larger than estimated.
+constexpr double errors_of_flagged = 3;
+
+void raise_row(SignalTable& table, const SignalMatrix& matrix, std::size_t i, double errors) {
+  for (std::size_t e = table.row_begin[i]; e < table.row_begin[i + 1]; ++e) {
+    SignalEntry& entry = table.entries[e];
+    const std::size_t at = matrix.at(i, entry.transceiver);
+    const double times = !matrix.flags.empty() && matrix.flags[at] != 0 ? errors_of_flagged * errors : errors;
+    entry.signal += times * static_cast<double>(matrix.standard_error[at]);
+  }
+}
+
 SignalTable predicted_upper_rows(const SignalTable& planned, const SignalMatrix& matrix, std::size_t rows,
-                                 double level, std::uint32_t batches) {
-  const double statements = limits_an_entry * static_cast<double>(planned.columns()) *
-                            static_cast<double>(std::max<std::size_t>(1, rows));
+                                 double level, std::size_t signals, std::uint32_t batches) {
+  const double statements =
+      limits_an_entry * static_cast<double>(signals) * static_cast<double>(std::max<std::size_t>(1, rows));
   const double quantile = student_quantile(1 - level / statements, batches - 1);
   constexpr double reserve = 1.1;  // errors of the new batches may be larger
+  return raised_table(planned, matrix, reserve * quantile, batches);
+}
+
+SignalTable raised_table(const SignalTable& planned, const SignalMatrix& matrix, double errors,
+                         std::uint32_t batches) {
   SignalTable table = planned;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const double fewer = std::sqrt(static_cast<double>(matrix.labels[i].batches) / batches);
-    for (std::size_t e = table.row_begin[i]; e < table.row_begin[i + 1]; ++e) {
-      SignalEntry& entry = table.entries[e];
-      const auto error = static_cast<double>(matrix.standard_error[matrix.at(i, entry.transceiver)]);
-      entry.signal += reserve * quantile * error * fewer;
-    }
-  }
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    raise_row(table, matrix, i, errors * std::sqrt(static_cast<double>(matrix.labels[i].batches) / batches));
   return table;
 }
 

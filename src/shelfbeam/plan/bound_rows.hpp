@@ -19,21 +19,29 @@ struct UpperConfidenceRows {
 };
 
 /// The rows of some labels (ascending) of `planned`, with every signal replaced by an upper confidence limit
-/// from independent batches. With probability 1 - level no true signal is larger, so these rows require at
-/// most as many units as the true ones.
+/// from independent batches. For `signals` entries per row that do not depend on the batches, no true signal
+/// is larger, with probability 1 - level. A bound that these rows prove is wrong only if one selection S*
+/// contradicts it, and only if the limit of one of its signals is too low: `signals` is the number of units
+/// of S*, or 1 where one unit alone must reach a label (2 if a unit may fail).
 ///
 /// An entry's limit is Student's. An entry that was hit in few batches takes the limit of a sum that contains
 /// it: the sum of all signals of the row that are no larger on `planned`, extended by larger ones until the
 /// sum is hit often enough; if even the sum of the whole row is hit rarely, ValidationEstimate::rare_upper.
-/// `planned` alone fixes the possible sums, and all limits that could be used share the level (Bonferroni).
+/// `planned` alone fixes the possible sums, and all limits that could be used for these entries share the
+/// level (Bonferroni).
 /// Throws as `sample_batches`.
-UpperConfidenceRows upper_confidence_rows(const Scene& scene, const SignalTable& planned,
-                                          const std::vector<std::uint32_t>& rows, double level,
-                                          const VerificationEffort& effort, const RunControl& control = {});
+UpperConfidenceRows upper_confidence_rows(const PreparedScene& prepared, const SignalTable& planned,
+                                          const BatchRequest& request, double level, std::size_t signals,
+                                          const RunControl& control = {});
 
-/// Prediction of `upper_confidence_rows` for all labels from the standard errors of a matrix.
+/// Prediction of `upper_confidence_rows` with this number of rows for all labels, from the standard errors of
+/// a matrix.
 SignalTable predicted_upper_rows(const SignalTable& planned, const SignalMatrix& matrix, std::size_t rows,
-                                 double level, std::uint32_t batches);
+                                 double level, std::size_t signals, std::uint32_t batches);
+
+/// The table with every signal raised by some standard errors, those that this number of batches would have.
+SignalTable raised_table(const SignalTable& planned, const SignalMatrix& matrix, double errors,
+                         std::uint32_t batches);
 
 /// The rows of some labels (ascending) of a table.
 SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint32_t>& rows);

@@ -1,16 +1,23 @@
 #include "shelfbeam/plan/certify.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/plan/bound_rows.hpp"
 #include "shelfbeam/plan/refine.hpp"
+#include "shelfbeam/plan/refutation.hpp"
 #include "shelfbeam/plan/rounds.hpp"
+#include "shelfbeam/plan/test_refutation.hpp"
 
 namespace shelfbeam {
 
@@ -18,6 +25,8 @@ namespace {
 
 constexpr auto interrupted = "it was interrupted";
 constexpr std::size_t max_doubtful = 64;
+constexpr std::uint32_t max_rounds = 30;
+constexpr std::size_t max_leaves = 400'000;
 
 void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t>& more) {
   rows.insert(rows.end(), more.begin(), more.end());
@@ -27,49 +36,80 @@ void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t
 
 class Certifier {
  public:
-  Certifier(const Scene& scene, const TableRule& rule, const CertifyOptions& options, SignalMatrix matrix,
-            Placement placement, const RunControl& control)
-      : scene_(scene),
+  Certifier(const PreparedScene& prepared, const TableRule& rule, const CertifyOptions& options,
+            SignalMatrix matrix, Placement placement, const RunControl& control)
+      : prepared_(prepared),
         rule_(rule),
         options_(options),
         matrix_(std::move(matrix)),
         placement_(std::move(placement)),
         control_(control),
-        rounds_(options.confidence, options.budget, options.simulation),
+        rounds_(options.confidence, options.budget, options.simulation.seed),
         table_(rule(matrix_)),
-        verdicts_(scene, certificate_.labels) {
+        verdicts_(prepared.world().scene, options.simulation, certificate_.labels) {
     certificate_.confidence = options.confidence;
     forget_verdicts();
   }
 
   Certified run() {
     try {
-      do {
-        rounds_.next();
-        certificate_.rounds = rounds_.round();
-        // Two statements per round, on the labels and on the count, each wrong with probability at most a_r /
-        // 2, where a_r = (1 - c) / 2^r. So some statement of some round is wrong with probability at most
-        // sum_r a_r = 1 - c, whatever their dependence (Bonferroni).
-        const double level = rounds_.level(2);
-        if (!placement_.has_selection()) {
-          prove_unreachable(level);
-        } else {
-          verify_labels(level);
-          if (!bound_holds()) prove_bound(level);
-        }
-      } while (!is_done() && should_continue() && improve());
+      while (!is_done() && rounds_.round() < max_rounds && run_round()) {
+      }
     } catch (const Interrupted&) {
       certificate_.open = interrupted;
+    }
+    // The placement refers to the matrix on which it was made.
+    while (!joined_.empty()) {
+      joined_.back().restore(matrix_);
+      joined_.pop_back();
     }
     certificate_.seconds = rounds_.seconds();
     return {std::move(matrix_), std::move(placement_), std::move(certificate_)};
   }
 
  private:
+  // Returns whether another round can add something; otherwise sets the reason.
+  bool run_round() {
+    rounds_.next();
+    certificate_.rounds = rounds_.round();
+    certificate_.open.clear();
+    // Two statements per round, on the labels and on the count, each wrong with probability at most a_r / 2,
+    // where a_r = (1 - c) / 2^r. So some statement of some round is wrong with probability at most sum_r a_r
+    // = 1 - c, whatever their dependence (Bonferroni).
+    const double level = rounds_.level(2);
+    bool has_worked = false;
+    if (!placement_.has_selection()) {
+      has_worked = prove_unreachable(level);
+    } else {
+      has_worked = verdicts_.verify(rounds_, level, control_) > 0;
+      if (!bound_holds() && prove_bound(level)) has_worked = true;
+    }
+    if (is_done()) return false;
+    if (control_.cancelled()) throw Interrupted(interrupted);
+    if (rounds_.left() > 0 && improve()) return true;
+    if (!certificate_.open.empty()) return false;
+    if (has_worked && rounds_.left() > 0) return true;
+    certificate_.open = reason_to_stop();
+    return false;
+  }
+
+  std::string reason_to_stop() const {
+    if (!placement_.has_selection())
+      return open_labels().empty() ? "each label can be reached alone, but conflicts prevent a selection "
+                                     "that reaches all labels"
+                                   : "labels are too close to their requirements";
+    if (!certificate_.all_reached()) return verdicts_.obstacle(rounds_);
+    return bound_obstacle_.empty() ? "signals are too close to requirements for a proof" : bound_obstacle_;
+  }
+
   void forget_verdicts() {
     certificate_.labels.assign(matrix_.rows(), {});
     for (std::size_t i = 0; i < matrix_.rows(); ++i)
       certificate_.labels[i].requirement = matrix_.labels[i].requirement;
+    std::vector<float> planned;
+    for (std::size_t i = 0; i < matrix_.rows(); ++i)
+      for (const std::uint32_t j : placement_.selected) planned.push_back(matrix_.mean[matrix_.at(i, j)]);
+    verdicts_.select(placement_.problem, placement_.selected, std::move(planned));
   }
 
   bool bound_holds() const {
@@ -81,15 +121,12 @@ class Certifier {
     return bound_holds() && (!placement_.has_selection() || certificate_.all_reached());
   }
 
+  // Without a selection: labels that no selection seems to reach.
   std::vector<std::uint32_t> open_labels() const {
     std::vector<std::uint32_t> rows;
-    if (placement_.has_selection()) {
-      for (std::uint32_t i = 0; i < certificate_.labels.size(); ++i)
-        if (certificate_.labels[i].verdict != Verdict::reached) rows.push_back(i);
-    } else {
-      for (const Unreachable& label : placement_.unreachable) rows.push_back(label.label);
-      rows.resize(std::min(rows.size(), max_doubtful));
-    }
+    for (const Unreachable& label : placement_.unreachable) rows.push_back(label.label);
+    rows.resize(std::min(rows.size(), max_doubtful));
+    std::sort(rows.begin(), rows.end());
     return rows;
   }
 
@@ -100,33 +137,35 @@ class Certifier {
     return options;
   }
 
-  // Labels reached by the same selection in an earlier round keep their verdict.
-  void verify_labels(double level) {
-    const std::vector<std::uint32_t> rows = open_labels();
-    if (rows.empty()) return;
-    std::vector<float> planned;
-    for (const std::uint32_t i : rows)
-      for (const std::uint32_t j : placement_.selected) planned.push_back(matrix_.mean[matrix_.at(i, j)]);
-    verdicts_.verify(rows, placement_.selected, placement_.problem, planned, rounds_, level, control_);
+  // Limits per row that must hold for a bound: those of the units of one selection that contradicts it, or of
+  // the links by which it reaches a label.
+  std::size_t signals_at_stake() const {
+    if (placement_.problem.model == CommunicationModel::cooperative)
+      return std::max<std::size_t>(1, static_cast<std::size_t>(placement_.count_lower_bound) - 1);
+    return placement_.problem.redundant ? 2 : 1;
   }
 
   // The placement that upper confidence limits of some labels' signals require. The batches are kept: if they
   // do not prove the bound, they update the matrix.
-  Placement fewest_for(const std::vector<std::uint32_t>& rows, double level) {
+  Placement fewest_for(const std::vector<std::uint32_t>& rows, std::size_t signals, double level) {
     control_.report(
         "proving", -1,
         fmt::format("round {}, {} labels, {} batches", rounds_.round(), rows.size(), bound_batches_));
     const double begun = rounds_.spent();
-    UpperConfidenceRows optimistic = upper_confidence_rows(
-        scene_, table_, rows, level, rounds_.effort(Purpose::bound, bound_batches_), control_);
+    UpperConfidenceRows upper = upper_confidence_rows(
+        prepared_, table_, rounds_.request(Purpose::bound, rows, bound_batches_), level, signals, control_);
+    keep(std::move(upper.fresh), begun, rows.size(), bound_batches_);
     PlaceOptions options = in_time();
     options.settles_ties = false;
-    Placement fewest = place(optimistic.table, count_problem(), options, control_);
-    for (const ValidationRow& row : optimistic.fresh) rounds_.spend(row.samples);
-    bound_cost_ = (rounds_.spent() - begun) / (static_cast<double>(rows.size()) * bound_batches_);
-    bound_rows_ = std::max(bound_rows_, rows.size());
-    fresh_ = std::move(optimistic.fresh);
-    return fewest;
+    return place(upper.table, count_problem(), options, control_);
+  }
+
+  // Keeps new batches for the matrix and measures their cost.
+  void keep(std::vector<ValidationRow> fresh, double begun, std::size_t rows, std::uint32_t batches) {
+    for (const ValidationRow& row : fresh) rounds_.spend(row.samples);
+    bound_cost_ = std::max(1e-12, (rounds_.spent() - begun) / (static_cast<double>(rows) * batches));
+    bound_rows_ = std::max(bound_rows_, rows);
+    fresh_ = std::move(fresh);
   }
 
   PlacementProblem count_problem() const {
@@ -139,13 +178,14 @@ class Certifier {
   // Core rows for `count` units, expected from the batches of this round or, after the first round, from the
   // smallest larger number that suffices. Sets bound_batches_ if there are any.
   std::vector<std::uint32_t> promising_rows(std::size_t count, double level) {
-    const std::uint32_t max_batches = rounds_.round() == 1 ? bound_batches_ : Rounds::max_batches;
+    const std::uint32_t max_batches = Rounds::max_batches;
     std::vector<std::uint32_t> rows;
     for (std::uint32_t batches = bound_batches_;; batches = Rounds::more(batches)) {
       control_.report(
           "proving", -1,
           fmt::format("round {}, core rows for {} units, {} batches", rounds_.round(), count, batches));
-      const SignalTable expected = predicted_upper_rows(table_, matrix_, bound_rows_, level, batches);
+      const SignalTable expected =
+          predicted_upper_rows(table_, matrix_, bound_rows_, level, signals_at_stake(), batches);
       PlaceOptions options;
       options.time_limit_s =
           rounds_.counts_samples() ? options_.place.time_limit_s : 0.1 * std::max(0.0, rounds_.left());
@@ -157,36 +197,142 @@ class Certifier {
     }
   }
 
-  void prove_bound(double level) {
+  // Returns whether it has sampled.
+  bool prove_bound(double level) {
     const auto count = static_cast<std::size_t>(placement_.count_lower_bound);
+    const bool adds_up =
+        placement_.problem.model == CommunicationModel::cooperative && !placement_.problem.redundant;
+    if (adds_up) {
+      for (std::size_t target = count; target > certificate_.count_lower_bound; --target)
+        if (refute_fewer_than(target, level)) return true;
+      return false;
+    }
     const std::uint32_t batches = bound_batches_;
     const std::vector<std::uint32_t> rows = promising_rows(count, level);
     const double cost = bound_cost_ * static_cast<double>(rows.size()) * bound_batches_;
     bound_obstacle_.clear();
     if (cost > rounds_.left()) {
-      bound_obstacle_ = fmt::format("proving that {} {} needed would take about {:.0f} {}", count,
-                                    count == 1 ? "is" : "are", cost, rounds_.unit());
+      set_obstacle(count, cost);
       bound_batches_ = batches;
-      return;
+      return false;
     }
-    const Placement fewest = fewest_for(rows, level);
-    const double bound = std::min(fewest.count_lower_bound, static_cast<double>(count));
-    if (static_cast<std::size_t>(bound) > certificate_.count_lower_bound) {
-      certificate_.count_lower_bound = static_cast<std::size_t>(bound);
-      certificate_.bound_labels = rows.size();
-    }
+    const Placement fewest = fewest_for(rows, signals_at_stake(), level);
+    raise_bound(std::min(fewest.count_lower_bound, static_cast<double>(count)), rows.size());
     doubtful_.clear();
-    if (bound_holds())
-      fresh_.clear();
-    else if (fewest.has_selection())
-      doubtful_ = worst_off(fewest.selected);
+    if (!bound_holds() && fewest.has_selection()) doubtful_ = worst_off(fewest.selected);
+    bound_batches_ = Rounds::more(bound_batches_);
+    return true;
   }
 
-  // Every selection misses the labels whose upper limits are below the requirement.
-  void prove_unreachable(double level) {
+  void set_obstacle(std::size_t count, double cost) {
+    bound_obstacle_ = fmt::format("proving that {} {} needed would take about {:.0f} {}", count,
+                                  count == 1 ? "is" : "are", std::max(1.0, cost), rounds_.unit());
+  }
+
+  void raise_bound(double bound, std::size_t labels) {
+    if (static_cast<std::size_t>(bound) > certificate_.count_lower_bound) {
+      certificate_.count_lower_bound = static_cast<std::size_t>(bound);
+      certificate_.bound_labels = labels;
+    }
+    if (bound_holds()) fresh_.clear();
+  }
+
+  // Tests a refutation of all selections of fewer than `count` units; false if there is none that the budget
+  // allows.
+  bool refute_fewer_than(std::size_t count, double level) {
+    if (count == 0 || failed_count_ <= count) return false;
+    if (refuted_count_ != count) {
+      open_leaves_.clear();
+      min_test_batches_ = min_verifying_batches;
+    }
+    refuted_count_ = count;
+    const SelectionBudget limit{std::vector<double>(table_.columns(), 1.0), static_cast<double>(count - 1)};
+    control_.report("proving", -1, fmt::format("round {}, refuting {} units", rounds_.round(), count - 1));
+    const auto found = promising_refutation(limit, level);
+    const double cost =
+        found ? bound_cost_ * static_cast<double>(found->refutation.labels.size()) * found->batches : 0;
+    if (!found || cost > rounds_.left()) {
+      failed_count_ = count;
+      if (found) set_obstacle(count, cost);
+      return false;
+    }
+    control_.report("proving", -1,
+                    fmt::format("round {}, {} labels, {} batches", rounds_.round(),
+                                found->refutation.labels.size(), found->batches));
+    const double begun = rounds_.spent();
+    TestedRefutation tested = test_refutation(
+        prepared_, found->refutation, table_,
+        rounds_.request(Purpose::bound, found->refutation.labels, found->batches), level, control_);
+    keep(std::move(tested.fresh), begun, found->refutation.labels.size(), found->batches);
+    open_leaves_ = std::move(tested.open);
+    min_test_batches_ = std::min(2 * min_test_batches_, Rounds::max_batches);
+    if (open_leaves_.empty()) {
+      refuted_count_ = 0;
+      raise_bound(static_cast<double>(count), found->refutation.labels.size());
+      bound_obstacle_.clear();
+    }
+    return true;
+  }
+
+  struct Promising {
+    Refutation refutation;
+    std::uint32_t batches = 0;
+  };
+
+  // A refutation of the matrix with the largest reserve that allows one, and the batches that it is expected
+  // to need.
+  std::optional<Promising> promising_refutation(const SelectionBudget& limit, double level) {
+    constexpr double reserve_of_batches = 1.5;
+    const double seconds = rounds_.counts_samples() ? 60.0 : 0.1 * std::max(0.0, rounds_.left());
+    const Deadline deadline(seconds);
+    doubtful_.clear();
+    constexpr double reserves[] = {10.0, 7.0, 5.0, 3.5, 2.5, 1.7, 1.2, 0.8, 0.5, 0.3, 0.15};
+    const auto raised_by = [&](double errors) {
+      return raised_table(table_, matrix_, errors, min_verifying_batches);
+    };
+    // Labels that refute nothing with the smallest reserve refute nothing with a larger one.
+    if (labels_for(raised_by(*std::rbegin(reserves)), limit, deadline).empty()) return std::nullopt;
+    for (const double errors : reserves) {
+      const SignalTable raised = raised_by(errors);
+      const std::vector<std::uint32_t> labels = labels_for(raised, limit, deadline);
+      if (labels.empty()) continue;
+      RefutationSearch search =
+          find_refutation(raised, labels, limit, open_leaves_, max_leaves, deadline, control_);
+      if (!search.found) {
+        if (!search.counterexample.empty()) doubtful_ = worst_off(search.counterexample);
+        if (deadline.has_passed()) break;
+        continue;
+      }
+      const double needed = needed_batches(*search.found, table_, matrix_, level);
+      const double batches = std::max<double>(min_test_batches_, reserve_of_batches * needed);
+      if (batches > Rounds::max_batches) continue;
+      return Promising{std::move(*search.found), static_cast<std::uint32_t>(std::ceil(batches))};
+    }
+    return std::nullopt;
+  }
+
+  // Labels that may refute the selections of a limit: those of the relaxation if it does, otherwise core
+  // rows.
+  std::vector<std::uint32_t> labels_for(const SignalTable& raised, const SelectionBudget& limit,
+                                        const Deadline& deadline) {
+    const RelaxedCover relaxed = relaxed_cover(raised, limit, deadline, control_);
+    if (relaxed.is_refuted) return relaxed.labels;
+    PlaceOptions options;
+    options.time_limit_s = std::min(5.0, 0.2 * deadline.seconds_left());
+    options.step_limit = options_.place.step_limit;
+    const auto count = static_cast<std::size_t>(limit.budget) + 1;
+    CoreRows core = core_rows(raised, count_problem(), count, options, control_);
+    return core.suffice ? core.rows : std::vector<std::uint32_t>();
+  }
+
+  // Every selection misses the labels whose upper limits are below the requirement. Returns whether it has
+  // sampled.
+  bool prove_unreachable(double level) {
     const std::vector<std::uint32_t> rows = open_labels();
-    if (rows.empty()) return;
-    for (const Unreachable& label : fewest_for(rows, level).unreachable) {
+    if (rows.empty()) return false;
+    const double cost = bound_cost_ * static_cast<double>(rows.size()) * bound_batches_;
+    if (cost > rounds_.left()) return false;
+    for (const Unreachable& label : fewest_for(rows, table_.columns(), level).unreachable) {
       LabelVerdict& verdict = certificate_.labels[rows[label.label]];
       verdict.verdict = Verdict::missed;
       verdict.upper = label.max_signal;
@@ -194,6 +340,8 @@ class Certifier {
     }
     for (const Unreachable& label : placement_.unreachable)
       certificate_.labels[label.label].signal = label.max_signal;
+    bound_batches_ = Rounds::more(bound_batches_);
+    return true;
   }
 
   // Labels that a selection misses on the matrix, the smallest margin first.
@@ -208,41 +356,45 @@ class Certifier {
     return rows;
   }
 
-  // Whether another round is worth its time; otherwise sets the reason.
-  bool should_continue() {
-    certificate_.open = control_.cancelled() ? interrupted : no_refinement_reason();
-    return certificate_.open.empty();
-  }
-
-  std::string no_refinement_reason() const {
-    const bool labels_are_open = placement_.has_selection() && !certificate_.all_reached();
-    if (!placement_.has_selection() && open_labels().empty())
-      return "each label can be reached alone, but conflicts prevent a selection that reaches all labels";
-    if (!labels_are_open && !bound_obstacle_.empty()) return bound_obstacle_;
-    if (!bound_holds() && bound_batches_ == Rounds::max_batches)
-      return "signals are too close to requirements for a proof";
-    const double bound_cost =
-        bound_holds() || !bound_obstacle_.empty()
-            ? 0
-            : bound_cost_ * static_cast<double>(bound_rows_) * Rounds::more(bound_batches_);
-    return stop_reason(rounds_, verdicts_, bound_cost + (labels_are_open ? verdicts_.cost_of_next() : 0));
-  }
-
-  // Updates the matrix with more samples of the open labels and solves the placement problem again: both or
-  // neither.
+  // Updates the matrix with more samples, for all candidates, of the labels that seem to be missed, and
+  // solves the placement problem again: both or neither. False if nothing changes.
   bool improve() {
-    std::vector<std::uint32_t> rows = open_labels();
+    std::vector<std::uint32_t> rows =
+        placement_.has_selection() ? verdicts_.short_labels() : std::vector<std::uint32_t>();
     join_sets(rows, doubtful_);
+    doubtful_.clear();
+    const bool must_place = !rows.empty();
     if (!rows.empty()) {
       control_.report("refining", -1, fmt::format("round {}, {} labels", rounds_.round(), rows.size()));
-      const auto more = validation_rows(
-          scene_, rows, rounds_.effort(Purpose::refine, Rounds::more(verdicts_.batches())), control_);
+      const double begun = rounds_.spent();
+      const std::uint32_t batches = affordable_batches(rows.size());
+      if (batches == 0) return false;
+      const auto more = validation_rows(prepared_, rounds_.request(Purpose::refine, rows, batches), control_);
       for (const ValidationRow& row : more) rounds_.spend(row.samples);
+      bound_cost_ = std::max(1e-12, (rounds_.spent() - begun) / (static_cast<double>(rows.size()) * batches));
       fresh_.insert(fresh_.end(), more.begin(), more.end());
+      refine_batches_ = Rounds::more(refine_batches_);
     }
-    if (!fresh_.empty() && !add_missed()) return false;
-    if (!bound_holds() && bound_obstacle_.empty()) bound_batches_ = Rounds::more(bound_batches_);
+    if (fresh_.empty()) return false;
+    return must_place || !placement_.has_selection() ? add_missed() : join_fresh();
+  }
+
+  // Only the matrix changes, for the next refutation: the selection is not in doubt.
+  bool join_fresh() {
+    joined_.emplace_back(matrix_, fresh_);
+    for (const ValidationRow& row : fresh_) join(row, matrix_);
+    fresh_.clear();
+    table_ = rule_(matrix_);
+    failed_count_ = std::numeric_limits<std::size_t>::max();
     return true;
+  }
+
+  // At most a third of the budget that is left; 0 if that is too little.
+  std::uint32_t affordable_batches(std::size_t rows) const {
+    const double each = bound_cost_ * static_cast<double>(rows);
+    const double most = each > 0 ? rounds_.left() / (3 * each) : refine_batches_;
+    if (most < 16) return 0;
+    return static_cast<std::uint32_t>(std::min<double>(refine_batches_, most));
   }
 
   // Keeps the update of the matrix only if a placement is found on it.
@@ -257,6 +409,7 @@ class Certifier {
       return false;
     }
     fresh_.clear();
+    joined_.clear();
     table_ = std::move(table);
     adopt(std::move(placement));
     return true;
@@ -270,15 +423,15 @@ class Certifier {
 
   // Verdicts refer to a selection. If it stays, they stay, and open labels get more batches.
   void adopt(Placement placement) {
-    if (placement.selected == placement_.selected && placement.has_selection() == placement_.has_selection())
-      verdicts_.grow();
-    else
-      forget_verdicts();
+    const bool is_same =
+        placement.selected == placement_.selected && placement.has_selection() == placement_.has_selection();
     placement.seconds += placement_.seconds;
     placement_ = std::move(placement);
+    if (!is_same) forget_verdicts();
+    failed_count_ = std::numeric_limits<std::size_t>::max();
   }
 
-  const Scene& scene_;
+  const PreparedScene& prepared_;
   const TableRule& rule_;
   const CertifyOptions& options_;
   SignalMatrix matrix_;
@@ -288,19 +441,30 @@ class Certifier {
   SignalTable table_;
   Certificate certificate_;
   LabelRounds verdicts_;
-  std::uint32_t bound_batches_ = min_verifying_batches;
+  std::uint32_t bound_batches_ = min_verifying_batches, refine_batches_ = min_verifying_batches;
+  std::size_t failed_count_ = std::numeric_limits<std::size_t>::max();  ///< no refutation on this matrix
   std::size_t bound_rows_ = max_doubtful;  ///< expected maximum number of core rows
   double bound_cost_ = 0;                  ///< per batch and label, in the budget's unit of measure
   std::string bound_obstacle_;             ///< the proof exceeds the budget; empty otherwise
+  std::uint32_t min_test_batches_ = min_verifying_batches;
+  std::size_t refuted_count_ = 0;  ///< the count below which `open_leaves_` are not refuted yet
+  std::vector<Refutation::Leaf> open_leaves_;
   std::vector<std::uint32_t> doubtful_;
   std::vector<ValidationRow> fresh_;  ///< not yet part of the matrix
+  std::vector<RowsBefore> joined_;    ///< changes of the matrix since the placement
 };
 
 }  // namespace
 
+Certified certify(const PreparedScene& prepared, const TableRule& table, const CertifyOptions& options,
+                  SignalMatrix matrix, Placement placement, const RunControl& control) {
+  return Certifier(prepared, table, options, std::move(matrix), std::move(placement), control).run();
+}
+
 Certified certify(const Scene& scene, const TableRule& table, const CertifyOptions& options,
                   SignalMatrix matrix, Placement placement, const RunControl& control) {
-  return Certifier(scene, table, options, std::move(matrix), std::move(placement), control).run();
+  return certify(*prepare(scene, options.simulation, false, control), table, options, std::move(matrix),
+                 std::move(placement), control);
 }
 
 }  // namespace shelfbeam

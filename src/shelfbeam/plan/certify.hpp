@@ -20,6 +20,8 @@ struct RoundBudget {
   std::optional<std::uint64_t> samples = {};  ///< replaces the time: samples of all labels together
 };
 
+class PreparedScene;
+
 struct CertifyOptions {
   double confidence = 0.99;
   RoundBudget budget = {};            ///< for everything after the first placement
@@ -57,6 +59,10 @@ struct Certified {
 ///
 /// The bound is on the count; prices and second objectives are those of the matrix. Throws as
 /// `sample_batches`, except on an interruption.
+Certified certify(const PreparedScene& prepared, const TableRule& table, const CertifyOptions& options,
+                  SignalMatrix matrix, Placement placement, const RunControl& control = {});
+
+/// Prepares the scene first.
 Certified certify(const Scene& scene, const TableRule& table, const CertifyOptions& options,
                   SignalMatrix matrix, Placement placement, const RunControl& control = {});
 

@@ -1,5 +1,6 @@
 #include "shelfbeam/plan/plan.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "shelfbeam/plan/sensitivity.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
+#include "shelfbeam/transport/run/prepared_scene.hpp"
 
 namespace shelfbeam {
 
@@ -26,7 +28,10 @@ std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
   std::vector<float> planned;
   for (const std::uint32_t i : labels)
     for (const std::uint32_t j : plan.placement.selected) planned.push_back(matrix.mean[matrix.at(i, j)]);
-  VerificationEffort effort{Rounds::with_enough_paths(fresh), min_verifying_batches};
+  VerificationEffort effort{fresh, min_verifying_batches};
+  effort.simulation.samples = std::max(fresh.samples, Rounds::min_samples * batch_count);
+  effort.simulation.relative_error.reset();
+  effort.simulation.time_s.reset();
   effort.simulation.seed = mix_key(fresh.seed ^ 0x73656e7369746976, 0);
   try {
     return reflectance_sensitivity(sub_scene(scene, labels, plan.placement.selected), plan.placement.problem,
@@ -40,7 +45,8 @@ std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
 
 Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl& control) {
   Plan plan;
-  plan.simulation = simulate(scene, options.simulation, control);
+  const auto prepared = prepare(scene, options.simulation, true, control);
+  plan.simulation = simulate(*prepared, options.simulation, control);
   const TableRule table =
       options.table ? options.table : [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
   plan.placement = place(table(plan.simulation.matrix), options.problem, options.place, control);
@@ -49,8 +55,12 @@ Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl&
   if (fresh.strategy == Strategy::particle) fresh.strategy = Strategy::mis;
   const bool says_something = plan.placement.has_selection() || !plan.placement.unreachable.empty();
   if (options.confidence && plan.simulation.summary.complete && says_something) {
-    Certified certified = certify(scene, table, {*options.confidence, options.budget, fresh, options.place},
-                                  std::move(plan.simulation.matrix), std::move(plan.placement), control);
+    const CertifyOptions how{*options.confidence, options.budget, fresh, options.place};
+    const bool has_rows = options.simulation.strategy != Strategy::particle;
+    Certified certified = has_rows ? certify(*prepared, table, how, std::move(plan.simulation.matrix),
+                                             std::move(plan.placement), control)
+                                   : certify(scene, table, how, std::move(plan.simulation.matrix),
+                                             std::move(plan.placement), control);
     plan.simulation.matrix = std::move(certified.matrix);
     plan.placement = std::move(certified.placement);
     plan.certificate = std::move(certified.certificate);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,10 @@
 #include "shelfbeam/transport/run/simulate.hpp"
 
 namespace shelfbeam {
+
+/// Samples per label of the planning matrix if the certificate decides where more are needed: 16 batches of
+/// path reuse.
+inline constexpr std::uint64_t decision_samples = 2000;
 
 struct PlanOptions {
   SimulationOptions simulation;

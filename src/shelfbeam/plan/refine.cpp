@@ -6,8 +6,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "shelfbeam/plan/sub_scene.hpp"
-
 namespace shelfbeam {
 
 void join(const ValidationRow& fresh, SignalMatrix& matrix) {
@@ -55,18 +53,18 @@ ValidationRow validation_row(const ValidationEstimates& fresh, std::size_t k, st
   return row;
 }
 
-std::vector<ValidationRow> validation_rows(const Scene& scene, const std::vector<std::uint32_t>& labels,
-                                           const VerificationEffort& effort, const RunControl& control) {
+std::vector<ValidationRow> validation_rows(const PreparedScene& prepared, const BatchRequest& request,
+                                           const RunControl& control) {
   const SumRule each = [](std::size_t, std::span<const double> signals, std::span<double> sums) {
     std::copy(signals.begin(), signals.end(), sums.begin());
   };
-  const ValidationEstimates fresh = validation_estimates(
-      sub_scene(scene, labels), effort.simulation, effort.batches, scene.transceivers.size(), each, control);
-  std::vector<std::uint32_t> in_order(scene.transceivers.size());
+  const std::size_t columns = prepared.world().emitters.size();
+  const ValidationEstimates fresh = validation_estimates(prepared, request, columns, each, control);
+  std::vector<std::uint32_t> in_order(columns);
   std::iota(in_order.begin(), in_order.end(), 0U);
   std::vector<ValidationRow> rows;
-  for (std::size_t k = 0; k < labels.size(); ++k)
-    rows.push_back(validation_row(fresh, k, labels[k], in_order));
+  for (std::size_t k = 0; k < request.labels.size(); ++k)
+    rows.push_back(validation_row(fresh, k, request.labels[k], in_order));
   return rows;
 }
 

@@ -7,8 +7,6 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/plan/validation_estimates.hpp"
-#include "shelfbeam/plan/verification.hpp"
-#include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 
 namespace shelfbeam {
@@ -27,8 +25,8 @@ ValidationRow validation_row(const ValidationEstimates& fresh, std::size_t k, st
                              std::span<const std::uint32_t> order);
 
 /// Simulates some labels with independent samples, for all sources. Throws as `sample_batches`.
-std::vector<ValidationRow> validation_rows(const Scene& scene, const std::vector<std::uint32_t>& labels,
-                                           const VerificationEffort& effort, const RunControl& control = {});
+std::vector<ValidationRow> validation_rows(const PreparedScene& prepared, const BatchRequest& request,
+                                           const RunControl& control = {});
 
 /// Merges new batches into their label's row. Means and errors become those of all batches, weighted by
 /// samples. An entry is flagged if a flagged part has at least half of the samples or of the error. Layers by

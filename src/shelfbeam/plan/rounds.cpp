@@ -10,54 +10,142 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
+#include "shelfbeam/stats/distributions.hpp"
 
 namespace shelfbeam {
 
-VerificationEffort Rounds::effort(Purpose purpose, std::uint32_t batches) const {
+BatchRequest Rounds::request(Purpose purpose, std::span<const std::uint32_t> labels, std::uint32_t batches,
+                             std::uint32_t part) const {
   const std::uint64_t stream = static_cast<std::uint64_t>(purpose) << 32 | round_;
-  VerificationEffort effort{simulation_, batches};
-  effort.simulation.seed = mix_key(simulation_.seed ^ 0x766572696679, stream);
-  return effort;
+  BatchRequest request{labels, mix_key(mix_key(seed_ ^ 0x766572696679, stream), part), batches};
+  request.min_samples = min_samples;
+  return request;
 }
 
-void LabelRounds::verify(const std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t>& selected,
-                         const PlacementProblem& problem, std::span<const float> planned, Rounds& rounds,
-                         double level, const RunControl& control) {
+void LabelRounds::select(const PlacementProblem& problem, std::vector<std::uint32_t> selected,
+                         std::vector<float> planned) {
+  for (LabelVerdict& label : labels_) label = {.requirement = label.requirement};
+  problem_ = problem;
+  selected_ = std::move(selected);
+  planned_ = std::move(planned);
+  prepared_.reset();
+  part_.reset();
+  passes_.assign(labels_.size(), false);
+  batches_.assign(labels_.size(), 0);
+  aims_at_all_ = true;
+}
+
+bool LabelRounds::holds_jointly() const {
+  return std::all_of(passes_.begin(), passes_.end(), [](bool passes) { return passes; });
+}
+
+// The batches that open labels are expected to need, with a reserve because estimates err.
+std::vector<LabelRounds::Need> LabelRounds::needs(double level) const {
+  constexpr double reserve = 1.5;
+  constexpr std::uint32_t first_batches = 32;
+  std::vector<Need> needs;
+  for (std::uint32_t i = 0; i < labels_.size(); ++i) {
+    const LabelVerdict& label = labels_[i];
+    if (aims_at_all_ ? passes_[i] : label.verdict != Verdict::undecided) continue;
+    double batches = first_batches;
+    if (batches_[i] > 0) {
+      const double margin = std::abs(label.signal - label.requirement);
+      const double quantile = -student_quantile(level, batches_[i] - 1);
+      batches = reserve * batches_[i] * std::pow(quantile * label.standard_error / margin, 2);
+      // A flagged estimate has no reliable error.
+      batches = std::max(batches, 2.0 * batches_[i]);
+    }
+    Need need;
+    need.label = i;
+    need.batches = first_batches;
+    while (need.batches < std::min<double>(batches, Rounds::max_batches)) need.batches *= 2;
+    need.cost =
+        batches > Rounds::max_batches ? std::numeric_limits<double>::infinity() : cost_ * need.batches;
+    needs.push_back(need);
+  }
+  std::stable_sort(needs.begin(), needs.end(),
+                   [](const Need& a, const Need& b) { return a.batches < b.batches; });
+  return needs;
+}
+
+void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part,
+                         Rounds& rounds, const VerdictLevels& levels, const RunControl& control) {
   control.report("verifying", -1,
-                 fmt::format("round {}, {} labels, {} batches", rounds.round(), rows.size(), batches_));
+                 fmt::format("round {}, {} labels, {} batches", rounds.round(), rows.size(), batches));
+  std::sort(rows.begin(), rows.end());
+  if (!prepared_) {
+    std::vector<std::uint32_t> all(labels_.size());
+    std::iota(all.begin(), all.end(), 0U);
+    part_ = sub_scene(scene_, all, selected_);
+    prepared_ = prepare(*part_, simulation_, false, control);
+  }
+  std::vector<float> planned;
+  if (!planned_.empty())
+    for (const std::uint32_t i : rows) {
+      const auto first = planned_.begin() + static_cast<std::ptrdiff_t>(i * selected_.size());
+      planned.insert(planned.end(), first, first + static_cast<std::ptrdiff_t>(selected_.size()));
+    }
   const double begun = rounds.spent();
-  const auto verdicts = shelfbeam::verify(sub_scene(scene_, rows, selected), problem, planned, level,
-                                          rounds.effort(Purpose::verify, batches_), control);
+  const auto verdicts = shelfbeam::verify(*prepared_, rounds.request(Purpose::verify, rows, batches, part),
+                                          problem_, planned, levels, control);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     labels_[rows[k]] = verdicts[k];
+    batches_[rows[k]] = batches;
+    if (is_met(verdicts[k].joint_lower, verdicts[k].requirement)) passes_[rows[k]] = true;
     rounds.spend(verdicts[k].samples);
   }
-  took_ = rounds.spent() - begun;
+  cost_ = std::max(1e-12, (rounds.spent() - begun) / (static_cast<double>(rows.size()) * batches));
 }
 
-double LabelRounds::cost_to_decide() const {
-  double times = 0;
-  for (const LabelVerdict& label : labels_) {
-    if (label.verdict != Verdict::undecided) continue;
-    const double missing = std::abs(label.signal - label.requirement);
-    const double width = (label.upper - label.lower) / 2;
-    times =
-        std::max(times, missing > 0 ? std::pow(width / missing, 2) : std::numeric_limits<double>::infinity());
+std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& control) {
+  const VerdictLevels levels{level / 2, labels_.size(), level / 2};
+  const double of_list = levels.list / static_cast<double>(labels_.size());
+  std::vector<Need> all = needs(aims_at_all_ ? levels.joint : of_list);
+  const double left = rounds.left();
+  const auto affordable = [&] {
+    double cost = 0;
+    return static_cast<std::size_t>(
+        std::find_if(all.begin(), all.end(), [&](const Need& need) { return (cost += need.cost) > left; }) -
+        all.begin());
+  };
+  std::size_t count = affordable();
+  if (count < all.size() && aims_at_all_) {
+    // Some labels stay undecided, so the others need verdicts of the list.
+    aims_at_all_ = false;
+    all = needs(of_list);
+    count = affordable();
   }
-  return times == 0 || took_ == 0 ? 0 : times * took_;
+  skipped_cost_ = 0;
+  for (std::size_t k = count; k < all.size(); ++k) skipped_cost_ += all[k].cost;
+  std::uint32_t part = 0;
+  for (std::size_t k = 0; k < count;) {
+    std::vector<std::uint32_t> rows;
+    const std::uint32_t batches = all[k].batches;
+    for (; k < count && all[k].batches == batches; ++k) rows.push_back(all[k].label);
+    sample(std::move(rows), batches, part++, rounds, levels, control);
+  }
+  const auto is_missed = [](const LabelVerdict& label) { return label.verdict == Verdict::missed; };
+  if (std::any_of(labels_.begin(), labels_.end(), is_missed)) aims_at_all_ = false;
+  if (holds_jointly())
+    for (LabelVerdict& label : labels_) {
+      if (label.verdict == Verdict::reached) continue;
+      label.verdict = Verdict::reached;
+      label.lower = label.joint_lower;
+    }
+  return count;
 }
 
-std::string stop_reason(const Rounds& rounds, const LabelRounds& labels, double cost_of_next) {
-  const double left = std::max(0.0, rounds.left());
-  if (labels.batches() >= Rounds::max_batches) return "labels are too close to their requirements";
-  if (left < cost_of_next)
-    return fmt::format("the next round would have taken about {:.0f} {}, but {:.0f} {} were left",
-                       cost_of_next, rounds.unit(), left, rounds.unit());
-  constexpr std::uint32_t rounds_before_giving_up = 2;
-  const double needed = labels.cost_to_decide();
-  if (rounds.round() < rounds_before_giving_up || needed <= 4 * left) return {};
-  return needed < 1e9 ? fmt::format("deciding the rest would take about {:.0f} {}", needed, rounds.unit())
-                      : "labels are too close to their requirements";
+std::vector<std::uint32_t> LabelRounds::short_labels() const {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t i = 0; i < labels_.size(); ++i)
+    if (batches_[i] > 0 && !is_met(labels_[i].signal, labels_[i].requirement)) rows.push_back(i);
+  return rows;
+}
+
+std::string LabelRounds::obstacle(const Rounds& rounds) const {
+  return std::isfinite(skipped_cost_) && skipped_cost_ < 1e9
+             ? fmt::format("deciding the rest would take about {:.0f} {}", skipped_cost_, rounds.unit())
+             : "labels are too close to their requirements";
 }
 
 CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& problem,
@@ -76,28 +164,17 @@ CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& pr
   certificate.confidence = options.confidence;
   for (const Label& label : scene.labels)
     certificate.labels.push_back({.requirement = scene.type_of(label).requirement()});
-  Rounds rounds(options.confidence, options.budget, options.simulation);
-  LabelRounds verdicts(scene, certificate.labels);
+  Rounds rounds(options.confidence, options.budget, options.simulation.seed);
+  LabelRounds verdicts(scene, options.simulation, certificate.labels);
+  verdicts.select(problem, placement.selected, std::move(planned));
   try {
-    while (true) {
-      std::vector<std::uint32_t> rows;
-      for (std::uint32_t i = 0; i < certificate.labels.size(); ++i)
-        if (certificate.labels[i].verdict == Verdict::undecided) rows.push_back(i);
-      if (rows.empty()) break;
-      if (rounds.round() > 0) {
-        certificate.open = stop_reason(rounds, verdicts, verdicts.cost_of_next());
-        if (!certificate.open.empty()) break;
-        verdicts.grow();
-      }
+    while (certificate.count(Verdict::undecided) > 0) {
       rounds.next();
+      if (verdicts.verify(rounds, rounds.level(1), control) == 0) {
+        certificate.open = verdicts.obstacle(rounds);
+        break;
+      }
       certificate.rounds = rounds.round();
-      std::vector<float> of_rows;
-      if (!planned.empty())
-        for (const std::uint32_t i : rows) {
-          const auto row = planned.begin() + static_cast<std::ptrdiff_t>(i * placement.count());
-          of_rows.insert(of_rows.end(), row, row + static_cast<std::ptrdiff_t>(placement.count()));
-        }
-      verdicts.verify(rows, placement.selected, problem, of_rows, rounds, rounds.level(1), control);
     }
   } catch (const Interrupted&) {
     certificate.open = "it was interrupted";

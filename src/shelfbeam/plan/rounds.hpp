@@ -1,9 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,20 +25,12 @@ class Rounds {
  public:
   static constexpr std::uint32_t growth = 4;  ///< factor of the batches from round to round
   static constexpr std::uint32_t max_batches = 1 << 16;
-  /// Minimum paths per label and batch: smaller batches are so skewed that limits fail too often.
-  static constexpr std::uint64_t min_paths = 256;
+  /// Minimum samples per label and batch: smaller batches are so skewed that limits fail too often.
+  static constexpr std::uint64_t min_samples = 256;
 
-  /// The simulation's seed is that of the planning matrix.
-  Rounds(double confidence, const RoundBudget& budget, const SimulationOptions& simulation)
-      : error_(1 - confidence), budget_(budget), simulation_(with_enough_paths(simulation)) {}
-
-  /// The simulation with batches that are suitable for confidence limits.
-  static SimulationOptions with_enough_paths(SimulationOptions simulation) {
-    simulation.relative_error.reset();
-    simulation.time_s.reset();
-    simulation.samples = std::max(simulation.samples, min_paths * batch_count);
-    return simulation;
-  }
+  /// The seed is that of the planning matrix.
+  Rounds(double confidence, const RoundBudget& budget, std::uint64_t seed)
+      : error_(1 - confidence), budget_(budget), seed_(seed) {}
 
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
@@ -59,7 +52,9 @@ class Rounds {
   /// 2^r. All rounds together keep sum_r a_r = 1 - confidence, whatever their number and the reason for their
   /// end.
   double level(int statements) const { return std::ldexp(error_, -static_cast<int>(round_)) / statements; }
-  VerificationEffort effort(Purpose purpose, std::uint32_t batches) const;
+  /// Batches of some labels in this round; `part` distinguishes requests of one purpose.
+  BatchRequest request(Purpose purpose, std::span<const std::uint32_t> labels, std::uint32_t batches,
+                       std::uint32_t part = 0) const;
 
   static std::uint32_t more(std::uint32_t batches) {
     return batches < max_batches / growth ? growth * batches : max_batches;
@@ -68,42 +63,59 @@ class Rounds {
  private:
   double error_;
   RoundBudget budget_;
-  SimulationOptions simulation_;
+  std::uint64_t seed_;
   std::uint32_t round_ = 0;
   std::uint64_t samples_ = 0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Verdicts on labels, in rounds of growing numbers of batches.
+/// Verdicts on the labels of one selection, in rounds. Every label gets the batches that it is expected to
+/// need.
 class LabelRounds {
  public:
-  LabelRounds(const Scene& scene, std::vector<LabelVerdict>& labels) : scene_(scene), labels_(labels) {}
+  /// `labels`: one verdict per label of the scene, which the rounds fill in.
+  LabelRounds(const Scene& scene, const SimulationOptions& simulation, std::vector<LabelVerdict>& labels)
+      : scene_(scene), simulation_(simulation), labels_(labels) {}
 
-  /// Verifies some labels for the selected units (verification.hpp). `planned`: their signals on the matrix,
-  /// row by row.
-  void verify(const std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t>& selected,
-              const PlacementProblem& problem, std::span<const float> planned, Rounds& rounds, double level,
-              const RunControl& control);
+  /// Selects the units and forgets all verdicts. `planned`: their signals on the matrix, row by row.
+  void select(const PlacementProblem& problem, std::vector<std::uint32_t> selected,
+              std::vector<float> planned);
 
-  /// Increases the number of batches.
-  void grow() { batches_ = Rounds::more(batches_); }
+  /// Verifies open labels with independent samples and returns their number: in the first round all labels,
+  /// then the labels that lack the joint statement, as long as it can hold for all, and otherwise the labels
+  /// that the list leaves undecided. Labels that would exceed the budget are left out, the most expensive
+  /// first.
+  std::size_t verify(Rounds& rounds, double level, const RunControl& control);
 
-  std::uint32_t batches() const { return batches_; }
-  /// In the budget's unit of measure, like all costs below.
-  double cost_of_next() const { return Rounds::growth * took_; }
-  /// Cost to decide all labels if the means are the true signals; infinite if a mean equals the requirement.
-  double cost_to_decide() const;
+  /// Labels whose estimated signal is below the requirement.
+  std::vector<std::uint32_t> short_labels() const;
+  /// The reason why labels stay open, such as "deciding the rest would take about 40 s".
+  std::string obstacle(const Rounds& rounds) const;
 
  private:
-  const Scene& scene_;
-  std::vector<LabelVerdict>& labels_;
-  std::uint32_t batches_ = min_verifying_batches;
-  double took_ = 0;
-};
+  struct Need {
+    double cost = 0;
+    std::uint32_t batches = 0, label = 0;
+  };
+  std::vector<Need> needs(double level) const;
+  bool holds_jointly() const;
+  void sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part, Rounds& rounds,
+              const VerdictLevels& levels, const RunControl& control);
 
-/// The reason why another round of a certificate is not worth its time, such as "the next round would have
-/// taken about 40 s, but 12 s were left"; empty if it is. `cost_of_next` is the cost of the whole round.
-std::string stop_reason(const Rounds& rounds, const LabelRounds& labels, double cost_of_next);
+  const Scene& scene_;
+  SimulationOptions simulation_;
+  std::vector<LabelVerdict>& labels_;
+  PlacementProblem problem_;
+  std::vector<std::uint32_t> selected_;
+  std::vector<float> planned_;
+  std::optional<Scene> part_;
+  std::unique_ptr<const PreparedScene> prepared_;
+  std::vector<bool> passes_;            ///< has met its requirement at the level of the joint statement
+  std::vector<std::uint32_t> batches_;  ///< of the present estimate; 0: none
+  bool aims_at_all_ = true;             ///< the joint statement can still hold
+  double cost_ = 0;                     ///< of a batch of a label, in the budget's unit of measure
+  double skipped_cost_ = 0;             ///< of the labels left out of the last round
+};
 
 /// Verifies mounted units, all transceivers of the scene, in rounds as `certify` does, until every label is
 /// reached or missed. The certificate has no lower bound. Non-cooperative: a simulation with `options` plans

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "shelfbeam/stats/distributions.hpp"
-#include "shelfbeam/transport/run/sample_batches.hpp"
 
 namespace shelfbeam {
 
@@ -37,13 +36,12 @@ double ValidationEstimate::rare_upper(double level, double largest, double requi
                      std::max(largest, large_hit * requirement);
 }
 
-ValidationEstimates validation_estimates(const Scene& scene, const SimulationOptions& options,
-                                         std::uint32_t batches, std::size_t width, const SumRule& rule,
-                                         const RunControl& control) {
-  const std::size_t rows = scene.labels.size();
+ValidationEstimates validation_estimates(const PreparedScene& prepared, const BatchRequest& request,
+                                         std::size_t width, const SumRule& rule, const RunControl& control) {
+  const std::size_t rows = request.labels.size();
   ValidationEstimates result;
   result.width = width;
-  result.batches = batches;
+  result.batches = request.batches;
   result.sums.resize(rows * width);
   std::vector<double> largest(rows, 0);
   const auto take = [&](const BatchRow& row) {
@@ -57,7 +55,7 @@ ValidationEstimates validation_estimates(const Scene& scene, const SimulationOpt
       largest[row.label] = std::max(largest[row.label], values[k]);
     }
   };
-  const BatchRun run = sample_batches(scene, options, batches, take, control);
+  const BatchRun run = sample_batches(prepared, request, take, control);
   result.samples_per_batch = run.samples_per_batch;
   result.largest = rows == 0 ? 0 : *std::max_element(largest.begin(), largest.end());
   const std::size_t columns = rows == 0 ? 0 : run.known.size() / rows;

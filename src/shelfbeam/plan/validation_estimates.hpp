@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/stats/moments.hpp"
-#include "shelfbeam/transport/run/simulation_options.hpp"
+#include "shelfbeam/transport/run/sample_batches.hpp"
 
 namespace shelfbeam {
 
@@ -60,10 +59,9 @@ struct ValidationEstimates {
 using SumRule =
     std::function<void(std::size_t label, std::span<const double> signals, std::span<double> sums)>;
 
-/// Simulates the scene with independent samples. The result is the same for any number of threads. Throws as
-/// `sample_batches`.
-ValidationEstimates validation_estimates(const Scene& scene, const SimulationOptions& options,
-                                         std::uint32_t batches, std::size_t width, const SumRule& rule,
-                                         const RunControl& control);
+/// Samples some labels independently; `label` of the rule and of `of` is the position in the request. The
+/// result is the same for any number of threads. Throws as `sample_batches`.
+ValidationEstimates validation_estimates(const PreparedScene& prepared, const BatchRequest& request,
+                                         std::size_t width, const SumRule& rule, const RunControl& control);
 
 }  // namespace shelfbeam

@@ -35,12 +35,14 @@ void describe(LabelVerdict& label, const ValidationEstimate& sum) {
 }
 
 // Every sum must meet the requirement: that of all units, or all sums without one unit.
-void judge_sums(LabelVerdict& label, std::span<const ValidationEstimate> sums, double largest, double level) {
+void judge_sums(LabelVerdict& label, std::span<const ValidationEstimate> sums, double largest, double level,
+                double joint_level) {
   std::size_t weakest = 0;
-  label.lower = label.upper = std::numeric_limits<double>::infinity();
+  label.lower = label.joint_lower = label.upper = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < sums.size(); ++k) {
     if (sums[k].mean() < sums[weakest].mean()) weakest = k;
     label.lower = std::min(label.lower, sums[k].lower(level));
+    label.joint_lower = std::min(label.joint_lower, sums[k].lower(joint_level));
     // Any of the upper limits may be too low by chance, so the sums share the level.
     label.upper = std::min(label.upper, upper_limit(sums[k], level / static_cast<double>(sums.size()),
                                                     largest, label.requirement));
@@ -50,17 +52,18 @@ void judge_sums(LabelVerdict& label, std::span<const ValidationEstimate> sums, d
 
 // `needed` planned links, one or two, must meet the requirement.
 void judge_links(LabelVerdict& label, std::span<const ValidationEstimate> sums, double largest,
-                 std::span<const float> planned, std::size_t needed, double level) {
+                 std::span<const float> planned, std::size_t needed, double level, double joint_level) {
   if (sums.size() < needed) return;
   std::vector<std::size_t> order(sums.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return planned[a] > planned[b]; });
-  label.lower = std::numeric_limits<double>::infinity();
+  label.lower = label.joint_lower = std::numeric_limits<double>::infinity();
   std::size_t weakest = order[0];
   for (std::size_t k = 0; k < needed; ++k) {
     if (sums[order[k]].mean() < sums[weakest].mean()) weakest = order[k];
     label.lower = std::min(label.lower, sums[order[k]].lower(level));
+    label.joint_lower = std::min(label.joint_lower, sums[order[k]].lower(joint_level));
   }
   describe(label, sums[weakest]);
   std::vector<double> upper(sums.size());
@@ -73,12 +76,14 @@ void judge_links(LabelVerdict& label, std::span<const ValidationEstimate> sums, 
 
 }  // namespace
 
-std::vector<LabelVerdict> verify(const Scene& scene, const PlacementProblem& problem,
-                                 std::span<const float> planned, double level,
-                                 const VerificationEffort& effort, const RunControl& control) {
-  const std::size_t rows = scene.labels.size(), columns = scene.transceivers.size();
+std::vector<LabelVerdict> verify(const PreparedScene& prepared, const BatchRequest& request,
+                                 const PlacementProblem& problem, std::span<const float> planned,
+                                 const VerdictLevels& levels, const RunControl& control) {
+  const Scene& scene = prepared.world().scene;
+  const std::size_t rows = request.labels.size(), columns = scene.transceivers.size();
   std::vector<LabelVerdict> labels(rows);
-  for (std::size_t i = 0; i < rows; ++i) labels[i].requirement = scene.type_of(scene.labels[i]).requirement();
+  for (std::size_t k = 0; k < rows; ++k)
+    labels[k].requirement = scene.type_of(scene.labels[request.labels[k]]).requirement();
   if (rows == 0) return labels;
   if (columns == 0) {
     for (LabelVerdict& label : labels) label.verdict = Verdict::missed;
@@ -94,19 +99,18 @@ std::vector<LabelVerdict> verify(const Scene& scene, const PlacementProblem& pro
     else
       sums[0] = std::accumulate(signals.begin(), signals.end(), 0.0);
   };
-  const ValidationEstimates fresh =
-      validation_estimates(scene, effort.simulation, effort.batches, width, rule, control);
+  const ValidationEstimates fresh = validation_estimates(prepared, request, width, rule, control);
   // P(any of m verdicts is wrong) <= m (level / m), for any dependence between labels (Bonferroni); Sidak's 1
   // - (1 - level)^(1/m) requires independence and would be larger by a share of at most level / 2.
-  const double of_one = level / static_cast<double>(rows);
+  const double of_one = levels.list / static_cast<double>(std::max(rows, levels.labels));
   for (std::size_t i = 0; i < rows; ++i) {
     LabelVerdict& label = labels[i];
     const std::span<const ValidationEstimate> sums = fresh.of(i);
     if (adds_up)
-      judge_sums(label, sums, fresh.largest, of_one);
+      judge_sums(label, sums, fresh.largest, of_one, levels.joint);
     else
       judge_links(label, sums, fresh.largest, planned.subspan(i * columns, columns),
-                  problem.redundant ? 2 : 1, of_one);
+                  problem.redundant ? 2 : 1, of_one, levels.joint);
     label.samples = fresh.batches * fresh.samples_per_batch;
     if (is_met(label.lower, label.requirement))
       label.verdict = Verdict::reached;
@@ -114,6 +118,16 @@ std::vector<LabelVerdict> verify(const Scene& scene, const PlacementProblem& pro
       label.verdict = Verdict::missed;
   }
   return labels;
+}
+
+std::vector<LabelVerdict> verify(const Scene& scene, const PlacementProblem& problem,
+                                 std::span<const float> planned, double level,
+                                 const VerificationEffort& effort, const RunControl& control) {
+  const auto prepared = prepare(scene, effort.simulation, false, control);
+  std::vector<std::uint32_t> labels(scene.labels.size());
+  std::iota(labels.begin(), labels.end(), 0U);
+  return verify(*prepared, {labels, effort.simulation.seed, effort.batches}, problem, planned,
+                {level, labels.size(), level}, control);
 }
 
 }  // namespace shelfbeam

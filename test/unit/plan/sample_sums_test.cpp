@@ -14,6 +14,7 @@
 #include "shelfbeam/stats/distributions.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
+#include "unit/plan/fresh_batches.hpp"
 #include "unit/plan/plan_store.hpp"
 
 namespace shelfbeam {
@@ -57,14 +58,14 @@ TEST(ValidationEstimates, EqualThoseOfASimulation) {
     const SimulationOptions options = options_of(estimator);
     const SignalMatrix matrix = simulate(scene, options).matrix;
     const ValidationEstimates fresh =
-        validation_estimates(scene, options, matrix.labels[0].batches, n, each, {.threads = 1});
+        test::fresh_estimates(scene, options, matrix.labels[0].batches, n, each, {.threads = 1});
     const ValidationEstimates parallel =
-        validation_estimates(scene, options, matrix.labels[0].batches, n, each, {.threads = 3});
+        test::fresh_estimates(scene, options, matrix.labels[0].batches, n, each, {.threads = 3});
     std::size_t other_seed = 0;
     SimulationOptions other = options;
     other.seed = 6;
     const ValidationEstimates different =
-        validation_estimates(scene, other, matrix.labels[0].batches, n, each, {});
+        test::fresh_estimates(scene, other, matrix.labels[0].batches, n, each, {});
     for (std::size_t i = 0; i < matrix.rows(); ++i)
       for (std::size_t j = 0; j < n; ++j) {
         const ValidationEstimate& sum = fresh.of(i)[j];
@@ -89,8 +90,8 @@ TEST(ValidationEstimates, KnowTheSpreadOfSums) {
     sums[1] = signals[0] + signals[0];
   };
   const SimulationOptions options = options_of(EstimatorKind::uniform);
-  const ValidationEstimates sums = validation_estimates(scene, options, 32, 2, sum_and_double, {});
-  const ValidationEstimates parts = validation_estimates(scene, options, 32, n, each, {});
+  const ValidationEstimates sums = test::fresh_estimates(scene, options, 32, 2, sum_and_double, {});
+  const ValidationEstimates parts = test::fresh_estimates(scene, options, 32, n, each, {});
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
     double mean = 0;
     for (std::size_t j = 0; j < n; ++j) mean += parts.of(i)[j].mean();
@@ -191,9 +192,9 @@ TEST(Refine, JoinsBatches) {
   const SignalMatrix before = matrix;
   SimulationOptions afresh = options;
   afresh.seed = 77;
-  for (const ValidationRow& row : validation_rows(scene, {2, 5}, {afresh, 64})) join(row, matrix);
-  const ValidationEstimates fresh = validation_estimates(sub_scene(scene, std::vector<std::uint32_t>{2, 5}),
-                                                         afresh, 64, matrix.columns(), each, {});
+  for (const ValidationRow& row : test::fresh_rows(scene, {2, 5}, afresh, 64)) join(row, matrix);
+  const ValidationEstimates fresh = test::fresh_estimates(sub_scene(scene, std::vector<std::uint32_t>{2, 5}),
+                                                          afresh, 64, matrix.columns(), each, {});
   EXPECT_EQ(matrix.labels[2].batches, before.labels[2].batches + 64);
   EXPECT_EQ(matrix.labels[2].samples, 3 * before.labels[2].samples);
   EXPECT_EQ(matrix.labels[3].batches, before.labels[3].batches);
@@ -243,7 +244,7 @@ TEST(Refine, FlagsFreshBatchesAsASimulation) {
   const Scene scene = test::PlanStore().scene();
   const SimulationOptions options = options_of(EstimatorKind::uniform);
   const SignalMatrix matrix = simulate(scene, options).matrix;
-  const ValidationRow row = validation_rows(scene, {2}, {options, matrix.labels[2].batches}).front();
+  const ValidationRow row = test::fresh_rows(scene, {2}, options, matrix.labels[2].batches).front();
   const auto first = matrix.flags.begin() + static_cast<std::ptrdiff_t>(matrix.at(2, 0));
   EXPECT_EQ(row.flags,
             std::vector<std::uint8_t>(first, first + static_cast<std::ptrdiff_t>(matrix.columns())));
@@ -262,7 +263,7 @@ TEST(Refine, CanBeUndone) {
   matrix.flags[matrix.at(5, 1)] = 1;
   const SignalMatrix was = matrix;
   options.seed = 77;
-  const std::vector<ValidationRow> fresh = validation_rows(scene, {2, 5}, {options, 64});
+  const std::vector<ValidationRow> fresh = test::fresh_rows(scene, {2, 5}, options, 64);
   RowsBefore before(matrix, fresh);
   for (const ValidationRow& row : fresh) join(row, matrix);
   EXPECT_NE(matrix.mean, was.mean);

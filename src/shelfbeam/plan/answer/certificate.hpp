@@ -30,7 +30,10 @@ struct LabelVerdict {
   double requirement = 0;  ///< gamma tau
   double signal = 0;
   double standard_error = 0;
-  double lower = 0, upper = 0;  ///< one-sided limits at the level of one statement
+  /// One-sided limits: at the label's share of the level if its verdict is one of a list; if all labels are
+  /// certified by one joint statement, the lower limit is at the level of this statement.
+  double lower = 0, upper = 0;
+  double joint_lower = 0;  ///< lower limit at the level of the joint statement that all labels are reached
   std::uint64_t samples = 0;
 };
 

@@ -26,6 +26,12 @@ constexpr std::size_t largest_cluster = 96;
 // The cache keeps irradiances above this share of the smallest requirement.
 constexpr double min_share = 0.005;
 
+std::vector<std::uint32_t> all_numbers(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
 double smallest_requirement(const Scene& scene) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Label& label : scene.labels) {
@@ -37,7 +43,7 @@ double smallest_requirement(const Scene& scene) {
 
 }  // namespace
 
-struct ReuseEstimator::Impl {
+struct ReuseEstimator::Tables {
   struct Workspace {
     Residual::Scratch residual;
     std::vector<LaneRow> labels;
@@ -56,7 +62,7 @@ struct ReuseEstimator::Impl {
     std::vector<double> direct;
   };
 
-  Impl(const World& w, std::uint64_t s, const ReuseEffort& e, const RunControl& control)
+  Tables(const World& w, std::uint64_t s, const ReuseEffort& e, const RunControl& control)
       : world(w),
         requirement(smallest_requirement(w.scene)),
         effort(e),
@@ -64,15 +70,7 @@ struct ReuseEstimator::Impl {
         spots(w, units, mix_key(s, hash64("bright spots")), e.spots),
         cache(w, units, static_cast<float>(min_share * requirement), mix_key(s, hash64("radiance cache")),
               control),
-        residual(w, units, cache, spots, requirement, e) {
-    std::vector<std::uint32_t> columns(w.emitters.size());
-    std::iota(columns.begin(), columns.end(), 0U);
-    for (LabelCluster& cluster : cluster_labels(w, largest_cluster)) {
-      // The first label identifies a cluster.
-      keys.push_back(mix_key(s, hash64(w.scene.labels[cluster.front()].id)));
-      blocks.push_back({std::move(cluster), columns});
-    }
-  }
+        residual(w, units, cache, spots, requirement, e) {}
 
   // Adds the cache's light on every label, from many rays that only look up the cache, and the light of
   // sources that these rays meet over mirrors.
@@ -175,7 +173,7 @@ struct ReuseEstimator::Impl {
 
   // The labels of a cluster, which share a point. Each sends K rays; `gain` contains 1 / K, so `rays` is 1.
   struct Sharers {
-    const Impl& impl;
+    const Tables& tables;
     const Block& block;
     const std::vector<SurfacePoint>& at;
     const PathVertex& vertex;
@@ -183,9 +181,9 @@ struct ReuseEstimator::Impl {
     std::size_t size() const { return block.rows.size(); }
     const Vec3& position(std::uint32_t c) const { return at[c].position; }
     double rays(std::uint32_t) const { return 1; }
-    double density(std::uint32_t c) const { return impl.pdf_of(block.rows[c], at[c], vertex.end.point); }
+    double density(std::uint32_t c) const { return tables.pdf_of(block.rows[c], at[c], vertex.end.point); }
     double gain(std::uint32_t c) const {
-      return integral(impl.world.receivers.responsivity(block.rows[c])) / impl.effort.points *
+      return integral(tables.world.receivers.responsivity(block.rows[c])) / tables.effort.points *
              vertex.exit_towards(at[c].position);
     }
   };
@@ -243,39 +241,53 @@ struct ReuseEstimator::Impl {
   BrightSpots spots;
   RadianceCache cache;
   Residual residual;
-  std::vector<Block> blocks;
-  std::vector<std::uint64_t> keys;
   mutable tbb::enumerable_thread_specific<Workspace> workspaces;
 };
 
 ReuseEstimator::ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort,
                                const RunControl& control)
-    : impl_(std::make_unique<Impl>(world, seed, effort, control)) {}
+    : ReuseEstimator(std::make_shared<const Tables>(world, seed, effort, control),
+                     all_numbers(world.receivers.size()), seed) {}
+ReuseEstimator::ReuseEstimator(std::shared_ptr<const Tables> tables, std::span<const std::uint32_t> labels,
+                               std::uint64_t seed)
+    : tables_(std::move(tables)) {
+  const World& world = tables_->world;
+  const std::vector<std::uint32_t> columns = all_numbers(world.emitters.size());
+  for (LabelCluster& cluster : cluster_labels(world, labels, largest_cluster)) {
+    // The first label identifies a cluster.
+    keys_.push_back(mix_key(seed, hash64(world.scene.labels[cluster.front()].id)));
+    blocks_.push_back({std::move(cluster), columns});
+  }
+}
 ReuseEstimator::~ReuseEstimator() = default;
 
 std::size_t ReuseEstimator::items() const {
-  return impl_->blocks.size();
+  return blocks_.size();
 }
 const Estimator::Block& ReuseEstimator::block(std::size_t item) const {
-  return impl_->blocks[item];
+  return blocks_[item];
 }
 std::uint64_t ReuseEstimator::samples_per_batch() const {
-  return impl_->effort.lookups + impl_->effort.points;
+  return tables_->effort.lookups + tables_->effort.points;
 }
 std::string ReuseEstimator::name() const {
-  return fmt::format("reuse, {} + {} first rays per batch", impl_->effort.lookups, impl_->effort.points);
+  return fmt::format("reuse, {} + {} first rays per batch", tables_->effort.lookups, tables_->effort.points);
+}
+std::unique_ptr<Estimator> ReuseEstimator::part(std::span<const std::uint32_t> labels, std::uint64_t seed,
+                                                std::uint64_t) const {
+  return std::unique_ptr<Estimator>(new ReuseEstimator(tables_, labels, seed));
 }
 std::size_t ReuseEstimator::bytes() const {
-  return impl_->cache.bytes();
+  return tables_->cache.bytes();
 }
 
 bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
                             BatchValues& values) const {
-  const Block& block = impl_->blocks[item];
-  const std::uint64_t key = impl_->keys[item];
-  const World& world = impl_->world;
-  Impl::Workspace& work = impl_->workspaces.local();
-  while (work.labels.size() < block.rows.size()) work.labels.emplace_back(impl_->units.size());
+  const Block& block = blocks_[item];
+  const std::uint64_t key = keys_[item];
+  const World& world = tables_->world;
+  Tables::Workspace& work = tables_->workspaces.local();
+  while (work.labels.size() < block.rows.size()) work.labels.emplace_back(tables_->units.size());
   for (LaneRow& row : work.labels) row.clear();
   work.at.clear();
   for (std::size_t c = 0; c < block.rows.size(); ++c) {
@@ -283,36 +295,36 @@ bool ReuseEstimator::sample(std::size_t item, std::uint32_t batch, const CancelT
     const double u1 = random.uniform(), u2 = random.uniform();
     work.at.push_back(world.receivers.point(block.rows[c], u1, u2));
   }
-  impl_->look_up(block, key, batch, work, values.rays);
+  tables_->look_up(block, key, batch, work, values.rays);
   if (cancel != nullptr && cancel->requested()) return false;
-  impl_->add_spots(block, key, batch, work, values.rays);
-  impl_->add_residual(block, key, batch, work, values.rays);
+  tables_->add_spots(block, key, batch, work, values.rays);
+  tables_->add_residual(block, key, batch, work, values.rays);
   if (cancel != nullptr && cancel->requested()) return false;
 
   const std::size_t n = block.columns.size();
   for (std::size_t c = 0; c < block.rows.size(); ++c) {
     const std::uint32_t i = block.rows[c];
     LaneRow& row = work.labels[c];
-    const bool has_areas = !world.receivers.is_point(i) || impl_->units.any_approximate() ||
+    const bool has_areas = !world.receivers.is_point(i) || tables_->units.any_approximate() ||
                            world.emitters.size() > world.scene.transceivers.size();
     work.direct.assign(has_areas ? n : 0, 0);
     for (std::size_t j = 0; j < work.direct.size(); ++j) {
       if (is_point_to_point(world, i, j)) continue;
       const PathKey path{mix_key(mix_key(key, i), j), batch, 0};
-      const double chance = impl_->direct_chance(i, j);
+      const double chance = tables_->direct_chance(i, j);
       if (to_uniform(path.draw(0, 1)[0]) >= chance) continue;
       const DirectSignal signal =
-          sample_direct(world, i, j, path, impl_->needs_strata(i, j) ? 3 : 1, impl_->rules);
+          sample_direct(world, i, j, path, tables_->needs_strata(i, j) ? 3 : 1, tables_->rules);
       values.rays += signal.rays;
       if (signal.straight + signal.mirrored == 0) continue;
       work.direct[j] = signal.straight / chance;
-      row.add(impl_->units.lane_index(j), (signal.straight + signal.mirrored) / chance);
+      row.add(tables_->units.lane_index(j), (signal.straight + signal.mirrored) / chance);
     }
     for (const std::uint16_t g : row.groups())
-      for (std::size_t k = 0; k < impl_->units.count(g); ++k) {
+      for (std::size_t k = 0; k < tables_->units.count(g); ++k) {
         const float value = row.values()[g * lanes + k];
         if (value == 0) continue;
-        const std::uint32_t j = impl_->units.column(g, k);
+        const std::uint32_t j = tables_->units.column(g, k);
         values.values.push_back({static_cast<std::uint32_t>(c * n + j), static_cast<double>(value),
                                  has_areas ? work.direct[j] : 0});
       }

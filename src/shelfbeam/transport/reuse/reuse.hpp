@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "shelfbeam/transport/reuse/residual.hpp"
 #include "shelfbeam/transport/tally/estimator.hpp"
@@ -26,12 +28,19 @@ class ReuseEstimator : public Estimator {
   bool samples_direct() const override { return false; }
   std::string name() const override;
   std::size_t bytes() const override;
+  std::unique_ptr<Estimator> part(std::span<const std::uint32_t> labels, std::uint64_t seed,
+                                  std::uint64_t min_samples) const override;
   bool sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
               BatchValues& values) const override;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Tables;
+  ReuseEstimator(std::shared_ptr<const Tables> tables, std::span<const std::uint32_t> labels,
+                 std::uint64_t seed);
+
+  std::shared_ptr<const Tables> tables_;
+  std::vector<Block> blocks_;  ///< clusters of labels
+  std::vector<std::uint64_t> keys_;
 };
 
 }  // namespace shelfbeam

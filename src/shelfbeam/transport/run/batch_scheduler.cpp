@@ -43,25 +43,25 @@ std::size_t BatchScheduler::bytes(const World& world, const Estimator& estimator
   return total;
 }
 
-BatchScheduler::BatchScheduler(const World& world, const Estimator& estimator,
-                               const SimulationOptions& options, const std::string& hash,
-                               const RunControl& control)
-    : world_(world),
-      estimator_(estimator),
+BatchScheduler::BatchScheduler(const PreparedScene& prepared, const SimulationOptions& options,
+                               const std::string& hash, const RunControl& control)
+    : world_(prepared.world()),
+      estimator_(prepared.estimator()),
       options_(options),
       control_(control),
-      analytic_direct_(world, options.rules(), control),
-      limit_(batches_for(estimator, options)),
-      driver_(world.scene, estimator, control, [this] { report(); }),
-      survey_(world, estimator, sums_, analytic_direct_),
-      paused_(estimator.items()),
-      precision_(estimator.items()) {
-  sums_.reserve(estimator.items());
-  for (std::size_t item = 0; item < estimator.items(); ++item)
-    sums_.emplace_back(entries(estimator.block(item)), has_direct(world, estimator, item), options.layers());
+      analytic_direct_(prepared.direct()),
+      limit_(batches_for(estimator_, options)),
+      driver_(world_.scene, estimator_, control, [this] { report(); }),
+      survey_(world_, estimator_, sums_, analytic_direct_),
+      paused_(estimator_.items()),
+      precision_(estimator_.items()) {
+  sums_.reserve(estimator_.items());
+  for (std::size_t item = 0; item < estimator_.items(); ++item)
+    sums_.emplace_back(entries(estimator_.block(item)), has_direct(world_, estimator_, item),
+                       options.layers());
   if (!options.checkpoint.path.empty())
     checkpoint_.emplace(options.checkpoint.path, identity(hash),
-                        static_cast<std::uint32_t>(estimator.items()));
+                        static_cast<std::uint32_t>(estimator_.items()));
 }
 
 CheckpointIdentity BatchScheduler::identity(const std::string& hash) const {

@@ -14,6 +14,7 @@
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/transport/run/batch_driver.hpp"
 #include "shelfbeam/transport/run/error_survey.hpp"
+#include "shelfbeam/transport/run/prepared_scene.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
 #include "shelfbeam/transport/run/simulation_summary.hpp"
 #include "shelfbeam/transport/tally/analytic_direct.hpp"
@@ -32,14 +33,14 @@ class BatchScheduler {
   /// Memory for the sums of all items, in bytes.
   static std::size_t bytes(const World& world, const Estimator& estimator, const SimulationOptions& options);
 
-  BatchScheduler(const World& world, const Estimator& estimator, const SimulationOptions& options,
-                 const std::string& hash, const RunControl& control);
+  /// The prepared scene must outlive the object.
+  BatchScheduler(const PreparedScene& prepared, const SimulationOptions& options, const std::string& hash,
+                 const RunControl& control);
 
   /// Returns true at the end of the run, and false if it was cancelled, after saving a checkpoint.
   bool run();
 
   const std::vector<ItemSums>& sums() const { return sums_; }
-  const AnalyticDirect& analytic_direct() const { return analytic_direct_; }
   std::uint32_t fewest_batches() const;
   std::uint64_t batches() const;
   std::uint64_t resumed_batches() const { return done_before_; }
@@ -74,7 +75,7 @@ class BatchScheduler {
   const Estimator& estimator_;
   const SimulationOptions& options_;
   const RunControl& control_;
-  AnalyticDirect analytic_direct_;
+  const AnalyticDirect& analytic_direct_;
   std::uint32_t limit_;  ///< max batches per item
   BatchDriver driver_;
   std::vector<ItemSums> sums_;

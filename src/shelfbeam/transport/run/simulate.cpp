@@ -10,8 +10,8 @@
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/transport/run/batch_scheduler.hpp"
-#include "shelfbeam/transport/run/make_estimator.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
+#include "shelfbeam/transport/run/prepared_scene.hpp"
 
 namespace shelfbeam {
 
@@ -61,32 +61,29 @@ SimulationSummary summarise(const SignalMatrix& head, const detail::BatchSchedul
 
 // Runs a simulation and calls use(head, rows): the matrix without its entries, and the entries.
 template <class Use>
-SimulationSummary run(const Scene& scene, const SimulationOptions& options, bool keeps_matrix,
+SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& options,
                       const RunControl& control, Use use) {
-  const auto start = std::chrono::steady_clock::now();
+  const Estimator& estimator = prepared.estimator();
+  const Scene& scene = prepared.world().scene;
   const ThreadLimit allowed(control.threads);
   SimulationSummary summary;
   with_threads(control.threads, [&] {
-    require_memory(scene, options, keeps_matrix);
-    const World world(scene);
-    const auto estimator = make_estimator(world, options, control);
-    require_memory(world, *estimator, options, keeps_matrix);
     const std::string hash = scene_hash(scene);
-    detail::BatchScheduler scheduler(world, *estimator, options, hash, control);
+    detail::BatchScheduler scheduler(prepared, options, hash, control);
     try {
       const bool complete = scheduler.run();
-      if (scheduler.fewest_batches() < 2 || !scheduler.analytic_direct().is_complete())
+      if (scheduler.fewest_batches() < 2)
         throw scheduler.has_checkpoint()
             ? Interrupted(std::string(too_early) + "; resuming continues from its checkpoint",
                           Setting::resumption)
             : Interrupted(too_early);
-      SignalMatrix head = detail::matrix_head(scene, hash, options.seed, estimator->name());
+      SignalMatrix head = detail::matrix_head(scene, hash, options.seed, estimator.name());
       head.length_step = options.by_length.step;
-      const detail::MatrixRows rows(*estimator, scheduler.sums(), scheduler.analytic_direct(), head.rows(),
+      const detail::MatrixRows rows(estimator, scheduler.sums(), prepared.direct(), head.rows(),
                                     options.bounce_layers(), options.length_layers());
       for (std::size_t i = 0; i < head.rows(); ++i) {
         head.labels[i].batches = rows.batches(i);
-        head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator->samples_per_batch();
+        head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator.samples_per_batch();
       }
       summary = summarise(head, scheduler);
       summary.complete = complete;
@@ -99,25 +96,47 @@ SimulationSummary run(const Scene& scene, const SimulationOptions& options, bool
       throw OutputError(error, checkpoint_remains, Setting::resumption);
     }
   });
-  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return summary;
 }
 
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
-SimulationResult simulate(const Scene& scene, const SimulationOptions& options, const RunControl& control) {
+SimulationResult simulate(const PreparedScene& prepared, const SimulationOptions& options,
+                          const RunControl& control) {
+  const Stopwatch watch;
   SimulationResult result;
-  result.summary = run(scene, options, true, control, [&](SignalMatrix head, const detail::MatrixRows& rows) {
+  result.summary = run(prepared, options, control, [&](SignalMatrix head, const detail::MatrixRows& rows) {
     result.matrix = detail::filled(std::move(head), rows);
   });
+  result.summary.seconds = watch.seconds();
+  return result;
+}
+
+SimulationResult simulate(const Scene& scene, const SimulationOptions& options, const RunControl& control) {
+  const Stopwatch watch;
+  SimulationResult result = simulate(*prepare(scene, options, true, control), options, control);
+  result.summary.seconds = watch.seconds();
   return result;
 }
 
 SimulationSummary simulate_to_file(const Scene& scene, const SimulationOptions& options,
                                    const std::filesystem::path& output, const RunControl& control) {
-  const SimulationSummary summary =
-      run(scene, options, false, control,
+  const Stopwatch watch;
+  const auto prepared = prepare(scene, options, false, control);
+  SimulationSummary summary =
+      run(*prepared, options, control,
           [&](const SignalMatrix& head, const auto& rows) { write_signal_file(head, rows, output); });
+  summary.seconds = watch.seconds();
   if (summary.complete && !options.checkpoint.path.empty()) remove_checkpoint(options.checkpoint.path);
   return summary;
 }

@@ -14,6 +14,8 @@ namespace shelfbeam {
 inline constexpr auto checkpoint_remains =
     "the checkpoint contains the simulated batches, and resuming continues from there";
 
+class PreparedScene;
+
 struct SimulationResult {
   SignalMatrix matrix;
   SimulationSummary summary;
@@ -29,6 +31,11 @@ struct SimulationResult {
 /// exceeds the memory limit, or the checkpoint is of another simulation. Throws Interrupted when cancelled
 /// before every item has two batches.
 SimulationResult simulate(const Scene& scene, const SimulationOptions& options,
+                          const RunControl& control = {});
+
+/// The same with a prepared scene. The options must be those with which it was prepared, except for the
+/// stopping rule and the checkpoint.
+SimulationResult simulate(const PreparedScene& prepared, const SimulationOptions& options,
                           const RunControl& control = {});
 
 /// Writes the matrix directly to a signal file instead of keeping it in memory. Removes the checkpoint when

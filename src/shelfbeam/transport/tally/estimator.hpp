@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -69,6 +71,13 @@ class Estimator {
 
   /// The name and settings, for the signal file.
   virtual std::string name() const = 0;
+
+  /// The same estimator for some labels only (ascending), with the random numbers of another seed and at
+  /// least `min_samples` samples per batch where their number is free. It shares the tables of this estimator
+  /// and outlives it. Its batches are independent of this one's: whatever the tables are, batches are
+  /// unbiased. Throws InputError for particles, whose batches have no rows.
+  virtual std::unique_ptr<Estimator> part(std::span<const std::uint32_t> labels, std::uint64_t seed,
+                                          std::uint64_t min_samples) const = 0;
 
   /// Memory for the estimator's own tables, in bytes.
   virtual std::size_t bytes() const { return 0; }

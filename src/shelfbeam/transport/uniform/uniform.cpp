@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/transport/uniform/walks.hpp"
@@ -47,6 +49,19 @@ std::string UniformEstimator::name() const {
   return name;
 }
 
+std::unique_ptr<Estimator> UniformEstimator::part(std::span<const std::uint32_t> labels, std::uint64_t seed,
+                                                  std::uint64_t min_samples) const {
+  if (by_source_)
+    throw InputError("strategy particle", "does not sample whole rows", "use another strategy",
+                     Setting::strategy);
+  auto part = std::make_unique<UniformEstimator>(world_, rules_, seed,
+                                                 std::max<std::uint64_t>(per_batch_, min_samples));
+  std::vector<Block> blocks;
+  for (const std::uint32_t i : labels) blocks.push_back(std::move(part->blocks_[i]));
+  part->blocks_ = std::move(blocks);
+  return part;
+}
+
 std::size_t UniformEstimator::bytes() const {
   return blocks_.size() * (sizeof(Block) + (width_ + 1) * sizeof(std::uint32_t));
 }
@@ -54,14 +69,16 @@ std::size_t UniformEstimator::bytes() const {
 bool UniformEstimator::sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
                               BatchValues& values) const {
   Tally tally(width_, levels_, by_length_);
-  const std::uint64_t stream = mix_key(seed_, by_source_ ? source_keys_[item] : label_keys_[item]);
+  const Block& block = blocks_[item];
+  const std::uint64_t stream =
+      mix_key(seed_, by_source_ ? source_keys_[item] : label_keys_[block.rows.front()]);
   bool cancelled = false;
   for (std::uint32_t s = 0; s < per_batch_ && !cancelled; ++s) {
     const PathKey key{stream, batch, s};
     if (by_source_)
       follow_particle(world_, item, key, rules_, tally);
     else
-      walk_from_label(world_, item, key, rules_, tally);
+      walk_from_label(world_, block.rows.front(), key, rules_, tally);
     cancelled = s % 1024 == 0 && cancel != nullptr && cancel->requested();
   }
   if (!cancelled && !rules_.samples_direct) sample_direct_light(item, batch, tally);
@@ -95,7 +112,7 @@ std::uint32_t direct_strata(std::uint32_t samples, std::size_t width) {
 void UniformEstimator::sample_direct_light(std::size_t item, std::uint32_t batch, Tally& tally) const {
   const std::uint32_t side = direct_strata(per_batch_, width_);
   for (std::size_t k = 0; k < width_; ++k) {
-    const std::size_t i = by_source_ ? k : item, j = by_source_ ? item : k;
+    const std::size_t i = by_source_ ? k : blocks_[item].rows.front(), j = by_source_ ? item : k;
     if (is_point_to_point(world_, i, j)) continue;
     const PathKey key{mix_key(mix_key(seed_, label_keys_[i]), source_keys_[j]), batch, 0};
     const DirectSignal signal = sample_direct(world_, i, j, key, side, rules_);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <variant>
 
@@ -29,10 +28,11 @@ double opposite_distance(const World& world, const SurfacePoint& at) {
 
 }  // namespace
 
-std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most) {
+std::vector<LabelCluster> cluster_labels(const World& world, std::span<const std::uint32_t> labels,
+                                         std::size_t most) {
   const std::size_t m = world.receivers.size();
   std::vector<Vec3> eyes(m);
-  for (std::size_t i = 0; i < m; ++i) {
+  for (const std::uint32_t i : labels) {
     const SurfacePoint at = world.receivers.point(i, 0.5, 0.5);
     // At most half way to the opposite surface.
     eyes[i] = at.position + at.normal * std::min(step_out, opposite_distance(world, at) / 2);
@@ -40,8 +40,7 @@ std::vector<LabelCluster> cluster_labels(const World& world, std::size_t most) {
 
   // From one end of the store to the other, the first remaining label forms a cluster with the nearest labels
   // that it sees, from eye to eye.
-  std::vector<std::uint32_t> left(m);
-  std::iota(left.begin(), left.end(), 0U);
+  std::vector<std::uint32_t> left(labels.begin(), labels.end());
   std::stable_sort(left.begin(), left.end(), [&](std::uint32_t a, std::uint32_t b) {
     return eyes[a].x + eyes[a].y < eyes[b].x + eyes[b].y;
   });

@@ -10,6 +10,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/transport/run/make_estimator.hpp"
+#include "shelfbeam/transport/run/prepared_scene.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
 #include "support/expect_input_error.hpp"
@@ -86,10 +87,10 @@ TEST(BatchScheduler, StopsAtTheSameBatchForAnyNumberOfThreads) {
 // exchanges two batches, which changes the rounding.
 TEST(BatchScheduler, AddsBatchesInTheirOrder) {
   const Scene scene = test::SmallStore{}.scene();
-  const World world(scene);
   SimulationOptions options{EstimatorKind::uniform};
   options.strategy = Strategy::particle;
-  const auto estimator = make_estimator(world, options);
+  const auto prepared = prepare(scene, options, false);
+  const Estimator* const estimator = &prepared->estimator();
   const std::uint32_t batches = batches_for(*estimator, options);
   ASSERT_LE(estimator->items(), 8U);
   const auto one_by_one = [&](std::uint32_t first, std::uint32_t second) {
@@ -104,7 +105,7 @@ TEST(BatchScheduler, AddsBatchesInTheirOrder) {
     return sums.values;
   };
   const RunControl control;
-  detail::BatchScheduler engine(world, *estimator, options, "hash", control);
+  detail::BatchScheduler engine(*prepared, options, "hash", control);
   ASSERT_TRUE(engine.run());
   ASSERT_EQ(engine.sums()[0].batches, batches);
   EXPECT_EQ(engine.sums()[0].values, one_by_one(0, 0));

@@ -23,6 +23,11 @@ class OneRow : public Estimator {
   std::string name() const override { return "one row"; }
   bool sample(std::size_t, std::uint32_t, const CancelToken*, BatchValues&) const override { return true; }
 
+  std::unique_ptr<Estimator> part(std::span<const std::uint32_t>, std::uint64_t,
+                                  std::uint64_t) const override {
+    return nullptr;
+  }
+
  private:
   Block block_{{0}, {0, 1}};
 };

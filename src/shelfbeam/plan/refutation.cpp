@@ -1,0 +1,436 @@
+#include "shelfbeam/plan/refutation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/plan/verification.hpp"
+#include "shelfbeam/stats/distributions.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+// Leaves stay this far below 1: smaller margins would take too many samples.
+constexpr double below = 1 - 1e-4;
+constexpr double integral_tolerance = 1e-6;
+
+class Search {
+ public:
+  Search(const SignalTable& table, const std::vector<std::uint32_t>& labels, const SelectionBudget& limit,
+         std::size_t max_leaves, const Deadline& deadline, const RunControl& control)
+      : table_(table), max_leaves_(max_leaves), deadline_(deadline), control_(control) {
+    tree_.limit = limit;
+    tree_.mounts = table.mounts;
+    tree_.labels = labels;
+    for (const std::uint32_t i : labels) {
+      std::vector<double> row(table.columns(), 0.0);
+      std::vector<bool> clipped(table.columns(), false);
+      for (const SignalEntry& entry : table.row(i)) {
+        const double share = entry.signal / table.labels[i].requirement;
+        row[entry.transceiver] = std::min(1.0, share);
+        clipped[entry.transceiver] = share >= 1;
+      }
+      const auto k = static_cast<std::uint32_t>(rows_.size());
+      rows_.push_back(row);
+      tree_.is_clipped.push_back(std::move(clipped));
+      add_weights({{k}, {1.0}});  // a label by itself
+    }
+    total_.emplace(tree_.limit, tree_.mounts);
+  }
+
+  RefutationSearch run(std::span<const Refutation::Leaf> roots) {
+    Refutation::Leaf all;
+    for (std::uint32_t j = 0; j < table_.columns(); ++j)
+      (table_.transceivers[j].installed ? all.chosen : all.free).push_back(j);
+    if (roots.empty()) roots = std::span(&all, 1);
+    RefutationSearch search;
+    if (std::all_of(roots.begin(), roots.end(),
+                    [&](const Refutation::Leaf& root) { return refute(root.chosen, root.free); }))
+      search.found = finished();
+    else
+      search.counterexample = std::move(counterexample_);
+    return search;
+  }
+
+ private:
+  std::uint32_t add_weights(Refutation::Weights weights) {
+    std::vector<double> value(table_.columns(), 0.0);
+    for (std::size_t k = 0; k < weights.rows.size(); ++k)
+      for (std::size_t j = 0; j < value.size(); ++j)
+        value[j] += weights.weight[k] * rows_[weights.rows[k]][j];
+    tree_.weights.push_back(std::move(weights));
+    values_.push_back(std::move(value));
+    return static_cast<std::uint32_t>(values_.size() - 1);
+  }
+
+  double left(std::span<const std::uint32_t> chosen) const {
+    double left = tree_.limit.budget;
+    for (const std::uint32_t j : chosen) left -= tree_.limit.price[j];
+    return left;
+  }
+
+  bool add_leaf(const std::vector<std::uint32_t>& chosen, std::vector<std::uint32_t> free,
+                std::uint32_t weights) {
+    if (tree_.leaves.size() >= max_leaves_) return false;
+    tree_.leaves.push_back({chosen, std::move(free), weights});
+    return true;
+  }
+
+  // The known weights with the smallest total, if that is below 1.
+  std::uint32_t closing_weights(const std::vector<std::uint32_t>& chosen,
+                                const std::vector<std::uint32_t>& free) {
+    std::uint32_t best = none;
+    double smallest = below;
+    for (std::uint32_t w = 0; w < values_.size(); ++w)
+      if (const double total = (*total_)(chosen, free, values_[w]); total < smallest) {
+        smallest = total;
+        best = w;
+      }
+    return best;
+  }
+
+  // Whether no selection of these columns, the chosen ones included, reaches all labels.
+  bool refute(const std::vector<std::uint32_t>& chosen, std::vector<std::uint32_t> free) {
+    if (control_.cancelled() || deadline_.has_passed()) return false;
+    const double budget = left(chosen);
+    if (budget < 0) return true;  // no selection of the budget
+    std::erase_if(free, [&](std::uint32_t j) { return tree_.limit.price[j] > budget; });
+    if (const std::uint32_t w = closing_weights(chosen, free); w != none)
+      return add_leaf(chosen, std::move(free), w);
+    if (takes_one(free, budget)) return refute_singles(chosen, free);
+    if (const auto weights = relaxation_weights(chosen, free)) {
+      const std::uint32_t w = add_weights(*weights);
+      if ((*total_)(chosen, free, values_[w]) < below) return add_leaf(chosen, std::move(free), w);
+    }
+    return branch(chosen, std::move(free), budget);
+  }
+
+  // Whether a selection can contain at most one of the columns.
+  bool takes_one(const std::vector<std::uint32_t>& free, double budget) const {
+    double first = std::numeric_limits<double>::infinity(), second = first;
+    for (const std::uint32_t j : free) {
+      const double price = tree_.limit.price[j];
+      second = std::min(second, std::max(first, price));
+      first = std::min(first, price);
+    }
+    return first + second > budget;
+  }
+
+  // Each column, and none, leaves the total of some known weights below 1; those of one label suffice.
+  bool refute_singles(const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& free) {
+    std::vector<double> base(values_.size(), 0.0);
+    for (std::size_t w = 0; w < values_.size(); ++w)
+      for (const std::uint32_t j : chosen) base[w] += values_[w][j];
+    std::vector<std::vector<std::uint32_t>> by_weights(values_.size());
+    for (const std::uint32_t j : free) {
+      std::size_t best = 0;
+      for (std::size_t w = 1; w < values_.size(); ++w)
+        if (base[w] + values_[w][j] < base[best] + values_[best][j]) best = w;
+      if (base[best] + values_[best][j] >= below) return fail(chosen, j);
+      by_weights[best].push_back(j);
+    }
+    for (std::uint32_t w = 0; w < by_weights.size(); ++w)
+      if (!by_weights[w].empty() && !add_leaf(chosen, std::move(by_weights[w]), w)) return false;
+    return true;  // a selection without any of them is in every one of these leaves
+  }
+
+  bool fail(const std::vector<std::uint32_t>& chosen, std::uint32_t last) {
+    counterexample_ = chosen;
+    counterexample_.push_back(last);
+    std::sort(counterexample_.begin(), counterexample_.end());
+    return false;
+  }
+
+  // Dual values of max c: c <= sum_{j chosen} x_ij + sum_{j free} x_ij T_j for every row, sum_j p_j T_j
+  // within the budget, 0 <= T <= 1.
+  std::optional<Refutation::Weights> relaxation_weights(const std::vector<std::uint32_t>& chosen,
+                                                        const std::vector<std::uint32_t>& free) {
+    const auto n = static_cast<std::uint32_t>(free.size());
+    std::vector<milp::Column> columns(n, {0, 0, 1, false, {}});
+    columns.push_back({-1, 0, milp::infinity, false, {}});
+    auto lp = milp::backends().front().lp(columns);
+    std::vector<milp::Row> rows(1);
+    rows[0].upper = left(chosen);
+    for (std::uint32_t k = 0; k < n; ++k) rows[0].entries.push_back({k, tree_.limit.price[free[k]]});
+    for (const std::vector<double>& values : rows_) {
+      milp::Row row{0, milp::infinity, {{n, -1.0}}, {}};
+      for (const std::uint32_t j : chosen) row.lower -= values[j];
+      for (std::uint32_t k = 0; k < n; ++k)
+        if (values[free[k]] > 0) row.entries.push_back({k, values[free[k]]});
+      rows.push_back(std::move(row));
+    }
+    lp->add_rows(rows);
+    const milp::LpResult solved = lp->solve(deadline_.seconds_left(), control_);
+    if (solved.termination != milp::Termination::optimal) return std::nullopt;
+    Refutation::Weights weights;
+    double sum = 0;
+    constexpr double negligible = 1e-4;
+    for (std::uint32_t k = 0; k < rows_.size(); ++k)
+      if (const double y = solved.y[k + 1]; y > negligible) {
+        weights.rows.push_back(k);
+        weights.weight.push_back(y);
+        sum += y;
+      }
+    if (weights.rows.empty()) return std::nullopt;
+    for (double& weight : weights.weight) weight /= sum;
+    return weights;
+  }
+
+  // A selection that reaches a label has a column that makes up for at least an even share of the label's
+  // lack. Branches on these columns for the label that has the fewest, the strongest first.
+  bool branch(const std::vector<std::uint32_t>& chosen, std::vector<std::uint32_t> free, double budget) {
+    std::vector<std::uint32_t> supporters;
+    bool is_first = true;
+    for (const std::vector<double>& row : rows_) {
+      double lack = 1;
+      for (const std::uint32_t j : chosen) lack -= row[j];
+      if (lack <= 0) continue;
+      std::vector<std::uint32_t> of_row;
+      for (const std::uint32_t j : free)
+        if (row[j] >= below * lack * tree_.limit.price[j] / budget - (1 - below)) of_row.push_back(j);
+      if (!is_first && of_row.size() >= supporters.size()) continue;
+      is_first = false;
+      std::sort(of_row.begin(), of_row.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::pair(-row[a], a) < std::pair(-row[b], b);
+      });
+      supporters = std::move(of_row);
+    }
+    if (is_first) {
+      counterexample_ = chosen;  // reaches all labels as it is
+      std::sort(counterexample_.begin(), counterexample_.end());
+      return false;
+    }
+    for (const std::uint32_t j : supporters) {
+      std::erase(free, j);
+      std::vector<std::uint32_t> with = chosen;
+      with.push_back(j);
+      if (!refute(with, free)) return false;
+      if (const std::uint32_t w = closing_weights(chosen, free); w != none)
+        return add_leaf(chosen, std::move(free), w);
+    }
+    return false;  // the weights of the label close the rest, up to rounding
+  }
+
+  // Keeps the weights of leaves and the labels with a weight.
+  Refutation finished() {
+    std::vector<std::uint32_t> weights_at(tree_.weights.size(), none), row_at(rows_.size(), none);
+    Refutation kept;
+    kept.limit = std::move(tree_.limit);
+    kept.mounts = std::move(tree_.mounts);
+    for (Refutation::Leaf& leaf : tree_.leaves) {
+      std::uint32_t& at = weights_at[leaf.weights];
+      if (at == none) {
+        at = static_cast<std::uint32_t>(kept.weights.size());
+        kept.weights.push_back(std::move(tree_.weights[leaf.weights]));
+        for (const std::uint32_t row : kept.weights.back().rows) row_at[row] = 0;
+      }
+      leaf.weights = at;
+    }
+    kept.leaves = std::move(tree_.leaves);
+    for (std::uint32_t k = 0; k < row_at.size(); ++k) {
+      if (row_at[k] == none) continue;
+      row_at[k] = static_cast<std::uint32_t>(kept.labels.size());
+      kept.labels.push_back(tree_.labels[k]);
+      kept.is_clipped.push_back(std::move(tree_.is_clipped[k]));
+    }
+    for (Refutation::Weights& weights : kept.weights)
+      for (std::uint32_t& row : weights.rows) row = row_at[row];
+    return kept;
+  }
+
+  const SignalTable& table_;
+  std::size_t max_leaves_;
+  const Deadline& deadline_;
+  const RunControl& control_;
+  Refutation tree_;
+  std::vector<std::vector<double>> rows_;    ///< shares of requirements, at most 1, by label and column
+  std::vector<std::vector<double>> values_;  ///< x_j, by weights and column
+  std::optional<LeafTotal> total_;
+  std::vector<std::uint32_t> counterexample_;
+};
+
+}  // namespace
+
+LeafTotal::LeafTotal(const SelectionBudget& limit, const std::vector<std::vector<std::uint32_t>>& mounts)
+    : limit_(limit), mount_of_(limit.price.size(), none), of_mount_(mounts.size()) {
+  for (std::uint32_t m = 0; m < mounts.size(); ++m)
+    for (const std::uint32_t j : mounts[m]) mount_of_[j] = m;
+  is_count_ = mounts.empty() &&
+              std::all_of(limit.price.begin(), limit.price.end(), [](double price) { return price == 1; });
+}
+
+// The largest values, kept in ascending order.
+double LeafTotal::top(double total, double left, std::span<const std::uint32_t> free,
+                      std::span<const double> value) {
+  const auto units = static_cast<std::size_t>(std::max(0.0, left));
+  if (units == 0) return total;
+  top_.assign(units, 0.0);
+  for (const std::uint32_t j : free) {
+    if (value[j] <= top_[0]) continue;
+    std::size_t k = 0;
+    for (; k + 1 < units && top_[k + 1] < value[j]; ++k) top_[k] = top_[k + 1];
+    top_[k] = value[j];
+  }
+  return std::accumulate(top_.begin(), top_.end(), total);
+}
+
+double LeafTotal::operator()(std::span<const std::uint32_t> chosen, std::span<const std::uint32_t> free,
+                             std::span<const double> value) {
+  double total = 0, left = limit_.budget;
+  for (const std::uint32_t j : chosen) {
+    total += value[j];
+    left -= limit_.price[j];
+  }
+  if (is_count_) return top(total, left, free, value);
+  items_.clear();
+  for (Item& item : of_mount_) item = {0, std::numeric_limits<double>::infinity()};
+  for (const std::uint32_t j : free) {
+    if (!(value[j] > 0) || limit_.price[j] > left) continue;
+    if (mount_of_[j] == none) {
+      items_.push_back({value[j], limit_.price[j]});
+    } else {
+      Item& item = of_mount_[mount_of_[j]];
+      item = {std::max(item.value, value[j]), std::min(item.price, limit_.price[j])};
+    }
+  }
+  for (const Item& item : of_mount_)
+    if (item.value > 0) items_.push_back(item);
+  const auto is_better = [](const Item& a, const Item& b) { return a.value * b.price < b.value * a.price; };
+  std::make_heap(items_.begin(), items_.end(), is_better);
+  while (left > 0 && !items_.empty()) {
+    std::pop_heap(items_.begin(), items_.end(), is_better);
+    const Item item = items_.back();
+    items_.pop_back();
+    total += item.value * std::min(1.0, left / item.price);
+    left -= item.price;
+  }
+  return total;
+}
+
+RelaxedCover relaxed_cover(const SignalTable& table, const SelectionBudget& limit, const Deadline& deadline,
+                           const RunControl& control) {
+  constexpr std::size_t rows_at_once = 64;
+  const auto n = static_cast<std::uint32_t>(table.columns());
+  std::vector<milp::Column> columns;
+  for (std::uint32_t j = 0; j < n; ++j)
+    columns.push_back({0, table.transceivers[j].installed ? 1.0 : 0.0, 1, false, {}});
+  columns.push_back({-1, 0, milp::infinity, false, {}});
+  auto lp = milp::backends().front().lp(columns);
+  std::vector<milp::Row> fixed(1);
+  fixed[0].upper = limit.budget;
+  for (std::uint32_t j = 0; j < n; ++j) fixed[0].entries.push_back({j, limit.price[j]});
+  for (const auto& mount : table.mounts) {
+    milp::Row row{-milp::infinity, 1, {}, {}};
+    for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
+    fixed.push_back(std::move(row));
+  }
+  lp->add_rows(fixed);
+  const auto share = [&](std::uint32_t i, const SignalEntry& entry) {
+    return std::min(1.0, entry.signal / table.labels[i].requirement);
+  };
+  std::vector<double> units(n, 1.0);
+  std::vector<std::uint32_t> loaded;
+  std::vector<bool> is_loaded(table.rows(), false);
+  RelaxedCover result;
+  double coverage = std::numeric_limits<double>::infinity();
+  while (!control.cancelled() && !deadline.has_passed()) {
+    std::vector<std::pair<double, std::uint32_t>> short_of;
+    for (std::uint32_t i = 0; i < table.rows(); ++i) {
+      if (is_loaded[i]) continue;
+      double sum = 0;
+      for (const SignalEntry& entry : table.row(i)) sum += share(i, entry) * units[entry.transceiver];
+      if (sum < coverage - integral_tolerance) short_of.emplace_back(sum, i);
+    }
+    if (short_of.empty()) return result;
+    std::sort(short_of.begin(), short_of.end());
+    short_of.resize(std::min(short_of.size(), rows_at_once));
+    std::vector<milp::Row> rows;
+    for (const auto& [sum, i] : short_of) {
+      milp::Row row{0, milp::infinity, {{n, -1.0}}, {}};
+      for (const SignalEntry& entry : table.row(i))
+        row.entries.push_back({entry.transceiver, share(i, entry)});
+      rows.push_back(std::move(row));
+      is_loaded[i] = true;
+      loaded.push_back(i);
+    }
+    lp->add_rows(rows);
+    const milp::LpResult solved = lp->solve(deadline.seconds_left(), control);
+    if (solved.termination == milp::Termination::infeasible) return result;
+    if (solved.termination != milp::Termination::optimal) return result;
+    coverage = solved.x[n];
+    units.assign(solved.x.begin(), solved.x.begin() + n);
+    if (coverage < below) {
+      constexpr double negligible = 1e-4;
+      for (std::size_t k = 0; k < loaded.size(); ++k)
+        if (solved.y[fixed.size() + k] > negligible) result.labels.push_back(loaded[k]);
+      std::sort(result.labels.begin(), result.labels.end());
+      result.is_refuted = true;
+      return result;
+    }
+  }
+  return result;
+}
+
+double needed_batches(const Refutation& refutation, const SignalTable& table, const SignalMatrix& matrix,
+                      double level) {
+  const std::size_t n = table.columns();
+  // Limits of skewed sums are wider than Student's.
+  constexpr double skewed = 1.25;
+  const double quantile = skewed * student_quantile(1 - level, min_verifying_batches - 1);
+  // By weights and column: the mean, and the variance of one batch.
+  std::vector<std::vector<double>> mean, variance;
+  for (const Refutation::Weights& weights : refutation.weights) {
+    std::vector<double> x(n, 0.0), v(n, 0.0);
+    for (std::size_t k = 0; k < weights.rows.size(); ++k) {
+      const std::uint32_t row = weights.rows[k], i = refutation.labels[row];
+      const double share = weights.weight[k] / table.labels[i].requirement;
+      for (std::size_t j = 0; j < n; ++j)
+        if (refutation.is_clipped[row][j]) x[j] += weights.weight[k];
+      for (const SignalEntry& entry : table.row(i)) {
+        const std::uint32_t j = entry.transceiver;
+        if (refutation.is_clipped[row][j]) continue;
+        x[j] += share * entry.signal;
+        const double error = share * static_cast<double>(matrix.standard_error[matrix.at(i, j)]);
+        v[j] += error * error * static_cast<double>(matrix.labels[i].batches);
+      }
+    }
+    mean.push_back(std::move(x));
+    variance.push_back(std::move(v));
+  }
+  LeafTotal total(refutation.limit, refutation.mounts);
+  std::vector<double> limit(n);
+  double needed = 1;
+  for (const Refutation::Leaf& leaf : refutation.leaves) {
+    const auto is_refuted = [&](double batches) {
+      for (const auto* columns : {&leaf.chosen, &leaf.free})
+        for (const std::uint32_t j : *columns)
+          limit[j] = mean[leaf.weights][j] + quantile * std::sqrt(variance[leaf.weights][j] / batches);
+      return total(leaf.chosen, leaf.free, limit) < 1;
+    };
+    if (is_refuted(needed)) continue;
+    double high = 2 * needed;
+    constexpr double hopeless = 1e9;
+    while (high < hopeless && !is_refuted(high)) high *= 2;
+    if (high >= hopeless) return std::numeric_limits<double>::infinity();
+    for (int step = 0; step < 6; ++step) {
+      const double middle = std::sqrt(needed * high);
+      (is_refuted(middle) ? high : needed) = middle;
+    }
+    needed = high;
+  }
+  return needed;
+}
+
+RefutationSearch find_refutation(const SignalTable& table, const std::vector<std::uint32_t>& labels,
+                                 const SelectionBudget& limit, std::span<const Refutation::Leaf> roots,
+                                 std::size_t max_leaves, const Deadline& deadline,
+                                 const RunControl& control) {
+  return Search(table, labels, limit, max_leaves, deadline, control).run(roots);
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/signal/signal_matrix.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+namespace shelfbeam {
+
+/// The selections whose prices sum to at most `budget`. With a price of 1 per unit, the budget is a count.
+struct SelectionBudget {
+  std::vector<double> price;  ///< by column, positive
+  double budget = 0;
+};
+
+/// A tree that refutes all selections S of a budget where signals add up. Its leaves are a partition of these
+/// selections. Each leaf has weights w_i >= 0 of labels, with sum 1, for which no selection of the leaf
+/// supplies
+///
+///   sum_{j in S} x_j >= 1,   x_j = sum_i w_i x_ij,   x_ij = 1 if clipped, else M_ij / (gamma_i tau_i).
+///
+/// A selection that reaches all labels does: its signals add up to the requirement of every label, and a
+/// clipped entry alone makes up for all others. Any set of clipped entries is valid. All parts of a
+/// refutation are fixed before the samples that test it (docs/methods/certified_plan.md).
+struct Refutation {
+  struct Weights {
+    std::vector<std::uint32_t> rows;  ///< positions in `labels`
+    std::vector<double> weight;
+  };
+  struct Leaf {
+    std::vector<std::uint32_t> chosen;  ///< in every selection of the leaf, installed units included
+    std::vector<std::uint32_t> free;    ///< the other columns that a selection may contain
+    std::uint32_t weights = 0;          ///< position in `weights`
+  };
+
+  SelectionBudget limit;
+  std::vector<std::vector<std::uint32_t>> mounts;  ///< at most one column each, as in SignalTable
+  std::vector<std::uint32_t> labels;               ///< ascending
+  std::vector<std::vector<bool>> is_clipped;       ///< by row and column
+  std::vector<Weights> weights;
+  std::vector<Leaf> leaves;
+};
+
+/// The largest sum of `value` over a selection of a leaf, or a little more: its chosen columns, and free ones
+/// in descending order of value per price until the budget ends, the last one in part. Options of a mounting
+/// point count as one column.
+class LeafTotal {
+ public:
+  LeafTotal(const SelectionBudget& limit, const std::vector<std::vector<std::uint32_t>>& mounts);
+  double operator()(std::span<const std::uint32_t> chosen, std::span<const std::uint32_t> free,
+                    std::span<const double> value);
+
+ private:
+  struct Item {
+    double value, price;
+  };
+  double top(double total, double left, std::span<const std::uint32_t> free, std::span<const double> value);
+
+  const SelectionBudget& limit_;
+  bool is_count_ = false;  ///< all prices are 1, and no mounting point has options
+  std::vector<double> top_;
+  std::vector<std::uint32_t> mount_of_;  ///< by column: its mounting point with options, or none
+  std::vector<Item> items_, of_mount_;
+};
+
+/// The linear relaxation of the question whether a selection of the budget reaches all labels.
+struct RelaxedCover {
+  bool is_refuted = false;            ///< no fractional selection does
+  std::vector<std::uint32_t> labels;  ///< ascending; labels that prove it
+};
+
+RelaxedCover relaxed_cover(const SignalTable& table, const SelectionBudget& limit, const Deadline& deadline,
+                           const RunControl& control);
+
+/// The batches that a test of a refutation is expected to need at this level, from the standard errors of the
+/// matrix; errors of different labels count as independent. Infinite if a leaf is not refuted by the means.
+double needed_batches(const Refutation& refutation, const SignalTable& table, const SignalMatrix& matrix,
+                      double level);
+
+/// The result of a search for a refutation.
+struct RefutationSearch {
+  std::optional<Refutation> found;
+  /// Otherwise, a selection that reaches all examined labels, if the search met one.
+  std::vector<std::uint32_t> counterexample;
+};
+
+/// Searches for a refutation of the selections in `roots` (or of all selections, if there are none) by some
+/// labels of a table, whose signals should be raised by some standard errors. Branches on the columns that
+/// can make up for a label's lack; linear programs give weights. Ends without a refutation at `max_leaves`,
+/// at the deadline, or when cancelled.
+RefutationSearch find_refutation(const SignalTable& table, const std::vector<std::uint32_t>& labels,
+                                 const SelectionBudget& limit, std::span<const Refutation::Leaf> roots,
+                                 std::size_t max_leaves, const Deadline& deadline, const RunControl& control);
+
+}  // namespace shelfbeam

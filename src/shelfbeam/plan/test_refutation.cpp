@@ -1,0 +1,216 @@
+#include "shelfbeam/plan/test_refutation.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <span>
+
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/plan/validation_estimates.hpp"
+#include "shelfbeam/stats/distributions.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// Totals of clipped entries alone are 1 up to rounding.
+constexpr double below = 1 - 1e-9;
+constexpr double share_of_rare = 0.1;
+constexpr std::uint32_t batches_at_once = 16;
+constexpr std::uint32_t max_peaks = 3;  ///< batches that flag an error
+
+// The estimates of one set of weights: x_j, and for each column in descending order of planned signal the sum
+// from it to the last.
+struct WeightedSums {
+  std::vector<ValidationEstimate> column, tail;
+  std::vector<double> largest;  ///< value of a batch, by column
+  std::vector<std::uint32_t> order;
+};
+
+class Test {
+ public:
+  Test(const Refutation& refutation, const SignalTable& planned)
+      : tree_(refutation), columns_(planned.columns()), requirement_(refutation.labels.size()) {
+    for (std::size_t k = 0; k < requirement_.size(); ++k)
+      requirement_[k] = planned.labels[tree_.labels[k]].requirement;
+    entries_.resize(tree_.labels.size() * columns_);
+    for (const Refutation::Weights& weights : tree_.weights) {
+      WeightedSums sums{std::vector<ValidationEstimate>(columns_), std::vector<ValidationEstimate>(columns_),
+                        std::vector<double>(columns_, 0.0), std::vector<std::uint32_t>(columns_)};
+      std::vector<double> value(columns_, 0.0);
+      for (std::size_t k = 0; k < weights.rows.size(); ++k)
+        for (const SignalEntry& entry : planned.row(tree_.labels[weights.rows[k]]))
+          value[entry.transceiver] += weights.weight[k] * entry.signal / requirement_[weights.rows[k]];
+      std::iota(sums.order.begin(), sums.order.end(), 0U);
+      std::stable_sort(sums.order.begin(), sums.order.end(),
+                       [&](std::uint32_t a, std::uint32_t b) { return value[a] > value[b]; });
+      sums_.push_back(std::move(sums));
+    }
+  }
+
+  // Adds batches: values by label, batch and column.
+  void add(std::span<const double> values, std::uint32_t batches) {
+    parallel_for_ranges(sums_.size(), [&](std::size_t first, std::size_t last) {
+      std::vector<double> x(columns_);
+      for (std::size_t w = first; w < last; ++w)
+        for (std::uint32_t b = 0; b < batches; ++b) {
+          weigh(
+              tree_.weights[w],
+              [&](std::size_t row) {
+                return values.subspan((row * batches_at_once + b) * columns_, columns_);
+              },
+              0, x);
+          for (std::size_t j = 0; j < columns_; ++j) {
+            take(sums_[w].column[j], x[j]);
+            sums_[w].largest[j] = std::max(sums_[w].largest[j], x[j]);
+          }
+          add_tails(sums_[w], x, [](ValidationEstimate& tail, double sum) { take(tail, sum); });
+        }
+    });
+    parallel_for_ranges(tree_.labels.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t row = first; row < last; ++row)
+        for (std::uint32_t b = 0; b < batches; ++b)
+          for (std::size_t j = 0; j < columns_; ++j)
+            take(entries_[row * columns_ + j], values[(row * batches_at_once + b) * columns_ + j]);
+    });
+  }
+
+  // Adds the exact parts: analytic direct light by label and column, and clipped entries.
+  void add_known(std::span<const float> known) {
+    std::vector<double> values(known.begin(), known.end()), x(columns_);
+    for (std::size_t k = 0; k < entries_.size(); ++k) entries_[k].known = values[k];
+    for (std::size_t w = 0; w < sums_.size(); ++w) {
+      weigh(
+          tree_.weights[w],
+          [&](std::size_t row) { return std::span<const double>(values).subspan(row * columns_, columns_); },
+          1, x);
+      for (std::size_t j = 0; j < columns_; ++j) sums_[w].column[j].known = x[j];
+      add_tails(sums_[w], x, [](ValidationEstimate& tail, double sum) { tail.known = sum; });
+    }
+  }
+
+  std::vector<Refutation::Leaf> open_leaves(double level) const {
+    std::vector<std::vector<double>> limits(sums_.size());
+    parallel_for_ranges(sums_.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t w = first; w < last; ++w) limits[w] = limits_of(sums_[w], level);
+    });
+    std::vector<char> is_open(tree_.leaves.size(), 0);
+    parallel_for_ranges(tree_.leaves.size(), [&](std::size_t first, std::size_t last) {
+      LeafTotal total(tree_.limit, tree_.mounts);
+      for (std::size_t k = first; k < last; ++k) {
+        const Refutation::Leaf& leaf = tree_.leaves[k];
+        if (!(total(leaf.chosen, leaf.free, limits[leaf.weights]) < below)) is_open[k] = 1;
+      }
+    });
+    std::vector<Refutation::Leaf> open;
+    for (std::size_t k = 0; k < is_open.size(); ++k)
+      if (is_open[k] != 0) open.push_back(tree_.leaves[k]);
+    return open;
+  }
+
+  std::vector<ValidationRow> rows(std::uint32_t batches, std::uint64_t samples_per_batch) const {
+    std::vector<ValidationRow> rows;
+    for (std::size_t k = 0; k < tree_.labels.size(); ++k) {
+      ValidationRow row{tree_.labels[k], {}, {}, {}, batches, batches * samples_per_batch};
+      for (std::size_t j = 0; j < columns_; ++j) {
+        const ValidationEstimate& entry = entries_[k * columns_ + j];
+        row.mean.push_back(entry.mean());
+        row.standard_error.push_back(entry.sampled.standard_error());
+        row.flags.push_back(entry.sampled.is_skewed() ? 1 : 0);
+      }
+      rows.push_back(std::move(row));
+    }
+    return rows;
+  }
+
+ private:
+  static void take(ValidationEstimate& estimate, double value) {
+    estimate.sampled.add(value);
+    if (value != 0) ++estimate.hits;
+  }
+
+  // x_j of some values by row; clipped entries count `clipped`.
+  template <class Row>
+  void weigh(const Refutation::Weights& weights, const Row& row_of, double clipped,
+             std::vector<double>& x) const {
+    std::fill(x.begin(), x.end(), 0.0);
+    for (std::size_t k = 0; k < weights.rows.size(); ++k) {
+      const std::size_t row = weights.rows[k];
+      const std::vector<bool>& is_clipped = tree_.is_clipped[row];
+      const std::span<const double> values = row_of(row);
+      const double weight = weights.weight[k], share = weight / requirement_[row];
+      for (std::size_t j = 0; j < columns_; ++j) x[j] += is_clipped[j] ? weight * clipped : share * values[j];
+    }
+  }
+
+  template <class Take>
+  static void add_tails(WeightedSums& sums, const std::vector<double>& x, const Take& take_sum) {
+    double sum = 0;
+    for (std::size_t k = sums.order.size(); k-- > 0;) take_sum(sums.tail[k], sum += x[sums.order[k]]);
+  }
+
+  std::vector<double> limits_of(const WeightedSums& sums, double level) const {
+    const double of_column = (1 - share_of_rare) * level,
+                 of_tail = share_of_rare * level / static_cast<double>(columns_);
+    std::vector<double> limit(columns_);
+    double of_sum = 0;  // sampled part of the shortest tail with the column that was hit often enough
+    for (std::size_t k = 0; k < columns_; ++k) {
+      const ValidationEstimate& tail = sums.tail[k];
+      const ValidationEstimate& own = sums.column[sums.order[k]];
+      if (!tail.is_rare())
+        of_sum = std::max(0.0, tail.upper(of_tail) - tail.known);
+      else if (k == 0)
+        of_sum = tail.rare_upper(of_tail, ValidationEstimate::large_hit, 1) - tail.known;
+      double& upper = limit[sums.order[k]];
+      upper = own.upper(of_column);
+      if (own.hits < ValidationEstimate::min_hits && own.hits < own.sampled.count())
+        upper = std::max(upper, own.known + of_sum);
+      else if (own.sampled.is_skewed())
+        upper = std::max(
+            upper, own.mean() + success_probability_upper_limit(max_peaks, own.sampled.count(), of_column) *
+                                    2 * sums.largest[sums.order[k]]);
+    }
+    return limit;
+  }
+
+  const Refutation& tree_;
+  std::size_t columns_;
+  std::vector<double> requirement_;
+  std::vector<WeightedSums> sums_;           ///< by weights
+  std::vector<ValidationEstimate> entries_;  ///< by label and column
+};
+
+}  // namespace
+
+TestedRefutation test_refutation(const PreparedScene& prepared, const Refutation& refutation,
+                                 const SignalTable& planned, BatchRequest request, double level,
+                                 const RunControl& control) {
+  const ThreadLimit allowed(control.threads);
+  Test test(refutation, planned);
+  request.labels = refutation.labels;
+  const std::uint32_t batches = request.batches;
+  const std::size_t n = planned.columns();
+  std::vector<double> values(refutation.labels.size() * batches_at_once * n);
+  std::vector<std::uint32_t> taken(refutation.labels.size());
+  BatchRun run;
+  for (std::uint32_t first = 0; first < batches; first += batches_at_once) {
+    request.first = first;
+    request.batches = std::min(batches_at_once, batches - first);
+    std::fill(taken.begin(), taken.end(), 0U);
+    run = sample_batches(
+        prepared, request,
+        [&](const BatchRow& row) {
+          const std::size_t at = (row.label * batches_at_once + taken[row.label]++) * n;
+          std::copy(row.values.begin(), row.values.end(), values.begin() + static_cast<std::ptrdiff_t>(at));
+        },
+        control);
+    with_threads(control.threads, [&] { test.add(values, request.batches); });
+  }
+  test.add_known(run.known);
+  TestedRefutation tested;
+  with_threads(control.threads, [&] { tested.open = test.open_leaves(level); });
+  tested.fresh = test.rows(batches, run.samples_per_batch);
+  return tested;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,44 @@
+#include "shelfbeam/transport/run/prepared_scene.hpp"
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/transport/run/make_estimator.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// Before anything large is allocated.
+const Scene& that_fits(const Scene& scene, const SimulationOptions& options, bool keeps_matrix) {
+  require_memory(scene, options, keeps_matrix);
+  return scene;
+}
+
+std::unique_ptr<Estimator> estimator_that_fits(const World& world, const SimulationOptions& options,
+                                               bool keeps_matrix, const RunControl& control) {
+  auto estimator = make_estimator(world, options, control);
+  require_memory(world, *estimator, options, keeps_matrix);
+  return estimator;
+}
+
+}  // namespace
+
+PreparedScene::PreparedScene(const Scene& scene, const SimulationOptions& options, bool keeps_matrix,
+                             const RunControl& control)
+    : world_(that_fits(scene, options, keeps_matrix)),
+      estimator_(estimator_that_fits(world_, options, keeps_matrix, control)),
+      direct_(world_, options.rules(), control) {
+  if (!direct_.is_complete()) throw Interrupted("the simulation was stopped");
+}
+
+std::unique_ptr<const PreparedScene> prepare(const Scene& scene, const SimulationOptions& options,
+                                             bool keeps_matrix, const RunControl& control) {
+  const ThreadLimit allowed(control.threads);
+  std::unique_ptr<const PreparedScene> prepared;
+  with_threads(control.threads, [&] {
+    prepared = std::make_unique<const PreparedScene>(scene, options, keeps_matrix, control);
+  });
+  return prepared;
+}
+
+}  // namespace shelfbeam
