@@ -2,22 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/plan/bound_rows.hpp"
+#include "shelfbeam/plan/count_refuter.hpp"
 #include "shelfbeam/plan/refine.hpp"
-#include "shelfbeam/plan/refutation.hpp"
 #include "shelfbeam/plan/rounds.hpp"
-#include "shelfbeam/plan/test_refutation.hpp"
 
 namespace shelfbeam {
 
@@ -26,7 +21,6 @@ namespace {
 constexpr auto interrupted = "it was interrupted";
 constexpr std::size_t max_doubtful = 64;
 constexpr std::uint32_t max_rounds = 30;
-constexpr std::size_t max_leaves = 400'000;
 
 void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t>& more) {
   rows.insert(rows.end(), more.begin(), more.end());
@@ -46,7 +40,8 @@ class Certifier {
         control_(control),
         rounds_(options.confidence, options.budget, options.simulation.seed),
         table_(rule(matrix_)),
-        verdicts_(prepared.world().scene, options.simulation, certificate_.labels) {
+        verdicts_(prepared.world().scene, options.simulation, certificate_.labels),
+        refuter_(prepared, options.place, control) {
     certificate_.confidence = options.confidence;
     forget_verdicts();
   }
@@ -237,92 +232,21 @@ class Certifier {
     if (bound_holds()) fresh_.clear();
   }
 
-  // Tests a refutation of all selections of fewer than `count` units; false if there is none that the budget
-  // allows.
+  // Returns whether it has tested a refutation of all selections of fewer than `count` units.
   bool refute_fewer_than(std::size_t count, double level) {
-    if (count == 0 || failed_count_ <= count) return false;
-    if (refuted_count_ != count) {
-      open_leaves_.clear();
-      min_test_batches_ = min_verifying_batches;
-    }
-    refuted_count_ = count;
-    const SelectionBudget limit{std::vector<double>(table_.columns(), 1.0), static_cast<double>(count - 1)};
-    control_.report("proving", -1, fmt::format("round {}, refuting {} units", rounds_.round(), count - 1));
-    const auto found = promising_refutation(limit, level);
-    const double cost =
-        found ? bound_cost_ * static_cast<double>(found->refutation.labels.size()) * found->batches : 0;
-    if (!found || cost > rounds_.left()) {
-      failed_count_ = count;
-      if (found) set_obstacle(count, cost);
+    const double begun = rounds_.spent();
+    CountRefuter::Attempt attempt = refuter_.attempt(count, table_, matrix_, rounds_, level, bound_cost_);
+    if (!attempt.counterexample.empty()) doubtful_ = worst_off(attempt.counterexample);
+    if (!attempt.is_tested) {
+      if (attempt.cost > 0) set_obstacle(count, attempt.cost);
       return false;
     }
-    control_.report("proving", -1,
-                    fmt::format("round {}, {} labels, {} batches", rounds_.round(),
-                                found->refutation.labels.size(), found->batches));
-    const double begun = rounds_.spent();
-    TestedRefutation tested = test_refutation(
-        prepared_, found->refutation, table_,
-        rounds_.request(Purpose::bound, found->refutation.labels, found->batches), level, control_);
-    keep(std::move(tested.fresh), begun, found->refutation.labels.size(), found->batches);
-    open_leaves_ = std::move(tested.open);
-    min_test_batches_ = std::min(2 * min_test_batches_, Rounds::max_batches);
-    if (open_leaves_.empty()) {
-      refuted_count_ = 0;
-      raise_bound(static_cast<double>(count), found->refutation.labels.size());
+    keep(std::move(attempt.fresh), begun, attempt.labels, attempt.batches);
+    if (attempt.is_proven) {
+      raise_bound(static_cast<double>(count), attempt.labels);
       bound_obstacle_.clear();
     }
     return true;
-  }
-
-  struct Promising {
-    Refutation refutation;
-    std::uint32_t batches = 0;
-  };
-
-  // A refutation of the matrix with the largest reserve that allows one, and the batches that it is expected
-  // to need.
-  std::optional<Promising> promising_refutation(const SelectionBudget& limit, double level) {
-    constexpr double reserve_of_batches = 1.5;
-    const double seconds = rounds_.counts_samples() ? 60.0 : 0.1 * std::max(0.0, rounds_.left());
-    const Deadline deadline(seconds);
-    doubtful_.clear();
-    constexpr double reserves[] = {10.0, 7.0, 5.0, 3.5, 2.5, 1.7, 1.2, 0.8, 0.5, 0.3, 0.15};
-    const auto raised_by = [&](double errors) {
-      return raised_table(table_, matrix_, errors, min_verifying_batches);
-    };
-    // Labels that refute nothing with the smallest reserve refute nothing with a larger one.
-    if (labels_for(raised_by(*std::rbegin(reserves)), limit, deadline).empty()) return std::nullopt;
-    for (const double errors : reserves) {
-      const SignalTable raised = raised_by(errors);
-      const std::vector<std::uint32_t> labels = labels_for(raised, limit, deadline);
-      if (labels.empty()) continue;
-      RefutationSearch search =
-          find_refutation(raised, labels, limit, open_leaves_, max_leaves, deadline, control_);
-      if (!search.found) {
-        if (!search.counterexample.empty()) doubtful_ = worst_off(search.counterexample);
-        if (deadline.has_passed()) break;
-        continue;
-      }
-      const double needed = needed_batches(*search.found, table_, matrix_, level);
-      const double batches = std::max<double>(min_test_batches_, reserve_of_batches * needed);
-      if (batches > Rounds::max_batches) continue;
-      return Promising{std::move(*search.found), static_cast<std::uint32_t>(std::ceil(batches))};
-    }
-    return std::nullopt;
-  }
-
-  // Labels that may refute the selections of a limit: those of the relaxation if it does, otherwise core
-  // rows.
-  std::vector<std::uint32_t> labels_for(const SignalTable& raised, const SelectionBudget& limit,
-                                        const Deadline& deadline) {
-    const RelaxedCover relaxed = relaxed_cover(raised, limit, deadline, control_);
-    if (relaxed.is_refuted) return relaxed.labels;
-    PlaceOptions options;
-    options.time_limit_s = std::min(5.0, 0.2 * deadline.seconds_left());
-    options.step_limit = options_.place.step_limit;
-    const auto count = static_cast<std::size_t>(limit.budget) + 1;
-    CoreRows core = core_rows(raised, count_problem(), count, options, control_);
-    return core.suffice ? core.rows : std::vector<std::uint32_t>();
   }
 
   // Every selection misses the labels whose upper limits are below the requirement. Returns whether it has
@@ -385,7 +309,7 @@ class Certifier {
     for (const ValidationRow& row : fresh_) join(row, matrix_);
     fresh_.clear();
     table_ = rule_(matrix_);
-    failed_count_ = std::numeric_limits<std::size_t>::max();
+    refuter_.forget_failures();
     return true;
   }
 
@@ -428,7 +352,7 @@ class Certifier {
     placement.seconds += placement_.seconds;
     placement_ = std::move(placement);
     if (!is_same) forget_verdicts();
-    failed_count_ = std::numeric_limits<std::size_t>::max();
+    refuter_.forget_failures();
   }
 
   const PreparedScene& prepared_;
@@ -441,14 +365,11 @@ class Certifier {
   SignalTable table_;
   Certificate certificate_;
   LabelRounds verdicts_;
+  CountRefuter refuter_;
   std::uint32_t bound_batches_ = min_verifying_batches, refine_batches_ = min_verifying_batches;
-  std::size_t failed_count_ = std::numeric_limits<std::size_t>::max();  ///< no refutation on this matrix
   std::size_t bound_rows_ = max_doubtful;  ///< expected maximum number of core rows
   double bound_cost_ = 0;                  ///< per batch and label, in the budget's unit of measure
   std::string bound_obstacle_;             ///< the proof exceeds the budget; empty otherwise
-  std::uint32_t min_test_batches_ = min_verifying_batches;
-  std::size_t refuted_count_ = 0;  ///< the count below which `open_leaves_` are not refuted yet
-  std::vector<Refutation::Leaf> open_leaves_;
   std::vector<std::uint32_t> doubtful_;
   std::vector<ValidationRow> fresh_;  ///< not yet part of the matrix
   std::vector<RowsBefore> joined_;    ///< changes of the matrix since the placement

@@ -8,7 +8,6 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/deadline.hpp"
-#include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
@@ -19,9 +18,9 @@ struct SelectionBudget {
   double budget = 0;
 };
 
-/// A tree that refutes all selections S of a budget where signals add up. Its leaves are a partition of these
-/// selections. Each leaf has weights w_i >= 0 of labels, with sum 1, for which no selection of the leaf
-/// supplies
+/// A tree that refutes all selections S of a budget where signals add up. Each of these
+/// selections is in at least one leaf. Each leaf has weights w_i >= 0 of labels, with sum 1, for which no
+/// selection of the leaf supplies
 ///
 ///   sum_{j in S} x_j >= 1,   x_j = sum_i w_i x_ij,   x_ij = 1 if clipped, else M_ij / (gamma_i tau_i).
 ///
@@ -68,20 +67,6 @@ class LeafTotal {
   std::vector<std::uint32_t> mount_of_;  ///< by column: its mounting point with options, or none
   std::vector<Item> items_, of_mount_;
 };
-
-/// The linear relaxation of the question whether a selection of the budget reaches all labels.
-struct RelaxedCover {
-  bool is_refuted = false;            ///< no fractional selection does
-  std::vector<std::uint32_t> labels;  ///< ascending; labels that prove it
-};
-
-RelaxedCover relaxed_cover(const SignalTable& table, const SelectionBudget& limit, const Deadline& deadline,
-                           const RunControl& control);
-
-/// The batches that a test of a refutation is expected to need at this level, from the standard errors of the
-/// matrix; errors of different labels count as independent. Infinite if a leaf is not refuted by the means.
-double needed_batches(const Refutation& refutation, const SignalTable& table, const SignalMatrix& matrix,
-                      double level);
 
 /// The result of a search for a refutation.
 struct RefutationSearch {

@@ -1,4 +1,4 @@
-#include "shelfbeam/plan/test_refutation.hpp"
+#include "shelfbeam/plan/tested_refutation.hpp"
 
 #include <algorithm>
 #include <cstdint>

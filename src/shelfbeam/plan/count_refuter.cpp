@@ -1,0 +1,108 @@
+#include "shelfbeam/plan/count_refuter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/plan/bound_rows.hpp"
+#include "shelfbeam/plan/refutation_effort.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr std::size_t max_leaves = 400'000;
+// Share of the budget that is left, for the search for a refutation.
+constexpr double share_of_search = 0.1;
+constexpr double seconds_of_search = 60;  ///< if the budget is in samples
+
+}  // namespace
+
+CountRefuter::Attempt CountRefuter::attempt(std::size_t count, const SignalTable& table,
+                                            const SignalMatrix& matrix, Rounds& rounds, double level,
+                                            double cost) {
+  Attempt attempt;
+  if (count == 0 || failed_.contains(count)) return attempt;
+  Progress& progress = progress_[count];
+  const SelectionBudget limit{std::vector<double>(table.columns(), 1.0), static_cast<double>(count - 1)};
+  control_.report("proving", -1, fmt::format("round {}, refuting {} units", rounds.round(), count - 1));
+  const double seconds =
+      rounds.counts_samples() ? seconds_of_search : share_of_search * std::max(0.0, rounds.left());
+  const auto found = promising(limit, progress, table, matrix, seconds, level, attempt.counterexample);
+  if (!found) {
+    failed_.insert(count);
+    return attempt;
+  }
+  attempt.labels = found->refutation.labels.size();
+  attempt.batches = found->batches;
+  attempt.cost = cost * static_cast<double>(attempt.labels) * attempt.batches;
+  if (attempt.cost > rounds.left()) {
+    failed_.insert(count);
+    return attempt;
+  }
+  control_.report(
+      "proving", -1,
+      fmt::format("round {}, {} labels, {} batches", rounds.round(), attempt.labels, attempt.batches));
+  TestedRefutation tested = test_refutation(
+      prepared_, found->refutation, table,
+      rounds.request(Purpose::bound, found->refutation.labels, found->batches), level, control_);
+  attempt.is_tested = true;
+  attempt.is_proven = tested.open.empty();
+  attempt.fresh = std::move(tested.fresh);
+  progress.open = std::move(tested.open);
+  progress.min_batches = std::min(2 * progress.min_batches, Rounds::max_batches);
+  return attempt;
+}
+
+// A refutation of the matrix with the largest reserve that allows one, and the batches that it is expected
+// to need.
+std::optional<CountRefuter::Promising> CountRefuter::promising(
+    const SelectionBudget& limit, const Progress& progress, const SignalTable& table,
+    const SignalMatrix& matrix, double seconds, double level,
+    std::vector<std::uint32_t>& counterexample) const {
+  constexpr double reserve_of_batches = 1.5;
+  const Deadline deadline(seconds);
+  constexpr double reserves[] = {10.0, 7.0, 5.0, 3.5, 2.5, 1.7, 1.2, 0.8, 0.5, 0.3, 0.15};
+  const auto raised_by = [&](double errors) {
+    return raised_table(table, matrix, errors, min_verifying_batches);
+  };
+  // Labels that refute nothing with the smallest reserve refute nothing with a larger one.
+  if (labels_for(raised_by(*std::rbegin(reserves)), limit, deadline).empty()) return std::nullopt;
+  for (const double errors : reserves) {
+    const SignalTable raised = raised_by(errors);
+    const std::vector<std::uint32_t> labels = labels_for(raised, limit, deadline);
+    if (labels.empty()) continue;
+    RefutationSearch search =
+        find_refutation(raised, labels, limit, progress.open, max_leaves, deadline, control_);
+    if (!search.found) {
+      if (!search.counterexample.empty()) counterexample = std::move(search.counterexample);
+      if (deadline.has_passed()) break;
+      continue;
+    }
+    const double needed = needed_batches(*search.found, table, matrix, level);
+    const double batches = std::max<double>(progress.min_batches, reserve_of_batches * needed);
+    if (batches > Rounds::max_batches) continue;
+    return Promising{std::move(*search.found), static_cast<std::uint32_t>(std::ceil(batches))};
+  }
+  return std::nullopt;
+}
+
+// Labels that may refute the selections of a limit: those of the relaxation if it does, otherwise core
+// rows.
+std::vector<std::uint32_t> CountRefuter::labels_for(const SignalTable& raised, const SelectionBudget& limit,
+                                                    const Deadline& deadline) const {
+  const RelaxedCover relaxed = relaxed_cover(raised, limit, deadline, control_);
+  if (relaxed.is_refuted) return relaxed.labels;
+  PlaceOptions options;
+  options.time_limit_s = std::min(5.0, 0.2 * deadline.seconds_left());
+  options.step_limit = place_.step_limit;
+  const auto count = static_cast<std::size_t>(limit.budget) + 1;
+  CoreRows core = core_rows(raised, PlacementProblem(), count, options, control_);
+  return core.suffice ? core.rows : std::vector<std::uint32_t>();
+}
+
+}  // namespace shelfbeam
