@@ -174,6 +174,10 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
   add_path(*verb, "STORE", options->store, "Store file")->required();
   add_path(*verb, "-o,--output", options->folder, "Folder for the results")->required();
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
+  verb->get_option("--samples")
+      ->description(
+          "Samples per label, rounded up to whole batches; default: where the certificate needs them (10000 "
+          "with --no-certificate)");
   add_problem_options(*verb, options->problem);
   add_solver_options(*verb, options->solver);
   add_requirement_options(*verb, options->requirements);

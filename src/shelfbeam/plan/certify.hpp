@@ -35,7 +35,7 @@ using TableRule = std::function<SignalTable(const SignalMatrix&)>;
 /// The result of certifying a placement. `placement` is made on `matrix`, and the verdicts of `certificate`
 /// refer to its selection.
 struct Certified {
-  SignalMatrix matrix;  ///< updated with the independent samples
+  SignalMatrix matrix;  ///< updated with independent samples where the placement was in doubt
   Placement placement;
   Certificate certificate;
 };
@@ -43,17 +43,19 @@ struct Certified {
 /// Carries sampling errors through to the decision (docs/methods/certified_plan.md). Rounds r = 1, 2, ...
 /// have their own random numbers and the level a_r = (1 - confidence) / 2^r. Each round
 /// - simulates the selected units with independent samples and calls every label reached, missed or undecided
-///   (verification.hpp),
-/// - proves that upper confidence limits of a few labels' signals require the count of the placement
-///   (bound_rows.hpp),
-/// - updates the matrix with more samples, for all candidates, of the labels that are not reached, and solves
+///   (verification.hpp, rounds.hpp),
+/// - tests that fewer units cannot reach all labels (count_refuter.hpp; bound_rows.hpp where one unit alone
+/// must
+///   reach a label or may fail),
+/// - updates the matrix with more samples, for all candidates, of the labels that seem to be missed, and
+/// solves
 ///   the placement problem again.
 ///
 /// If the matrix leaves labels unreachable, their upper confidence limits must do so, too; every selection
 /// then misses them.
 ///
-/// Certification ends when both statements hold, when the budget is used up, when cancelled, or if a label is
-/// too near its requirement for the budget. An interrupted round leaves matrix and placement unchanged. Pass
+/// Certification ends when both statements hold, when the budget is used up or can decide nothing more, or
+/// when cancelled. An interrupted round leaves matrix and placement unchanged. Pass
 /// the matrix by move to avoid a copy. With a budget in samples and a step limit for placements, the result
 /// does not depend on the machine.
 ///

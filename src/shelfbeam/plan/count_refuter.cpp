@@ -70,11 +70,16 @@ std::optional<CountRefuter::Promising> CountRefuter::promising(
   const auto raised_by = [&](double errors) {
     return raised_table(table, matrix, errors, min_verifying_batches);
   };
-  // Labels that refute nothing with the smallest reserve refute nothing with a larger one.
-  if (labels_for(raised_by(*std::rbegin(reserves)), limit, deadline).empty()) return std::nullopt;
+  // Labels that refute nothing with the smallest reserve refute nothing with a larger one. If the relaxation
+  // refutes, exact searches for core rows, which take seconds for large stores, are not needed.
+  const SignalTable smallest = raised_by(*std::rbegin(reserves));
+  const bool is_relaxed = relaxed_cover(smallest, limit, deadline, control_).is_refuted;
+  if (!is_relaxed && core_labels(smallest, limit, deadline).empty()) return std::nullopt;
   for (const double errors : reserves) {
     const SignalTable raised = raised_by(errors);
-    const std::vector<std::uint32_t> labels = labels_for(raised, limit, deadline);
+    const std::vector<std::uint32_t> labels = is_relaxed
+                                                  ? relaxed_cover(raised, limit, deadline, control_).labels
+                                                  : core_labels(raised, limit, deadline);
     if (labels.empty()) continue;
     RefutationSearch search =
         find_refutation(raised, labels, limit, progress.open, max_leaves, deadline, control_);
@@ -91,12 +96,9 @@ std::optional<CountRefuter::Promising> CountRefuter::promising(
   return std::nullopt;
 }
 
-// Labels that may refute the selections of a limit: those of the relaxation if it does, otherwise core
-// rows.
-std::vector<std::uint32_t> CountRefuter::labels_for(const SignalTable& raised, const SelectionBudget& limit,
-                                                    const Deadline& deadline) const {
-  const RelaxedCover relaxed = relaxed_cover(raised, limit, deadline, control_);
-  if (relaxed.is_refuted) return relaxed.labels;
+// Labels that by themselves require more than the limit; empty if an exact search finds none.
+std::vector<std::uint32_t> CountRefuter::core_labels(const SignalTable& raised, const SelectionBudget& limit,
+                                                     const Deadline& deadline) const {
   PlaceOptions options;
   options.time_limit_s = std::min(5.0, 0.2 * deadline.seconds_left());
   options.step_limit = place_.step_limit;

@@ -52,8 +52,8 @@ class CountRefuter {
   std::optional<Promising> promising(const SelectionBudget& limit, const Progress& progress,
                                      const SignalTable& table, const SignalMatrix& matrix, double seconds,
                                      double level, std::vector<std::uint32_t>& counterexample) const;
-  std::vector<std::uint32_t> labels_for(const SignalTable& raised, const SelectionBudget& limit,
-                                        const Deadline& deadline) const;
+  std::vector<std::uint32_t> core_labels(const SignalTable& raised, const SelectionBudget& limit,
+                                         const Deadline& deadline) const;
 
   const PreparedScene& prepared_;
   const PlaceOptions& place_;
