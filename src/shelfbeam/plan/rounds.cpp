@@ -144,7 +144,8 @@ std::vector<std::uint32_t> LabelRounds::short_labels() const {
 
 std::string LabelRounds::obstacle(const Rounds& rounds) const {
   return std::isfinite(skipped_cost_) && skipped_cost_ < 1e9
-             ? fmt::format("deciding the rest would take about {:.0f} {}", skipped_cost_, rounds.unit())
+             ? fmt::format("deciding the rest would take about {:.0f} {}",
+                           std::max(1.0, std::ceil(skipped_cost_)), rounds.unit())
              : "labels are too close to their requirements";
 }
 
