@@ -75,25 +75,30 @@ std::optional<CountRefuter::Promising> CountRefuter::promising(
   const SignalTable smallest = raised_by(*std::rbegin(reserves));
   const bool is_relaxed = relaxed_cover(smallest, limit, deadline, control_).is_refuted;
   if (!is_relaxed && core_labels(smallest, limit, deadline).empty()) return std::nullopt;
-  for (const double errors : reserves) {
-    const SignalTable raised = raised_by(errors);
+  // Bisection: a smaller reserve closes whatever a larger one closes.
+  std::optional<Promising> best;
+  for (std::size_t low = 0, high = std::size(reserves); low < high && !deadline.has_passed();) {
+    const std::size_t middle = best || high < std::size(reserves) || low > 0 ? (low + high) / 2 : 0;
+    const SignalTable raised = raised_by(reserves[middle]);
     const std::vector<std::uint32_t> labels = is_relaxed
                                                   ? relaxed_cover(raised, limit, deadline, control_).labels
                                                   : core_labels(raised, limit, deadline);
-    if (labels.empty()) continue;
-    RefutationSearch search =
-        find_refutation(raised, labels, limit, progress.open, max_leaves, deadline, control_);
+    RefutationSearch search;
+    if (!labels.empty())
+      search = find_refutation(raised, labels, limit, progress.open, max_leaves, deadline, control_);
     if (!search.found) {
       if (!search.counterexample.empty()) counterexample = std::move(search.counterexample);
-      if (deadline.has_passed()) break;
+      low = middle + 1;
       continue;
     }
+    high = middle;
     const double needed = needed_batches(*search.found, table, matrix, level);
     const double batches = std::max<double>(progress.min_batches, reserve_of_batches * needed);
-    if (batches > Rounds::max_batches) continue;
-    return Promising{std::move(*search.found), static_cast<std::uint32_t>(std::ceil(batches))};
+    if (batches <= Rounds::max_batches)
+      best = {std::move(*search.found), static_cast<std::uint32_t>(std::ceil(batches))};
   }
-  return std::nullopt;
+  if (best) counterexample.clear();
+  return best;
 }
 
 // Labels that by themselves require more than the limit; empty if an exact search finds none.

@@ -286,7 +286,7 @@ TEST(CertifySlow, FalseStatementsAreAsRareAsPromised) {
     const std::size_t optimum = place(make_signal_table(truth), {model}, {}).count();
     ASSERT_GT(optimum, 1U);
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
-      PlanOptions options = plan_options(100 + seed, 1'000'000);
+      PlanOptions options = plan_options(100 + seed, 300'000);
       options.simulation.samples = std::uint64_t{batch_count} * 2;
       options.problem.model = model;
       options.confidence = std::nullopt;
