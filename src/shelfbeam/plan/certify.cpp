@@ -155,6 +155,13 @@ class Certifier {
     return place(upper.table, count_problem(), options, control_);
   }
 
+  // Of a batch of a label for all candidates. Before the first such batch, that of the chosen units, which
+  // takes at least a third of the time.
+  double expected_cost() const {
+    if (bound_cost_ > 0) return bound_cost_;
+    return (rounds_.counts_samples() ? 1 : 3) * verdicts_.cost();
+  }
+
   // Keeps new batches for the matrix and measures their cost.
   void keep(std::vector<ValidationRow> fresh, double begun, std::size_t rows, std::uint32_t batches) {
     for (const ValidationRow& row : fresh) rounds_.spend(row.samples);
@@ -204,7 +211,7 @@ class Certifier {
     }
     const std::uint32_t batches = bound_batches_;
     const std::vector<std::uint32_t> rows = promising_rows(count, level);
-    const double cost = bound_cost_ * static_cast<double>(rows.size()) * bound_batches_;
+    const double cost = expected_cost() * static_cast<double>(rows.size()) * bound_batches_;
     bound_obstacle_.clear();
     if (cost > rounds_.left()) {
       set_obstacle(count, cost);
@@ -235,7 +242,7 @@ class Certifier {
   // Returns whether it has tested a refutation of all selections of fewer than `count` units.
   bool refute_fewer_than(std::size_t count, double level) {
     const double begun = rounds_.spent();
-    CountRefuter::Attempt attempt = refuter_.attempt(count, table_, matrix_, rounds_, level, bound_cost_);
+    CountRefuter::Attempt attempt = refuter_.attempt(count, table_, matrix_, rounds_, level, expected_cost());
     if (!attempt.counterexample.empty()) doubtful_ = worst_off(attempt.counterexample);
     if (!attempt.is_tested) {
       if (attempt.cost > 0) set_obstacle(count, attempt.cost);
@@ -254,7 +261,7 @@ class Certifier {
   bool prove_unreachable(double level) {
     const std::vector<std::uint32_t> rows = open_labels();
     if (rows.empty()) return false;
-    const double cost = bound_cost_ * static_cast<double>(rows.size()) * bound_batches_;
+    const double cost = expected_cost() * static_cast<double>(rows.size()) * bound_batches_;
     if (cost > rounds_.left()) return false;
     for (const Unreachable& label : fewest_for(rows, table_.columns(), level).unreachable) {
       LabelVerdict& verdict = certificate_.labels[rows[label.label]];
@@ -315,7 +322,7 @@ class Certifier {
 
   // At most a third of the budget that is left; 0 if that is too little.
   std::uint32_t affordable_batches(std::size_t rows) const {
-    const double each = bound_cost_ * static_cast<double>(rows);
+    const double each = expected_cost() * static_cast<double>(rows);
     const double most = each > 0 ? rounds_.left() / (3 * each) : refine_batches_;
     if (most < 16) return 0;
     return static_cast<std::uint32_t>(std::min<double>(refine_batches_, most));

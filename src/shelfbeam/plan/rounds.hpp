@@ -87,6 +87,8 @@ class LabelRounds {
   /// first.
   std::size_t verify(Rounds& rounds, double level, const RunControl& control);
 
+  /// Cost of a batch of a label, in the budget's unit of measure; 0 before the first.
+  double cost() const { return cost_; }
   /// Labels whose estimated signal is below the requirement.
   std::vector<std::uint32_t> short_labels() const;
   /// The reason why labels stay open, such as "deciding the rest would take about 40 s".
