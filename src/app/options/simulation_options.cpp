@@ -167,7 +167,7 @@ void add_run_options(CLI::App& verb, SimulationFlags& flags) {
       ->group(group::runs);
 }
 
-std::string describe(const SimulationSummary& summary) {
+std::string describe(const SimulationSummary& summary, bool follows_decision) {
   const std::string samples = summary.min_samples == summary.max_samples
                                   ? fmt::format("{}", summary.min_samples)
                                   : fmt::format("{} to {}", summary.min_samples, summary.max_samples);
@@ -195,9 +195,10 @@ std::string describe(const SimulationSummary& summary) {
   }
   if (std::any_of(summary.errors.begin(), summary.errors.end(),
                   [](const ErrorQuantiles& errors) { return errors.flagged > 0; }))
-    text +=
-        "\nflagged: few batches found most of the light, so the error is not reliable; use more samples. "
-        "'/flags' in the signal file marks these entries";
+    text += fmt::format(
+        "\nflagged: few batches found most of the light, so the error is not reliable{}. '/flags' in "
+        "the signal file marks these entries",
+        follows_decision ? "" : "; use more samples");
   if (summary.unmet_error) {
     text += fmt::format(
         "\n{2} entries have not reached a relative error of {0:g} %, and {1} of these require more than "
@@ -208,7 +209,10 @@ std::string describe(const SimulationSummary& summary) {
                           100 * entry.relative_error, entry.is_flagged ? ", flagged" : "",
                           entry.is_out_of_reach ? ", requires more than --max-samples" : "");
   }
-  return text + fmt::format("\nhalving these errors would take another {:.0f} s", summary.seconds_to_halve);
+  return text + (follows_decision ? "\nthe certificate takes more samples only where they decide; all other "
+                                    "entries keep these errors"
+                                  : fmt::format("\nhalving these errors would take another {:.0f} s",
+                                                summary.seconds_to_halve));
 }
 
 nlohmann::ordered_json to_json(const SimulationSummary& summary) {

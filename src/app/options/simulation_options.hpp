@@ -45,8 +45,9 @@ void add_run_options(CLI::App& verb, SimulationFlags& flags);
 /// --by-bounce and --by-length, for verbs that write a signal file.
 void add_layers(CLI::App& verb, SimulationFlags& flags);
 
-/// A few lines: size, effort and errors of the simulation.
-std::string describe(const SimulationSummary& summary);
+/// A few lines: size, effort and errors of the simulation. If a certificate decides where more samples are
+/// taken, they say so instead of predicting the time for smaller errors.
+std::string describe(const SimulationSummary& summary, bool follows_decision = false);
 nlohmann::ordered_json to_json(const SimulationSummary& summary);
 
 }  // namespace shelfbeam::app

@@ -151,8 +151,9 @@ int run_plan(const Options& options) {
   if (options.common.json)
     fmt::print("{}", answer);
   else if (!options.common.quiet)
-    fmt::print("{}\n{}{}report: {}\n", describe(summary), describe(plan.placement, table),
-               additions(options, plan, table), (options.folder / report_name).string());
+    fmt::print("{}\n{}{}report: {}\n", describe(summary, follows_decision(options)),
+               describe(plan.placement, table), additions(options, plan, table),
+               (options.folder / report_name).string());
   if (options.common.json && !options.common.quiet && is_imprecise(plan))
     fmt::print(
         stderr,

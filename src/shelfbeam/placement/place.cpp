@@ -50,6 +50,23 @@ Placement infeasible(const SignalTable& table, const PlacementProblem& problem,
 
 using Selection = std::optional<std::vector<std::uint32_t>>;
 
+double value_of(const Check& check, const PlacementProblem& problem, std::size_t count) {
+  return problem.combination == Combination::weighted ? check.transceiver_cost + check.objective
+                                                      : static_cast<double>(count);
+}
+
+/// The cheaper feasible one of two selections, the first if both cost the same.
+Selection better_of(const SignalTable& table, const PlacementProblem& problem,
+                    const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) {
+  const Check of_first = check_selection(table, problem, first);
+  if (second.empty()) return of_first.met() ? Selection(first) : std::nullopt;
+  const Check of_second = check_selection(table, problem, second);
+  if (!of_second.met()) return of_first.met() ? Selection(first) : std::nullopt;
+  const bool is_cheaper =
+      value_of(of_second, problem, second.size()) < value_of(of_first, problem, first.size());
+  return is_cheaper || !of_first.met() ? second : first;
+}
+
 /// A selection with the bounds that need no search.
 Placement greedy_placement(const SignalTable& table, const PlacementProblem& problem,
                            const Selection& selected) {
@@ -85,17 +102,15 @@ Placement place(const SignalTable& table, const PlacementProblem& problem, const
     const bool searches = without_mip || options.solver == SolverChoice::automatic;
     const auto left = [&] { return options.step_limit ? infinite : options.time_limit_s - elapsed(); };
     const std::vector<std::uint32_t> greedy = greedy_selection(table, problem);
-    Selection known;
-    if (check_selection(table, problem, greedy).met())
-      known = greedy;
-    else if (searches)
+    Selection known = better_of(table, problem, greedy, options.start);
+    if (!known && searches)
       known = detail::first_selection(table, problem, greedy, 0.2 * left(), options.seed, control);
     if (options.solver == SolverChoice::greedy) {
       placement = greedy_placement(table, problem, known);
     } else if (known && searches) {
       placement = detail::search_placement(
           table, problem, *known, {backends, without_mip}, left(), options.seed, control,
-          {.settles_ties = options.settles_ties, .step_limit = options.step_limit});
+          {.proves = options.proves, .settles_ties = options.settles_ties, .step_limit = options.step_limit});
     } else if (without_mip || (searches && table.entries.size() > detail::SearchLimits{}.max_model_entries)) {
       placement = greedy_placement(table, problem, known);
       placement.solver = "search";

@@ -132,7 +132,7 @@ Placement search(SearchState& state) {
   if (!state.out_of_time()) improve(state, opening(state));
   const Selection of_opening = state.incumbent.selected();
   state.report_state();
-  run(schedule, state);
+  if (state.limits.proves) run(schedule, state);
   if (!state.is_weighted && state.problem.objective != Objective::count) {
     std::vector<double> cost = objective_coefficients(state.table, state.problem);
     const CostBounds bounds(state.table, cost);

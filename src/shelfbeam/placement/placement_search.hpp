@@ -29,6 +29,7 @@ struct SearchLimits {
   std::size_t max_model_entries = 20'000'000;  ///< of the whole model if no selection is known
   std::size_t max_small_lp_entries = 5'000'000;
   std::size_t max_checked_steps = 1'000'000;  ///< of a tree's log
+  bool proves = true;
   bool settles_ties = true;
   std::optional<std::uint64_t> step_limit = {};  ///< PlaceOptions::step_limit
 };

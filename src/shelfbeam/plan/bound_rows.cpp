@@ -68,8 +68,7 @@ SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint3
   return part;
 }
 
-// Limits per entry: its own, that of a sum, and that of a rarely hit sum.
-constexpr double limits_an_entry = 3;
+constexpr double share_of_entries = 0.8, share_of_sums = 0.1, share_of_rare = 0.1;
 
 // The columns of a row in descending order of signal.
 std::vector<std::uint32_t> by_strength(const SignalTable& planned, std::uint32_t row) {
@@ -82,9 +81,14 @@ std::vector<std::uint32_t> by_strength(const SignalTable& planned, std::uint32_t
   return order;
 }
 
+struct LimitLevels {
+  double entry = 0, sum = 0, rare = 0;
+};
+
 // `sums` contains the columns of a row in `order`, then for each column the sum from it to the last.
 void add_limits(SignalTable& table, std::span<const ValidationEstimate> sums,
-                const std::vector<std::uint32_t>& order, double level, double largest, double requirement) {
+                const std::vector<std::uint32_t>& order, const LimitLevels& level, double largest,
+                double requirement) {
   const std::size_t n = order.size();
   std::vector<double> limit(n);
   double of_sum = 0;  // sampled part of the shortest sum with entry k that was hit often enough
@@ -92,10 +96,10 @@ void add_limits(SignalTable& table, std::span<const ValidationEstimate> sums,
     const ValidationEstimate& own = sums[k];
     const ValidationEstimate& sum = sums[n + k];
     if (!sum.is_rare())
-      of_sum = std::max(0.0, sum.upper(level) - sum.known);
+      of_sum = std::max(0.0, sum.upper(level.sum) - sum.known);
     else if (k == 0)
-      of_sum = sum.rare_upper(level, largest, requirement) - sum.known;
-    limit[order[k]] = own.is_rare() ? own.known + of_sum : own.upper(level);
+      of_sum = sum.rare_upper(level.rare, largest, requirement) - sum.known;
+    limit[order[k]] = own.is_rare() ? own.known + of_sum : own.upper(level.entry);
   }
   for (std::uint32_t j = 0; j < n; ++j)
     if (limit[j] > 0) table.entries.push_back({j, limit[j]});
@@ -103,7 +107,7 @@ void add_limits(SignalTable& table, std::span<const ValidationEstimate> sums,
 }
 
 UpperConfidenceRows upper_confidence_rows(const PreparedScene& prepared, const SignalTable& planned,
-                                          const BatchRequest& request, double level, std::size_t signals,
+                                          const BatchRequest& request, double level, LimitCounts counts,
                                           const RunControl& control) {
   const std::size_t n = planned.columns();
   const std::vector<std::uint32_t> rows(request.labels.begin(), request.labels.end());
@@ -121,11 +125,12 @@ UpperConfidenceRows upper_confidence_rows(const PreparedScene& prepared, const S
   UpperConfidenceRows result{table_of_rows(planned, rows), {}};
   result.table.entries.clear();
   result.table.row_begin = {0};
-  // P(any limit is too low) <= 3 r s (level / (3 r s)), for s signals in each of r rows (Bonferroni).
-  const double of_one = level / (limits_an_entry * static_cast<double>(signals) *
-                                 static_cast<double>(std::max<std::size_t>(1, rows.size())));
+  const LimitLevels levels{
+      share_of_entries * level / static_cast<double>(counts.entries),
+      share_of_sums * level / static_cast<double>(counts.sums),
+      share_of_rare * level / static_cast<double>(std::max<std::size_t>(1, rows.size()))};
   for (std::size_t k = 0; k < rows.size(); ++k)
-    add_limits(result.table, fresh.of(k), orders[k], of_one, fresh.largest,
+    add_limits(result.table, fresh.of(k), orders[k], levels, fresh.largest,
                result.table.labels[k].requirement);
   for (std::size_t k = 0; k < rows.size(); ++k)
     result.fresh.push_back(validation_row(fresh, k, rows[k], orders[k]));
@@ -140,33 +145,33 @@ void raise_row(SignalTable& table, const SignalMatrix& matrix, std::size_t i, do
     SignalEntry& entry = table.entries[e];
     const std::size_t at = matrix.at(i, entry.transceiver);
     const double times = !matrix.flags.empty() && matrix.flags[at] != 0 ? errors_of_flagged * errors : errors;
-    entry.signal += times * static_cast<double>(matrix.standard_error[at]);
+    entry.signal = std::max(0.0, entry.signal + times * static_cast<double>(matrix.standard_error[at]));
   }
 }
 
-SignalTable predicted_upper_rows(const SignalTable& planned, const SignalMatrix& matrix, std::size_t rows,
-                                 double level, std::size_t signals, std::uint32_t batches) {
-  const double statements =
-      limits_an_entry * static_cast<double>(signals) * static_cast<double>(std::max<std::size_t>(1, rows));
-  const double quantile = student_quantile(1 - level / statements, batches - 1);
+double expected_errors(double level, LimitCounts counts, std::uint32_t batches) {
   constexpr double reserve = 1.1;  // errors of the new batches may be larger
-  return raised_table(planned, matrix, reserve * quantile, batches);
+  return reserve *
+         student_quantile(1 - share_of_entries * level / static_cast<double>(counts.entries), batches - 1);
 }
 
 SignalTable raised_table(const SignalTable& planned, const SignalMatrix& matrix, double errors,
-                         std::uint32_t batches) {
+                         std::uint32_t batches, double planned_errors) {
   SignalTable table = planned;
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    raise_row(table, matrix, i, errors * std::sqrt(static_cast<double>(matrix.labels[i].batches) / batches));
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double ratio = std::sqrt(static_cast<double>(matrix.labels[i].batches) / batches);
+    raise_row(table, matrix, i, errors * ratio + planned_errors);
+  }
   return table;
 }
 
-CoreRows core_rows(const SignalTable& table, const PlacementProblem& problem, std::size_t count,
-                   const PlaceOptions& given, const RunControl& control) {
+CoreRows core_rows(const SignalTable& table, const BoundGoal& goal, double cost, const PlaceOptions& given,
+                   const RunControl& control) {
+  const PlacementProblem& problem = goal.problem;
   const Deadline deadline(given.time_limit_s);
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t i = 0; i < table.rows(); ++i)
-    order.emplace_back(max_of(table, problem, i, std::max<std::size_t>(count, 2) - 1), i);
+    order.emplace_back(max_of(table, problem, i, std::max<std::size_t>(1, goal.max_units_below(cost))), i);
   CoreRows decisive;
   decisive.rows = spread(table, std::move(order));
   std::sort(decisive.rows.begin(), decisive.rows.end());
@@ -174,9 +179,10 @@ CoreRows core_rows(const SignalTable& table, const PlacementProblem& problem, st
   while ((options.step_limit || !deadline.has_passed()) && !control.cancelled()) {
     options.time_limit_s = deadline.seconds_left();
     options.settles_ties = false;
-    const Placement answer = place(table_of_rows(table, decisive.rows), problem, options, control);
-    decisive.suffice = answer.count_lower_bound >= static_cast<double>(count);
-    if (decisive.suffice || !answer.has_selection() || answer.count() >= count) break;
+    const Placement answer =
+        place(goal.priced(table_of_rows(table, decisive.rows)), problem, options, control);
+    decisive.suffice = goal.bound_of(answer) >= cost;
+    if (decisive.suffice || !answer.has_selection() || answer.objective_value >= cost) break;
     const Check check = check_selection(table, problem, answer.selected);
     order.clear();
     for (const std::uint32_t i : check.unmet)

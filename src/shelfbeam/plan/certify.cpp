@@ -9,8 +9,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
-#include "shelfbeam/plan/bound_rows.hpp"
-#include "shelfbeam/plan/count_refuter.hpp"
+#include "shelfbeam/plan/bound_rounds.hpp"
 #include "shelfbeam/plan/refine.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 
@@ -19,13 +18,27 @@ namespace shelfbeam {
 namespace {
 
 constexpr auto interrupted = "it was interrupted";
-constexpr std::size_t max_doubtful = 64;
 constexpr std::uint32_t max_rounds = 30;
+constexpr std::uint32_t min_refining_batches = 16;
+// Shares of the time limit of a placement.
+constexpr double share_of_quick = 0.1, share_of_again = 0.25;
+// Sharpening: rounds, errors by which signals may be higher, or lower, than their means, and margins of a
+// selection, the widest first.
+constexpr int max_sharpenings = 8;
+constexpr std::size_t sharpening_batches = 4096;  ///< of all labels together
+constexpr double errors_of_hope = 0.5, errors_at_risk = 1;
+constexpr double margins_to_try[] = {0.04, 0.02, 0.01, 0.005, 0};
 
 void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t>& more) {
   rows.insert(rows.end(), more.begin(), more.end());
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+}
+
+bool is_better(const Placement& one, const Placement& other) {
+  if (!one.has_selection() || !other.has_selection()) return one.has_selection() && !other.has_selection();
+  return one.problem.combination == Combination::weighted ? one.objective_value < other.objective_value
+                                                          : one.count() < other.count();
 }
 
 class Certifier {
@@ -41,28 +54,63 @@ class Certifier {
         rounds_(options.confidence, options.budget, options.simulation.seed),
         table_(rule(matrix_)),
         verdicts_(prepared.world().scene, options.simulation, certificate_.labels),
-        refuter_(prepared, options.place, control) {
+        bound_(prepared, options.place, control, certificate_) {
     certificate_.confidence = options.confidence;
-    forget_verdicts();
+    aim();
   }
 
   Certified run() {
     try {
+      if (placement_.status == Status::stopped && placement_.gap() > 0) sharpen();
       while (!is_done() && rounds_.round() < max_rounds && run_round()) {
       }
     } catch (const Interrupted&) {
       certificate_.open = interrupted;
     }
-    // The placement refers to the matrix on which it was made.
-    while (!joined_.empty()) {
-      joined_.back().restore(matrix_);
-      joined_.pop_back();
-    }
+    restore();
     certificate_.seconds = rounds_.seconds();
     return {std::move(matrix_), std::move(placement_), std::move(certificate_)};
   }
 
  private:
+  // A search that stopped leaves a gap, which may be due to errors of the signals, and a selection that may
+  // just suffice. Looks for a cheap selection with some margin, and samples the labels that decide on it.
+  bool sharpen() {
+    std::vector<std::uint32_t> best = placement_.selected;
+    for (int k = 0; k < max_sharpenings && rounds_.left() > 0; ++k) {
+      best = promising_selection(best);
+      const std::vector<std::uint32_t> rows = worst_off(lowered(errors_at_risk), best);
+      if (rows.empty()) break;
+      const auto batches = static_cast<std::uint32_t>(sharpening_batches / rows.size());
+      if (!refine(rows, std::max(min_verifying_batches, batches))) break;
+      join_fresh();
+    }
+    return place_again(best);
+  }
+
+  // The cheapest selection that quick searches find on raised signals, `best` included, or one of this value
+  // with a larger margin.
+  std::vector<std::uint32_t> promising_selection(const std::vector<std::uint32_t>& best) {
+    const Placement cheapest = quick_placement(raised_table(table_, matrix_, 0, 1, errors_of_hope), best);
+    if (!cheapest.has_selection()) return best;
+    for (const double margin : margins_to_try) {
+      SignalTable demanding = table_;
+      for (SignalEntry& entry : demanding.entries) entry.signal /= 1 + margin;
+      const Placement wide = quick_placement(demanding, cheapest.selected);
+      if (wide.has_selection() && !is_better(cheapest, wide)) return wide.selected;
+    }
+    return cheapest.selected;
+  }
+
+  Placement quick_placement(const SignalTable& table, const std::vector<std::uint32_t>& start) {
+    PlaceOptions options = in_time(share_of_quick);
+    options.start = start;
+    options.proves = options.settles_ties = false;
+    return place(table, placement_.problem, options, control_);
+  }
+
+  SignalTable lowered(double errors) const { return raised_table(table_, matrix_, 0, 1, -errors); }
+
   // Returns whether another round can add something; otherwise sets the reason.
   bool run_round() {
     rounds_.next();
@@ -77,7 +125,8 @@ class Certifier {
       has_worked = prove_unreachable(level);
     } else {
       has_worked = verdicts_.verify(rounds_, level, control_) > 0;
-      if (!bound_holds() && prove_bound(level)) has_worked = true;
+      if (!bound_.holds() && bound_.prove(table_, matrix_, rounds_, level, verdicts_.cost()))
+        has_worked = true;
     }
     if (is_done()) return false;
     if (control_.cancelled()) throw Interrupted(interrupted);
@@ -94,10 +143,12 @@ class Certifier {
                                      "that reaches all labels"
                                    : "labels are too close to their requirements";
     if (!certificate_.all_reached()) return verdicts_.obstacle(rounds_);
-    return bound_obstacle_.empty() ? "signals are too close to requirements for a proof" : bound_obstacle_;
+    return bound_.obstacle().empty() ? "signals are too close to requirements for a proof"
+                                     : bound_.obstacle();
   }
 
-  void forget_verdicts() {
+  // Verdicts and bound refer to the placement.
+  void aim() {
     certificate_.labels.assign(matrix_.rows(), {});
     for (std::size_t i = 0; i < matrix_.rows(); ++i)
       certificate_.labels[i].requirement = matrix_.labels[i].requirement;
@@ -105,243 +156,123 @@ class Certifier {
     for (std::size_t i = 0; i < matrix_.rows(); ++i)
       for (const std::uint32_t j : placement_.selected) planned.push_back(matrix_.mean[matrix_.at(i, j)]);
     verdicts_.select(placement_.problem, placement_.selected, std::move(planned));
+    if (placement_.has_selection()) bound_.aim(table_, placement_);
   }
 
-  bool bound_holds() const {
-    return placement_.has_selection()
-               ? static_cast<double>(certificate_.count_lower_bound) >= placement_.count_lower_bound
-               : certificate_.count(Verdict::missed) > 0;
-  }
   bool is_done() const {
-    return bound_holds() && (!placement_.has_selection() || certificate_.all_reached());
+    if (!placement_.has_selection()) return certificate_.count(Verdict::missed) > 0;
+    return bound_.holds() && certificate_.all_reached();
   }
 
   // Without a selection: labels that no selection seems to reach.
   std::vector<std::uint32_t> open_labels() const {
     std::vector<std::uint32_t> rows;
     for (const Unreachable& label : placement_.unreachable) rows.push_back(label.label);
-    rows.resize(std::min(rows.size(), max_doubtful));
+    rows.resize(std::min(rows.size(), BoundRounds::max_doubtful));
     std::sort(rows.begin(), rows.end());
     return rows;
   }
 
-  PlaceOptions in_time() const {
+  // A placement that was proven optimal may use its whole time limit again.
+  PlaceOptions in_time(double share) const {
     PlaceOptions options = options_.place;
     if (rounds_.counts_samples()) return options;
+    if (placement_.status != Status::optimal) options.time_limit_s *= share;
     options.time_limit_s = std::min(options.time_limit_s, std::max(1.0, rounds_.left()));
     return options;
   }
 
-  // Limits per row that must hold for a bound: those of the units of one selection that contradicts it, or of
-  // the links by which it reaches a label.
-  std::size_t signals_at_stake() const {
-    if (placement_.problem.model == CommunicationModel::cooperative)
-      return std::max<std::size_t>(1, static_cast<std::size_t>(placement_.count_lower_bound) - 1);
-    return placement_.problem.redundant ? 2 : 1;
-  }
-
-  // The placement that upper confidence limits of some labels' signals require. The batches are kept: if they
-  // do not prove the bound, they update the matrix.
-  Placement fewest_for(const std::vector<std::uint32_t>& rows, std::size_t signals, double level) {
-    control_.report(
-        "proving", -1,
-        fmt::format("round {}, {} labels, {} batches", rounds_.round(), rows.size(), bound_batches_));
-    const double begun = rounds_.spent();
-    UpperConfidenceRows upper = upper_confidence_rows(
-        prepared_, table_, rounds_.request(Purpose::bound, rows, bound_batches_), level, signals, control_);
-    keep(std::move(upper.fresh), begun, rows.size(), bound_batches_);
-    PlaceOptions options = in_time();
-    options.settles_ties = false;
-    return place(upper.table, count_problem(), options, control_);
-  }
-
-  // Of a batch of a label for all candidates. Before the first such batch, that of the chosen units, which
-  // takes at least a third of the time.
-  double expected_cost() const {
-    if (bound_cost_ > 0) return bound_cost_;
-    return (rounds_.counts_samples() ? 1 : 3) * verdicts_.cost();
-  }
-
-  // Keeps new batches for the matrix and measures their cost.
-  void keep(std::vector<ValidationRow> fresh, double begun, std::size_t rows, std::uint32_t batches) {
-    for (const ValidationRow& row : fresh) rounds_.spend(row.samples);
-    bound_cost_ = std::max(1e-12, (rounds_.spent() - begun) / (static_cast<double>(rows) * batches));
-    bound_rows_ = std::max(bound_rows_, rows);
-    fresh_ = std::move(fresh);
-  }
-
-  PlacementProblem count_problem() const {
-    PlacementProblem problem;
-    problem.model = placement_.problem.model;
-    problem.redundant = placement_.problem.redundant;
-    return problem;
-  }
-
-  // Core rows for `count` units, expected from the batches of this round or, after the first round, from the
-  // smallest larger number that suffices. Sets bound_batches_ if there are any.
-  std::vector<std::uint32_t> promising_rows(std::size_t count, double level) {
-    const std::uint32_t max_batches = Rounds::max_batches;
-    std::vector<std::uint32_t> rows;
-    for (std::uint32_t batches = bound_batches_;; batches = Rounds::more(batches)) {
-      control_.report(
-          "proving", -1,
-          fmt::format("round {}, core rows for {} units, {} batches", rounds_.round(), count, batches));
-      const SignalTable expected =
-          predicted_upper_rows(table_, matrix_, bound_rows_, level, signals_at_stake(), batches);
-      PlaceOptions options;
-      options.time_limit_s =
-          rounds_.counts_samples() ? options_.place.time_limit_s : 0.1 * std::max(0.0, rounds_.left());
-      options.step_limit = options_.place.step_limit;
-      CoreRows decisive = core_rows(expected, count_problem(), count, options, control_);
-      if (rows.empty() || decisive.suffice) rows = std::move(decisive.rows);
-      if (decisive.suffice) bound_batches_ = batches;
-      if (decisive.suffice || batches >= max_batches || control_.cancelled()) return rows;
-    }
-  }
-
-  // Returns whether it has sampled.
-  bool prove_bound(double level) {
-    const auto count = static_cast<std::size_t>(placement_.count_lower_bound);
-    const bool adds_up =
-        placement_.problem.model == CommunicationModel::cooperative && !placement_.problem.redundant;
-    if (adds_up) {
-      for (std::size_t target = count; target > certificate_.count_lower_bound; --target)
-        if (refute_fewer_than(target, level)) return true;
-      return false;
-    }
-    const std::uint32_t batches = bound_batches_;
-    const std::vector<std::uint32_t> rows = promising_rows(count, level);
-    const double cost = expected_cost() * static_cast<double>(rows.size()) * bound_batches_;
-    bound_obstacle_.clear();
-    if (cost > rounds_.left()) {
-      set_obstacle(count, cost);
-      bound_batches_ = batches;
-      return false;
-    }
-    const Placement fewest = fewest_for(rows, signals_at_stake(), level);
-    raise_bound(std::min(fewest.count_lower_bound, static_cast<double>(count)), rows.size());
-    doubtful_.clear();
-    if (!bound_holds() && fewest.has_selection()) doubtful_ = worst_off(fewest.selected);
-    bound_batches_ = Rounds::more(bound_batches_);
-    return true;
-  }
-
-  void set_obstacle(std::size_t count, double cost) {
-    bound_obstacle_ = fmt::format("proving that {} {} needed would take about {:.0f} {}", count,
-                                  count == 1 ? "is" : "are", std::max(1.0, cost), rounds_.unit());
-  }
-
-  void raise_bound(double bound, std::size_t labels) {
-    if (static_cast<std::size_t>(bound) > certificate_.count_lower_bound) {
-      certificate_.count_lower_bound = static_cast<std::size_t>(bound);
-      certificate_.bound_labels = labels;
-    }
-    if (bound_holds()) fresh_.clear();
-  }
-
-  // Returns whether it has tested a refutation of all selections of fewer than `count` units.
-  bool refute_fewer_than(std::size_t count, double level) {
-    const double begun = rounds_.spent();
-    CountRefuter::Attempt attempt = refuter_.attempt(count, table_, matrix_, rounds_, level, expected_cost());
-    if (!attempt.counterexample.empty()) doubtful_ = worst_off(attempt.counterexample);
-    if (!attempt.is_tested) {
-      if (attempt.cost > 0) set_obstacle(count, attempt.cost);
-      return false;
-    }
-    keep(std::move(attempt.fresh), begun, attempt.labels, attempt.batches);
-    if (attempt.is_proven) {
-      raise_bound(static_cast<double>(count), attempt.labels);
-      bound_obstacle_.clear();
-    }
-    return true;
-  }
-
-  // Every selection misses the labels whose upper limits are below the requirement. Returns whether it has
-  // sampled.
   bool prove_unreachable(double level) {
-    const std::vector<std::uint32_t> rows = open_labels();
-    if (rows.empty()) return false;
-    const double cost = expected_cost() * static_cast<double>(rows.size()) * bound_batches_;
-    if (cost > rounds_.left()) return false;
-    for (const Unreachable& label : fewest_for(rows, table_.columns(), level).unreachable) {
-      LabelVerdict& verdict = certificate_.labels[rows[label.label]];
-      verdict.verdict = Verdict::missed;
-      verdict.upper = label.max_signal;
-      verdict.samples = fresh_[label.label].samples;
-    }
-    for (const Unreachable& label : placement_.unreachable)
-      certificate_.labels[label.label].signal = label.max_signal;
-    bound_batches_ = Rounds::more(bound_batches_);
-    return true;
+    const bool has_sampled =
+        bound_.prove_unreachable(table_, open_labels(), placement_.problem, rounds_, level, verdicts_.cost());
+    if (has_sampled)
+      for (const Unreachable& label : placement_.unreachable)
+        certificate_.labels[label.label].signal = label.max_signal;
+    return has_sampled;
   }
 
-  // Labels that a selection misses on the matrix, the smallest margin first.
-  std::vector<std::uint32_t> worst_off(const std::vector<std::uint32_t>& selected) const {
-    const Check check = check_selection(table_, placement_.problem, selected);
+  // Labels that a selection misses, the smallest margin first.
+  std::vector<std::uint32_t> worst_off(const SignalTable& table,
+                                       const std::vector<std::uint32_t>& selected) const {
+    const Check check = check_selection(table, placement_.problem, selected);
     std::vector<std::uint32_t> rows = check.unmet;
+    const auto share = [&](std::uint32_t i) {
+      return check.signal[i] / requirement_of(table.labels[i], placement_.problem.model);
+    };
     std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::pair(check.signal[a] / table_.labels[a].requirement, a) <
-             std::pair(check.signal[b] / table_.labels[b].requirement, b);
+      return std::pair(share(a), a) < std::pair(share(b), b);
     });
-    rows.resize(std::min(rows.size(), max_doubtful));
+    rows.resize(std::min(rows.size(), BoundRounds::max_doubtful));
     return rows;
   }
 
-  // Updates the matrix with more samples, for all candidates, of the labels that seem to be missed, and
-  // solves the placement problem again: both or neither. False if nothing changes.
-  bool improve() {
-    std::vector<std::uint32_t> rows =
-        placement_.has_selection() ? verdicts_.short_labels() : std::vector<std::uint32_t>();
-    join_sets(rows, doubtful_);
-    doubtful_.clear();
-    const bool must_place = !rows.empty();
-    if (!rows.empty()) {
-      control_.report("refining", -1, fmt::format("round {}, {} labels", rounds_.round(), rows.size()));
-      const double begun = rounds_.spent();
-      const std::uint32_t batches = affordable_batches(rows.size());
-      if (batches == 0) return false;
-      const auto more = validation_rows(prepared_, rounds_.request(Purpose::refine, rows, batches), control_);
-      for (const ValidationRow& row : more) rounds_.spend(row.samples);
-      bound_cost_ = std::max(1e-12, (rounds_.spent() - begun) / (static_cast<double>(rows.size()) * batches));
-      fresh_.insert(fresh_.end(), more.begin(), more.end());
-      refine_batches_ = Rounds::more(refine_batches_);
-    }
-    if (fresh_.empty()) return false;
-    return must_place || !placement_.has_selection() ? add_missed() : join_fresh();
+  bool reaches_all(const SignalTable& table, const std::vector<std::uint32_t>& selected) const {
+    return check_selection(table, placement_.problem, selected).met();
   }
 
-  // Only the matrix changes, for the next refutation: the selection is not in doubt.
-  bool join_fresh() {
+  // Samples, for all candidates, labels that seem to be missed, or that decide on a cheaper selection, and
+  // updates the matrix. Solves the placement problem again if the selection, or one that is cheaper, has
+  // changed its status. False if nothing changes.
+  bool improve() {
+    std::vector<std::uint32_t> rows;
+    if (placement_.has_selection()) rows = verdicts_.short_labels();
+    const bool is_short = !rows.empty();
+    const std::vector<std::uint32_t> cheaper = bound_.take_counterexample();
+    if (!cheaper.empty()) join_sets(rows, worst_off(table_, cheaper));
+    fresh_ = bound_.take_fresh();
+    if (placement_.has_selection() && bound_.holds()) fresh_.clear();
+    if (!rows.empty() && !refine(rows, refine_batches_)) return false;
+    if (fresh_.empty()) return false;
+    join_fresh();
+    refine_batches_ = Rounds::more(refine_batches_);
+    if (!cheaper.empty() && reaches_all(table_, cheaper)) return place_again(cheaper);
+    if (!placement_.has_selection()) return place_again({});
+    if (reaches_all(is_short ? lowered(errors_of_hope) : table_, placement_.selected)) return true;
+    return placement_.status == Status::stopped ? sharpen() : place_again(placement_.selected);
+  }
+
+  // Samples labels for all candidates. Returns whether the budget allows it: at most a third of the rest.
+  bool refine(std::vector<std::uint32_t> rows, std::uint32_t wanted) {
+    std::sort(rows.begin(), rows.end());
+    control_.report("refining", -1, fmt::format("round {}, {} labels", rounds_.round(), rows.size()));
+    const double each = bound_.cost(rounds_, verdicts_.cost()) * static_cast<double>(rows.size());
+    const double most = each > 0 ? rounds_.left() / (3 * each) : wanted;
+    if (most < min_refining_batches) return false;
+    const double begun = rounds_.spent();
+    const auto batches = static_cast<std::uint32_t>(std::min<double>(wanted, most));
+    const auto more =
+        validation_rows(prepared_, rounds_.request(Purpose::refine, rows, batches, refinements_++), control_);
+    bound_.measure(more, begun, rounds_);
+    fresh_.insert(fresh_.end(), more.begin(), more.end());
+    return true;
+  }
+
+  void join_fresh() {
     joined_.emplace_back(matrix_, fresh_);
     for (const ValidationRow& row : fresh_) join(row, matrix_);
     fresh_.clear();
     table_ = rule_(matrix_);
-    refuter_.forget_failures();
-    return true;
+    bound_.forget_failures();
   }
 
-  // At most a third of the budget that is left; 0 if that is too little.
-  std::uint32_t affordable_batches(std::size_t rows) const {
-    const double each = expected_cost() * static_cast<double>(rows);
-    const double most = each > 0 ? rounds_.left() / (3 * each) : refine_batches_;
-    if (most < 16) return 0;
-    return static_cast<std::uint32_t>(std::min<double>(refine_batches_, most));
+  // The placement refers to the matrix on which it was made.
+  void restore() {
+    if (joined_.empty()) return;
+    for (; !joined_.empty(); joined_.pop_back()) joined_.back().restore(matrix_);
+    table_ = rule_(matrix_);
   }
 
-  // Keeps the update of the matrix only if a placement is found on it.
-  bool add_missed() {
-    RowsBefore before(matrix_, fresh_);
-    for (const ValidationRow& row : fresh_) join(row, matrix_);
-    SignalTable table = rule_(matrix_);
-    Placement placement = place(table, placement_.problem, in_time(), control_);
+  // Keeps the updates of the matrix only if a placement is found on it.
+  bool place_again(const std::vector<std::uint32_t>& start) {
+    PlaceOptions options = in_time(share_of_again);
+    options.start = start;
+    Placement placement = place(table_, placement_.problem, options, control_);
     certificate_.open = infeasibility_reason(placement);
     if (!certificate_.open.empty()) {
-      before.restore(matrix_);
+      restore();
       return false;
     }
-    fresh_.clear();
     joined_.clear();
-    table_ = std::move(table);
     adopt(std::move(placement));
     return true;
   }
@@ -358,8 +289,10 @@ class Certifier {
         placement.selected == placement_.selected && placement.has_selection() == placement_.has_selection();
     placement.seconds += placement_.seconds;
     placement_ = std::move(placement);
-    if (!is_same) forget_verdicts();
-    refuter_.forget_failures();
+    if (!is_same)
+      aim();
+    else if (placement_.has_selection())
+      bound_.aim(table_, placement_);
   }
 
   const PreparedScene& prepared_;
@@ -372,12 +305,8 @@ class Certifier {
   SignalTable table_;
   Certificate certificate_;
   LabelRounds verdicts_;
-  CountRefuter refuter_;
-  std::uint32_t bound_batches_ = min_verifying_batches, refine_batches_ = min_verifying_batches;
-  std::size_t bound_rows_ = max_doubtful;  ///< expected maximum number of core rows
-  double bound_cost_ = 0;                  ///< per batch and label, in the budget's unit of measure
-  std::string bound_obstacle_;             ///< the proof exceeds the budget; empty otherwise
-  std::vector<std::uint32_t> doubtful_;
+  BoundRounds bound_;
+  std::uint32_t refine_batches_ = min_verifying_batches, refinements_ = 0;
   std::vector<ValidationRow> fresh_;  ///< not yet part of the matrix
   std::vector<RowsBefore> joined_;    ///< changes of the matrix since the placement
 };

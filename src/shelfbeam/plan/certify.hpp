@@ -40,27 +40,26 @@ struct Certified {
   Certificate certificate;
 };
 
-/// Carries sampling errors through to the decision (docs/methods/certified_plan.md). Rounds r = 1, 2, ...
-/// have their own random numbers and the level a_r = (1 - confidence) / 2^r. Each round
+/// Carries sampling errors through to the decision (docs/methods/certified_plan.md). If the search for the
+/// placement stopped with a gap, labels that may decide on a cheaper selection are sampled first, and the
+/// problem is solved again. Rounds r = 1, 2, ... have their own random numbers and the level
+/// a_r = (1 - confidence) / 2^r. Each round
 /// - simulates the selected units with independent samples and calls every label reached, missed or undecided
 ///   (verification.hpp, rounds.hpp),
-/// - tests that fewer units cannot reach all labels (count_refuter.hpp; bound_rows.hpp where one unit alone
-/// must
-///   reach a label or may fail),
+/// - tests that no cheaper selection reaches all labels (bound_rounds.hpp),
 /// - updates the matrix with more samples, for all candidates, of the labels that seem to be missed, and
-/// solves
-///   the placement problem again.
+///   solves the placement problem again if that may change the selection.
 ///
 /// If the matrix leaves labels unreachable, their upper confidence limits must do so, too; every selection
 /// then misses them.
 ///
 /// Certification ends when both statements hold, when the budget is used up or can decide nothing more, or
-/// when cancelled. An interrupted round leaves matrix and placement unchanged. Pass
-/// the matrix by move to avoid a copy. With a budget in samples and a step limit for placements, the result
-/// does not depend on the machine.
+/// when cancelled. An interrupted round leaves matrix and placement unchanged. Pass the matrix by move to
+/// avoid a copy. With a budget in samples and a step limit for placements, the result does not depend on the
+/// machine.
 ///
-/// The bound is on the count; prices and second objectives are those of the matrix. Throws as
-/// `sample_batches`, except on an interruption.
+/// The bound is on the count, or on the cost where prices alone determine it (has_known_prices). Other
+/// objectives are those of the matrix. Throws as `sample_batches`, except on an interruption.
 Certified certify(const PreparedScene& prepared, const TableRule& table, const CertifyOptions& options,
                   SignalMatrix matrix, Placement placement, const RunControl& control = {});
 

@@ -18,6 +18,8 @@ namespace shelfbeam {
 
 namespace {
 
+constexpr double share_of_first_placement = 0.25;
+
 // nullopt if interrupted: earlier results stay.
 std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
                                           const SensitivityOptions& options, const SimulationOptions& fresh,
@@ -49,7 +51,10 @@ Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl&
   plan.simulation = simulate(*prepared, options.simulation, control);
   const TableRule table =
       options.table ? options.table : [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
-  plan.placement = place(table(plan.simulation.matrix), options.problem, options.place, control);
+  // A certificate may place again, on signals that are more accurate where they decide.
+  PlaceOptions first = options.place;
+  if (options.confidence) first.time_limit_s *= share_of_first_placement;
+  plan.placement = place(table(plan.simulation.matrix), options.problem, first, control);
   // Independent samples of few units are traced from the labels.
   SimulationOptions fresh = options.simulation;
   if (fresh.strategy == Strategy::particle) fresh.strategy = Strategy::mis;

@@ -208,11 +208,22 @@ class Search {
       std::erase(free, j);
       std::vector<std::uint32_t> with = chosen;
       with.push_back(j);
-      if (!refute(with, free)) return false;
+      if (!refute(with, allowed_with(j, free))) return false;
       if (const std::uint32_t w = closing_weights(chosen, free); w != none)
         return add_leaf(chosen, std::move(free), w);
     }
     return false;  // the weights of the label close the rest, up to rounding
+  }
+
+  // The columns that a selection with this one may contain.
+  std::vector<std::uint32_t> allowed_with(std::uint32_t chosen, std::vector<std::uint32_t> columns) const {
+    const auto exclude = [&](std::uint32_t j) { std::erase(columns, j); };
+    for (const auto& mount : table_.mounts)
+      if (std::binary_search(mount.begin(), mount.end(), chosen))
+        std::for_each(mount.begin(), mount.end(), exclude);
+    for (const auto& [a, b] : table_.conflicts)
+      if (a == chosen || b == chosen) exclude(a == chosen ? b : a);
+    return columns;
   }
 
   // Keeps the weights of leaves and the labels with a weight.
@@ -299,6 +310,7 @@ double LeafTotal::operator()(std::span<const std::uint32_t> chosen, std::span<co
   }
   for (const Item& item : of_mount_)
     if (item.value > 0) items_.push_back(item);
+  const double of_count = total + largest_items(left);
   const auto is_better = [](const Item& a, const Item& b) { return a.value * b.price < b.value * a.price; };
   std::make_heap(items_.begin(), items_.end(), is_better);
   while (left > 0 && !items_.empty()) {
@@ -308,7 +320,19 @@ double LeafTotal::operator()(std::span<const std::uint32_t> chosen, std::span<co
     total += item.value * std::min(1.0, left / item.price);
     left -= item.price;
   }
-  return total;
+  return std::min(total, of_count);
+}
+
+// The largest values, as many as the cheapest items would fit.
+double LeafTotal::largest_items(double left) {
+  double min_price = std::numeric_limits<double>::infinity(), sum = 0;
+  for (const Item& item : items_) min_price = std::min(min_price, item.price);
+  const double units = std::floor(left / min_price * (1 + std::numeric_limits<double>::epsilon()));
+  const auto count = static_cast<std::ptrdiff_t>(std::min(units, static_cast<double>(items_.size())));
+  std::nth_element(items_.begin(), items_.begin() + count, items_.end(),
+                   [](const Item& a, const Item& b) { return a.value > b.value; });
+  for (auto item = items_.begin(); item != items_.begin() + count; ++item) sum += item->value;
+  return sum;
 }
 
 RefutationSearch find_refutation(const SignalTable& table, const std::vector<std::uint32_t>& labels,

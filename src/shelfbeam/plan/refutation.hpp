@@ -47,8 +47,8 @@ struct Refutation {
 };
 
 /// The largest sum of `value` over a selection of a leaf, or a little more: its chosen columns, and free ones
-/// in descending order of value per price until the budget ends, the last one in part. Options of a mounting
-/// point count as one column.
+/// in descending order of value per price until the budget ends, the last one in part; no more than the
+/// largest values of as many columns as the budget allows. Options of a mounting point count as one column.
 class LeafTotal {
  public:
   LeafTotal(const SelectionBudget& limit, const std::vector<std::vector<std::uint32_t>>& mounts);
@@ -59,6 +59,7 @@ class LeafTotal {
   struct Item {
     double value, price;
   };
+  double largest_items(double left);
   double top(double total, double left, std::span<const std::uint32_t> free, std::span<const double> value);
 
   const SelectionBudget& limit_;

@@ -22,6 +22,16 @@ BatchRequest Rounds::request(Purpose purpose, std::span<const std::uint32_t> lab
   return request;
 }
 
+// Costs are predicted from earlier rounds, and other work than sampling follows.
+constexpr double share_to_spend = 0.9;
+
+std::uint32_t Rounds::affordable(double wanted, double needed, double cost) const {
+  const double fitting = cost > 0 ? share_to_spend * left() / cost : wanted;
+  const double batches = std::min({std::ceil(wanted), fitting, static_cast<double>(max_batches)});
+  const bool is_useful = batches >= min_batches && batches >= std::min(wanted, needed / 2);
+  return is_useful ? static_cast<std::uint32_t>(batches) : 0;
+}
+
 void LabelRounds::select(const PlacementProblem& problem, std::vector<std::uint32_t> selected,
                          std::vector<float> planned) {
   for (LabelVerdict& label : labels_) label = {.requirement = label.requirement};
@@ -39,15 +49,15 @@ bool LabelRounds::holds_jointly() const {
   return std::all_of(passes_.begin(), passes_.end(), [](bool passes) { return passes; });
 }
 
-// The batches that open labels are expected to need, with a reserve because estimates err.
+// The batches that open labels are expected to need, with a reserve because estimates err; in classes, so
+// that labels are sampled together.
 std::vector<LabelRounds::Need> LabelRounds::needs(double level) const {
   constexpr double reserve = 1.5;
-  constexpr std::uint32_t first_batches = 32;
   std::vector<Need> needs;
   for (std::uint32_t i = 0; i < labels_.size(); ++i) {
     const LabelVerdict& label = labels_[i];
     if (aims_at_all_ ? passes_[i] : label.verdict != Verdict::undecided) continue;
-    double batches = first_batches;
+    double batches = Rounds::min_batches;
     if (batches_[i] > 0) {
       const double margin = std::abs(label.signal - label.requirement);
       const double quantile = -student_quantile(level, batches_[i] - 1);
@@ -55,17 +65,31 @@ std::vector<LabelRounds::Need> LabelRounds::needs(double level) const {
       // A flagged estimate has no reliable error.
       batches = std::max(batches, 2.0 * batches_[i]);
     }
-    Need need;
-    need.label = i;
-    need.batches = first_batches;
-    while (need.batches < std::min<double>(batches, Rounds::max_batches)) need.batches *= 2;
-    need.cost =
-        batches > Rounds::max_batches ? std::numeric_limits<double>::infinity() : cost_ * need.batches;
-    needs.push_back(need);
+    double of_class = Rounds::min_batches;
+    while (of_class < batches && of_class <= Rounds::max_batches) of_class *= 2;
+    needs.push_back({of_class, i});
   }
   std::stable_sort(needs.begin(), needs.end(),
                    [](const Need& a, const Need& b) { return a.batches < b.batches; });
   return needs;
+}
+
+// The labels, the first in order, that fit into the budget with at least half of their batches. Reduces the
+// batches if these labels do not fit with all of them.
+std::size_t LabelRounds::shrink_to(double left, std::vector<Need>& needs) const {
+  constexpr double min_share = 0.5;
+  double fitting = cost_ > 0 ? share_to_spend * left / cost_ : std::numeric_limits<double>::infinity();
+  double batches = 0;
+  std::size_t count = 0;
+  for (; count < needs.size() && needs[count].batches <= Rounds::max_batches; ++count) {
+    if (min_share * (batches + needs[count].batches) > fitting) break;
+    batches += needs[count].batches;
+  }
+  if (batches > fitting)
+    for (std::size_t k = 0; k < count; ++k)
+      needs[k].batches =
+          std::max<double>(Rounds::min_batches, std::floor(needs[k].batches * fitting / batches));
+  return count;
 }
 
 void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part,
@@ -101,28 +125,23 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
   const VerdictLevels levels{level / 2, labels_.size(), level / 2};
   const double of_list = levels.list / static_cast<double>(labels_.size());
   std::vector<Need> all = needs(aims_at_all_ ? levels.joint : of_list);
-  const double left = rounds.left();
-  const auto affordable = [&] {
-    double cost = 0;
-    return static_cast<std::size_t>(
-        std::find_if(all.begin(), all.end(), [&](const Need& need) { return (cost += need.cost) > left; }) -
-        all.begin());
-  };
-  std::size_t count = affordable();
+  std::size_t count = shrink_to(rounds.left(), all);
   if (count < all.size() && aims_at_all_) {
     // Some labels stay undecided, so the others need verdicts of the list.
     aims_at_all_ = false;
     all = needs(of_list);
-    count = affordable();
+    count = shrink_to(rounds.left(), all);
   }
   skipped_cost_ = 0;
-  for (std::size_t k = count; k < all.size(); ++k) skipped_cost_ += all[k].cost;
+  for (std::size_t k = count; k < all.size(); ++k)
+    skipped_cost_ += all[k].batches <= Rounds::max_batches ? cost_ * all[k].batches
+                                                           : std::numeric_limits<double>::infinity();
   std::uint32_t part = 0;
   for (std::size_t k = 0; k < count;) {
     std::vector<std::uint32_t> rows;
-    const std::uint32_t batches = all[k].batches;
+    const double batches = all[k].batches;
     for (; k < count && all[k].batches == batches; ++k) rows.push_back(all[k].label);
-    sample(std::move(rows), batches, part++, rounds, levels, control);
+    sample(std::move(rows), static_cast<std::uint32_t>(batches), part++, rounds, levels, control);
   }
   const auto is_missed = [](const LabelVerdict& label) { return label.verdict == Verdict::missed; };
   if (std::any_of(labels_.begin(), labels_.end(), is_missed)) aims_at_all_ = false;

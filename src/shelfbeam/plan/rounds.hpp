@@ -24,7 +24,7 @@ enum class Purpose : std::uint64_t { verify = 1, bound, refine };
 class Rounds {
  public:
   static constexpr std::uint32_t growth = 4;  ///< factor of the batches from round to round
-  static constexpr std::uint32_t max_batches = 1 << 16;
+  static constexpr std::uint32_t min_batches = 32, max_batches = 1 << 16;
   /// Minimum samples per label and batch: smaller batches are so skewed that limits fail too often.
   static constexpr std::uint64_t min_samples = 256;
 
@@ -55,6 +55,10 @@ class Rounds {
   /// Batches of some labels in this round; `part` distinguishes requests of one purpose.
   BatchRequest request(Purpose purpose, std::span<const std::uint32_t> labels, std::uint32_t batches,
                        std::uint32_t part = 0) const;
+
+  /// The batches of a test that fit into the budget that is left, at `cost` per batch: the `wanted` ones,
+  /// which contain a reserve, or fewer if these are at least half of the `needed` ones; 0 if too few fit.
+  std::uint32_t affordable(double wanted, double needed, double cost) const;
 
   static std::uint32_t more(std::uint32_t batches) {
     return batches < max_batches / growth ? growth * batches : max_batches;
@@ -96,10 +100,11 @@ class LabelRounds {
 
  private:
   struct Need {
-    double cost = 0;
-    std::uint32_t batches = 0, label = 0;
+    double batches = 0;
+    std::uint32_t label = 0;
   };
   std::vector<Need> needs(double level) const;
+  std::size_t shrink_to(double left, std::vector<Need>& needs) const;
   bool holds_jointly() const;
   void sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part, Rounds& rounds,
               const VerdictLevels& levels, const RunControl& control);

@@ -85,6 +85,10 @@ struct PlaceOptions {
   std::optional<std::uint64_t> step_limit = {};
   /// Seed of the local search, the only user of random numbers. Proven values do not depend on it.
   std::uint64_t seed = 1;
+  /// Ascending, with every installed unit. The search starts from it if it is feasible and cheaper than the
+  /// greedy selection.
+  std::vector<std::uint32_t> start = {};
+  bool proves = true;        ///< false: a short local search, without proof
   bool settles_ties = true;  ///< false: any selection of the best value is accepted
 };
 

@@ -70,6 +70,17 @@ struct PlacementProblem {
   bool redundant = false;  ///< labels stay reached if any one chosen or installed unit fails
 };
 
+/// The second objective depends on signals, not only on the selection.
+constexpr bool depends_on_signals(const PlacementProblem& problem) {
+  return problem.objective != Objective::count &&
+         !(problem.objective == Objective::links && problem.model == CommunicationModel::cooperative);
+}
+
+/// The weighted objective of a selection is a sum of prices of its units that do not depend on signals.
+constexpr bool has_known_prices(const PlacementProblem& problem) {
+  return problem.combination == Combination::weighted && !depends_on_signals(problem);
+}
+
 /// gamma tau: for the sum of signals (cooperative) or for one unit alone (non-cooperative).
 inline double requirement_of(const SignalTable::Label& label, CommunicationModel model) {
   return model == CommunicationModel::cooperative ? label.requirement : label.single_requirement;

@@ -43,6 +43,7 @@ struct Certificate {
   double confidence = 0.99;
   std::vector<LabelVerdict> labels;   ///< one per label of the matrix
   std::size_t count_lower_bound = 0;  ///< certified bound on the count; 0: not examined
+  double cost_lower_bound = 0;        ///< certified bound on the sum of prices (weighted); 0: not examined
   std::size_t bound_labels = 0;       ///< number of core rows behind the bound
   std::uint32_t rounds = 0;
   double seconds = 0;

@@ -32,6 +32,7 @@ Json to_json(const Certificate& certificate, const SignalTable& table) {
           {"missed", ids_of(certificate, Verdict::missed, table)},
           {"undecided", ids_of(certificate, Verdict::undecided, table)},
           {"count_lower_bound", certificate.count_lower_bound},
+          {"cost_lower_bound", certificate.cost_lower_bound},
           {"bound_labels", certificate.bound_labels},
           {"rounds", certificate.rounds},
           {"seconds", certificate.seconds},
@@ -40,8 +41,8 @@ Json to_json(const Certificate& certificate, const SignalTable& table) {
 
 // Reads verdicts only: verification.csv contains signals and limits.
 Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table) {
-  cursor.expect_keys({"confidence", "reached", "missed", "undecided", "count_lower_bound", "bound_labels",
-                      "rounds", "seconds", "open"});
+  cursor.expect_keys({"confidence", "reached", "missed", "undecided", "count_lower_bound", "cost_lower_bound",
+                      "bound_labels", "rounds", "seconds", "open"});
   Certificate certificate;
   certificate.confidence = cursor["confidence"].positive();
   certificate.labels.resize(table.rows());
@@ -55,6 +56,8 @@ Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table)
     for (const JsonCursor& element : cursor[key].elements())
       certificate.labels[position(element, known, "label")].verdict = verdict;
   certificate.count_lower_bound = static_cast<std::size_t>(cursor["count_lower_bound"].non_negative());
+  // Plans of version 0.2.0 and earlier have no bound on the cost.
+  if (const auto cost = cursor.find("cost_lower_bound")) certificate.cost_lower_bound = cost->non_negative();
   certificate.bound_labels = static_cast<std::size_t>(cursor["bound_labels"].non_negative());
   certificate.rounds = static_cast<std::uint32_t>(cursor["rounds"].non_negative());
   certificate.seconds = cursor["seconds"].non_negative();

@@ -13,6 +13,9 @@ namespace shelfbeam {
 
 namespace {
 
+constexpr double rounding_of_costs = 1e-9;
+constexpr std::string_view no_cheaper_selection = "it is proven that no selection costs less";
+
 std::string objective_text(const PlacementProblem& problem) {
   const ObjectiveWords& words = words_of(problem.objective);
   return words.has_share
@@ -36,20 +39,37 @@ std::string fewer_are_not_enough(std::size_t count) {
   return fmt::format("{} {} not enough", grouped(count - 1), count == 2 ? "is" : "are");
 }
 
-// ", and 3 are not enough", or the certified lower bound on the count.
-std::string fewer_units(const Certificate& certificate, std::size_t count) {
-  const std::size_t bound = std::min(certificate.count_lower_bound, count);
+// ", and 3 are not enough", or the certified lower bound on the count or the cost.
+std::string certified_bound(const Placement& placement, const Certificate& certificate) {
+  if (has_known_prices(placement.problem)) {
+    const double cost = placement.objective_value, bound = std::min(certificate.cost_lower_bound, cost);
+    const std::string total = fmt::format(" at a total cost of {}", plain(cost));
+    if (bound <= 0) return total;
+    return total + (bound < cost * (1 - rounding_of_costs)
+                        ? fmt::format(", and every such selection costs at least {}", plain(bound))
+                        : ", and no cheaper selection does");
+  }
+  const std::size_t count = placement.count(), bound = std::min(certificate.count_lower_bound, count);
   if (bound == 0) return {};
   if (bound < count) return fmt::format(", and at least {} {} needed", bound, bound == 1 ? "is" : "are");
   return fmt::format(", and {}", fewer_are_not_enough(count));
 }
 
+std::string uncertified_objective(const PlacementProblem& problem) {
+  if (!depends_on_signals(problem)) return {};
+  return fmt::format(" The certificate does not cover the {}: it depends on simulated signals.",
+                     problem.combination == Combination::weighted
+                         ? "total cost"
+                         : fmt::format("secondary objective ({})", objective_text(problem)));
+}
+
 std::string reached_sentence(const Placement& placement, const Certificate& certificate) {
   return fmt::format("{} {}{}{}, {}.", units_reach(placement.count()),
                      labels_reached(certificate.count(Verdict::reached), certificate.labels.size()),
-                     failure_clause(placement.problem), fewer_units(certificate, placement.count()),
+                     failure_clause(placement.problem), certified_bound(placement, certificate),
                      joint_confidence(certificate.confidence)) +
-         other_labels(certificate, Verdict::missed) + other_labels(certificate, Verdict::undecided);
+         other_labels(certificate, Verdict::missed) + other_labels(certificate, Verdict::undecided) +
+         uncertified_objective(placement.problem);
 }
 
 // Without a selection, only missed labels have a meaning: none of the candidates reaches them.
@@ -77,6 +97,10 @@ bool count_is_proven(const Placement& placement) {
   return placement.count() > 0 && proven_count(placement) >= placement.count();
 }
 
+bool cost_is_proven(const Placement& placement) {
+  return placement.status == Status::optimal && placement.problem.combination == Combination::weighted;
+}
+
 std::string units_needed(std::size_t count_bound) {
   return fmt::format("at least {} {} needed", counted(count_bound, "transceiver"),
                      count_bound == 1 ? "is" : "are");
@@ -84,14 +108,14 @@ std::string units_needed(std::size_t count_bound) {
 
 std::string terminal_bound(const Placement& placement) {
   const std::size_t count_bound = proven_count(placement);
+  if (count_bound < placement.count() && cost_is_proven(placement)) return std::string(no_cheaper_selection);
   return count_bound >= placement.count() ? "it is proven that " + fewer_are_not_enough(placement.count())
                                           : units_needed(count_bound);
 }
 
 std::string page_bound(const Placement& placement) {
   if (count_is_proven(placement)) return fmt::format("; {}.", terminal_bound(placement));
-  if (placement.status == Status::optimal && placement.problem.combination == Combination::weighted)
-    return "; it is proven that no selection costs less.";
+  if (cost_is_proven(placement)) return fmt::format("; {}.", no_cheaper_selection);
   const std::size_t count_bound = proven_count(placement);
   if (count_bound == 0) return "; no lower bound on the count is proven.";
   return fmt::format("; it is proven that at least {} {} needed (gap {}).", grouped(count_bound),

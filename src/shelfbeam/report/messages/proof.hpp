@@ -20,10 +20,13 @@ double count_gap(const Placement& placement);
 /// The count equals its proven lower bound.
 bool count_is_proven(const Placement& placement);
 
+/// The weighted sum equals its proven lower bound.
+bool cost_is_proven(const Placement& placement);
+
 /// "at least 1 transceiver is needed"
 std::string units_needed(std::size_t count_bound);
 
-/// With a selection: "it is proven that 3 are not enough", or units_needed().
+/// With a selection: "it is proven that 3 are not enough", the same of the cost, or units_needed().
 std::string terminal_bound(const Placement& placement);
 /// The same as the end of a sentence on the page: "; it is proven that 3 are not enough."
 std::string page_bound(const Placement& placement);
@@ -47,7 +50,7 @@ std::string_view status_name(Status status);
 // Sentences about the certificate.
 
 /// "4 transceivers reach all 390 labels, and 3 are not enough, with 99 % confidence.": one or more
-/// sentences. Empty without a certificate.
+/// sentences, which state what the certificate does not cover. Empty without a certificate.
 std::string certificate_sentence(const CertifiedPlan& plan);
 
 /// The scope of the confidence.

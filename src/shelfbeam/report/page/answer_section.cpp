@@ -37,6 +37,10 @@ std::string min_card(const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
   if (placement.status == Status::infeasible) return card(name, "–", "no number is enough");
   const auto& certificate = data.input.plan.certificate;
+  if (certificate && certificate->cost_lower_bound > 0)
+    return card("Lower bound on the cost",
+                plain(std::min(certificate->cost_lower_bound, placement.objective_value)),
+                "with independent samples");
   if (certificate && certificate->count_lower_bound > 0)
     return card(name, grouped(std::min(certificate->count_lower_bound, placement.count())),
                 "with independent samples");

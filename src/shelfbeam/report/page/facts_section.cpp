@@ -100,12 +100,14 @@ std::string certificate_facts(const ReportData& data) {
                                           grouped(certificate.labels.size())));
   facts.add("Missed", named_labels(data, Verdict::missed));
   facts.add("Undecided", named_labels(data, Verdict::undecided));
-  if (certificate.count_lower_bound > 0) {
+  if (certificate.cost_lower_bound > 0)
+    facts.add("Lower bound on the cost", plain(certificate.cost_lower_bound));
+  if (certificate.count_lower_bound > 0)
     facts.add("Lower bound on the count", grouped(certificate.count_lower_bound));
+  if (certificate.bound_labels > 0)
     facts.add("Proven from", counted(certificate.bound_labels, "label"));
-  } else {
-    facts.add("Lower bound on the count", "not examined");
-  }
+  else
+    facts.add("Lower bound", "not examined");
   facts.add("Rounds", grouped(certificate.rounds));
   facts.add("Time", significant(certificate.seconds, 3) + "\u00A0s");
   if (!certificate.open.empty()) facts.add("Verification ended because", certificate.open);
@@ -118,7 +120,9 @@ std::string simulation_facts(const ReportData& data) {
   Facts facts("Simulation");
   facts.add("Labels × candidates", grouped(matrix.rows()) + " × " + grouped(matrix.columns()));
   if (data.has_options()) facts.add("Mounting points", grouped(data.mounting_points));
-  facts.add("Samples per label", range(s.min_samples, s.max_samples));
+  const bool has_more = data.input.plan.certificate && s.min_samples < s.max_samples;
+  facts.add("Samples per label", range(s.min_samples, s.max_samples) +
+                                     (has_more ? ", more where they decide the certificate" : ""));
   facts.add("Batches per label", range(s.min_batches, s.max_batches));
   facts.add("Estimator", matrix.provenance.estimator);
   facts.add("Wavelength", plain(matrix.wavelength_nm) + "\u00A0nm");

@@ -1,4 +1,4 @@
-#include "shelfbeam/plan/count_refuter.hpp"
+#include "shelfbeam/plan/budget_refuter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,29 +19,37 @@ constexpr std::size_t max_leaves = 400'000;
 // Share of the budget that is left, for the search for a refutation.
 constexpr double share_of_search = 0.1;
 constexpr double seconds_of_search = 60;  ///< if the budget is in samples
+// Searches in vain without a counterexample take long, and more samples rarely help.
+constexpr int max_failures = 2;
 
 }  // namespace
 
-CountRefuter::Attempt CountRefuter::attempt(std::size_t count, const SignalTable& table,
-                                            const SignalMatrix& matrix, Rounds& rounds, double level,
-                                            double cost) {
+void BudgetRefuter::forget_failures() {
+  for (auto& [bound, progress] : progress_) progress.has_failed = false;
+}
+
+BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double bound, const SignalTable& table,
+                                              const SignalMatrix& matrix, Rounds& rounds, double level,
+                                              double cost) {
   Attempt attempt;
-  if (count == 0 || failed_.contains(count)) return attempt;
-  Progress& progress = progress_[count];
-  const SelectionBudget limit{std::vector<double>(table.columns(), 1.0), static_cast<double>(count - 1)};
-  control_.report("proving", -1, fmt::format("round {}, refuting {} units", rounds.round(), count - 1));
+  Progress& progress = progress_[bound];
+  if (progress.has_failed || progress.failures >= max_failures) return attempt;
+  control_.report("proving", -1, fmt::format("round {}, whether {}", rounds.round(), goal.text(bound)));
   const double seconds =
       rounds.counts_samples() ? seconds_of_search : share_of_search * std::max(0.0, rounds.left());
-  const auto found = promising(limit, progress, table, matrix, seconds, level, attempt.counterexample);
+  const auto found = promising(goal.below(bound), goal, bound, progress, table, matrix, seconds, level,
+                               attempt.counterexample);
   if (!found) {
-    failed_.insert(count);
+    progress.has_failed = true;
+    if (attempt.counterexample.empty()) ++progress.failures;
     return attempt;
   }
   attempt.labels = found->refutation.labels.size();
-  attempt.batches = found->batches;
-  attempt.cost = cost * static_cast<double>(attempt.labels) * attempt.batches;
-  if (attempt.cost > rounds.left()) {
-    failed_.insert(count);
+  const double of_batch = cost * static_cast<double>(attempt.labels);
+  attempt.batches = rounds.affordable(found->wanted, found->needed, of_batch);
+  if (attempt.batches == 0) {
+    attempt.cost = of_batch * found->wanted;
+    progress.has_failed = true;
     return attempt;
   }
   control_.report(
@@ -49,7 +57,7 @@ CountRefuter::Attempt CountRefuter::attempt(std::size_t count, const SignalTable
       fmt::format("round {}, {} labels, {} batches", rounds.round(), attempt.labels, attempt.batches));
   TestedRefutation tested = test_refutation(
       prepared_, found->refutation, table,
-      rounds.request(Purpose::bound, found->refutation.labels, found->batches), level, control_);
+      rounds.request(Purpose::bound, found->refutation.labels, attempt.batches), level, control_);
   attempt.is_tested = true;
   attempt.is_proven = tested.open.empty();
   attempt.fresh = std::move(tested.fresh);
@@ -60,9 +68,9 @@ CountRefuter::Attempt CountRefuter::attempt(std::size_t count, const SignalTable
 
 // A refutation of the matrix with the largest reserve that allows one, and the batches that it is expected
 // to need.
-std::optional<CountRefuter::Promising> CountRefuter::promising(
-    const SelectionBudget& limit, const Progress& progress, const SignalTable& table,
-    const SignalMatrix& matrix, double seconds, double level,
+std::optional<BudgetRefuter::Promising> BudgetRefuter::promising(
+    const SelectionBudget& limit, const BoundGoal& goal, double bound, const Progress& progress,
+    const SignalTable& table, const SignalMatrix& matrix, double seconds, double level,
     std::vector<std::uint32_t>& counterexample) const {
   constexpr double reserve_of_batches = 1.5;
   const Deadline deadline(seconds);
@@ -74,7 +82,7 @@ std::optional<CountRefuter::Promising> CountRefuter::promising(
   // refutes, exact searches for core rows, which take seconds for large stores, are not needed.
   const SignalTable smallest = raised_by(*std::rbegin(reserves));
   const bool is_relaxed = relaxed_cover(smallest, limit, deadline, control_).is_refuted;
-  if (!is_relaxed && core_labels(smallest, limit, deadline).empty()) return std::nullopt;
+  if (!is_relaxed && core_labels(smallest, goal, bound, deadline).empty()) return std::nullopt;
   // Bisection: a smaller reserve closes whatever a larger one closes.
   std::optional<Promising> best;
   for (std::size_t low = 0, high = std::size(reserves); low < high && !deadline.has_passed();) {
@@ -82,7 +90,7 @@ std::optional<CountRefuter::Promising> CountRefuter::promising(
     const SignalTable raised = raised_by(reserves[middle]);
     const std::vector<std::uint32_t> labels = is_relaxed
                                                   ? relaxed_cover(raised, limit, deadline, control_).labels
-                                                  : core_labels(raised, limit, deadline);
+                                                  : core_labels(raised, goal, bound, deadline);
     RefutationSearch search;
     if (!labels.empty())
       search = find_refutation(raised, labels, limit, progress.open, max_leaves, deadline, control_);
@@ -93,22 +101,20 @@ std::optional<CountRefuter::Promising> CountRefuter::promising(
     }
     high = middle;
     const double needed = needed_batches(*search.found, table, matrix, level);
-    const double batches = std::max<double>(progress.min_batches, reserve_of_batches * needed);
-    if (batches <= Rounds::max_batches)
-      best = {std::move(*search.found), static_cast<std::uint32_t>(std::ceil(batches))};
+    const double wanted = std::max<double>(progress.min_batches, reserve_of_batches * needed);
+    if (wanted <= Rounds::max_batches) best = {std::move(*search.found), needed, wanted};
   }
   if (best) counterexample.clear();
   return best;
 }
 
-// Labels that by themselves require more than the limit; empty if an exact search finds none.
-std::vector<std::uint32_t> CountRefuter::core_labels(const SignalTable& raised, const SelectionBudget& limit,
-                                                     const Deadline& deadline) const {
+// Labels that by themselves require the bound; empty if an exact search finds none.
+std::vector<std::uint32_t> BudgetRefuter::core_labels(const SignalTable& raised, const BoundGoal& goal,
+                                                      double bound, const Deadline& deadline) const {
   PlaceOptions options;
   options.time_limit_s = std::min(5.0, 0.2 * deadline.seconds_left());
   options.step_limit = place_.step_limit;
-  const auto count = static_cast<std::size_t>(limit.budget) + 1;
-  CoreRows core = core_rows(raised, PlacementProblem(), count, options, control_);
+  CoreRows core = core_rows(raised, goal, bound, options, control_);
   return core.suffice ? core.rows : std::vector<std::uint32_t>();
 }
 

@@ -1,0 +1,107 @@
+#include "shelfbeam/plan/bound_goal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace shelfbeam {
+
+namespace {
+
+// Prices that are whole numbers of hundredths share a step; larger ones would not be exact.
+constexpr double hundredths = 100, max_price = 1e12;
+// Differences of costs below this share are rounding.
+constexpr double relative_rounding = 1e-9;
+// Token prices add up to this share of the step.
+constexpr double share_of_tokens = 0.25;
+
+double step_of(const std::vector<double>& prices) {
+  std::int64_t step = 0;
+  for (const double price : prices) {
+    const double scaled = price * hundredths;
+    if (!(scaled < max_price) || std::abs(scaled - std::round(scaled)) > relative_rounding * scaled) return 0;
+    step = std::gcd(step, static_cast<std::int64_t>(std::round(scaled)));
+  }
+  return static_cast<double>(step) / hundredths;
+}
+
+}  // namespace
+
+BoundGoal bound_goal(const SignalTable& table, const Placement& placement) {
+  BoundGoal goal;
+  goal.problem.model = placement.problem.model;
+  goal.problem.redundant = placement.problem.redundant;
+  goal.price.assign(table.columns(), 1.0);
+  if (has_known_prices(placement.problem)) {
+    goal.problem.combination = Combination::weighted;
+    goal.price = objective_coefficients(table, placement.problem);
+    for (std::size_t j = 0; j < goal.price.size(); ++j) goal.price[j] += table.transceivers[j].cost;
+    goal.is_count =
+        std::all_of(goal.price.begin(), goal.price.end(), [](double price) { return price == 1; });
+    goal.step = step_of(goal.price);
+  }
+  // Where the weighted sum depends on signals, no bound says something about it.
+  if (placement.problem.combination == Combination::lexicographic || has_known_prices(placement.problem))
+    goal.value = goal.bound_of(placement);
+  return goal;
+}
+
+SelectionBudget BoundGoal::below(double bound) const {
+  const double gap = step > 0 ? step : relative_rounding * bound;
+  const double tokens = share_of_tokens * gap;
+  SelectionBudget budget{price, std::max(0.0, bound - gap)};
+  if (std::all_of(price.begin(), price.end(), [](double one) { return one > 0; })) return budget;
+  for (double& one : budget.price)
+    if (!(one > 0)) one = tokens / static_cast<double>(price.size());
+  budget.budget += tokens;
+  return budget;
+}
+
+std::size_t BoundGoal::max_units_below(double bound) const {
+  std::vector<double> ascending = price;
+  std::sort(ascending.begin(), ascending.end());
+  const double budget = below(bound).budget;
+  double cost = 0;
+  std::size_t units = 0;
+  while (units < ascending.size() && (cost += ascending[units]) <= budget * (1 + relative_rounding)) ++units;
+  return units;
+}
+
+double BoundGoal::rounded(double bound) const {
+  if (!(bound > 0)) return 0;
+  return step > 0 ? step * std::ceil(bound / step * (1 - relative_rounding)) : bound;
+}
+
+double BoundGoal::bound_of(const Placement& placement) const {
+  return rounded(problem.combination == Combination::weighted ? placement.lower_bound
+                                                              : placement.count_lower_bound);
+}
+
+SignalTable BoundGoal::priced(SignalTable rows) const {
+  for (std::size_t j = 0; j < price.size(); ++j) rows.transceivers[j].cost = price[j];
+  return rows;
+}
+
+std::vector<double> BoundGoal::targets(double certified) const {
+  std::vector<double> targets;
+  if (is_count) {
+    for (double count = value; count > certified; --count) targets.push_back(count);
+    return targets;
+  }
+  for (const double share : {1.0, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5})
+    if (const double target = rounded(share * value);
+        target > certified && (targets.empty() || target < targets.back()))
+      targets.push_back(target);
+  return targets;
+}
+
+std::string BoundGoal::text(double bound) const {
+  return is_count ? fmt::format("{:.0f} {} needed", bound, bound == 1 ? "is" : "are")
+                  : fmt::format("a cost of {:.6g} is needed", bound);
+}
+
+}  // namespace shelfbeam

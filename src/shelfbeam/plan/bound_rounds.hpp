@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/plan/answer/certificate.hpp"
+#include "shelfbeam/plan/bound_goal.hpp"
+#include "shelfbeam/plan/bound_rows.hpp"
+#include "shelfbeam/plan/budget_refuter.hpp"
+#include "shelfbeam/plan/rounds.hpp"
+
+namespace shelfbeam {
+
+/// Proves in rounds, with independent batches of all candidates, that every selection that reaches all labels
+/// costs at least the goal, or less if that is too expensive to prove.
+///
+/// - Where signals add up, a refutation of all cheaper selections is tested (budget_refuter.hpp).
+/// - Where one unit alone must reach a label (or two, if a unit may fail), the entries that count as too weak
+///   are fixed beforehand. If a cheaper selection S* reaches all labels, it misses some label i by the fixed
+///   entries, so that one of these, the link by which S* reaches i, is strong enough after all. This entry
+///   does not depend on the batches: every limit has the whole level.
+/// - Where signals add up and a unit may fail, a search on the upper limits of entries proves the bound. It
+/// is
+///   wrong only if a limit of the at most u units of S* is too low for one of the r labels: r u limits share
+///   the level.
+class BoundRounds {
+ public:
+  static constexpr std::size_t max_doubtful = 64;  ///< labels that get more samples at once
+
+  /// Bounds are written to `certificate`.
+  BoundRounds(const PreparedScene& prepared, const PlaceOptions& place, const RunControl& control,
+              Certificate& certificate)
+      : prepared_(prepared),
+        place_(place),
+        control_(control),
+        certificate_(certificate),
+        refuter_(prepared, place, control) {}
+
+  /// Sets the goal: the bound of a placement with a selection on its table.
+  void aim(const SignalTable& table, const Placement& placement) { goal_ = bound_goal(table, placement); }
+  bool holds() const { return proven() >= goal_.value; }
+
+  /// Tests one bound, the largest that the budget allows. `label_cost`: of a batch of a label with the chosen
+  /// units only. Returns whether it has sampled. Throws as `sample_batches`.
+  bool prove(const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds, double level,
+             double label_cost);
+
+  /// Lists as missed the given labels whose upper limits leave them out of reach of all candidates together.
+  /// Returns whether it has sampled.
+  bool prove_unreachable(const SignalTable& table, const std::vector<std::uint32_t>& labels,
+                         const PlacementProblem& problem, Rounds& rounds, double level, double label_cost);
+
+  /// Independent batches of all candidates that no test needs any more.
+  std::vector<ValidationRow> take_fresh();
+  /// A cheaper selection that may reach all labels; empty if the last test met none.
+  std::vector<std::uint32_t> take_counterexample();
+  /// After a change of the matrix.
+  void forget_failures() { refuter_.forget_failures(); }
+
+  /// Cost of a batch of a label for all candidates, in the budget's unit of measure.
+  double cost(const Rounds& rounds, double label_cost) const;
+  /// Measures this cost from new batches, and counts their samples.
+  void measure(const std::vector<ValidationRow>& fresh, double begun, Rounds& rounds);
+
+  /// The reason why the bound does not hold; empty if it is unknown.
+  const std::string& obstacle() const { return obstacle_; }
+
+ private:
+  double proven() const;
+  void raise(double bound, std::size_t labels);
+  void set_obstacle(double bound, double cost, const Rounds& rounds);
+  bool refute(double bound, const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds,
+              double level, double cost);
+  bool prove_by_entries(const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds, double level,
+                        double cost);
+  CoreRows promising_rows(const SignalTable& table, const SignalMatrix& matrix, const Rounds& rounds,
+                          double level);
+  SignalTable expected_table(const SignalTable& table, const SignalMatrix& matrix, double level,
+                             std::size_t rows, std::uint32_t batches) const;
+  LimitCounts counts(std::size_t rows, std::size_t columns) const;
+
+  const PreparedScene& prepared_;
+  const PlaceOptions& place_;
+  const RunControl& control_;
+  Certificate& certificate_;
+  BoundGoal goal_;
+  BudgetRefuter refuter_;
+  std::uint32_t batches_ = min_verifying_batches;  ///< of the next test of entries
+  std::size_t rows_ = max_doubtful;                ///< expected maximum number of core rows
+  double cost_ = 0;
+  std::string obstacle_;
+  std::vector<ValidationRow> fresh_;
+  std::vector<std::uint32_t> counterexample_;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,108 @@
+// Tests certified bounds on the cost, and the bounds of the models where one unit alone must reach a label.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/plan/bound_goal.hpp"
+#include "shelfbeam/plan/plan.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
+
+#include "unit/plan/plan_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+// Units in the middle cost less than those at the sides.
+void set_prices(SignalTable& table) {
+  for (std::size_t j = 0; j < table.columns(); ++j) table.transceivers[j].cost = j % 3 == 1 ? 60.5 : 100;
+}
+
+PlanOptions priced_options(std::uint64_t seed) {
+  PlanOptions options;
+  options.simulation = SimulationOptions{EstimatorKind::reuse};
+  options.simulation.samples = 4096;
+  options.simulation.seed = seed;
+  options.problem.combination = Combination::weighted;
+  options.place.step_limit = 1 << 20;
+  options.budget.samples = 8'000'000;
+  options.table = [](const SignalMatrix& matrix) {
+    SignalTable table = make_signal_table(matrix);
+    set_prices(table);
+    return table;
+  };
+  return options;
+}
+
+TEST(CertifiedCost, IsTheMinimumOfTheMatrix) {
+  test::PlanStore store;
+  store.threshold = 0.06;
+  for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative})
+    for (const bool redundant : {false, true}) {
+      PlanOptions options = priced_options(7);
+      options.problem.model = model;
+      options.problem.redundant = redundant;
+      if (redundant) store.threshold = 0.02;
+      const Plan plan = make_plan(store.scene(), options);
+      ASSERT_TRUE(plan.certificate);
+      EXPECT_EQ(plan.certificate->open, "");
+      EXPECT_TRUE(plan.certificate->all_reached());
+      EXPECT_NEAR(plan.certificate->cost_lower_bound, plan.placement.objective_value, 1e-9);
+      EXPECT_EQ(plan.certificate->count_lower_bound, 0U);
+      EXPECT_GT(plan.certificate->bound_labels, 0U);
+    }
+}
+
+// A sum that depends on simulated signals is not certified.
+TEST(CertifiedCost, IsAbsentWhereItDependsOnSignals) {
+  PlanOptions options = priced_options(7);
+  options.problem.objective = Objective::signal;
+  const Plan plan = make_plan(test::PlanStore().scene(), options);
+  ASSERT_TRUE(plan.certificate);
+  EXPECT_TRUE(plan.certificate->all_reached());
+  EXPECT_EQ(plan.certificate->cost_lower_bound, 0);
+  EXPECT_EQ(plan.certificate->count_lower_bound, 0U);
+}
+
+BoundGoal goal_of(std::vector<double> prices, double lower_bound) {
+  SignalTable table;
+  for (const double price : prices) table.transceivers.push_back({"", price});
+  Placement placement;
+  placement.problem.combination = Combination::weighted;
+  placement.lower_bound = lower_bound;
+  return bound_goal(table, placement);
+}
+
+TEST(BoundGoal, RoundsToPossibleCosts) {
+  const BoundGoal goal = goal_of({60.5, 100, 121}, 150);
+  EXPECT_DOUBLE_EQ(goal.step, 0.5);
+  EXPECT_DOUBLE_EQ(goal.value, 150);
+  EXPECT_DOUBLE_EQ(goal.rounded(149.7), 150);
+  EXPECT_DOUBLE_EQ(goal.below(150).budget, 149.5);
+  EXPECT_EQ(goal.max_units_below(150), 1U) << "60.5 + 100 is more than 149.5";
+  EXPECT_EQ(goal.max_units_below(161), 2U);
+  EXPECT_EQ(goal_of({std::sqrt(2.0), 1}, 1).step, 0);
+  const std::vector<double> targets = goal.targets(100);
+  EXPECT_EQ(targets.front(), 150);
+  EXPECT_TRUE(std::is_sorted(targets.rbegin(), targets.rend()));
+  EXPECT_GT(targets.back(), 100);
+}
+
+// Free units are part of every selection of the budget, and no other selection enters it.
+TEST(BoundGoal, FreeUnitsExcludeNothing) {
+  const BoundGoal goal = goal_of({0, 0, 0, 2, 4}, 4);
+  const SelectionBudget limit = goal.below(4);
+  double all_free = 0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    EXPECT_GT(limit.price[j], 0);
+    all_free += limit.price[j];
+  }
+  EXPECT_LE(all_free + limit.price[3], limit.budget);
+  EXPECT_GT(limit.price[4], limit.budget);
+}
+
+}  // namespace
+}  // namespace shelfbeam
