@@ -43,9 +43,9 @@ Plan plan_of(const std::string& name) {
     return {"aisles", 4,
             test::ZooStore(8, 6.5, 3, 0.4)
                 .paint("goods", 0.3)
-                .shelves(1.1, 1.3, 2.1, 2.1, {0.4}, 1.4, "walls", goods)
+                .shelves(1.1, 1.3, 2.1, 2.1, {0.4, 1.3}, 1.4, "walls", goods)
                 .shelves(4.6, 1.5, 2.3, 2.2, {0.9}, 1.6, "walls", goods)
-                .shelves(1.3, 3.9, 2.2, 2.2, {0.6}, 1.5, "walls", goods)
+                .shelves(1.3, 3.9, 2.2, 2.2, {0.6, 1.5}, 1.5, "walls", goods)
                 .shelves(4.9, 4.2, 2.0, 2.1, {0.3}, 1.3, "walls", goods)
                 .grid(5, 3, 2.9)};
   if (name == "high")  // a hall with low shelves

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -48,6 +49,15 @@ BoundGoal bound_goal(const SignalTable& table, const Placement& placement) {
   if (placement.problem.combination == Combination::lexicographic || has_known_prices(placement.problem))
     goal.value = goal.bound_of(placement);
   return goal;
+}
+
+double trivial_bound(const BoundGoal& goal, const SignalTable& table) {
+  double installed = 0, cheapest = std::numeric_limits<double>::infinity();
+  for (std::size_t j = 0; j < goal.price.size(); ++j) {
+    if (table.transceivers[j].installed) installed += goal.price[j];
+    cheapest = std::min(cheapest, goal.price[j]);
+  }
+  return table.rows() == 0 || goal.price.empty() ? installed : std::max(installed, cheapest);
 }
 
 SelectionBudget BoundGoal::below(double bound) const {

@@ -39,4 +39,7 @@ struct BoundGoal {
 /// The goal of a placement with a selection: the bound that it proves on its table.
 BoundGoal bound_goal(const SignalTable& table, const Placement& placement);
 
+/// The cost of the installed units, or of the cheapest unit if there are labels: needs no samples.
+double trivial_bound(const BoundGoal& goal, const SignalTable& table);
+
 }  // namespace shelfbeam

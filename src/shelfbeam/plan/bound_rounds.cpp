@@ -31,6 +31,11 @@ bool has_refuted_entry(const SignalTable& planned, const SignalTable& fresh, Com
 
 }  // namespace
 
+void BoundRounds::aim(const SignalTable& table, const Placement& placement) {
+  goal_ = bound_goal(table, placement);
+  raise(trivial_bound(goal_, table), 0);
+}
+
 double BoundRounds::proven() const {
   return goal_.is_count ? static_cast<double>(certificate_.count_lower_bound) : certificate_.cost_lower_bound;
 }

@@ -41,7 +41,7 @@ class BoundRounds {
         refuter_(prepared, place, control) {}
 
   /// Sets the goal: the bound of a placement with a selection on its table.
-  void aim(const SignalTable& table, const Placement& placement) { goal_ = bound_goal(table, placement); }
+  void aim(const SignalTable& table, const Placement& placement);
   bool holds() const { return proven() >= goal_.value; }
 
   /// Tests one bound, the largest that the budget allows. `label_cost`: of a batch of a label with the chosen

@@ -187,7 +187,10 @@ CoreRows core_rows(const SignalTable& table, const BoundGoal& goal, double cost,
     order.clear();
     for (const std::uint32_t i : check.unmet)
       order.emplace_back(check.signal[i] / requirement_of(table.labels[i], problem.model), i);
-    if (order.empty()) break;
+    if (order.empty()) {
+      decisive.counterexample = answer.selected;
+      break;
+    }
     for (const std::uint32_t row : spread(table, std::move(order))) decisive.rows.push_back(row);
     std::sort(decisive.rows.begin(), decisive.rows.end());
   }

@@ -82,17 +82,22 @@ std::optional<BudgetRefuter::Promising> BudgetRefuter::promising(
   // refutes, exact searches for core rows, which take seconds for large stores, are not needed.
   const SignalTable smallest = raised_by(*std::rbegin(reserves));
   const bool is_relaxed = relaxed_cover(smallest, limit, deadline, control_).is_refuted;
-  if (!is_relaxed && core_labels(smallest, goal, bound, deadline).empty()) return std::nullopt;
+  if (!is_relaxed)
+    if (CoreRows core = core_labels(smallest, goal, bound, deadline); !core.suffice) {
+      counterexample = std::move(core.counterexample);
+      return std::nullopt;
+    }
   // Bisection: a smaller reserve closes whatever a larger one closes.
   std::optional<Promising> best;
   for (std::size_t low = 0, high = std::size(reserves); low < high && !deadline.has_passed();) {
     const std::size_t middle = best || high < std::size(reserves) || low > 0 ? (low + high) / 2 : 0;
     const SignalTable raised = raised_by(reserves[middle]);
-    const std::vector<std::uint32_t> labels = is_relaxed
-                                                  ? relaxed_cover(raised, limit, deadline, control_).labels
-                                                  : core_labels(raised, goal, bound, deadline);
+    const CoreRows core = is_relaxed ? CoreRows() : core_labels(raised, goal, bound, deadline);
+    const std::vector<std::uint32_t> labels =
+        is_relaxed ? relaxed_cover(raised, limit, deadline, control_).labels : core.rows;
     RefutationSearch search;
-    if (!labels.empty())
+    search.counterexample = core.counterexample;
+    if (!labels.empty() && (is_relaxed || core.suffice))
       search = find_refutation(raised, labels, limit, progress.open, max_leaves, deadline, control_);
     if (!search.found) {
       if (!search.counterexample.empty()) counterexample = std::move(search.counterexample);
@@ -108,14 +113,13 @@ std::optional<BudgetRefuter::Promising> BudgetRefuter::promising(
   return best;
 }
 
-// Labels that by themselves require the bound; empty if an exact search finds none.
-std::vector<std::uint32_t> BudgetRefuter::core_labels(const SignalTable& raised, const BoundGoal& goal,
-                                                      double bound, const Deadline& deadline) const {
+// Labels that by themselves require the bound, by an exact search.
+CoreRows BudgetRefuter::core_labels(const SignalTable& raised, const BoundGoal& goal, double bound,
+                                    const Deadline& deadline) const {
   PlaceOptions options;
   options.time_limit_s = std::min(5.0, 0.2 * deadline.seconds_left());
   options.step_limit = place_.step_limit;
-  CoreRows core = core_rows(raised, goal, bound, options, control_);
-  return core.suffice ? core.rows : std::vector<std::uint32_t>();
+  return core_rows(raised, goal, bound, options, control_);
 }
 
 }  // namespace shelfbeam

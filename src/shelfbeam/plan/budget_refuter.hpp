@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/plan/bound_goal.hpp"
+#include "shelfbeam/plan/bound_rows.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/tested_refutation.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
@@ -55,8 +56,8 @@ class BudgetRefuter {
                                      const Progress& progress, const SignalTable& table,
                                      const SignalMatrix& matrix, double seconds, double level,
                                      std::vector<std::uint32_t>& counterexample) const;
-  std::vector<std::uint32_t> core_labels(const SignalTable& raised, const BoundGoal& goal, double bound,
-                                         const Deadline& deadline) const;
+  CoreRows core_labels(const SignalTable& raised, const BoundGoal& goal, double bound,
+                       const Deadline& deadline) const;
 
   const PreparedScene& prepared_;
   const PlaceOptions& place_;

@@ -26,7 +26,7 @@ constexpr double share_of_quick = 0.1, share_of_again = 0.25;
 // selection, the widest first.
 constexpr int max_sharpenings = 8;
 constexpr std::size_t sharpening_batches = 4096;  ///< of all labels together
-constexpr double errors_of_hope = 0.5, errors_at_risk = 1;
+constexpr double errors_of_hope = 0.5, errors_at_risk = 1, errors_of_doubt = 2;
 constexpr double margins_to_try[] = {0.04, 0.02, 0.01, 0.005, 0};
 
 void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t>& more) {
@@ -215,14 +215,16 @@ class Certifier {
   // changed its status. False if nothing changes.
   bool improve() {
     std::vector<std::uint32_t> rows;
-    if (placement_.has_selection()) rows = verdicts_.short_labels();
+    if (placement_.has_selection()) rows = verdicts_.doubtful_labels();
     const bool is_short = !rows.empty();
-    const std::vector<std::uint32_t> cheaper = bound_.take_counterexample();
+    std::vector<std::uint32_t> cheaper = bound_.take_counterexample();
+    // A selection that misses labels clearly decides nothing.
+    if (!cheaper.empty() && !reaches_all(lowered(-errors_of_doubt), cheaper)) cheaper.clear();
     if (!cheaper.empty()) join_sets(rows, worst_off(table_, cheaper));
     fresh_ = bound_.take_fresh();
     if (placement_.has_selection() && bound_.holds()) fresh_.clear();
     if (!rows.empty() && !refine(rows, refine_batches_)) return false;
-    if (fresh_.empty()) return false;
+    if (fresh_.empty() && cheaper.empty()) return false;
     join_fresh();
     refine_batches_ = Rounds::more(refine_batches_);
     if (!cheaper.empty() && reaches_all(table_, cheaper)) return place_again(cheaper);

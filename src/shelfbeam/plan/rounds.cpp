@@ -154,10 +154,15 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
   return count;
 }
 
-std::vector<std::uint32_t> LabelRounds::short_labels() const {
+std::vector<std::uint32_t> LabelRounds::doubtful_labels() const {
+  constexpr std::uint32_t many_batches = 4096;
   std::vector<std::uint32_t> rows;
-  for (std::uint32_t i = 0; i < labels_.size(); ++i)
-    if (batches_[i] > 0 && !is_met(labels_[i].signal, labels_[i].requirement)) rows.push_back(i);
+  for (std::uint32_t i = 0; i < labels_.size(); ++i) {
+    const bool is_short = batches_[i] > 0 && !is_met(labels_[i].signal, labels_[i].requirement);
+    const bool is_near =
+        batches_[i] >= many_batches && !passes_[i] && labels_[i].verdict == Verdict::undecided;
+    if (is_short || is_near) rows.push_back(i);
+  }
   return rows;
 }
 

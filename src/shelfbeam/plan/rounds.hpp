@@ -93,8 +93,9 @@ class LabelRounds {
 
   /// Cost of a batch of a label, in the budget's unit of measure; 0 before the first.
   double cost() const { return cost_; }
-  /// Labels whose estimated signal is below the requirement.
-  std::vector<std::uint32_t> short_labels() const;
+  /// Labels whose estimated signal is below the requirement, or so little above that many batches have not
+  /// decided them.
+  std::vector<std::uint32_t> doubtful_labels() const;
   /// The reason why labels stay open, such as "deciding the rest would take about 40 s".
   std::string obstacle(const Rounds& rounds) const;
 

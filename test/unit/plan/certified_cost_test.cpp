@@ -39,20 +39,19 @@ PlanOptions priced_options(std::uint64_t seed) {
 
 TEST(CertifiedCost, IsTheMinimumOfTheMatrix) {
   test::PlanStore store;
-  store.threshold = 0.06;
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative})
     for (const bool redundant : {false, true}) {
       PlanOptions options = priced_options(7);
       options.problem.model = model;
       options.problem.redundant = redundant;
-      if (redundant) store.threshold = 0.02;
+      store.threshold = redundant ? 0.04 : 0.075;
       const Plan plan = make_plan(store.scene(), options);
       ASSERT_TRUE(plan.certificate);
       EXPECT_EQ(plan.certificate->open, "");
       EXPECT_TRUE(plan.certificate->all_reached());
       EXPECT_NEAR(plan.certificate->cost_lower_bound, plan.placement.objective_value, 1e-9);
       EXPECT_EQ(plan.certificate->count_lower_bound, 0U);
-      EXPECT_GT(plan.certificate->bound_labels, 0U);
+      EXPECT_GT(plan.certificate->bound_labels, 0U) << "one unit is enough";
     }
 }
 

@@ -104,9 +104,8 @@ std::string certificate_facts(const ReportData& data) {
     facts.add("Lower bound on the cost", plain(certificate.cost_lower_bound));
   if (certificate.count_lower_bound > 0)
     facts.add("Lower bound on the count", grouped(certificate.count_lower_bound));
-  if (certificate.bound_labels > 0)
-    facts.add("Proven from", counted(certificate.bound_labels, "label"));
-  else
+  if (certificate.bound_labels > 0) facts.add("Proven from", counted(certificate.bound_labels, "label"));
+  if (certificate.count_lower_bound == 0 && certificate.cost_lower_bound == 0)
     facts.add("Lower bound", "not examined");
   facts.add("Rounds", grouped(certificate.rounds));
   facts.add("Time", significant(certificate.seconds, 3) + "\u00A0s");
