@@ -213,7 +213,7 @@ void examine_shop(const Settings& settings, const std::string& name, const std::
     tbb::task_arena(settings.jobs).execute([&] {
       for_each_task(found.size(), [&](std::size_t k) {
         const Question& question = questions[k % questions.size()];
-        found[k] = examine(question, planned(settings, question, planner, 1 + k / questions.size()));
+        found[k] = examine(question, planned(settings, question, planner, 1 + k));
         fmt::print(stderr, "{}, {}: {} of {} plans\n", name, planner.name, ++done, found.size());
       });
     });

@@ -165,18 +165,38 @@ KnownShop::Case KnownShop::case_of(const KnownProblem& problem, double requireme
     found.count = one.count;
   }
   if (!std::isfinite(found.cost)) throw std::runtime_error("no selection meets the requirement");
+  return found;
+}
+
+KnownShop::Case KnownShop::with_file(const KnownProblem& problem, double requirement) const {
+  Case found = case_of(problem, requirement);
   found.store = folder_ / fmt::format("{}-{:.8g}.json", name_, requirement);
   write_file(found.store, plan_of(name_).store.requirement(requirement).text());
   return found;
 }
 
 KnownShop::Case KnownShop::with_margin(const KnownProblem& problem, double margin) const {
-  return case_of(problem, critical(problem, plan_of(name_).units) / (1 + margin));
+  return with_file(problem, critical(problem, plan_of(name_).units) / (1 + margin));
 }
 
+// Costs in ascending order, and the requirement that each can meet at the most, in steps.
 KnownShop::Case KnownShop::loose(const KnownProblem& problem) const {
-  const std::size_t units = plan_of(name_).units;
-  return case_of(problem, std::sqrt(critical(problem, units) * critical(problem, units - 1)));
+  std::vector<Best> all = selections(problem);
+  std::sort(all.begin(), all.end(), [](const Best& a, const Best& b) { return a.cost < b.cost; });
+  const std::size_t max_units = plan_of(name_).units + 1;
+  double reached = 0, widest = 1, requirement = 0;
+  for (std::size_t k = 0; k < all.size();) {
+    const double cost = all[k].cost, before = reached;
+    std::size_t units = 0;
+    for (; k < all.size() && all[k].cost == cost; ++k) {
+      reached = std::max(reached, all[k].signal);
+      units = std::max(units, all[k].count);
+    }
+    if (before == 0 || units < 2 || units > max_units || reached / before <= widest) continue;
+    widest = reached / before;
+    requirement = std::sqrt(reached * before);
+  }
+  return with_file(problem, requirement);
 }
 
 }  // namespace shelfbeam::bench

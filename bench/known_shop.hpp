@@ -48,7 +48,7 @@ class KnownShop {
     std::filesystem::path store;
   };
   Case with_margin(const KnownProblem& problem, double margin) const;
-  /// The requirement halfway to that which fewer units meet.
+  /// The requirement halfway between those that two consecutive costs can meet, where these differ the most.
   Case loose(const KnownProblem& problem) const;
 
   /// The signal of a selection at a label.
@@ -70,6 +70,7 @@ class KnownShop {
     double cost = 0;
     std::size_t count = 0;
   };
+  Case with_file(const KnownProblem& problem, double requirement) const;
   Case case_of(const KnownProblem& problem, double requirement) const;
   std::vector<Best> selections(const KnownProblem& problem) const;
   double critical(const KnownProblem& problem, std::size_t units) const;

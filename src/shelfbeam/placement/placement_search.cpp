@@ -133,7 +133,7 @@ Placement search(SearchState& state) {
   const Selection of_opening = state.incumbent.selected();
   state.report_state();
   if (state.limits.proves) run(schedule, state);
-  if (!state.is_weighted && state.problem.objective != Objective::count) {
+  if (state.limits.proves && !state.is_weighted && state.problem.objective != Objective::count) {
     std::vector<double> cost = objective_coefficients(state.table, state.problem);
     const CostBounds bounds(state.table, cost);
     state.second = {std::move(cost), bounds, state.incumbent.value_of(state.incumbent.selected()),

@@ -61,9 +61,12 @@ double trivial_bound(const BoundGoal& goal, const SignalTable& table) {
 }
 
 SelectionBudget BoundGoal::below(double bound) const {
+  if (is_count) return {price, std::max(0.0, bound - 1)};
   const double gap = step > 0 ? step : relative_rounding * bound;
   const double tokens = share_of_tokens * gap;
-  SelectionBudget budget{price, std::max(0.0, bound - gap)};
+  // Sums of prices are rounded. No cost is between the budget and the bound.
+  constexpr double share_of_rounding = 1e-3;
+  SelectionBudget budget{price, std::max(0.0, bound - gap * (1 - share_of_rounding))};
   if (std::all_of(price.begin(), price.end(), [](double one) { return one > 0; })) return budget;
   for (double& one : budget.price)
     if (!(one > 0)) one = tokens / static_cast<double>(price.size());

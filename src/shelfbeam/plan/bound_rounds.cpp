@@ -5,12 +5,16 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/deadline.hpp"
+
 namespace shelfbeam {
 
 namespace {
 
 // By how many standard errors of the matrix an entry must be too weak to count as such beforehand.
 constexpr double errors_of_fixed = 2;
+// Share of the budget that is left, for the search for core rows.
+constexpr double share_of_search = 0.1;
 
 bool is_strong(const SignalTable& table, std::uint32_t label, double signal, CommunicationModel model) {
   return is_met(signal, requirement_of(table.labels[label], model));
@@ -33,6 +37,8 @@ bool has_refuted_entry(const SignalTable& planned, const SignalTable& fresh, Com
 
 void BoundRounds::aim(const SignalTable& table, const Placement& placement) {
   goal_ = bound_goal(table, placement);
+  value_ = goal_.problem.combination == Combination::weighted ? placement.objective_value
+                                                              : static_cast<double>(placement.count());
   raise(trivial_bound(goal_, table), 0);
 }
 
@@ -46,7 +52,7 @@ void BoundRounds::raise(double bound, std::size_t labels) {
   if (goal_.is_count) certificate_.count_lower_bound = static_cast<std::size_t>(bound);
   if (goal_.problem.combination == Combination::weighted) certificate_.cost_lower_bound = bound;
   certificate_.bound_labels = labels;
-  obstacle_.clear();
+  if (holds()) obstacle_.clear();
 }
 
 void BoundRounds::set_obstacle(double bound, double cost, const Rounds& rounds) {
@@ -83,14 +89,13 @@ bool BoundRounds::prove(const SignalTable& table, const SignalMatrix& matrix, Ro
 // Returns whether it has tested a refutation of all selections that cost less than the bound.
 bool BoundRounds::refute(double bound, const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds,
                          double level, double cost) {
-  const double begun = rounds.spent();
   BudgetRefuter::Attempt attempt = refuter_.attempt(goal_, bound, table, matrix, rounds, level, cost);
   if (!attempt.counterexample.empty()) counterexample_ = std::move(attempt.counterexample);
   if (!attempt.is_tested) {
     if (attempt.cost > 0) set_obstacle(bound, attempt.cost, rounds);
     return false;
   }
-  measure(attempt.fresh, begun, rounds);
+  measure(attempt.fresh, attempt.begun, rounds);
   fresh_ = std::move(attempt.fresh);
   if (attempt.is_proven) raise(bound, attempt.labels);
   return true;
@@ -107,27 +112,31 @@ LimitCounts BoundRounds::counts(std::size_t rows, std::size_t columns) const {
 SignalTable BoundRounds::expected_table(const SignalTable& table, const SignalMatrix& matrix, double level,
                                         std::size_t rows, std::uint32_t batches) const {
   const bool is_fixed = goal_.problem.model == CommunicationModel::non_cooperative;
-  return raised_table(table, matrix, expected_errors(level, counts(rows, table.columns()), batches), batches,
+  const double samples = batches * Rounds::samples_per_batch(prepared_);
+  return raised_table(table, matrix, expected_errors(level, counts(rows, table.columns()), batches), samples,
                       is_fixed ? errors_of_fixed : 0);
 }
 
-// Core rows for the goal, expected from the batches of this round or, after the first round, from the
-// smallest larger number that suffices. Sets batches_ if there are any.
+// Core rows for the goal, expected from the batches of this round or from the smallest larger number that
+// suffices. Sets batches_ if there are any.
 CoreRows BoundRounds::promising_rows(const SignalTable& table, const SignalMatrix& matrix,
                                      const Rounds& rounds, double level) {
   CoreRows found;
+  const Deadline deadline(rounds.counts_samples() ? place_.time_limit_s
+                                                  : share_of_search * std::max(0.0, rounds.left()));
   for (std::uint32_t batches = batches_;; batches = Rounds::more(batches)) {
     control_.report("proving", -1,
                     fmt::format("round {}, core rows to prove that {}, {} batches", rounds.round(),
                                 goal_.text(goal_.value), batches));
     PlaceOptions options;
-    options.time_limit_s = rounds.counts_samples() ? place_.time_limit_s : 0.1 * std::max(0.0, rounds.left());
+    options.time_limit_s = deadline.seconds_left();
     options.step_limit = place_.step_limit;
     CoreRows core = core_rows(expected_table(table, matrix, level, rows_, batches), goal_, goal_.value,
                               options, control_);
     if (found.rows.empty() || core.suffice) found = std::move(core);
     if (found.suffice) batches_ = batches;
-    if (found.suffice || batches >= Rounds::max_batches || control_.cancelled()) return found;
+    const bool is_late = deadline.has_passed() || control_.cancelled();
+    if (found.suffice || batches >= Rounds::max_batches || is_late) return found;
   }
 }
 

@@ -43,6 +43,8 @@ class BoundRounds {
   /// Sets the goal: the bound of a placement with a selection on its table.
   void aim(const SignalTable& table, const Placement& placement);
   bool holds() const { return proven() >= goal_.value; }
+  /// The goal is the count or the cost of the placement itself, or nothing is to be proven.
+  bool is_tight() const { return goal_.value == 0 || goal_.value >= value_ * (1 - 1e-9); }
 
   /// Tests one bound, the largest that the budget allows. `label_cost`: of a batch of a label with the chosen
   /// units only. Returns whether it has sampled. Throws as `sample_batches`.
@@ -88,6 +90,7 @@ class BoundRounds {
   const RunControl& control_;
   Certificate& certificate_;
   BoundGoal goal_;
+  double value_ = 0;  ///< count or cost of the placement
   BudgetRefuter refuter_;
   std::uint32_t batches_ = min_verifying_batches;  ///< of the next test of entries
   std::size_t rows_ = max_doubtful;                ///< expected maximum number of core rows

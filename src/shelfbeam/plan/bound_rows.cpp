@@ -151,15 +151,15 @@ void raise_row(SignalTable& table, const SignalMatrix& matrix, std::size_t i, do
 
 double expected_errors(double level, LimitCounts counts, std::uint32_t batches) {
   constexpr double reserve = 1.1;  // errors of the new batches may be larger
-  return reserve *
-         student_quantile(1 - share_of_entries * level / static_cast<double>(counts.entries), batches - 1);
+  return -reserve *
+         student_quantile(share_of_entries * level / static_cast<double>(counts.entries), batches - 1);
 }
 
 SignalTable raised_table(const SignalTable& planned, const SignalMatrix& matrix, double errors,
-                         std::uint32_t batches, double planned_errors) {
+                         double samples, double planned_errors) {
   SignalTable table = planned;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    const double ratio = std::sqrt(static_cast<double>(matrix.labels[i].batches) / batches);
+    const double ratio = std::sqrt(static_cast<double>(matrix.labels[i].samples) / samples);
     raise_row(table, matrix, i, errors * ratio + planned_errors);
   }
   return table;

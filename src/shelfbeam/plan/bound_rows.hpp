@@ -40,10 +40,10 @@ UpperConfidenceRows upper_confidence_rows(const PreparedScene& prepared, const S
 /// The standard errors by which `upper_confidence_rows` is expected to raise an entry.
 double expected_errors(double level, LimitCounts counts, std::uint32_t batches);
 
-/// The table with every signal raised by some standard errors, those that this number of batches would have,
-/// and by some standard errors of the matrix (negative: lowered, to 0 at the least).
+/// The table with every signal raised by some standard errors, those that this number of samples per label
+/// would have, and by some standard errors of the matrix (negative: lowered, to 0 at the least).
 SignalTable raised_table(const SignalTable& planned, const SignalMatrix& matrix, double errors,
-                         std::uint32_t batches, double planned_errors = 0);
+                         double samples, double planned_errors = 0);
 
 /// The rows of some labels (ascending) of a table.
 SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint32_t>& rows);

@@ -15,7 +15,8 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::size_t max_leaves = 400'000;
+// Leaves list columns: these many in all leaves take some 200 MB.
+constexpr std::size_t max_leaves = 400'000, max_columns_of_leaves = 50'000'000;
 // Share of the budget that is left, for the search for a refutation.
 constexpr double share_of_search = 0.1;
 constexpr double seconds_of_search = 60;  ///< if the budget is in samples
@@ -55,6 +56,7 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
   control_.report(
       "proving", -1,
       fmt::format("round {}, {} labels, {} batches", rounds.round(), attempt.labels, attempt.batches));
+  attempt.begun = rounds.spent();
   TestedRefutation tested = test_refutation(
       prepared_, found->refutation, table,
       rounds.request(Purpose::bound, found->refutation.labels, attempt.batches), level, control_);
@@ -75,37 +77,43 @@ std::optional<BudgetRefuter::Promising> BudgetRefuter::promising(
   constexpr double reserve_of_batches = 1.5;
   const Deadline deadline(seconds);
   constexpr double reserves[] = {10.0, 7.0, 5.0, 3.5, 2.5, 1.7, 1.2, 0.8, 0.5, 0.3, 0.15};
+  const double of_batch = Rounds::samples_per_batch(prepared_);
   const auto raised_by = [&](double errors) {
-    return raised_table(table, matrix, errors, min_verifying_batches);
+    return raised_table(table, matrix, errors, min_verifying_batches * of_batch);
   };
   // Labels that refute nothing with the smallest reserve refute nothing with a larger one. If the relaxation
   // refutes, exact searches for core rows, which take seconds for large stores, are not needed.
   const SignalTable smallest = raised_by(*std::rbegin(reserves));
   const bool is_relaxed = relaxed_cover(smallest, limit, deadline, control_).is_refuted;
-  if (!is_relaxed)
+  // Leaves that stay open may be refuted although the whole is not.
+  const bool has_leaves = !progress.open.empty();
+  if (!is_relaxed && !has_leaves)
     if (CoreRows core = core_labels(smallest, goal, bound, deadline); !core.suffice) {
       counterexample = std::move(core.counterexample);
       return std::nullopt;
     }
   // Bisection: a smaller reserve closes whatever a larger one closes.
+  const std::size_t leaves = std::min(max_leaves, max_columns_of_leaves / (table.columns() + 1));
   std::optional<Promising> best;
   for (std::size_t low = 0, high = std::size(reserves); low < high && !deadline.has_passed();) {
-    const std::size_t middle = best || high < std::size(reserves) || low > 0 ? (low + high) / 2 : 0;
+    // Where margins are wide, the largest reserve closes at once.
+    const bool is_first = low == 0 && high == std::size(reserves);
+    const std::size_t middle = is_first ? 0 : (low + high) / 2;
     const SignalTable raised = raised_by(reserves[middle]);
     const CoreRows core = is_relaxed ? CoreRows() : core_labels(raised, goal, bound, deadline);
     const std::vector<std::uint32_t> labels =
         is_relaxed ? relaxed_cover(raised, limit, deadline, control_).labels : core.rows;
     RefutationSearch search;
     search.counterexample = core.counterexample;
-    if (!labels.empty() && (is_relaxed || core.suffice))
-      search = find_refutation(raised, labels, limit, progress.open, max_leaves, deadline, control_);
+    if (!labels.empty() && (is_relaxed || core.suffice || has_leaves))
+      search = find_refutation(raised, labels, limit, progress.open, leaves, deadline, control_);
     if (!search.found) {
       if (!search.counterexample.empty()) counterexample = std::move(search.counterexample);
       low = middle + 1;
       continue;
     }
     high = middle;
-    const double needed = needed_batches(*search.found, table, matrix, level);
+    const double needed = needed_samples(*search.found, table, matrix, level) / of_batch;
     const double wanted = std::max<double>(progress.min_batches, reserve_of_batches * needed);
     if (wanted <= Rounds::max_batches) best = {std::move(*search.found), needed, wanted};
   }

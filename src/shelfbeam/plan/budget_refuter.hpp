@@ -29,6 +29,7 @@ class BudgetRefuter {
     std::size_t labels = 0;  ///< of the refutation
     std::uint32_t batches = 0;
     std::vector<ValidationRow> fresh;
+    double begun = 0;                           ///< Rounds::spent before the test
     double cost = 0;                            ///< of a test that exceeds the budget
     std::vector<std::uint32_t> counterexample;  ///< a cheaper selection that may reach all labels
   };

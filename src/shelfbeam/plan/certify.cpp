@@ -22,6 +22,7 @@ constexpr std::uint32_t max_rounds = 30;
 constexpr std::uint32_t min_refining_batches = 16;
 // Shares of the time limit of a placement.
 constexpr double share_of_quick = 0.1, share_of_again = 0.25;
+constexpr double share_of_sharpening = 0.2;  ///< of the budget
 // Sharpening: rounds, errors by which signals may be higher, or lower, than their means, and margins of a
 // selection, the widest first.
 constexpr int max_sharpenings = 8;
@@ -64,6 +65,7 @@ class Certifier {
       if (placement_.status == Status::stopped && placement_.gap() > 0) sharpen();
       while (!is_done() && rounds_.round() < max_rounds && run_round()) {
       }
+      if (certificate_.open.empty()) certificate_.open = is_done() ? unproven_bound() : reason_to_stop();
     } catch (const Interrupted&) {
       certificate_.open = interrupted;
     }
@@ -75,25 +77,31 @@ class Certifier {
  private:
   // A search that stopped leaves a gap, which may be due to errors of the signals, and a selection that may
   // just suffice. Looks for a cheap selection with some margin, and samples the labels that decide on it.
+  // Returns whether the placement may have changed.
   bool sharpen() {
+    const double end = rounds_.left() * (1 - share_of_sharpening);
+    const auto may_continue = [&] { return rounds_.left() > end && !control_.cancelled(); };
     std::vector<std::uint32_t> best = placement_.selected;
-    for (int k = 0; k < max_sharpenings && rounds_.left() > 0; ++k) {
+    bool has_sampled = false;
+    for (int k = 0; k < max_sharpenings && may_continue(); ++k) {
       best = promising_selection(best);
-      const std::vector<std::uint32_t> rows = worst_off(lowered(errors_at_risk), best);
+      const std::vector<std::uint32_t> rows = worst_off(shifted(-errors_at_risk), best);
       if (rows.empty()) break;
       const auto batches = static_cast<std::uint32_t>(sharpening_batches / rows.size());
       if (!refine(rows, std::max(min_verifying_batches, batches))) break;
       join_fresh();
+      has_sampled = true;
     }
-    return place_again(best);
+    return (has_sampled || best != placement_.selected) && place_again(best);
   }
 
   // The cheapest selection that quick searches find on raised signals, `best` included, or one of this value
   // with a larger margin.
   std::vector<std::uint32_t> promising_selection(const std::vector<std::uint32_t>& best) {
-    const Placement cheapest = quick_placement(raised_table(table_, matrix_, 0, 1, errors_of_hope), best);
+    const Placement cheapest = quick_placement(shifted(errors_of_hope), best);
     if (!cheapest.has_selection()) return best;
     for (const double margin : margins_to_try) {
+      if (rounds_.left() <= 0) break;
       SignalTable demanding = table_;
       for (SignalEntry& entry : demanding.entries) entry.signal /= 1 + margin;
       const Placement wide = quick_placement(demanding, cheapest.selected);
@@ -105,11 +113,13 @@ class Certifier {
   Placement quick_placement(const SignalTable& table, const std::vector<std::uint32_t>& start) {
     PlaceOptions options = in_time(share_of_quick);
     options.start = start;
+    options.solver = SolverChoice::search;
     options.proves = options.settles_ties = false;
     return place(table, placement_.problem, options, control_);
   }
 
-  SignalTable lowered(double errors) const { return raised_table(table_, matrix_, 0, 1, -errors); }
+  // Signals raised by some of their standard errors (negative: lowered).
+  SignalTable shifted(double errors) const { return raised_table(table_, matrix_, 0, 1, errors); }
 
   // Returns whether another round can add something; otherwise sets the reason.
   bool run_round() {
@@ -145,6 +155,11 @@ class Certifier {
     if (!certificate_.all_reached()) return verdicts_.obstacle(rounds_);
     return bound_.obstacle().empty() ? "signals are too close to requirements for a proof"
                                      : bound_.obstacle();
+  }
+
+  // The goal holds, but the search has proven no more than it.
+  std::string unproven_bound() const {
+    return bound_.is_tight() ? "" : "the search proved no larger lower bound on the simulated signals";
   }
 
   // Verdicts and bound refer to the placement.
@@ -210,26 +225,27 @@ class Certifier {
     return check_selection(table, placement_.problem, selected).met();
   }
 
-  // Samples, for all candidates, labels that seem to be missed, or that decide on a cheaper selection, and
-  // updates the matrix. Solves the placement problem again if the selection, or one that is cheaper, has
-  // changed its status. False if nothing changes.
+  // Samples, for all candidates, labels that seem to be missed, that many batches have not decided, or that
+  // decide on a cheaper selection, and updates the matrix. Solves the placement problem again if the
+  // selection, or one that is cheaper, has changed its status. False if nothing changes.
   bool improve() {
     std::vector<std::uint32_t> rows;
     if (placement_.has_selection()) rows = verdicts_.doubtful_labels();
-    const bool is_short = !rows.empty();
+    const bool has_doubts = !rows.empty();
     std::vector<std::uint32_t> cheaper = bound_.take_counterexample();
     // A selection that misses labels clearly decides nothing.
-    if (!cheaper.empty() && !reaches_all(lowered(-errors_of_doubt), cheaper)) cheaper.clear();
+    if (!cheaper.empty() && !reaches_all(shifted(errors_of_doubt), cheaper)) cheaper.clear();
     if (!cheaper.empty()) join_sets(rows, worst_off(table_, cheaper));
     fresh_ = bound_.take_fresh();
     if (placement_.has_selection() && bound_.holds()) fresh_.clear();
-    if (!rows.empty() && !refine(rows, refine_batches_)) return false;
-    if (fresh_.empty() && cheaper.empty()) return false;
+    if (!rows.empty()) refine(rows, refine_batches_);
+    const bool is_cheaper = !cheaper.empty() && reaches_all(table_, cheaper);
+    if (fresh_.empty() && !is_cheaper) return false;
     join_fresh();
     refine_batches_ = Rounds::more(refine_batches_);
     if (!cheaper.empty() && reaches_all(table_, cheaper)) return place_again(cheaper);
     if (!placement_.has_selection()) return place_again({});
-    if (reaches_all(is_short ? lowered(errors_of_hope) : table_, placement_.selected)) return true;
+    if (reaches_all(has_doubts ? shifted(-errors_of_hope) : table_, placement_.selected)) return true;
     return placement_.status == Status::stopped ? sharpen() : place_again(placement_.selected);
   }
 
@@ -238,7 +254,8 @@ class Certifier {
     std::sort(rows.begin(), rows.end());
     control_.report("refining", -1, fmt::format("round {}, {} labels", rounds_.round(), rows.size()));
     const double each = bound_.cost(rounds_, verdicts_.cost()) * static_cast<double>(rows.size());
-    const double most = each > 0 ? rounds_.left() / (3 * each) : wanted;
+    // Before the cost is known, a few batches measure it.
+    const double most = each > 0 ? rounds_.left() / (3 * each) : min_refining_batches;
     if (most < min_refining_batches) return false;
     const double begun = rounds_.spent();
     const auto batches = static_cast<std::uint32_t>(std::min<double>(wanted, most));
@@ -250,6 +267,7 @@ class Certifier {
   }
 
   void join_fresh() {
+    if (fresh_.empty()) return;
     joined_.emplace_back(matrix_, fresh_);
     for (const ValidationRow& row : fresh_) join(row, matrix_);
     fresh_.clear();

@@ -137,6 +137,10 @@ class Search {
       }
       by_weights[best].push_back(j);
     }
+    // Cheap columns may let the total of a group take more than one.
+    for (std::uint32_t w = 0; w < by_weights.size(); ++w)
+      if (!by_weights[w].empty() && !((*total_)(chosen, by_weights[w], values_[w]) < below))
+        return branch(chosen, free, left(chosen));
     for (std::uint32_t w = 0; w < by_weights.size(); ++w)
       if (!by_weights[w].empty() && !add_leaf(chosen, std::move(by_weights[w]), w)) return false;
     return true;  // a selection without any of them is in every one of these leaves

@@ -60,7 +60,6 @@ RelaxedCover relaxed_cover(const SignalTable& table, const SelectionBudget& limi
     }
     lp->add_rows(rows);
     const milp::LpResult solved = lp->solve(deadline.seconds_left(), control);
-    if (solved.termination == milp::Termination::infeasible) return result;
     if (solved.termination != milp::Termination::optimal) return result;
     coverage = solved.x[n];
     units.assign(solved.x.begin(), solved.x.begin() + n);
@@ -76,13 +75,13 @@ RelaxedCover relaxed_cover(const SignalTable& table, const SelectionBudget& limi
   return result;
 }
 
-double needed_batches(const Refutation& refutation, const SignalTable& table, const SignalMatrix& matrix,
+double needed_samples(const Refutation& refutation, const SignalTable& table, const SignalMatrix& matrix,
                       double level) {
   const std::size_t n = table.columns();
   // Limits of skewed sums are wider than Student's.
   constexpr double skewed = 1.25;
-  const double quantile = skewed * student_quantile(1 - level, min_verifying_batches - 1);
-  // By weights and column: the mean, and the variance of one batch.
+  const double quantile = -skewed * student_quantile(level, min_verifying_batches - 1);
+  // By weights and column: the mean, and the variance of one sample.
   std::vector<std::vector<double>> mean, variance;
   for (const Refutation::Weights& weights : refutation.weights) {
     std::vector<double> x(n, 0.0), v(n, 0.0);
@@ -96,7 +95,7 @@ double needed_batches(const Refutation& refutation, const SignalTable& table, co
         if (refutation.is_clipped[row][j]) continue;
         x[j] += share * entry.signal;
         const double error = share * static_cast<double>(matrix.standard_error[matrix.at(i, j)]);
-        v[j] += error * error * static_cast<double>(matrix.labels[i].batches);
+        v[j] += error * error * static_cast<double>(matrix.labels[i].samples);
       }
     }
     mean.push_back(std::move(x));
@@ -106,15 +105,15 @@ double needed_batches(const Refutation& refutation, const SignalTable& table, co
   std::vector<double> limit(n);
   double needed = 1;
   for (const Refutation::Leaf& leaf : refutation.leaves) {
-    const auto is_refuted = [&](double batches) {
+    const auto is_refuted = [&](double samples) {
       for (const auto* columns : {&leaf.chosen, &leaf.free})
         for (const std::uint32_t j : *columns)
-          limit[j] = mean[leaf.weights][j] + quantile * std::sqrt(variance[leaf.weights][j] / batches);
+          limit[j] = mean[leaf.weights][j] + quantile * std::sqrt(variance[leaf.weights][j] / samples);
       return total(leaf.chosen, leaf.free, limit) < 1;
     };
     if (is_refuted(needed)) continue;
     double high = 2 * needed;
-    constexpr double hopeless = 1e9;
+    constexpr double hopeless = 1e12;
     while (high < hopeless && !is_refuted(high)) high *= 2;
     if (high >= hopeless) return std::numeric_limits<double>::infinity();
     for (int step = 0; step < 6; ++step) {

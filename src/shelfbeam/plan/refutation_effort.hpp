@@ -20,9 +20,10 @@ struct RelaxedCover {
 RelaxedCover relaxed_cover(const SignalTable& table, const SelectionBudget& limit, const Deadline& deadline,
                            const RunControl& control);
 
-/// The batches that a test of a refutation is expected to need at this level, from the standard errors of the
-/// matrix; errors of different labels count as independent. Infinite if a leaf is not refuted by the means.
-double needed_batches(const Refutation& refutation, const SignalTable& table, const SignalMatrix& matrix,
+/// The samples per label that a test of a refutation is expected to need at this level, from the standard
+/// errors of the matrix; errors of different labels count as independent. Infinite if a leaf is not refuted
+/// by the means.
+double needed_samples(const Refutation& refutation, const SignalTable& table, const SignalMatrix& matrix,
                       double level);
 
 }  // namespace shelfbeam

@@ -32,6 +32,12 @@ std::uint32_t Rounds::affordable(double wanted, double needed, double cost) cons
   return is_useful ? static_cast<std::uint32_t>(batches) : 0;
 }
 
+double Rounds::samples_per_batch(const PreparedScene& prepared) {
+  if (prepared.world().receivers.size() == 0) return 1;
+  constexpr std::uint32_t any_label[] = {0};
+  return static_cast<double>(prepared.estimator().part(any_label, 0, min_samples)->samples_per_batch());
+}
+
 void LabelRounds::select(const PlacementProblem& problem, std::vector<std::uint32_t> selected,
                          std::vector<float> planned) {
   for (LabelVerdict& label : labels_) label = {.requirement = label.requirement};
@@ -101,7 +107,9 @@ void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches,
     std::vector<std::uint32_t> all(labels_.size());
     std::iota(all.begin(), all.end(), 0U);
     part_ = sub_scene(scene_, all, selected_);
-    prepared_ = prepare(*part_, simulation_, false, control);
+    SimulationOptions own = simulation_;
+    own.seed = mix_key(simulation_.seed ^ 0x766572696679, 0);  // the tables of the matrix chose the units
+    prepared_ = prepare(*part_, own, false, control);
   }
   std::vector<float> planned;
   if (!planned_.empty())
@@ -144,8 +152,9 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
     sample(std::move(rows), static_cast<std::uint32_t>(batches), part++, rounds, levels, control);
   }
   const auto is_missed = [](const LabelVerdict& label) { return label.verdict == Verdict::missed; };
-  if (std::any_of(labels_.begin(), labels_.end(), is_missed)) aims_at_all_ = false;
-  if (holds_jointly())
+  const bool has_missed = std::any_of(labels_.begin(), labels_.end(), is_missed);
+  if (has_missed) aims_at_all_ = false;
+  if (holds_jointly() && !has_missed)
     for (LabelVerdict& label : labels_) {
       if (label.verdict == Verdict::reached) continue;
       label.verdict = Verdict::reached;
@@ -155,7 +164,7 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
 }
 
 std::vector<std::uint32_t> LabelRounds::doubtful_labels() const {
-  constexpr std::uint32_t many_batches = 4096;
+  constexpr std::uint32_t many_batches = 4096;  // those of a margin of about one percent
   std::vector<std::uint32_t> rows;
   for (std::uint32_t i = 0; i < labels_.size(); ++i) {
     const bool is_short = batches_[i] > 0 && !is_met(labels_[i].signal, labels_[i].requirement);

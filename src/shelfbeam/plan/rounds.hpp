@@ -45,6 +45,9 @@ class Rounds {
   }
   std::string_view unit() const { return counts_samples() ? "samples" : "s"; }
 
+  /// First rays per label and batch of every request.
+  static double samples_per_batch(const PreparedScene& prepared);
+
   /// Begins the next round; the first is 1.
   void next() { ++round_; }
   std::uint32_t round() const { return round_; }

@@ -25,6 +25,7 @@ struct WeightedSums {
   std::vector<ValidationEstimate> column, tail;
   std::vector<double> largest;  ///< value of a batch, by column
   std::vector<std::uint32_t> order;
+  double largest_sum = 0;  ///< of all columns, in a batch
 };
 
 class Test {
@@ -65,6 +66,7 @@ class Test {
             sums_[w].largest[j] = std::max(sums_[w].largest[j], x[j]);
           }
           add_tails(sums_[w], x, [](ValidationEstimate& tail, double sum) { take(tail, sum); });
+          sums_[w].largest_sum = std::max(sums_[w].largest_sum, std::accumulate(x.begin(), x.end(), 0.0));
         }
     });
     parallel_for_ranges(tree_.labels.size(), [&](std::size_t first, std::size_t last) {
@@ -160,7 +162,7 @@ class Test {
       if (!tail.is_rare())
         of_sum = std::max(0.0, tail.upper(of_tail) - tail.known);
       else if (k == 0)
-        of_sum = tail.rare_upper(of_tail, ValidationEstimate::large_hit, 1) - tail.known;
+        of_sum = tail.rare_upper(of_tail, sums.largest_sum, 1) - tail.known;
       double& upper = limit[sums.order[k]];
       upper = own.upper(of_column);
       if (own.hits < ValidationEstimate::min_hits && own.hits < own.sampled.count())

@@ -80,7 +80,7 @@ TEST(BoundGoal, RoundsToPossibleCosts) {
   EXPECT_DOUBLE_EQ(goal.step, 0.5);
   EXPECT_DOUBLE_EQ(goal.value, 150);
   EXPECT_DOUBLE_EQ(goal.rounded(149.7), 150);
-  EXPECT_DOUBLE_EQ(goal.below(150).budget, 149.5);
+  EXPECT_NEAR(goal.below(150).budget, 149.5, 1e-3);
   EXPECT_EQ(goal.max_units_below(150), 1U) << "60.5 + 100 is more than 149.5";
   EXPECT_EQ(goal.max_units_below(161), 2U);
   EXPECT_EQ(goal_of({std::sqrt(2.0), 1}, 1).step, 0);
@@ -88,6 +88,20 @@ TEST(BoundGoal, RoundsToPossibleCosts) {
   EXPECT_EQ(targets.front(), 150);
   EXPECT_TRUE(std::is_sorted(targets.rbegin(), targets.rend()));
   EXPECT_GT(targets.back(), 100);
+}
+
+// Sums of prices are rounded: every selection of a lower cost is within the budget, and none of the cost
+// itself.
+TEST(BoundGoal, BudgetsAllowForRounding) {
+  for (const double price : {24.9, 12.95, 49.99, 1.2, 0.3, 9.9, 99.9})
+    for (int units = 2; units <= 15; ++units) {
+      const BoundGoal goal = goal_of(std::vector<double>(20, price), price * units);
+      const SelectionBudget limit = goal.below(goal.value);
+      double cost = 0;
+      for (int k = 0; k + 1 < units; ++k) cost += price;
+      EXPECT_LE(cost, limit.budget) << price << ' ' << units;
+      EXPECT_GT(cost + price, limit.budget) << price << ' ' << units;
+    }
 }
 
 // Free units are part of every selection of the budget, and no other selection enters it.

@@ -136,8 +136,9 @@ TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
     options.seed = seed;
     const SignalMatrix matrix = simulate(scene, options).matrix;
     const SignalTable table = make_signal_table(matrix);
-    const RefutationSearch search = find_refutation(
-        raised_table(table, matrix, 0.1, 64), numbers(truth.rows()), limit, {}, 100000, Deadline(60), {});
+    const RefutationSearch search =
+        find_refutation(raised_table(table, matrix, 0.1, 64 * 131), numbers(truth.rows()), limit, {}, 100000,
+                        Deadline(60), {});
     if (!search.found) continue;
     ++trees;
     const auto is_refuted = [&](double level) {

@@ -46,8 +46,8 @@ std::string certified_bound(const Placement& placement, const Certificate& certi
     const std::string total = fmt::format(" at a total cost of {}", plain(cost));
     if (bound <= 0) return total;
     return total + (bound < cost * (1 - rounding_of_costs)
-                        ? fmt::format(", and every such selection costs at least {}", plain(bound))
-                        : ", and no cheaper selection does");
+                        ? fmt::format(", and reaching all labels costs at least {}", plain(bound))
+                        : ", and no cheaper selection reaches all labels");
   }
   const std::size_t count = placement.count(), bound = std::min(certificate.count_lower_bound, count);
   if (bound == 0) return {};
