@@ -120,9 +120,12 @@ void say_certificates(Sentences& to) {
   const auto say = [&](const Placement& placement, std::size_t bound, const std::vector<std::size_t>& counts,
                        const std::string& open = "") {
     CertifiedPlan plan{placement};
+    double count_bound = 0;
     Certificate& certificate = plan.certificate.emplace();
     certificate.confidence = open.empty() ? 0.99 : 0.995;
-    certificate.count_lower_bound = bound;
+    (has_known_prices(placement.problem) ? certificate.cost_lower_bound : count_bound) =
+        static_cast<double>(bound);
+    certificate.count_lower_bound = static_cast<std::size_t>(count_bound);
     certificate.open = open;
     for (const auto verdict : {Verdict::reached, Verdict::missed, Verdict::undecided})
       certificate.labels.insert(certificate.labels.end(), counts[static_cast<std::size_t>(verdict)],
@@ -137,6 +140,13 @@ void say_certificates(Sentences& to) {
   say(of_units(4, 4, Status::optimal, redundant), 4, {1200, 0, 0});
   say(of_units(1, 1, Status::optimal, redundant), 4, {1, 0, 0});
   say(of_units(4, 4, Status::optimal), 3, {1, 1, 2}, "it was interrupted");
+  const PlacementProblem cost{.combination = weighted};
+  say(of_units(4, 1, Status::optimal, cost), 1000, {1200, 0, 0});
+  say(of_units(4, 1, Status::optimal, cost), 900, {1200, 0, 0});
+  say(of_units(4, 1, Status::optimal, cost), 0, {1, 1, 2}, "it was interrupted");
+  say(of_units(4, 4, Status::optimal, {.objective = Objective::signal}), 4, {1200, 0, 0});
+  say(of_units(4, 1, Status::optimal, {.objective = Objective::signal, .combination = weighted}), 0,
+      {1200, 0, 0});
   say(nothing, 0, {1, 1, 2}, "it was interrupted");
   say(nothing, 0, {0, 0, 4});
   to.heading("sensitivity");
