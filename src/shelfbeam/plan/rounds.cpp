@@ -140,10 +140,12 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
     all = needs(of_list);
     count = shrink_to(rounds.left(), all);
   }
-  skipped_cost_ = 0;
-  for (std::size_t k = count; k < all.size(); ++k)
-    skipped_cost_ += all[k].batches <= Rounds::max_batches ? cost_ * all[k].batches
-                                                           : std::numeric_limits<double>::infinity();
+  skipped_ = {};
+  for (std::size_t k = count; k < all.size(); ++k) {
+    const bool is_near = all[k].batches > Rounds::max_batches;
+    ++(is_near ? skipped_.near : skipped_.others);
+    if (!is_near) skipped_.cost += cost_ * all[k].batches;
+  }
   std::uint32_t part = 0;
   for (std::size_t k = 0; k < count;) {
     std::vector<std::uint32_t> rows;
@@ -176,10 +178,10 @@ std::vector<std::uint32_t> LabelRounds::doubtful_labels() const {
 }
 
 std::string LabelRounds::obstacle(const Rounds& rounds) const {
-  return std::isfinite(skipped_cost_) && skipped_cost_ < 1e9
-             ? fmt::format("deciding the rest would take about {:.0f} {}",
-                           std::max(1.0, std::ceil(skipped_cost_)), rounds.unit())
-             : "labels are too close to their requirements";
+  if (skipped_.others == 0) return "labels are too close to their requirements";
+  const std::string labels = skipped_.near == 0 ? "the rest" : fmt::format("{} of the rest", skipped_.others);
+  return fmt::format("deciding {} would take about {:.0f} {}", labels,
+                     std::max(1.0, std::ceil(skipped_.cost)), rounds.unit());
 }
 
 CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& problem,

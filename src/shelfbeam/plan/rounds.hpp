@@ -125,7 +125,11 @@ class LabelRounds {
   std::vector<std::uint32_t> batches_;  ///< of the present estimate; 0: none
   bool aims_at_all_ = true;             ///< the joint statement can still hold
   double cost_ = 0;                     ///< of a batch of a label, in the budget's unit of measure
-  double skipped_cost_ = 0;             ///< of the labels left out of the last round
+  /// Labels left out of the last round: too near to their requirements, or too expensive for the budget.
+  struct Skipped {
+    std::size_t near = 0, others = 0;
+    double cost = 0;  ///< of the others
+  } skipped_;
 };
 
 /// Verifies mounted units, all transceivers of the scene, in rounds as `certify` does, until every label is
