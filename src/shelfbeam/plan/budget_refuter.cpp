@@ -64,7 +64,7 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
   attempt.is_proven = tested.open.empty();
   attempt.fresh = std::move(tested.fresh);
   progress.open = std::move(tested.open);
-  progress.min_batches = std::min(2 * progress.min_batches, Rounds::max_batches);
+  progress.min_batches = std::min(progress.min_batches * 3 / 2, Rounds::max_batches);
   return attempt;
 }
 

@@ -21,7 +21,7 @@ constexpr auto interrupted = "it was interrupted";
 constexpr std::uint32_t max_rounds = 30;
 constexpr std::uint32_t min_refining_batches = 16;
 // Shares of the time limit of a placement.
-constexpr double share_of_quick = 0.1, share_of_again = 0.25;
+constexpr double share_of_quick = 0.1, share_of_again = 0.1;
 constexpr double share_of_sharpening = 0.2;  ///< of the budget
 // Sharpening: rounds, errors by which signals may be higher, or lower, than their means, and margins of a
 // selection, the widest first.

@@ -241,6 +241,7 @@ class Search {
       if (at == none) {
         at = static_cast<std::uint32_t>(kept.weights.size());
         kept.weights.push_back(std::move(tree_.weights[leaf.weights]));
+        kept.planned.push_back(std::move(values_[leaf.weights]));
         for (const std::uint32_t row : kept.weights.back().rows) row_at[row] = 0;
       }
       leaf.weights = at;

@@ -43,6 +43,7 @@ struct Refutation {
   std::vector<std::uint32_t> labels;               ///< ascending
   std::vector<std::vector<bool>> is_clipped;       ///< by row and column
   std::vector<Weights> weights;
+  std::vector<std::vector<double>> planned;  ///< x_j of the table that was searched, by weights and column
   std::vector<Leaf> leaves;
 };
 

@@ -24,6 +24,12 @@ BatchRequest Rounds::request(Purpose purpose, std::span<const std::uint32_t> lab
 
 // Costs are predicted from earlier rounds, and other work than sampling follows.
 constexpr double share_to_spend = 0.9;
+// Labels of a new selection that are verified before all others.
+constexpr std::size_t labels_at_once = 256;
+// The first batches of labels whose planned margin is wide: lower limits of light, whose values are skewed to
+// the other side, need few.
+constexpr double wide_margin = 1.5;
+constexpr std::uint32_t batches_of_wide = 16;
 
 std::uint32_t Rounds::affordable(double wanted, double needed, double cost) const {
   const double fitting = cost > 0 ? share_to_spend * left() / cost : wanted;
@@ -59,19 +65,21 @@ bool LabelRounds::holds_jointly() const {
 // that labels are sampled together.
 std::vector<LabelRounds::Need> LabelRounds::needs(double level) const {
   constexpr double reserve = 1.5;
+  const std::vector<double> margins = planned_margins();
   std::vector<Need> needs;
   for (std::uint32_t i = 0; i < labels_.size(); ++i) {
     const LabelVerdict& label = labels_[i];
     if (aims_at_all_ ? passes_[i] : label.verdict != Verdict::undecided) continue;
-    double batches = Rounds::min_batches;
+    double batches = 0, of_class = Rounds::min_batches;
     if (batches_[i] > 0) {
       const double margin = std::abs(label.signal - label.requirement);
       const double quantile = -student_quantile(level, batches_[i] - 1);
       batches = reserve * batches_[i] * std::pow(quantile * label.standard_error / margin, 2);
       // A flagged estimate has no reliable error.
       batches = std::max(batches, 2.0 * batches_[i]);
+    } else if (margins[i] >= wide_margin) {
+      of_class = batches_of_wide;
     }
-    double of_class = Rounds::min_batches;
     while (of_class < batches && of_class <= Rounds::max_batches) of_class *= 2;
     needs.push_back({of_class, i});
   }
@@ -93,8 +101,8 @@ std::size_t LabelRounds::shrink_to(double left, std::vector<Need>& needs) const 
   }
   if (batches > fitting)
     for (std::size_t k = 0; k < count; ++k)
-      needs[k].batches =
-          std::max<double>(Rounds::min_batches, std::floor(needs[k].batches * fitting / batches));
+      needs[k].batches = std::max(std::min<double>(Rounds::min_batches, needs[k].batches),
+                                  std::floor(needs[k].batches * fitting / batches));
   return count;
 }
 
@@ -129,6 +137,20 @@ void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches,
   cost_ = std::max(1e-12, (rounds.spent() - begun) / (static_cast<double>(rows.size()) * batches));
 }
 
+// Planned signals of the labels, as shares of their requirements.
+std::vector<double> LabelRounds::planned_margins() const {
+  std::vector<double> margins(labels_.size(), 0.0);
+  if (planned_.empty()) return margins;
+  for (std::size_t i = 0; i < labels_.size(); ++i) {
+    const std::span<const float> row = std::span(planned_).subspan(i * selected_.size(), selected_.size());
+    const double signal = problem_.model == CommunicationModel::cooperative
+                              ? std::accumulate(row.begin(), row.end(), 0.0)
+                              : static_cast<double>(*std::max_element(row.begin(), row.end()));
+    margins[i] = signal / labels_[i].requirement;
+  }
+  return margins;
+}
+
 std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& control) {
   const VerdictLevels levels{level / 2, labels_.size(), level / 2};
   const double of_list = levels.list / static_cast<double>(labels_.size());
@@ -146,11 +168,24 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
     ++(is_near ? skipped_.near : skipped_.others);
     if (!is_near) skipped_.cost += cost_ * all[k].batches;
   }
+  // A new selection often fails at the labels that are nearest to their requirements, which come first.
+  std::size_t first = all.size();
+  if (!planned_.empty() && *std::max_element(batches_.begin(), batches_.end()) == 0) {
+    const std::vector<double> margin = planned_margins();
+    std::stable_sort(all.begin(), all.end(),
+                     [&](const Need& a, const Need& b) { return margin[a.label] < margin[b.label]; });
+    first = labels_at_once;
+  }
   std::uint32_t part = 0;
   for (std::size_t k = 0; k < count;) {
     std::vector<std::uint32_t> rows;
     const double batches = all[k].batches;
-    for (; k < count && all[k].batches == batches; ++k) rows.push_back(all[k].label);
+    for (; k < count && k != first && all[k].batches == batches; ++k) rows.push_back(all[k].label);
+    if (rows.empty()) {
+      if (!doubtful_labels().empty()) break;
+      first = all.size();
+      continue;
+    }
     sample(std::move(rows), static_cast<std::uint32_t>(batches), part++, rounds, levels, control);
   }
   const auto is_missed = [](const LabelVerdict& label) { return label.verdict == Verdict::missed; };

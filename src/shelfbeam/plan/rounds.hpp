@@ -89,8 +89,9 @@ class LabelRounds {
               std::vector<float> planned);
 
   /// Verifies open labels with independent samples and returns their number: in the first round all labels,
-  /// then the labels that lack the joint statement, as long as it can hold for all, and otherwise the labels
-  /// that the list leaves undecided. Labels that would exceed the budget are left out, the most expensive
+  /// unless one of the labels with the smallest planned margins seems to be missed, then the labels that lack
+  /// the joint statement, as long as it can hold for all, and otherwise the labels that the list leaves
+  /// undecided. Labels that would exceed the budget are left out, the most expensive
   /// first.
   std::size_t verify(Rounds& rounds, double level, const RunControl& control);
 
@@ -110,6 +111,7 @@ class LabelRounds {
   std::vector<Need> needs(double level) const;
   std::size_t shrink_to(double left, std::vector<Need>& needs) const;
   bool holds_jointly() const;
+  std::vector<double> planned_margins() const;
   void sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part, Rounds& rounds,
               const VerdictLevels& levels, const RunControl& control);
 

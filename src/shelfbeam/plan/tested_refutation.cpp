@@ -1,9 +1,11 @@
 #include "shelfbeam/plan/tested_refutation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/plan/validation_estimates.hpp"
@@ -16,8 +18,10 @@ namespace {
 // Totals of clipped entries alone are 1 up to rounding.
 constexpr double below = 1 - 1e-9;
 constexpr double share_of_rare = 0.1;
+// A leaf that its weights do not refute has these many more chances, with this share of the level.
+constexpr std::size_t max_others = 4;
+constexpr double share_of_others = 0.2;
 constexpr std::uint32_t batches_at_once = 16;
-constexpr std::uint32_t max_peaks = 3;  ///< batches that flag an error
 
 // The estimates of one set of weights: x_j, and for each column in descending order of planned signal the sum
 // from it to the last.
@@ -27,6 +31,13 @@ struct WeightedSums {
   std::vector<std::uint32_t> order;
   double largest_sum = 0;  ///< of all columns, in a batch
 };
+
+// How many batches of equal values, the others being 0, have this skewness. Flagged errors have one to three.
+std::uint32_t peaks_of(const SkewedMoments& sampled) {
+  const double skewness = sampled.skewness();
+  const double share = (1 - skewness / std::hypot(skewness, 2.0)) / 2;
+  return static_cast<std::uint32_t>(std::max(1.0, std::round(share * static_cast<double>(sampled.count()))));
+}
 
 class Test {
  public:
@@ -92,16 +103,20 @@ class Test {
   }
 
   std::vector<Refutation::Leaf> open_leaves(double level) const {
-    std::vector<std::vector<double>> limits(sums_.size());
-    parallel_for_ranges(sums_.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t w = first; w < last; ++w) limits[w] = limits_of(sums_[w], level);
-    });
+    const auto limits = limits_of_all((1 - share_of_others) * level);
+    const auto limits_of_others = limits_of_all(share_of_others / max_others * level);
     std::vector<char> is_open(tree_.leaves.size(), 0);
     parallel_for_ranges(tree_.leaves.size(), [&](std::size_t first, std::size_t last) {
       LeafTotal total(tree_.limit, tree_.mounts);
       for (std::size_t k = first; k < last; ++k) {
         const Refutation::Leaf& leaf = tree_.leaves[k];
-        if (!(total(leaf.chosen, leaf.free, limits[leaf.weights]) < below)) is_open[k] = 1;
+        const auto is_refuted = [&](std::uint32_t w, const std::vector<std::vector<double>>& limit) {
+          return total(leaf.chosen, leaf.free, limit[w]) < below;
+        };
+        if (is_refuted(leaf.weights, limits)) continue;
+        const std::vector<std::uint32_t> others = other_weights(leaf, total);
+        is_open[k] = std::none_of(others.begin(), others.end(),
+                                  [&](std::uint32_t w) { return is_refuted(w, limits_of_others); });
       }
     });
     std::vector<Refutation::Leaf> open;
@@ -126,6 +141,27 @@ class Test {
   }
 
  private:
+  std::vector<std::vector<double>> limits_of_all(double level) const {
+    std::vector<std::vector<double>> limits(sums_.size());
+    parallel_for_ranges(sums_.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t w = first; w < last; ++w) limits[w] = limits_of(sums_[w], level);
+    });
+    return limits;
+  }
+
+  // The other weights with the smallest planned totals for the leaf. They do not depend on the batches.
+  std::vector<std::uint32_t> other_weights(const Refutation::Leaf& leaf, LeafTotal& total) const {
+    std::vector<std::pair<double, std::uint32_t>> others;
+    for (std::uint32_t w = 0; w < tree_.planned.size(); ++w)
+      if (const double planned = total(leaf.chosen, leaf.free, tree_.planned[w]);
+          w != leaf.weights && planned < below)
+        others.emplace_back(planned, w);
+    std::sort(others.begin(), others.end());
+    std::vector<std::uint32_t> best;
+    for (std::size_t k = 0; k < std::min(max_others, others.size()); ++k) best.push_back(others[k].second);
+    return best;
+  }
+
   static void take(ValidationEstimate& estimate, double value) {
     estimate.sampled.add(value);
     if (value != 0) ++estimate.hits;
@@ -167,10 +203,10 @@ class Test {
       upper = own.upper(of_column);
       if (own.hits < ValidationEstimate::min_hits && own.hits < own.sampled.count())
         upper = std::max(upper, own.known + of_sum);
-      else if (own.sampled.is_skewed())
-        upper = std::max(
-            upper, own.mean() + success_probability_upper_limit(max_peaks, own.sampled.count(), of_column) *
-                                    2 * sums.largest[sums.order[k]]);
+      else if (own.sampled.is_skewed() && own.sampled.skewness() > 0)
+        upper = std::max(upper, own.mean() + success_probability_upper_limit(peaks_of(own.sampled),
+                                                                             own.sampled.count(), of_column) *
+                                                 2 * sums.largest[sums.order[k]]);
     }
     return limit;
   }

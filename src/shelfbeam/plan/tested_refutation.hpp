@@ -27,8 +27,9 @@ struct TestedRefutation {
 /// columns and labels. Limits are those of ValidationEstimate::upper, or larger: a column that was hit rarely
 /// also takes the limit of the shortest sum of the columns of no larger `planned` signals that was hit often
 /// (a tenth of the level, shared by all columns, is for these sums); a column whose error rests on one to
-/// three batches takes the limit of the probability of such batches, at twice the largest value. Throws as
-/// `sample_batches`.
+/// three large batches takes the limit of the probability of this number, at twice the largest value. A leaf
+/// has a fifth of the level for four other weights of the tree, those with the smallest planned totals.
+/// Throws as `sample_batches`.
 TestedRefutation test_refutation(const PreparedScene& prepared, const Refutation& refutation,
                                  const SignalTable& planned, BatchRequest request, double level,
                                  const RunControl& control);
