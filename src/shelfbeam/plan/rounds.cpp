@@ -25,7 +25,7 @@ BatchRequest Rounds::request(Purpose purpose, std::span<const std::uint32_t> lab
 // Costs are predicted from earlier rounds, and other work than sampling follows.
 constexpr double share_to_spend = 0.9;
 // Labels of a new selection that are verified before all others.
-constexpr std::size_t labels_at_once = 256;
+constexpr std::size_t riskiest_labels = 256;
 // The first batches of labels whose planned margin is wide: lower limits of light, whose values are skewed to
 // the other side, need few.
 constexpr double wide_margin = 1.5;
@@ -174,7 +174,7 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
     const std::vector<double> margin = planned_margins();
     std::stable_sort(all.begin(), all.end(),
                      [&](const Need& a, const Need& b) { return margin[a.label] < margin[b.label]; });
-    first = labels_at_once;
+    first = riskiest_labels;
   }
   std::uint32_t part = 0;
   for (std::size_t k = 0; k < count;) {

@@ -119,7 +119,7 @@ TEST(Certify, BorderlineLabelIsUndecided) {
   store.across = 1;
   const double least = min_received(true_matrix(store.scene(), 0.002));
   store.threshold = least * 0.9995;
-  PlanOptions options = plan_options(4, 4'000'000);
+  PlanOptions options = plan_options(4, 1'500'000);
   const Plan plan = make_plan(store.scene(), options);
   ASSERT_TRUE(plan.certificate);
   EXPECT_FALSE(plan.certificate->all_reached());
@@ -216,26 +216,28 @@ TEST(Certify, ResumesAfterAnInterruption) {
   ASSERT_GT(whole.certificate->rounds, 1U) << "nothing is refined that could be interrupted";
   options.simulation.checkpoint = {folder / "checkpoint", true, 0};
   int interrupted = 0;
-  for (const char* task : {"verifying", "proving", "refining", "placing"})
-    for (int times = 1; times <= 2; ++times) {
-      CancelAt cancel(task, times);
-      const Plan part = make_plan(scene, options, {.cancel = &cancel.token, .progress = &cancel});
-      if (part.complete) continue;
-      ++interrupted;
-      EXPECT_NE(part.certificate->open, "");
-      const Placement fit = place(make_signal_table(part.simulation.matrix), {}, {});
-      EXPECT_EQ(fit.selected, part.placement.selected) << task << times;
-      const Plan rest = make_plan(scene, options);
-      EXPECT_TRUE(rest.complete);
-      EXPECT_EQ(rest.simulation.matrix.mean, whole.simulation.matrix.mean);
-      EXPECT_EQ(rest.simulation.matrix.standard_error, whole.simulation.matrix.standard_error);
-      EXPECT_EQ(rest.placement.selected, whole.placement.selected);
-      EXPECT_EQ(rest.certificate->count_lower_bound, whole.certificate->count_lower_bound);
-      EXPECT_EQ(rest.certificate->open, whole.certificate->open);
-      for (std::size_t i = 0; i < scene.labels.size(); ++i)
-        EXPECT_EQ(rest.certificate->labels[i].lower, whole.certificate->labels[i].lower);
-    }
-  EXPECT_GE(interrupted, 4);
+  // The second placement follows an update of the matrix.
+  const std::pair<const char*, int> steps[] = {
+      {"verifying", 1}, {"proving", 2}, {"refining", 1}, {"placing", 2}};
+  for (const auto& [task, times] : steps) {
+    CancelAt cancel(task, times);
+    const Plan part = make_plan(scene, options, {.cancel = &cancel.token, .progress = &cancel});
+    if (part.complete) continue;
+    ++interrupted;
+    EXPECT_NE(part.certificate->open, "");
+    const Placement fit = place(make_signal_table(part.simulation.matrix), {}, {});
+    EXPECT_EQ(fit.selected, part.placement.selected) << task << times;
+    const Plan rest = make_plan(scene, options);
+    EXPECT_TRUE(rest.complete);
+    EXPECT_EQ(rest.simulation.matrix.mean, whole.simulation.matrix.mean);
+    EXPECT_EQ(rest.simulation.matrix.standard_error, whole.simulation.matrix.standard_error);
+    EXPECT_EQ(rest.placement.selected, whole.placement.selected);
+    EXPECT_EQ(rest.certificate->count_lower_bound, whole.certificate->count_lower_bound);
+    EXPECT_EQ(rest.certificate->open, whole.certificate->open);
+    for (std::size_t i = 0; i < scene.labels.size(); ++i)
+      EXPECT_EQ(rest.certificate->labels[i].lower, whole.certificate->labels[i].lower);
+  }
+  EXPECT_GE(interrupted, 3);
 }
 
 TEST(Verify, VerdictsAreTrue) {

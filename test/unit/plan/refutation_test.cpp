@@ -80,11 +80,13 @@ TEST(Refutation, HasEverySelectionInARefutedLeaf) {
       const bool is_refuted =
           std::any_of(tree.leaves.begin(), tree.leaves.end(), [&](const Refutation::Leaf& leaf) {
             if (!is_in(leaf, selected)) return false;
-            double total = 0;
+            double total = 0, planned = 0;
             const Refutation::Weights& weights = tree.weights[leaf.weights];
             for (std::size_t k = 0; k < weights.rows.size(); ++k)
               for (const std::uint32_t j : selected)
                 total += weights.weight[k] * std::min(1.0, matrix[tree.labels[weights.rows[k]]][j]);
+            for (const std::uint32_t j : selected) planned += tree.planned[leaf.weights][j];
+            EXPECT_NEAR(planned, total, 1e-6);
             return total < 1;
           });
       ASSERT_TRUE(is_refuted) << trial;
