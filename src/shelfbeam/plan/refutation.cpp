@@ -38,6 +38,7 @@ class Search {
       tree_.is_clipped.push_back(std::move(clipped));
       add_weights({{k}, {1.0}});  // a label by itself
     }
+    is_used_.assign(rows_.size(), false);
     total_.emplace(tree_.limit, tree_.mounts);
   }
 
@@ -75,20 +76,30 @@ class Search {
   bool add_leaf(const std::vector<std::uint32_t>& chosen, std::vector<std::uint32_t> free,
                 std::uint32_t weights) {
     if (tree_.leaves.size() >= max_leaves_) return false;
+    for (const std::uint32_t row : tree_.weights[weights].rows) is_used_[row] = true;
     tree_.leaves.push_back({chosen, std::move(free), weights});
     return true;
+  }
+
+  // Every label takes samples, so weights without new labels come first.
+  double price_of_labels(std::uint32_t w) const {
+    constexpr double price = 0.5;
+    const std::vector<std::uint32_t>& rows = tree_.weights[w].rows;
+    return std::all_of(rows.begin(), rows.end(), [&](std::uint32_t row) { return is_used_[row]; }) ? 0
+                                                                                                   : price;
   }
 
   // The known weights with the smallest total, if that is below 1.
   std::uint32_t closing_weights(const std::vector<std::uint32_t>& chosen,
                                 const std::vector<std::uint32_t>& free) {
     std::uint32_t best = none;
-    double smallest = below;
-    for (std::uint32_t w = 0; w < values_.size(); ++w)
-      if (const double total = (*total_)(chosen, free, values_[w]); total < smallest) {
-        smallest = total;
-        best = w;
-      }
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t w = 0; w < values_.size(); ++w) {
+      const double total = (*total_)(chosen, free, values_[w]);
+      if (total >= below || total + price_of_labels(w) >= smallest) continue;
+      smallest = total + price_of_labels(w);
+      best = w;
+    }
     return best;
   }
 
@@ -122,20 +133,28 @@ class Search {
 
   // Each column, and none, leaves the total of some known weights below 1; those of one label suffice.
   bool refute_singles(const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& free) {
-    std::vector<double> base(values_.size(), 0.0);
-    for (std::size_t w = 0; w < values_.size(); ++w)
-      for (const std::uint32_t j : chosen) base[w] += values_[w][j];
+    std::vector<double> smallest(free.size(), std::numeric_limits<double>::infinity());
+    std::vector<std::uint32_t> best(free.size(), none);
+    for (std::uint32_t w = 0; w < values_.size(); ++w) {
+      double total = 0;
+      for (const std::uint32_t j : chosen) total += values_[w][j];
+      if (total >= below) continue;
+      const double price = price_of_labels(w);
+      for (std::size_t k = 0; k < free.size(); ++k) {
+        const double with = total + values_[w][free[k]];
+        if (with >= below || with + price >= smallest[k]) continue;
+        smallest[k] = with + price;
+        best[k] = w;
+      }
+    }
     std::vector<std::vector<std::uint32_t>> by_weights(values_.size());
-    for (const std::uint32_t j : free) {
-      std::size_t best = 0;
-      for (std::size_t w = 1; w < values_.size(); ++w)
-        if (base[w] + values_[w][j] < base[best] + values_[best][j]) best = w;
-      if (base[best] + values_[best][j] >= below) {
+    for (std::size_t k = 0; k < free.size(); ++k) {
+      if (best[k] == none) {
         std::vector<std::uint32_t> selected = chosen;
-        selected.push_back(j);
+        selected.push_back(free[k]);
         return fail(std::move(selected));
       }
-      by_weights[best].push_back(j);
+      by_weights[best[k]].push_back(free[k]);
     }
     // Cheap columns may let the total of a group take more than one.
     for (std::uint32_t w = 0; w < by_weights.size(); ++w)
@@ -265,6 +284,7 @@ class Search {
   Refutation tree_;
   std::vector<std::vector<double>> rows_;    ///< shares of requirements, at most 1, by label and column
   std::vector<std::vector<double>> values_;  ///< x_j, by weights and column
+  std::vector<bool> is_used_;                ///< by row: a leaf has it
   std::optional<LeafTotal> total_;
   std::vector<std::uint32_t> counterexample_;
 };
