@@ -170,7 +170,7 @@ class Certifier {
     std::vector<float> planned;
     for (std::size_t i = 0; i < matrix_.rows(); ++i)
       for (const std::uint32_t j : placement_.selected) planned.push_back(matrix_.mean[matrix_.at(i, j)]);
-    verdicts_.select(placement_.problem, placement_.selected, std::move(planned));
+    verdicts_.select(placement_.problem, placement_.selected, std::move(planned), false);
     if (placement_.has_selection()) bound_.aim(table_, placement_);
   }
 

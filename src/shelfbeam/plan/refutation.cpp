@@ -81,23 +81,25 @@ class Search {
     return true;
   }
 
-  // Every label takes samples, so weights without new labels come first.
-  double price_of_labels(std::uint32_t w) const {
-    constexpr double price = 0.5;
+  // Every new label takes samples, so weights with new labels need a total that is smaller by this.
+  double penalty_of_new_labels(std::uint32_t w) const {
+    constexpr double penalty = 0.5;
     const std::vector<std::uint32_t>& rows = tree_.weights[w].rows;
-    return std::all_of(rows.begin(), rows.end(), [&](std::uint32_t row) { return is_used_[row]; }) ? 0
-                                                                                                   : price;
+    const bool has_new =
+        std::any_of(rows.begin(), rows.end(), [&](std::uint32_t row) { return !is_used_[row]; });
+    return has_new ? penalty : 0;
   }
 
-  // The known weights with the smallest total, if that is below 1.
+  // The known weights with the smallest total below 1, penalty included.
   std::uint32_t closing_weights(const std::vector<std::uint32_t>& chosen,
                                 const std::vector<std::uint32_t>& free) {
     std::uint32_t best = none;
     double smallest = std::numeric_limits<double>::infinity();
     for (std::uint32_t w = 0; w < values_.size(); ++w) {
       const double total = (*total_)(chosen, free, values_[w]);
-      if (total >= below || total + price_of_labels(w) >= smallest) continue;
-      smallest = total + price_of_labels(w);
+      const double penalised = total + penalty_of_new_labels(w);
+      if (total >= below || penalised >= smallest) continue;
+      smallest = penalised;
       best = w;
     }
     return best;
@@ -139,11 +141,11 @@ class Search {
       double total = 0;
       for (const std::uint32_t j : chosen) total += values_[w][j];
       if (total >= below) continue;
-      const double price = price_of_labels(w);
+      const double penalty = penalty_of_new_labels(w);
       for (std::size_t k = 0; k < free.size(); ++k) {
         const double with = total + values_[w][free[k]];
-        if (with >= below || with + price >= smallest[k]) continue;
-        smallest[k] = with + price;
+        if (with >= below || with + penalty >= smallest[k]) continue;
+        smallest[k] = with + penalty;
         best[k] = w;
       }
     }

@@ -24,10 +24,8 @@ BatchRequest Rounds::request(Purpose purpose, std::span<const std::uint32_t> lab
 
 // Costs are predicted from earlier rounds, and other work than sampling follows.
 constexpr double share_to_spend = 0.9;
-// Labels of a new selection that are verified before all others.
-constexpr std::size_t riskiest_labels = 256;
-// The first batches of labels whose planned margin is wide: lower limits of light, whose values are skewed to
-// the other side, need few.
+// The first batches of labels whose planned margin is wide. Few are enough for lower limits of light, whose
+// values are skewed towards larger ones.
 constexpr double wide_margin = 1.5;
 constexpr std::uint32_t batches_of_wide = 16;
 
@@ -45,11 +43,13 @@ double Rounds::samples_per_batch(const PreparedScene& prepared) {
 }
 
 void LabelRounds::select(const PlacementProblem& problem, std::vector<std::uint32_t> selected,
-                         std::vector<float> planned) {
+                         std::vector<float> planned, bool is_final) {
   for (LabelVerdict& label : labels_) label = {.requirement = label.requirement};
   problem_ = problem;
   selected_ = std::move(selected);
   planned_ = std::move(planned);
+  margins_ = planned_margins();
+  is_final_ = is_final;
   prepared_.reset();
   part_.reset();
   passes_.assign(labels_.size(), false);
@@ -65,7 +65,6 @@ bool LabelRounds::holds_jointly() const {
 // that labels are sampled together.
 std::vector<LabelRounds::Need> LabelRounds::needs(double level) const {
   constexpr double reserve = 1.5;
-  const std::vector<double> margins = planned_margins();
   std::vector<Need> needs;
   for (std::uint32_t i = 0; i < labels_.size(); ++i) {
     const LabelVerdict& label = labels_[i];
@@ -77,7 +76,7 @@ std::vector<LabelRounds::Need> LabelRounds::needs(double level) const {
       batches = reserve * batches_[i] * std::pow(quantile * label.standard_error / margin, 2);
       // A flagged estimate has no reliable error.
       batches = std::max(batches, 2.0 * batches_[i]);
-    } else if (margins[i] >= wide_margin) {
+    } else if (margins_[i] >= wide_margin) {
       of_class = batches_of_wide;
     }
     while (of_class < batches && of_class <= Rounds::max_batches) of_class *= 2;
@@ -130,6 +129,9 @@ void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches,
                                           problem_, planned, levels, control);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     labels_[rows[k]] = verdicts[k];
+    // Upper limits need more batches.
+    if (batches < Rounds::min_batches && verdicts[k].verdict == Verdict::missed)
+      labels_[rows[k]].verdict = Verdict::undecided;
     batches_[rows[k]] = batches;
     if (is_met(verdicts[k].joint_lower, verdicts[k].requirement)) passes_[rows[k]] = true;
     rounds.spend(verdicts[k].samples);
@@ -137,18 +139,34 @@ void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches,
   cost_ = std::max(1e-12, (rounds.spent() - begun) / (static_cast<double>(rows.size()) * batches));
 }
 
-// Planned signals of the labels, as shares of their requirements.
+// The planned signals that verdicts are about, as shares of the requirements.
 std::vector<double> LabelRounds::planned_margins() const {
   std::vector<double> margins(labels_.size(), 0.0);
   if (planned_.empty()) return margins;
   for (std::size_t i = 0; i < labels_.size(); ++i) {
-    const std::span<const float> row = std::span(planned_).subspan(i * selected_.size(), selected_.size());
+    std::vector<float> row(selected_.size());
+    std::copy_n(planned_.begin() + static_cast<std::ptrdiff_t>(i * row.size()), row.size(), row.begin());
+    std::sort(row.begin(), row.end(), std::greater<>());
+    // Where a unit may fail, the strongest does.
+    const std::span<const float> left = std::span(row).subspan(problem_.redundant ? 1 : 0);
+    if (left.empty()) continue;
     const double signal = problem_.model == CommunicationModel::cooperative
-                              ? std::accumulate(row.begin(), row.end(), 0.0)
-                              : static_cast<double>(*std::max_element(row.begin(), row.end()));
+                              ? std::accumulate(left.begin(), left.end(), 0.0)
+                              : static_cast<double>(left[0]);
     margins[i] = signal / labels_[i].requirement;
   }
   return margins;
+}
+
+// Samples together the labels that follow each other with the same number of batches.
+void LabelRounds::sample_classes(std::span<const Need> needs, std::uint32_t& part, Rounds& rounds,
+                                 const VerdictLevels& levels, const RunControl& control) {
+  for (std::size_t k = 0; k < needs.size();) {
+    std::vector<std::uint32_t> rows;
+    const double batches = needs[k].batches;
+    for (; k < needs.size() && needs[k].batches == batches; ++k) rows.push_back(needs[k].label);
+    sample(std::move(rows), static_cast<std::uint32_t>(batches), part++, rounds, levels, control);
+  }
 }
 
 std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& control) {
@@ -162,31 +180,26 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
     all = needs(of_list);
     count = shrink_to(rounds.left(), all);
   }
+  // A new selection often fails at the labels that are nearest to their requirements.
+  std::size_t verified = count;
+  if (!is_final_ &&
+      std::all_of(batches_.begin(), batches_.end(), [](auto batches) { return batches == 0; })) {
+    std::stable_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count),
+                     [&](const Need& a, const Need& b) { return margins_[a.label] < margins_[b.label]; });
+    verified = std::min(riskiest_labels, count);
+  }
+  const std::span<const Need> fitting(all.data(), count);
+  std::uint32_t part = 0;
+  sample_classes(fitting.first(verified), part, rounds, levels, control);
+  if (verified < count && doubtful_labels().empty()) {
+    sample_classes(fitting.subspan(verified), part, rounds, levels, control);
+    verified = count;
+  }
   skipped_ = {};
-  for (std::size_t k = count; k < all.size(); ++k) {
+  for (std::size_t k = verified; k < all.size(); ++k) {
     const bool is_near = all[k].batches > Rounds::max_batches;
     ++(is_near ? skipped_.near : skipped_.others);
     if (!is_near) skipped_.cost += cost_ * all[k].batches;
-  }
-  // A new selection often fails at the labels that are nearest to their requirements, which come first.
-  std::size_t first = all.size();
-  if (!planned_.empty() && *std::max_element(batches_.begin(), batches_.end()) == 0) {
-    const std::vector<double> margin = planned_margins();
-    std::stable_sort(all.begin(), all.end(),
-                     [&](const Need& a, const Need& b) { return margin[a.label] < margin[b.label]; });
-    first = riskiest_labels;
-  }
-  std::uint32_t part = 0;
-  for (std::size_t k = 0; k < count;) {
-    std::vector<std::uint32_t> rows;
-    const double batches = all[k].batches;
-    for (; k < count && k != first && all[k].batches == batches; ++k) rows.push_back(all[k].label);
-    if (rows.empty()) {
-      if (!doubtful_labels().empty()) break;
-      first = all.size();
-      continue;
-    }
-    sample(std::move(rows), static_cast<std::uint32_t>(batches), part++, rounds, levels, control);
   }
   const auto is_missed = [](const LabelVerdict& label) { return label.verdict == Verdict::missed; };
   const bool has_missed = std::any_of(labels_.begin(), labels_.end(), is_missed);
@@ -197,7 +210,7 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
       label.verdict = Verdict::reached;
       label.lower = label.joint_lower;
     }
-  return count;
+  return verified;
 }
 
 std::vector<std::uint32_t> LabelRounds::doubtful_labels() const {
@@ -237,7 +250,7 @@ CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& pr
     certificate.labels.push_back({.requirement = scene.type_of(label).requirement()});
   Rounds rounds(options.confidence, options.budget, options.simulation.seed);
   LabelRounds verdicts(scene, options.simulation, certificate.labels);
-  verdicts.select(problem, placement.selected, std::move(planned));
+  verdicts.select(problem, placement.selected, std::move(planned), true);
   try {
     while (certificate.count(Verdict::undecided) > 0) {
       rounds.next();

@@ -85,15 +85,17 @@ class LabelRounds {
       : scene_(scene), simulation_(simulation), labels_(labels) {}
 
   /// Selects the units and forgets all verdicts. `planned`: their signals on the matrix, row by row.
+  /// `is_final`: no other selection replaces them, even if they miss labels.
   void select(const PlacementProblem& problem, std::vector<std::uint32_t> selected,
-              std::vector<float> planned);
+              std::vector<float> planned, bool is_final);
 
-  /// Verifies open labels with independent samples and returns their number: in the first round all labels,
-  /// unless one of the labels with the smallest planned margins seems to be missed, then the labels that lack
+  /// Verifies open labels with independent samples and returns their number. Open are the labels that lack
   /// the joint statement, as long as it can hold for all, and otherwise the labels that the list leaves
-  /// undecided. Labels that would exceed the budget are left out, the most expensive
-  /// first.
+  /// undecided. The labels of a new selection begin with the `riskiest_labels` of the smallest planned
+  /// margins. If one of these seems to be missed and the selection is not final, the others are left for a
+  /// later round. Labels that would exceed the budget are left out, the most expensive first.
   std::size_t verify(Rounds& rounds, double level, const RunControl& control);
+  static constexpr std::size_t riskiest_labels = 256;
 
   /// Cost of a batch of a label, in the budget's unit of measure; 0 before the first.
   double cost() const { return cost_; }
@@ -112,6 +114,8 @@ class LabelRounds {
   std::size_t shrink_to(double left, std::vector<Need>& needs) const;
   bool holds_jointly() const;
   std::vector<double> planned_margins() const;
+  void sample_classes(std::span<const Need> needs, std::uint32_t& part, Rounds& rounds,
+                      const VerdictLevels& levels, const RunControl& control);
   void sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part, Rounds& rounds,
               const VerdictLevels& levels, const RunControl& control);
 
@@ -121,6 +125,8 @@ class LabelRounds {
   PlacementProblem problem_;
   std::vector<std::uint32_t> selected_;
   std::vector<float> planned_;
+  std::vector<double> margins_;  ///< planned signals, as shares of the requirements; 0: unknown
+  bool is_final_ = true;
   std::optional<Scene> part_;
   std::unique_ptr<const PreparedScene> prepared_;
   std::vector<bool> passes_;            ///< has met its requirement at the level of the joint statement

@@ -32,7 +32,7 @@ struct WeightedSums {
   double largest_sum = 0;  ///< of all columns, in a batch
 };
 
-// How many batches of equal values, the others being 0, have this skewness. Flagged errors have one to three.
+// The number of equal batches, all others being 0, with this skewness: one to three if an error is flagged.
 std::uint32_t peaks_of(const SkewedMoments& sampled) {
   const double skewness = sampled.skewness();
   const double share = (1 - skewness / std::hypot(skewness, 2.0)) / 2;
@@ -152,10 +152,11 @@ class Test {
   // The other weights with the smallest planned totals for the leaf. They do not depend on the batches.
   std::vector<std::uint32_t> other_weights(const Refutation::Leaf& leaf, LeafTotal& total) const {
     std::vector<std::pair<double, std::uint32_t>> others;
-    for (std::uint32_t w = 0; w < tree_.planned.size(); ++w)
-      if (const double planned = total(leaf.chosen, leaf.free, tree_.planned[w]);
-          w != leaf.weights && planned < below)
-        others.emplace_back(planned, w);
+    for (std::uint32_t w = 0; w < tree_.planned.size(); ++w) {
+      if (w == leaf.weights) continue;
+      const double planned = total(leaf.chosen, leaf.free, tree_.planned[w]);
+      if (planned < below) others.emplace_back(planned, w);
+    }
     std::sort(others.begin(), others.end());
     std::vector<std::uint32_t> best;
     for (std::size_t k = 0; k < std::min(max_others, others.size()); ++k) best.push_back(others[k].second);

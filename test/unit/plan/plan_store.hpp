@@ -9,10 +9,11 @@
 
 namespace shelfbeam::test {
 
-/// A room of 6 x 5 x 3 m with a gondola of about 16 labels and `across` x 3 units, which is very quick to
-/// simulate.
+/// A room of 6 x 5 x 3 m with a gondola of about 16 labels, `spacing` metres apart, and `across` x 3 units,
+/// which is very quick to simulate.
 struct PlanStore {
   double threshold = 0.02;
+  double spacing = 0.7;
   int across = 4;
 
   Scene scene() const {
@@ -28,9 +29,9 @@ struct PlanStore {
           "transceiver_types": {{"wide": {{"emission": {{"type": "sin2theta", "peak": 1}}}}}},
           "fixtures": [{{"type": "gondola", "id": "A1", "at": [1.2, 2.1], "length": 3, "depth": 0.8, "height": 1.6,
                         "material": "paper", "shelves": [0.5, 1.1], "stocking": 0.7,
-                        "labels": {{"type": "standard", "spacing": 0.7}}}}],
+                        "labels": {{"type": "standard", "spacing": {}}}}}],
           "transceivers": {{"list": [{}]}}}})",
-                                              threshold, units),
+                                              threshold, spacing, units),
                                   "plan store", "."));
   }
 };
