@@ -82,14 +82,20 @@ bool BoundRounds::prove(const SignalTable& table, const SignalMatrix& matrix, Ro
   if (goal_.problem.model == CommunicationModel::non_cooperative || goal_.problem.redundant)
     return prove_by_entries(table, matrix, rounds, level, each);
   const std::vector<double> targets = goal_.targets(proven());
-  return std::any_of(targets.begin(), targets.end(),
-                     [&](double bound) { return refute(bound, table, matrix, rounds, level, each); });
+  // A bound that takes much of the budget waits for smaller ones that take little.
+  constexpr double little = 0.25;
+  const auto prove_one = [&](double share) {
+    return std::any_of(targets.begin(), targets.end(), [&](double bound) {
+      return refute(bound, table, matrix, rounds, level, each, share);
+    });
+  };
+  return (targets.size() > 1 && prove_one(little)) || prove_one(1);
 }
 
 // Returns whether it has tested a refutation of all selections that cost less than the bound.
 bool BoundRounds::refute(double bound, const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds,
-                         double level, double cost) {
-  BudgetRefuter::Attempt attempt = refuter_.attempt(goal_, bound, table, matrix, rounds, level, cost);
+                         double level, double cost, double share) {
+  BudgetRefuter::Attempt attempt = refuter_.attempt(goal_, bound, table, matrix, rounds, level, cost, share);
   if (!attempt.counterexample.empty()) counterexample_ = std::move(attempt.counterexample);
   if (!attempt.is_tested) {
     if (attempt.cost > 0) set_obstacle(bound, attempt.cost, rounds);

@@ -76,7 +76,7 @@ class BoundRounds {
   void raise(double bound, std::size_t labels);
   void set_obstacle(double bound, double cost, const Rounds& rounds);
   bool refute(double bound, const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds,
-              double level, double cost);
+              double level, double cost, double share);
   bool prove_by_entries(const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds, double level,
                         double cost);
   CoreRows promising_rows(const SignalTable& table, const SignalMatrix& matrix, const Rounds& rounds,

@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t max_leaves = 400'000, max_columns_of_leaves = 50'000'000;
 // Share of the budget that is left, for the search for a refutation.
 constexpr double share_of_search = 0.1;
+constexpr double no_limit = 1e8;          ///< seconds
 constexpr double seconds_of_search = 60;  ///< if the budget is in samples
 // Searches in vain without a counterexample take long, and more samples rarely help.
 constexpr int max_failures = 2;
@@ -26,20 +27,24 @@ constexpr int max_failures = 2;
 }  // namespace
 
 void BudgetRefuter::forget_failures() {
-  for (auto& [bound, progress] : progress_) progress.has_failed = false;
+  for (auto& [bound, progress] : progress_) {
+    progress.has_failed = false;
+    progress.untested.reset();
+  }
 }
 
 BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double bound, const SignalTable& table,
                                               const SignalMatrix& matrix, Rounds& rounds, double level,
-                                              double cost) {
+                                              double cost, double share) {
   Attempt attempt;
   Progress& progress = progress_[bound];
   if (progress.has_failed || progress.failures >= max_failures) return attempt;
   control_.report("proving", -1, fmt::format("round {}, whether {}", rounds.round(), goal.text(bound)));
   const double seconds =
       rounds.counts_samples() ? seconds_of_search : share_of_search * std::max(0.0, rounds.left());
-  const auto found = promising(goal.below(bound), goal, bound, progress, table, matrix, seconds, level,
-                               attempt.counterexample);
+  auto found = progress.untested ? std::exchange(progress.untested, {})
+                                 : promising(goal.below(bound), goal, bound, progress, table, matrix, seconds,
+                                             level, attempt.counterexample);
   if (!found) {
     progress.has_failed = true;
     if (attempt.counterexample.empty()) ++progress.failures;
@@ -47,7 +52,11 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
   }
   attempt.labels = found->refutation.labels.size();
   const double of_batch = cost * static_cast<double>(attempt.labels);
-  attempt.batches = rounds.affordable(found->wanted, found->needed, of_batch);
+  attempt.batches = rounds.affordable(found->wanted, found->needed, of_batch / share);
+  if (attempt.batches == 0 && share < 1) {
+    progress.untested = std::move(found);
+    return attempt;
+  }
   if (attempt.batches == 0) {
     attempt.cost = of_batch * found->wanted;
     progress.has_failed = true;
@@ -57,9 +66,10 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
       "proving", -1,
       fmt::format("round {}, {} labels, {} batches", rounds.round(), attempt.labels, attempt.batches));
   attempt.begun = rounds.spent();
-  TestedRefutation tested = test_refutation(
-      prepared_, found->refutation, table,
-      rounds.request(Purpose::bound, found->refutation.labels, attempt.batches), level, control_);
+  TestedRefutation tested =
+      test_refutation(prepared_, found->refutation, table,
+                      rounds.request(Purpose::bound, found->refutation.labels, attempt.batches), level,
+                      Deadline(rounds.counts_samples() ? no_limit : rounds.left()), control_);
   attempt.is_tested = true;
   attempt.is_proven = tested.open.empty();
   attempt.fresh = std::move(tested.fresh);

@@ -35,23 +35,25 @@ class BudgetRefuter {
   };
 
   /// Tests whether no selection that costs less than `bound` reaches all labels. `cost`: of a batch of a
-  /// label, in the budget's unit of measure. Throws as `sample_batches`.
+  /// label, in the budget's unit of measure. `share`: of the rest of the budget that the test may take. A
+  /// test that exceeds a share below 1 may be attempted again. Throws as `sample_batches`.
   Attempt attempt(const BoundGoal& goal, double bound, const SignalTable& table, const SignalMatrix& matrix,
-                  Rounds& rounds, double level, double cost);
+                  Rounds& rounds, double level, double cost, double share);
 
   /// After a change of the matrix, attempts that found no refutation may be repeated, a few times.
   void forget_failures();
 
  private:
+  struct Promising {
+    Refutation refutation;
+    double needed = 0, wanted = 0;  ///< batches, without and with a reserve
+  };
   struct Progress {
     std::vector<Refutation::Leaf> open;  ///< empty: all selections
     std::uint32_t min_batches = min_verifying_batches;
     bool has_failed = false;  ///< there is no refutation on the present matrix
     int failures = 0;
-  };
-  struct Promising {
-    Refutation refutation;
-    double needed = 0, wanted = 0;  ///< batches, without and with a reserve
+    std::optional<Promising> untested;  ///< it would have exceeded its share of the budget
   };
   std::optional<Promising> promising(const SelectionBudget& limit, const BoundGoal& goal, double bound,
                                      const Progress& progress, const SignalTable& table,

@@ -46,10 +46,13 @@ class Search {
     Refutation::Leaf all;
     for (std::uint32_t j = 0; j < table_.columns(); ++j)
       (table_.transceivers[j].installed ? all.chosen : all.free).push_back(j);
-    if (roots.empty()) roots = std::span(&all, 1);
     RefutationSearch search;
+    // Leaves that a test left open are split, unless their margin is wide enough for outliers.
+    constexpr double wide_margin = 0.15;
+    if (!roots.empty()) max_known_ = below - wide_margin;
+    if (roots.empty()) roots = std::span(&all, 1);
     if (std::all_of(roots.begin(), roots.end(),
-                    [&](const Refutation::Leaf& root) { return refute(root.chosen, root.free); }))
+                    [&](const Refutation::Leaf& root) { return refute(root.chosen, root.free, max_known_); }))
       search.found = finished();
     else
       search.counterexample = std::move(counterexample_);
@@ -90,34 +93,36 @@ class Search {
     return has_new ? penalty : 0;
   }
 
-  // The known weights with the smallest total below 1, penalty included.
+  // The known weights with the smallest total below the maximum, penalty included.
   std::uint32_t closing_weights(const std::vector<std::uint32_t>& chosen,
-                                const std::vector<std::uint32_t>& free) {
+                                const std::vector<std::uint32_t>& free, double max_total) {
     std::uint32_t best = none;
     double smallest = std::numeric_limits<double>::infinity();
     for (std::uint32_t w = 0; w < values_.size(); ++w) {
       const double total = (*total_)(chosen, free, values_[w]);
       const double penalised = total + penalty_of_new_labels(w);
-      if (total >= below || penalised >= smallest) continue;
+      if (total >= max_total || penalised >= smallest) continue;
       smallest = penalised;
       best = w;
     }
     return best;
   }
 
-  // Whether no selection of these columns, the chosen ones included, reaches all labels.
-  bool refute(const std::vector<std::uint32_t>& chosen, std::vector<std::uint32_t> free) {
+  // Whether no selection of these columns, the chosen ones included, reaches all labels. The relaxation
+  // closes the node if it gives a total below `max_total`.
+  bool refute(const std::vector<std::uint32_t>& chosen, std::vector<std::uint32_t> free,
+              double max_total = below) {
     if (control_.cancelled() || deadline_.has_passed()) return false;
     const double budget = left(chosen);
     if (budget < 0) return true;  // no selection of the budget
     std::erase_if(free, [&](std::uint32_t j) { return tree_.limit.price[j] > budget; });
-    if (const std::uint32_t w = closing_weights(chosen, free); w != none)
+    if (const std::uint32_t w = closing_weights(chosen, free, free.empty() ? below : max_known_); w != none)
       return add_leaf(chosen, std::move(free), w);
     if (free.empty()) return fail(chosen);
     if (takes_one(free, budget)) return refute_singles(chosen, free);
     if (const auto weights = relaxation_weights(chosen, free)) {
       const std::uint32_t w = add_weights(*weights);
-      if ((*total_)(chosen, free, values_[w]) < below) return add_leaf(chosen, std::move(free), w);
+      if ((*total_)(chosen, free, values_[w]) < max_total) return add_leaf(chosen, std::move(free), w);
     }
     return branch(chosen, std::move(free), budget);
   }
@@ -234,10 +239,12 @@ class Search {
       std::vector<std::uint32_t> with = chosen;
       with.push_back(j);
       if (!refute(with, allowed_with(j, free))) return false;
-      if (const std::uint32_t w = closing_weights(chosen, free); w != none)
+      if (const std::uint32_t w = closing_weights(chosen, free, max_known_); w != none)
         return add_leaf(chosen, std::move(free), w);
     }
-    return false;  // the weights of the label close the rest, up to rounding
+    // The weights of the label close the rest, up to rounding.
+    const std::uint32_t w = closing_weights(chosen, free, below);
+    return w != none && add_leaf(chosen, std::move(free), w);
   }
 
   // The columns that a selection with this one may contain.
@@ -287,6 +294,7 @@ class Search {
   std::vector<std::vector<double>> rows_;    ///< shares of requirements, at most 1, by label and column
   std::vector<std::vector<double>> values_;  ///< x_j, by weights and column
   std::vector<bool> is_used_;                ///< by row: a leaf has it
+  double max_known_ = below;                 ///< totals by which known weights close a node
   std::optional<LeafTotal> total_;
   std::vector<std::uint32_t> counterexample_;
 };

@@ -21,7 +21,7 @@ constexpr double share_of_rare = 0.1;
 // A leaf that its weights do not refute has these many more chances, with this share of the level.
 constexpr std::size_t max_others = 4;
 constexpr double share_of_others = 0.2;
-constexpr std::uint32_t batches_at_once = 16;
+constexpr std::uint32_t batches_at_once = 16, fewest_batches = 32;
 
 // The estimates of one set of weights: x_j, and for each column in descending order of planned signal the sum
 // from it to the last.
@@ -223,7 +223,7 @@ class Test {
 
 TestedRefutation test_refutation(const PreparedScene& prepared, const Refutation& refutation,
                                  const SignalTable& planned, BatchRequest request, double level,
-                                 const RunControl& control) {
+                                 const Deadline& deadline, const RunControl& control) {
   const ThreadLimit allowed(control.threads);
   Test test(refutation, planned);
   request.labels = refutation.labels;
@@ -232,9 +232,10 @@ TestedRefutation test_refutation(const PreparedScene& prepared, const Refutation
   std::vector<double> values(refutation.labels.size() * batches_at_once * n);
   std::vector<std::uint32_t> taken(refutation.labels.size());
   BatchRun run;
-  for (std::uint32_t first = 0; first < batches; first += batches_at_once) {
-    request.first = first;
-    request.batches = std::min(batches_at_once, batches - first);
+  std::uint32_t done = 0;
+  while (done < batches && (done < fewest_batches || !deadline.has_passed())) {
+    request.first = done;
+    request.batches = std::min(batches_at_once, batches - done);
     std::fill(taken.begin(), taken.end(), 0U);
     run = sample_batches(
         prepared, request,
@@ -244,11 +245,12 @@ TestedRefutation test_refutation(const PreparedScene& prepared, const Refutation
         },
         control);
     with_threads(control.threads, [&] { test.add(values, request.batches); });
+    done += request.batches;
   }
   test.add_known(run.known);
   TestedRefutation tested;
   with_threads(control.threads, [&] { tested.open = test.open_leaves(level); });
-  tested.fresh = test.rows(batches, run.samples_per_batch);
+  tested.fresh = test.rows(done, run.samples_per_batch);
   return tested;
 }
 

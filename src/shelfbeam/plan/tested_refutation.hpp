@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/plan/refine.hpp"
 #include "shelfbeam/plan/refutation.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
@@ -29,9 +30,9 @@ struct TestedRefutation {
 /// (a tenth of the level, shared by all columns, is for these sums); a column whose error rests on one to
 /// three large batches takes the limit of the probability of this number, at twice the largest value. A leaf
 /// has a fifth of the level for four other weights of the tree, those with the smallest planned totals.
-/// Throws as `sample_batches`.
+/// Takes fewer batches, at least 32, if the deadline passes. Throws as `sample_batches`.
 TestedRefutation test_refutation(const PreparedScene& prepared, const Refutation& refutation,
                                  const SignalTable& planned, BatchRequest request, double level,
-                                 const RunControl& control);
+                                 const Deadline& deadline, const RunControl& control);
 
 }  // namespace shelfbeam

@@ -145,7 +145,7 @@ TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
     ++trees;
     const auto is_refuted = [&](double level) {
       const TestedRefutation tested =
-          test_refutation(*prepared, *search.found, table, {{}, 1000000 + seed, 64}, level, {});
+          test_refutation(*prepared, *search.found, table, {{}, 1000000 + seed, 64}, level, Deadline(60), {});
       return std::none_of(tested.open.begin(), tested.open.end(),
                           [&](const Refutation::Leaf& leaf) { return is_in(leaf, best); });
     };
