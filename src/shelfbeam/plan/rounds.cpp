@@ -143,17 +143,12 @@ void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches,
 std::vector<double> LabelRounds::planned_margins() const {
   std::vector<double> margins(labels_.size(), 0.0);
   if (planned_.empty()) return margins;
+  const std::size_t units = selected_.size();
+  const std::vector<bool> chosen(units, true);
+  std::vector<SignalEntry> row(units);
   for (std::size_t i = 0; i < labels_.size(); ++i) {
-    std::vector<float> row(selected_.size());
-    std::copy_n(planned_.begin() + static_cast<std::ptrdiff_t>(i * row.size()), row.size(), row.begin());
-    std::sort(row.begin(), row.end(), std::greater<>());
-    // Where a unit may fail, the strongest does.
-    const std::span<const float> left = std::span(row).subspan(problem_.redundant ? 1 : 0);
-    if (left.empty()) continue;
-    const double signal = problem_.model == CommunicationModel::cooperative
-                              ? std::accumulate(left.begin(), left.end(), 0.0)
-                              : static_cast<double>(left[0]);
-    margins[i] = signal / labels_[i].requirement;
+    for (std::uint32_t j = 0; j < units; ++j) row[j] = {j, static_cast<double>(planned_[i * units + j])};
+    margins[i] = received_signal(row, chosen, problem_) / labels_[i].requirement;
   }
   return margins;
 }

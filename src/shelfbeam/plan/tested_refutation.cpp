@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/validation_estimates.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 
@@ -21,7 +22,7 @@ constexpr double share_of_rare = 0.1;
 // A leaf that its weights do not refute has these many more chances, with this share of the level.
 constexpr std::size_t max_others = 4;
 constexpr double share_of_others = 0.2;
-constexpr std::uint32_t batches_at_once = 16, fewest_batches = 32;
+constexpr std::uint32_t batches_at_once = 16;
 
 // The estimates of one set of weights: x_j, and for each column in descending order of planned signal the sum
 // from it to the last.
@@ -233,7 +234,7 @@ TestedRefutation test_refutation(const PreparedScene& prepared, const Refutation
   std::vector<std::uint32_t> taken(refutation.labels.size());
   BatchRun run;
   std::uint32_t done = 0;
-  while (done < batches && (done < fewest_batches || !deadline.has_passed())) {
+  while (done < batches && (done < Rounds::min_batches || !deadline.has_passed())) {
     request.first = done;
     request.batches = std::min(batches_at_once, batches - done);
     std::fill(taken.begin(), taken.end(), 0U);
