@@ -18,9 +18,12 @@ namespace {
 // Leaves list columns: these many in all leaves take some 200 MB.
 constexpr std::size_t max_leaves = 400'000, max_columns_of_leaves = 50'000'000;
 // Share of the budget that is left, for the search for a refutation.
-constexpr double share_of_search = 0.1;
+constexpr double share_of_search = 0.05;
 constexpr double no_limit = 1e8;          ///< seconds
 constexpr double seconds_of_search = 60;  ///< if the budget is in samples
+// Splitting so many open leaves takes longer than testing them again.
+constexpr std::size_t many_leaves = 32;
+constexpr double reserve_of_again = 1.25;
 // Searches in vain without a counterexample take long, and more samples rarely help.
 constexpr int max_failures = 2;
 
@@ -29,7 +32,7 @@ constexpr int max_failures = 2;
 void BudgetRefuter::forget_failures() {
   for (auto& [bound, progress] : progress_) {
     progress.has_failed = false;
-    progress.untested.reset();
+    if (progress.untested && !progress.untested->is_again) progress.untested.reset();
   }
 }
 
@@ -73,6 +76,11 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
   attempt.is_tested = true;
   attempt.is_proven = tested.open.empty();
   attempt.fresh = std::move(tested.fresh);
+  if (tested.open.size() >= many_leaves && !found->is_again && tested.needed < Rounds::max_batches) {
+    found->refutation.leaves = tested.open;
+    progress.untested = {used_part(std::move(found->refutation)), tested.needed,
+                         reserve_of_again * tested.needed, true};
+  }
   progress.open = std::move(tested.open);
   progress.min_batches = std::min(progress.min_batches * 3 / 2, Rounds::max_batches);
   return attempt;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -70,6 +72,7 @@ class Certifier {
       certificate_.open = interrupted;
     }
     restore();
+    return_to_kept();
     certificate_.seconds = rounds_.seconds();
     return {std::move(matrix_), std::move(placement_), std::move(certificate_)};
   }
@@ -292,9 +295,28 @@ class Certifier {
       restore();
       return false;
     }
-    joined_.clear();
+    keep();
     adopt(std::move(placement));
     return true;
+  }
+
+  // Keeps the present placement if its selection reaches all labels, and the changes of the matrix since
+  // then.
+  void keep() {
+    if (placement_.has_selection() && certificate_.all_reached() &&
+        !(kept_ && is_better(kept_->placement, placement_)))
+      kept_ = Kept{placement_, certificate_.labels, {}};
+    if (kept_) std::move(joined_.begin(), joined_.end(), std::back_inserter(kept_->changes));
+    joined_.clear();
+  }
+
+  // A selection that reaches all labels is better than one with open labels.
+  void return_to_kept() {
+    if (!kept_ || (certificate_.all_reached() && !is_better(kept_->placement, placement_))) return;
+    for (; !kept_->changes.empty(); kept_->changes.pop_back()) kept_->changes.back().restore(matrix_);
+    placement_ = std::move(kept_->placement);
+    certificate_.labels = std::move(kept_->labels);
+    if (certificate_.open != interrupted) certificate_.open = "a cheaper selection has undecided labels";
   }
 
   std::string infeasibility_reason(const Placement& placement) const {
@@ -315,6 +337,12 @@ class Certifier {
       bound_.aim(table_, placement_);
   }
 
+  struct Kept {
+    Placement placement;
+    std::vector<LabelVerdict> labels;
+    std::vector<RowsBefore> changes;  ///< of the matrix, since the placement
+  };
+
   const PreparedScene& prepared_;
   const TableRule& rule_;
   const CertifyOptions& options_;
@@ -329,6 +357,7 @@ class Certifier {
   std::uint32_t refine_batches_ = min_verifying_batches, refinements_ = 0;
   std::vector<ValidationRow> fresh_;  ///< not yet part of the matrix
   std::vector<RowsBefore> joined_;    ///< changes of the matrix since the placement
+  std::optional<Kept> kept_;
 };
 
 }  // namespace

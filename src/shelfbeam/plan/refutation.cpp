@@ -53,7 +53,7 @@ class Search {
     if (roots.empty()) roots = std::span(&all, 1);
     if (std::all_of(roots.begin(), roots.end(),
                     [&](const Refutation::Leaf& root) { return refute(root.chosen, root.free, max_known_); }))
-      search.found = finished();
+      search.found = used_part(std::move(tree_));
     else
       search.counterexample = std::move(counterexample_);
     return search;
@@ -66,8 +66,8 @@ class Search {
       for (std::size_t j = 0; j < value.size(); ++j)
         value[j] += weights.weight[k] * rows_[weights.rows[k]][j];
     tree_.weights.push_back(std::move(weights));
-    values_.push_back(std::move(value));
-    return static_cast<std::uint32_t>(values_.size() - 1);
+    tree_.planned.push_back(std::move(value));
+    return static_cast<std::uint32_t>(tree_.planned.size() - 1);
   }
 
   double left(std::span<const std::uint32_t> chosen) const {
@@ -98,8 +98,8 @@ class Search {
                                 const std::vector<std::uint32_t>& free, double max_total) {
     std::uint32_t best = none;
     double smallest = std::numeric_limits<double>::infinity();
-    for (std::uint32_t w = 0; w < values_.size(); ++w) {
-      const double total = (*total_)(chosen, free, values_[w]);
+    for (std::uint32_t w = 0; w < tree_.planned.size(); ++w) {
+      const double total = (*total_)(chosen, free, tree_.planned[w]);
       const double penalised = total + penalty_of_new_labels(w);
       if (total >= max_total || penalised >= smallest) continue;
       smallest = penalised;
@@ -122,7 +122,7 @@ class Search {
     if (takes_one(free, budget)) return refute_singles(chosen, free);
     if (const auto weights = relaxation_weights(chosen, free)) {
       const std::uint32_t w = add_weights(*weights);
-      if ((*total_)(chosen, free, values_[w]) < max_total) return add_leaf(chosen, std::move(free), w);
+      if ((*total_)(chosen, free, tree_.planned[w]) < max_total) return add_leaf(chosen, std::move(free), w);
     }
     return branch(chosen, std::move(free), budget);
   }
@@ -142,19 +142,19 @@ class Search {
   bool refute_singles(const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& free) {
     std::vector<double> smallest(free.size(), std::numeric_limits<double>::infinity());
     std::vector<std::uint32_t> best(free.size(), none);
-    for (std::uint32_t w = 0; w < values_.size(); ++w) {
+    for (std::uint32_t w = 0; w < tree_.planned.size(); ++w) {
       double total = 0;
-      for (const std::uint32_t j : chosen) total += values_[w][j];
+      for (const std::uint32_t j : chosen) total += tree_.planned[w][j];
       if (total >= below) continue;
       const double penalty = penalty_of_new_labels(w);
       for (std::size_t k = 0; k < free.size(); ++k) {
-        const double with = total + values_[w][free[k]];
+        const double with = total + tree_.planned[w][free[k]];
         if (with >= below || with + penalty >= smallest[k]) continue;
         smallest[k] = with + penalty;
         best[k] = w;
       }
     }
-    std::vector<std::vector<std::uint32_t>> by_weights(values_.size());
+    std::vector<std::vector<std::uint32_t>> by_weights(tree_.planned.size());
     for (std::size_t k = 0; k < free.size(); ++k) {
       if (best[k] == none) {
         std::vector<std::uint32_t> selected = chosen;
@@ -165,7 +165,7 @@ class Search {
     }
     // Cheap columns may let the total of a group take more than one.
     for (std::uint32_t w = 0; w < by_weights.size(); ++w)
-      if (!by_weights[w].empty() && !((*total_)(chosen, by_weights[w], values_[w]) < below))
+      if (!by_weights[w].empty() && !((*total_)(chosen, by_weights[w], tree_.planned[w]) < below))
         return branch(chosen, free, left(chosen));
     for (std::uint32_t w = 0; w < by_weights.size(); ++w)
       if (!by_weights[w].empty() && !add_leaf(chosen, std::move(by_weights[w]), w)) return false;
@@ -258,48 +258,46 @@ class Search {
     return columns;
   }
 
-  // Keeps the weights of leaves and the labels with a weight.
-  Refutation finished() {
-    std::vector<std::uint32_t> weights_at(tree_.weights.size(), none), row_at(rows_.size(), none);
-    Refutation kept;
-    kept.limit = std::move(tree_.limit);
-    kept.mounts = std::move(tree_.mounts);
-    for (Refutation::Leaf& leaf : tree_.leaves) {
-      std::uint32_t& at = weights_at[leaf.weights];
-      if (at == none) {
-        at = static_cast<std::uint32_t>(kept.weights.size());
-        kept.weights.push_back(std::move(tree_.weights[leaf.weights]));
-        kept.planned.push_back(std::move(values_[leaf.weights]));
-        for (const std::uint32_t row : kept.weights.back().rows) row_at[row] = 0;
-      }
-      leaf.weights = at;
-    }
-    kept.leaves = std::move(tree_.leaves);
-    for (std::uint32_t k = 0; k < row_at.size(); ++k) {
-      if (row_at[k] == none) continue;
-      row_at[k] = static_cast<std::uint32_t>(kept.labels.size());
-      kept.labels.push_back(tree_.labels[k]);
-      kept.is_clipped.push_back(std::move(tree_.is_clipped[k]));
-    }
-    for (Refutation::Weights& weights : kept.weights)
-      for (std::uint32_t& row : weights.rows) row = row_at[row];
-    return kept;
-  }
-
   const SignalTable& table_;
   std::size_t max_leaves_;
   const Deadline& deadline_;
   const RunControl& control_;
   Refutation tree_;
-  std::vector<std::vector<double>> rows_;    ///< shares of requirements, at most 1, by label and column
-  std::vector<std::vector<double>> values_;  ///< x_j, by weights and column
-  std::vector<bool> is_used_;                ///< by row: a leaf has it
-  double max_known_ = below;                 ///< totals by which known weights close a node
+  std::vector<std::vector<double>> rows_;  ///< shares of requirements, at most 1, by label and column
+  std::vector<bool> is_used_;              ///< by row: a leaf has it
+  double max_known_ = below;               ///< totals by which known weights close a node
   std::optional<LeafTotal> total_;
   std::vector<std::uint32_t> counterexample_;
 };
 
 }  // namespace
+
+Refutation used_part(Refutation tree) {
+  std::vector<std::uint32_t> weights_at(tree.weights.size(), none), row_at(tree.labels.size(), none);
+  Refutation kept;
+  kept.limit = std::move(tree.limit);
+  kept.mounts = std::move(tree.mounts);
+  for (Refutation::Leaf& leaf : tree.leaves) {
+    std::uint32_t& at = weights_at[leaf.weights];
+    if (at == none) {
+      at = static_cast<std::uint32_t>(kept.weights.size());
+      kept.weights.push_back(std::move(tree.weights[leaf.weights]));
+      kept.planned.push_back(std::move(tree.planned[leaf.weights]));
+      for (const std::uint32_t row : kept.weights.back().rows) row_at[row] = 0;
+    }
+    leaf.weights = at;
+  }
+  kept.leaves = std::move(tree.leaves);
+  for (std::uint32_t k = 0; k < row_at.size(); ++k) {
+    if (row_at[k] == none) continue;
+    row_at[k] = static_cast<std::uint32_t>(kept.labels.size());
+    kept.labels.push_back(tree.labels[k]);
+    kept.is_clipped.push_back(std::move(tree.is_clipped[k]));
+  }
+  for (Refutation::Weights& weights : kept.weights)
+    for (std::uint32_t& row : weights.rows) row = row_at[row];
+  return kept;
+}
 
 LeafTotal::LeafTotal(const SelectionBudget& limit, const std::vector<std::vector<std::uint32_t>>& mounts)
     : limit_(limit), mount_of_(limit.price.size(), none), of_mount_(mounts.size()) {

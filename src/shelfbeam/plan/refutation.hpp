@@ -47,6 +47,9 @@ struct Refutation {
   std::vector<Leaf> leaves;
 };
 
+/// The refutation without weights that no leaf has, and without labels that have no weight.
+Refutation used_part(Refutation tree);
+
 /// The largest sum of `value` over a selection of a leaf, or a little more: its chosen columns, and free ones
 /// in descending order of value per price until the budget ends, the last one in part; no more than the
 /// largest values of as many columns as the budget allows. Options of a mounting point count as one column.

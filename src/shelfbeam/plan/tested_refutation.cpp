@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -23,6 +26,8 @@ constexpr double share_of_rare = 0.1;
 constexpr std::size_t max_others = 4;
 constexpr double share_of_others = 0.2;
 constexpr std::uint32_t batches_at_once = 16;
+// Multiples of the batches that another test of open leaves may take.
+constexpr double times_more[] = {1.0, 1.4, 2.0, 2.8, 4.0};
 
 // The estimates of one set of weights: x_j, and for each column in descending order of planned signal the sum
 // from it to the last.
@@ -126,6 +131,21 @@ class Test {
     return open;
   }
 
+  // By what the batches have to be multiplied to refute the leaves, expected from the estimates.
+  double needed_times(const std::vector<Refutation::Leaf>& leaves, double level) const {
+    LeafTotal total(tree_.limit, tree_.mounts);
+    const auto refutes = [&](double times) {
+      std::map<std::uint32_t, std::vector<double>> limits;
+      return std::all_of(leaves.begin(), leaves.end(), [&](const Refutation::Leaf& leaf) {
+        std::vector<double>& limit = limits[leaf.weights];
+        if (limit.empty()) limit = limits_of(sums_[leaf.weights], level, times);
+        return total(leaf.chosen, leaf.free, limit) < below;
+      });
+    };
+    if (!refutes(*std::rbegin(times_more))) return std::numeric_limits<double>::infinity();
+    return *std::find_if(std::begin(times_more), std::end(times_more), refutes);
+  }
+
   std::vector<ValidationRow> rows(std::uint32_t batches, std::uint64_t samples_per_batch) const {
     std::vector<ValidationRow> rows;
     for (std::size_t k = 0; k < tree_.labels.size(); ++k) {
@@ -145,7 +165,7 @@ class Test {
   std::vector<std::vector<double>> limits_of_all(double level) const {
     std::vector<std::vector<double>> limits(sums_.size());
     parallel_for_ranges(sums_.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t w = first; w < last; ++w) limits[w] = limits_of(sums_[w], level);
+      for (std::size_t w = first; w < last; ++w) limits[w] = limits_of(sums_[w], level, 1);
     });
     return limits;
   }
@@ -189,7 +209,8 @@ class Test {
     for (std::size_t k = sums.order.size(); k-- > 0;) take_sum(sums.tail[k], sum += x[sums.order[k]]);
   }
 
-  std::vector<double> limits_of(const WeightedSums& sums, double level) const {
+  // `times`: as expected from this many times the batches.
+  std::vector<double> limits_of(const WeightedSums& sums, double level, double times) const {
     const double of_column = (1 - share_of_rare) * level,
                  of_tail = share_of_rare * level / static_cast<double>(columns_);
     std::vector<double> limit(columns_);
@@ -202,13 +223,13 @@ class Test {
       else if (k == 0)
         of_sum = tail.rare_upper(of_tail, sums.largest_sum, 1) - tail.known;
       double& upper = limit[sums.order[k]];
-      upper = own.upper(of_column);
+      upper = own.mean() + (own.upper(of_column) - own.mean()) / std::sqrt(times);
       if (own.hits < ValidationEstimate::min_hits && own.hits < own.sampled.count())
         upper = std::max(upper, own.known + of_sum);
       else if (own.sampled.is_skewed() && own.sampled.skewness() > 0)
         upper = std::max(upper, own.mean() + success_probability_upper_limit(peaks_of(own.sampled),
                                                                              own.sampled.count(), of_column) *
-                                                 2 * sums.largest[sums.order[k]]);
+                                                 2 * sums.largest[sums.order[k]] / times);
     }
     return limit;
   }
@@ -251,6 +272,7 @@ TestedRefutation test_refutation(const PreparedScene& prepared, const Refutation
   test.add_known(run.known);
   TestedRefutation tested;
   with_threads(control.threads, [&] { tested.open = test.open_leaves(level); });
+  if (!tested.open.empty()) tested.needed = done * test.needed_times(tested.open, level);
   tested.fresh = test.rows(done, run.samples_per_batch);
   return tested;
 }
