@@ -79,7 +79,7 @@ TEST(Sensitivity, ChangesAreThoseOfASphere) {
   const Sphere sphere;
   const Scene scene = sphere.room().scene;
   for (const bool once : {true, false}) {
-    const Sensitivity found = of(scene, connections(once ? 1 : PathRules::no_limit, 4000));
+    const Sensitivity found = of(scene, connections(once ? 1 : PathRules::no_limit, 2500));
     ASSERT_EQ(found.materials.size(), 1U);
     const MaterialSensitivity& wall = found.materials[0];
     EXPECT_FALSE(wall.is_assumed);
