@@ -23,8 +23,7 @@ namespace shelfbeam {
 ///   are fixed beforehand. If a cheaper selection S* reaches all labels, it misses some label i by the fixed
 ///   entries, so that one of these, the link by which S* reaches i, is strong enough after all. This entry
 ///   does not depend on the batches: every limit has the whole level.
-/// - Where signals add up and a unit may fail, a search on the upper limits of entries proves the bound. It
-/// is
+/// - Where signals add up and a unit may fail, a search on upper limits of entries proves the bound. It is
 ///   wrong only if a limit of the at most u units of S* is too low for one of the r labels: r u limits share
 ///   the level.
 class BoundRounds {

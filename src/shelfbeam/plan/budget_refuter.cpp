@@ -18,12 +18,10 @@ namespace {
 // Leaves list columns: these many in all leaves take some 200 MB.
 constexpr std::size_t max_leaves = 400'000, max_columns_of_leaves = 50'000'000;
 // Share of the budget that is left, for the search for a refutation.
-constexpr double share_of_search = 0.05;
+constexpr double share_of_search = 0.1;
 constexpr double no_limit = 1e8;          ///< seconds
 constexpr double seconds_of_search = 60;  ///< if the budget is in samples
-// Splitting so many open leaves takes longer than testing them again.
-constexpr std::size_t many_leaves = 32;
-constexpr double reserve_of_again = 1.25;
+constexpr double reserve_of_repeat = 1.25;
 // Searches in vain without a counterexample take long, and more samples rarely help.
 constexpr int max_failures = 2;
 
@@ -32,7 +30,7 @@ constexpr int max_failures = 2;
 void BudgetRefuter::forget_failures() {
   for (auto& [bound, progress] : progress_) {
     progress.has_failed = false;
-    if (progress.untested && !progress.untested->is_again) progress.untested.reset();
+    if (progress.pending && !progress.pending->is_repeat) progress.pending.reset();
   }
 }
 
@@ -45,24 +43,30 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
   control_.report("proving", -1, fmt::format("round {}, whether {}", rounds.round(), goal.text(bound)));
   const double seconds =
       rounds.counts_samples() ? seconds_of_search : share_of_search * std::max(0.0, rounds.left());
-  auto found = progress.untested ? std::exchange(progress.untested, {})
-                                 : promising(goal.below(bound), goal, bound, progress, table, matrix, seconds,
-                                             level, attempt.counterexample);
+  const auto affordable = [&](const Promising& one, double part) {
+    const double of_batch = cost * static_cast<double>(one.refutation.labels.size());
+    return rounds.affordable(one.wanted, one.needed, of_batch / part);
+  };
+  // If a repetition exceeds the budget, its leaves are split, which takes fewer batches.
+  if (progress.pending && progress.pending->is_repeat && affordable(*progress.pending, 1) == 0)
+    progress.pending.reset();
+  auto found = progress.pending ? std::exchange(progress.pending, {})
+                                : promising(goal.below(bound), goal, bound, progress, table, matrix, seconds,
+                                            level, attempt.counterexample);
   if (!found) {
     progress.has_failed = true;
     if (attempt.counterexample.empty()) ++progress.failures;
     return attempt;
   }
   attempt.labels = found->refutation.labels.size();
-  const double of_batch = cost * static_cast<double>(attempt.labels);
-  attempt.batches = rounds.affordable(found->wanted, found->needed, of_batch / share);
-  if (attempt.batches == 0 && share < 1) {
-    progress.untested = std::move(found);
-    return attempt;
-  }
+  attempt.batches = affordable(*found, share);
   if (attempt.batches == 0) {
-    attempt.cost = of_batch * found->wanted;
-    progress.has_failed = true;
+    if (share < 1) {
+      progress.pending = std::move(found);
+    } else {
+      attempt.cost = cost * static_cast<double>(attempt.labels) * found->wanted;
+      progress.has_failed = true;
+    }
     return attempt;
   }
   control_.report(
@@ -76,13 +80,13 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
   attempt.is_tested = true;
   attempt.is_proven = tested.open.empty();
   attempt.fresh = std::move(tested.fresh);
-  if (tested.open.size() >= many_leaves && !found->is_again && tested.needed < Rounds::max_batches) {
+  progress.min_batches = std::min(progress.min_batches * 3 / 2, Rounds::max_batches);
+  if (tested.needed < Rounds::max_batches && !found->is_repeat) {
     found->refutation.leaves = tested.open;
-    progress.untested = {used_part(std::move(found->refutation)), tested.needed,
-                         reserve_of_again * tested.needed, true};
+    progress.pending = {used_part(std::move(found->refutation)), tested.needed,
+                        std::max<double>(progress.min_batches, reserve_of_repeat * tested.needed), true};
   }
   progress.open = std::move(tested.open);
-  progress.min_batches = std::min(progress.min_batches * 3 / 2, Rounds::max_batches);
   return attempt;
 }
 

@@ -47,14 +47,14 @@ class BudgetRefuter {
   struct Promising {
     Refutation refutation;
     double needed = 0, wanted = 0;  ///< batches, without and with a reserve
-    bool is_again = false;          ///< leaves that a test left open although their margins suffice
+    bool is_repeat = false;         ///< the open leaves of a test with their own weights, to be tested again
   };
   struct Progress {
     std::vector<Refutation::Leaf> open;  ///< empty: all selections
     std::uint32_t min_batches = min_verifying_batches;
     bool has_failed = false;  ///< there is no refutation on the present matrix
     int failures = 0;
-    std::optional<Promising> untested;  ///< one to test again, or that would have exceeded its share
+    std::optional<Promising> pending;  ///< waits for its test
   };
   std::optional<Promising> promising(const SelectionBudget& limit, const BoundGoal& goal, double bound,
                                      const Progress& progress, const SignalTable& table,

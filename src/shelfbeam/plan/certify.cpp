@@ -20,6 +20,7 @@ namespace shelfbeam {
 namespace {
 
 constexpr auto interrupted = "it was interrupted";
+constexpr double rounding = 1e-9;  ///< of sums of prices, relative
 constexpr std::uint32_t max_rounds = 30;
 constexpr std::uint32_t min_refining_batches = 16;
 // Shares of the time limit of a placement.
@@ -40,8 +41,9 @@ void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t
 
 bool is_better(const Placement& one, const Placement& other) {
   if (!one.has_selection() || !other.has_selection()) return one.has_selection() && !other.has_selection();
-  return one.problem.combination == Combination::weighted ? one.objective_value < other.objective_value
-                                                          : one.count() < other.count();
+  return one.problem.combination == Combination::weighted
+             ? one.objective_value < other.objective_value * (1 - rounding)
+             : one.count() < other.count();
 }
 
 class Certifier {
@@ -178,6 +180,7 @@ class Certifier {
   }
 
   bool is_done() const {
+    if (kept_ && is_proven(kept_->placement)) return true;
     if (!placement_.has_selection()) return certificate_.count(Verdict::missed) > 0;
     return bound_.holds() && certificate_.all_reached();
   }
@@ -300,8 +303,8 @@ class Certifier {
     return true;
   }
 
-  // Keeps the present placement if its selection reaches all labels, and the changes of the matrix since
-  // then.
+  // Keeps the present placement if its selection reaches all labels and no kept one is cheaper, and the
+  // changes of the matrix since the kept placement.
   void keep() {
     if (placement_.has_selection() && certificate_.all_reached() &&
         !(kept_ && is_better(kept_->placement, placement_)))
@@ -310,13 +313,29 @@ class Certifier {
     joined_.clear();
   }
 
-  // A selection that reaches all labels is better than one with open labels.
+  // Returns to the kept placement if the last one has open labels or costs more.
   void return_to_kept() {
     if (!kept_ || (certificate_.all_reached() && !is_better(kept_->placement, placement_))) return;
     for (; !kept_->changes.empty(); kept_->changes.pop_back()) kept_->changes.back().restore(matrix_);
+    kept_->placement.seconds = placement_.seconds;
     placement_ = std::move(kept_->placement);
     certificate_.labels = std::move(kept_->labels);
-    if (certificate_.open != interrupted) certificate_.open = "a cheaper selection has undecided labels";
+    // The bound is that of any selection, and one of this cost reaches all labels.
+    certificate_.count_lower_bound = std::min(certificate_.count_lower_bound, placement_.count());
+    if (placement_.problem.combination == Combination::weighted)
+      certificate_.cost_lower_bound = std::min(certificate_.cost_lower_bound, placement_.objective_value);
+    if (is_proven(placement_))
+      certificate_.open.clear();
+    else if (certificate_.open != interrupted)
+      certificate_.open = fmt::format("it is undecided whether a cheaper selection reaches all labels{}{}",
+                                      certificate_.open.empty() ? "" : "; ", certificate_.open);
+  }
+
+  // Whether no selection costs less, which needs no search if this one reaches all labels.
+  bool is_proven(const Placement& placement) const {
+    return placement.problem.combination == Combination::weighted
+               ? certificate_.cost_lower_bound >= placement.objective_value * (1 - rounding)
+               : certificate_.count_lower_bound >= placement.count();
   }
 
   std::string infeasibility_reason(const Placement& placement) const {

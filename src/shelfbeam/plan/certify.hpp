@@ -54,10 +54,11 @@ struct Certified {
 /// then misses them.
 ///
 /// Certification ends when both statements hold, when the budget is used up or can decide nothing more, or
-/// when cancelled. If the last selection has undecided labels, or costs more, the result is an earlier one
-/// that reaches all labels. An interrupted round leaves matrix and placement unchanged. Pass the matrix by
-/// move to avoid a copy. With a budget in samples and a step limit for placements, the result does not depend
-/// on the machine, unless the search for a refutation takes longer than a minute.
+/// when cancelled. If the last selection has undecided labels, or costs more than an earlier one that
+/// reaches all labels, the result is the earlier one. An interrupted round leaves matrix and placement
+/// unchanged. Pass the matrix by move to avoid a copy. With a budget in samples and a step limit for
+/// placements, the result does not depend on the machine, unless the search for a refutation takes longer
+/// than a minute.
 ///
 /// The bound is on the count, or on the cost where prices alone determine it (has_known_prices). Other
 /// objectives are those of the matrix. Throws as `sample_batches`, except on an interruption.

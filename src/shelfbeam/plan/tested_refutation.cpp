@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -26,8 +25,10 @@ constexpr double share_of_rare = 0.1;
 constexpr std::size_t max_others = 4;
 constexpr double share_of_others = 0.2;
 constexpr std::uint32_t batches_at_once = 16;
-// Multiples of the batches that another test of open leaves may take.
-constexpr double times_more[] = {1.0, 1.4, 2.0, 2.8, 4.0};
+// Splitting so many open leaves takes longer than testing them again, with one of these multiples of the
+// batches.
+constexpr std::size_t many_leaves = 32;
+constexpr double multiples[] = {1.0, 1.4, 2.0, 2.8, 4.0};
 
 // The estimates of one set of weights: x_j, and for each column in descending order of planned signal the sum
 // from it to the last.
@@ -131,19 +132,25 @@ class Test {
     return open;
   }
 
-  // By what the batches have to be multiplied to refute the leaves, expected from the estimates.
-  double needed_times(const std::vector<Refutation::Leaf>& leaves, double level) const {
+  // The factor by which the number of batches must grow before the next test is likely to refute the leaves
+  // with their own weights; infinity above the largest multiple.
+  double needed_multiple(const std::vector<Refutation::Leaf>& leaves, double level) const {
+    const double next_level = (1 - share_of_others) * level / 2;
+    std::vector<char> is_used(sums_.size(), 0);
+    for (const Refutation::Leaf& leaf : leaves) is_used[leaf.weights] = 1;
+    std::vector<std::vector<double>> limits(sums_.size());
     LeafTotal total(tree_.limit, tree_.mounts);
-    const auto refutes = [&](double times) {
-      std::map<std::uint32_t, std::vector<double>> limits;
+    const auto refutes = [&](double multiple) {
+      parallel_for_ranges(sums_.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t w = first; w < last; ++w)
+          if (is_used[w] != 0) limits[w] = expected_limits(sums_[w], next_level, multiple);
+      });
       return std::all_of(leaves.begin(), leaves.end(), [&](const Refutation::Leaf& leaf) {
-        std::vector<double>& limit = limits[leaf.weights];
-        if (limit.empty()) limit = limits_of(sums_[leaf.weights], level, times);
-        return total(leaf.chosen, leaf.free, limit) < below;
+        return total(leaf.chosen, leaf.free, limits[leaf.weights]) < below;
       });
     };
-    if (!refutes(*std::rbegin(times_more))) return std::numeric_limits<double>::infinity();
-    return *std::find_if(std::begin(times_more), std::end(times_more), refutes);
+    if (!refutes(*std::rbegin(multiples))) return std::numeric_limits<double>::infinity();
+    return *std::find_if(std::begin(multiples), std::end(multiples), refutes);
   }
 
   std::vector<ValidationRow> rows(std::uint32_t batches, std::uint64_t samples_per_batch) const {
@@ -165,7 +172,7 @@ class Test {
   std::vector<std::vector<double>> limits_of_all(double level) const {
     std::vector<std::vector<double>> limits(sums_.size());
     parallel_for_ranges(sums_.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t w = first; w < last; ++w) limits[w] = limits_of(sums_[w], level, 1);
+      for (std::size_t w = first; w < last; ++w) limits[w] = limits_of(sums_[w], level);
     });
     return limits;
   }
@@ -209,8 +216,12 @@ class Test {
     for (std::size_t k = sums.order.size(); k-- > 0;) take_sum(sums.tail[k], sum += x[sums.order[k]]);
   }
 
-  // `times`: as expected from this many times the batches.
-  std::vector<double> limits_of(const WeightedSums& sums, double level, double times) const {
+  // Whether the limit of a column is that of a longer sum.
+  static bool is_rarely_hit(const ValidationEstimate& own) {
+    return own.hits < ValidationEstimate::min_hits && own.hits < own.sampled.count();
+  }
+
+  std::vector<double> limits_of(const WeightedSums& sums, double level) const {
     const double of_column = (1 - share_of_rare) * level,
                  of_tail = share_of_rare * level / static_cast<double>(columns_);
     std::vector<double> limit(columns_);
@@ -223,13 +234,26 @@ class Test {
       else if (k == 0)
         of_sum = tail.rare_upper(of_tail, sums.largest_sum, 1) - tail.known;
       double& upper = limit[sums.order[k]];
-      upper = own.mean() + (own.upper(of_column) - own.mean()) / std::sqrt(times);
-      if (own.hits < ValidationEstimate::min_hits && own.hits < own.sampled.count())
+      upper = own.upper(of_column);
+      if (is_rarely_hit(own))
         upper = std::max(upper, own.known + of_sum);
       else if (own.sampled.is_skewed() && own.sampled.skewness() > 0)
         upper = std::max(upper, own.mean() + success_probability_upper_limit(peaks_of(own.sampled),
                                                                              own.sampled.count(), of_column) *
-                                                 2 * sums.largest[sums.order[k]] / times);
+                                                 2 * sums.largest[sums.order[k]]);
+    }
+    return limit;
+  }
+
+  // Limits that a multiple of the batches is likely to give: Student's fall with the root of the number of
+  // batches, those for outliers with the number. Rarely hit columns keep theirs.
+  std::vector<double> expected_limits(const WeightedSums& sums, double level, double multiple) const {
+    std::vector<double> limit = limits_of(sums, level);
+    for (std::size_t j = 0; j < columns_; ++j) {
+      const ValidationEstimate& own = sums.column[j];
+      if (is_rarely_hit(own)) continue;
+      const double mean = own.mean(), student = own.upper((1 - share_of_rare) * level) - mean;
+      limit[j] = mean + std::max(student / std::sqrt(multiple), (limit[j] - mean) / multiple);
     }
     return limit;
   }
@@ -271,8 +295,10 @@ TestedRefutation test_refutation(const PreparedScene& prepared, const Refutation
   }
   test.add_known(run.known);
   TestedRefutation tested;
-  with_threads(control.threads, [&] { tested.open = test.open_leaves(level); });
-  if (!tested.open.empty()) tested.needed = done * test.needed_times(tested.open, level);
+  with_threads(control.threads, [&] {
+    tested.open = test.open_leaves(level);
+    if (tested.open.size() >= many_leaves) tested.needed = done * test.needed_multiple(tested.open, level);
+  });
   tested.fresh = test.rows(done, run.samples_per_batch);
   return tested;
 }

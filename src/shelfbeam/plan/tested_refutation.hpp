@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
@@ -15,9 +16,9 @@ struct TestedRefutation {
   /// The leaves that are not refuted at the level of the test. Only these need another test: a selection is
   /// in one leaf, so the levels of all tests of this leaf add up to a bound on the probability of an error.
   std::vector<Refutation::Leaf> open;
-  /// The batches that would probably refute the open leaves with their own weights; infinity if these are
-  /// many more than those of the test.
-  double needed = 0;
+  /// If splitting the open leaves would take long: the batches that are likely to refute them with their own
+  /// weights. Infinity if these are more than four times the batches of the test.
+  double needed = std::numeric_limits<double>::infinity();
   std::vector<ValidationRow> fresh;  ///< the batches of the refutation's labels
 };
 

@@ -104,6 +104,61 @@ TEST(Refutation, HasEverySelectionInARefutedLeaf) {
   EXPECT_LE(missed, 1U);
 }
 
+// If many leaves stay open, the test expects the number of batches that refutes them. The open leaves keep
+// their weights, although others are dropped.
+TEST(Refutation, OpenLeavesAreTestedAgain) {
+  test::PlanStore store;
+  store.across = 40;
+  SimulationOptions options{EstimatorKind::reuse};
+  options.samples = 20'000;
+  options.seed = 5;
+  SignalMatrix matrix = simulate(store.scene(), options).matrix;
+  double largest = 0;
+  for (std::size_t a = 0; a < matrix.columns(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      float least = 1e9F;
+      for (std::size_t i = 0; i < matrix.rows(); ++i)
+        least = std::min(least, matrix.mean[matrix.at(i, a)] + matrix.mean[matrix.at(i, b)]);
+      largest = std::max(largest, static_cast<double>(least));
+    }
+  store.threshold = 1.04 * largest;
+  const Scene scene = store.scene();
+  matrix = simulate(scene, options).matrix;
+  const SignalTable table = make_signal_table(matrix);
+  const SelectionBudget limit{std::vector<double>(table.columns(), 1.0), 2};
+  const RefutationSearch search =
+      find_refutation(table, numbers(table.rows()), limit, {}, 100000, Deadline(60), {});
+  ASSERT_TRUE(search.found);
+  Refutation tree = *search.found;
+  ASSERT_EQ(tree.leaves.size(), 1U);
+  const std::uint32_t last = static_cast<std::uint32_t>(tree.labels.size()) - 1;
+  tree.weights.insert(tree.weights.begin(), {{last}, {1.0}});
+  tree.planned.insert(tree.planned.begin(), std::vector<double>(table.columns(), 0.5));
+  tree.leaves[0].weights = 1;
+  tree.leaves.resize(40, tree.leaves[0]);
+  tree.leaves.push_back({{}, {0}, 0});  // refuted at once
+  const auto prepared = prepare(scene, options, false);
+  const auto test = [&](const Refutation& tested, double batches, std::uint64_t seed) {
+    return test_refutation(*prepared, tested, table, {{}, seed, static_cast<std::uint32_t>(batches)}, 0.001,
+                           Deadline(60), {});
+  };
+  const TestedRefutation first = test(tree, 32, 7);
+  ASSERT_EQ(first.open.size(), 40U);
+  ASSERT_LE(first.needed, 4 * 32);
+  EXPECT_GT(first.needed, 32);
+  tree.leaves = first.open;
+  const Refutation open = used_part(tree);
+  ASSERT_EQ(open.weights.size(), 1U);
+  EXPECT_EQ(open.leaves[0].weights, 0U);
+  EXPECT_EQ(open.planned, search.found->planned);
+  EXPECT_EQ(open.labels, search.found->labels);
+  EXPECT_EQ(open.weights[0].weight, search.found->weights[0].weight);
+  const TestedRefutation second = test(open, 1.5 * first.needed, 8);
+  EXPECT_TRUE(second.open.empty());
+  tree.leaves.resize(1);
+  EXPECT_GT(test(tree, 32, 7).needed, 1e9) << "one leaf is rather split";
+}
+
 // A selection that just suffices, by 0.02 percent, is refuted at a level of 5 % in at most 5 % of the tests,
 // with trees that the noise of the planning matrix allows. The test fails with probability below 1e-3 at
 // exactly 5 %. Controls: limits at the level of a half refute it far more often.
