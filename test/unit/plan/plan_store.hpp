@@ -1,11 +1,17 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/signal/signal_matrix.hpp"
 
 namespace shelfbeam::test {
 
@@ -35,5 +41,24 @@ struct PlanStore {
                                   "plan store", "."));
   }
 };
+
+/// The two units with the largest sum at their weakest label, and this sum.
+struct BestPair {
+  std::vector<std::uint32_t> units;
+  double min_signal = 0;
+};
+
+inline BestPair best_pair(const SignalMatrix& matrix) {
+  BestPair best;
+  for (std::uint32_t a = 0; a < matrix.columns(); ++a)
+    for (std::uint32_t b = 0; b < a; ++b) {
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < matrix.rows(); ++i)
+        least = std::min(least, static_cast<double>(matrix.mean[matrix.at(i, a)]) +
+                                    static_cast<double>(matrix.mean[matrix.at(i, b)]));
+      if (least > best.min_signal) best = {{b, a}, least};
+    }
+  return best;
+}
 
 }  // namespace shelfbeam::test

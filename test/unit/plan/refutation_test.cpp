@@ -113,15 +113,7 @@ TEST(Refutation, OpenLeavesAreTestedAgain) {
   options.samples = 20'000;
   options.seed = 5;
   SignalMatrix matrix = simulate(store.scene(), options).matrix;
-  double largest = 0;
-  for (std::size_t a = 0; a < matrix.columns(); ++a)
-    for (std::size_t b = 0; b < a; ++b) {
-      float least = 1e9F;
-      for (std::size_t i = 0; i < matrix.rows(); ++i)
-        least = std::min(least, matrix.mean[matrix.at(i, a)] + matrix.mean[matrix.at(i, b)]);
-      largest = std::max(largest, static_cast<double>(least));
-    }
-  store.threshold = 1.04 * largest;
+  store.threshold = 1.04 * test::best_pair(matrix).min_signal;
   const Scene scene = store.scene();
   matrix = simulate(scene, options).matrix;
   const SignalTable table = make_signal_table(matrix);
@@ -169,20 +161,8 @@ TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
   options.seed = 1234567;
   const SignalMatrix truth = simulate(store.scene(), options).matrix;
   const auto n = static_cast<std::uint32_t>(truth.columns());
-  Columns best;
-  double largest = 0;
-  for (std::uint32_t a = 0; a < n; ++a)
-    for (std::uint32_t b = 0; b < a; ++b) {
-      double least = 1e9;
-      for (std::size_t i = 0; i < truth.rows(); ++i)
-        least = std::min(least, static_cast<double>(truth.mean[truth.at(i, a)]) +
-                                    static_cast<double>(truth.mean[truth.at(i, b)]));
-      if (least > largest) {
-        largest = least;
-        best = {b, a};
-      }
-    }
-  store.threshold = largest / 1.0002;
+  const test::BestPair best = test::best_pair(truth);
+  store.threshold = best.min_signal / 1.0002;
   const Scene scene = store.scene();
   options.relative_error.reset();
   options.samples = 2000;
@@ -202,7 +182,7 @@ TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
       const TestedRefutation tested =
           test_refutation(*prepared, *search.found, table, {{}, 1000000 + seed, 64}, level, Deadline(60), {});
       return std::none_of(tested.open.begin(), tested.open.end(),
-                          [&](const Refutation::Leaf& leaf) { return is_in(leaf, best); });
+                          [&](const Refutation::Leaf& leaf) { return is_in(leaf, best.units); });
     };
     refuted += is_refuted(0.05);
     refuted_by_half += is_refuted(0.5);

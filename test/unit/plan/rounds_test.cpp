@@ -64,15 +64,7 @@ TEST(Rounds, EndWithASelectionThatReachesAllLabels) {
   simulation.seed = 1234567;
   simulation.relative_error = RelativeError{0.002, 0.02, std::uint64_t{1} << 36};
   const SignalMatrix truth = simulate(store.scene(), simulation).matrix;
-  double largest = 0;
-  for (std::size_t a = 0; a < truth.columns(); ++a)
-    for (std::size_t b = 0; b < a; ++b) {
-      float least = 1e9F;
-      for (std::size_t i = 0; i < truth.rows(); ++i)
-        least = std::min(least, truth.mean[truth.at(i, a)] + truth.mean[truth.at(i, b)]);
-      largest = std::max(largest, static_cast<double>(least));
-    }
-  store.threshold = largest / 1.001;
+  store.threshold = test::best_pair(truth).min_signal / 1.001;
   const Scene scene = store.scene();
   const TableRule rule = [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
   CertifyOptions options;
