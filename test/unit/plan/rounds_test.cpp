@@ -72,7 +72,7 @@ TEST(Rounds, EndWithASelectionThatReachesAllLabels) {
   options.place.step_limit = 1 << 20;
   options.simulation.samples = 2000;
   int returned = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     options.simulation.seed = seed;
     SignalMatrix matrix = simulate(scene, options.simulation).matrix;
     for (float& mean : matrix.mean) mean *= 0.96F;
