@@ -70,7 +70,7 @@ void expect_balance(const SimulationOptions& options, std::uint32_t batches, int
   test::expect_agreement(reflected, 2e-3, all(wrong * rho) / all(rho), what);
 }
 
-TEST(FluxBalance, EverythingThatEntersIsAbsorbed) {
+TEST(FluxBalanceSlow, EverythingThatEntersIsAbsorbed) {
   SimulationOptions options{EstimatorKind::uniform};
   options.samples = 640;
   options.direct = DirectLight::exact;

@@ -93,7 +93,7 @@ test::BareScene sphere(bool clear_things) {
   return room;
 }
 
-TEST(Furnace, IsUniformForConnectionsAloneInASphere) {
+TEST(FurnaceSlow, IsUniformForConnectionsAloneInASphere) {
   for (const bool clear_things : {false, true}) {
     expect_uniform(test::nee, sphere(clear_things), 40000);
     expect_uniform(test::path_reuse, sphere(clear_things), 64 * test::reuse_samples, 0.01);

@@ -55,7 +55,7 @@ TEST(RoomS1, DirectPartIsExact) {
     EXPECT_NEAR(matrix.direct[i], direct[i], 1e-5 * direct[i]) << matrix.labels[i].id;
 }
 
-TEST(RoomS1, TotalsAgreeWithBothSimulators) {
+TEST(RoomS1Slow, TotalsAgreeWithBothSimulators) {
   expect_agreement(test::mis, 150000, DirectLight::sampled, 0.005);
   expect_agreement(test::mis, 50000, DirectLight::exact, 0.005);
   expect_agreement(test::particle, 50000, DirectLight::sampled, 0.01);

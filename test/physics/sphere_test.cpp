@@ -79,7 +79,7 @@ TEST(DiffuseSphere, EveryBounceOfAPointSourceIsUniform) {
   expect_uniform(test::particle, 0, 100000);
 }
 
-TEST(DiffuseSphere, EveryBounceOfADiscIsUniform) {
+TEST(DiffuseSphereSlow, EveryBounceOfADiscIsUniform) {
   for (const Way& way : {test::walk, test::nee, test::mis, test::mis_power}) expect_uniform(way, 0.8, 100000);
   expect_uniform(test::particle, 0.8, 100000);
 }

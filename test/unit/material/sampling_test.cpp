@@ -72,7 +72,7 @@ ChiSquareTest compare(const Drawn& drawn, const Material& expected, const Vec3& 
 // the quadrature of the density errs by less than 0.05 counts per cell. The control is a rougher material
 // with the same samples. The mean weight is the albedo: z-test jointly at 1e-4; the quadrature of the albedo
 // adds an error of 1e-4 (rough glass 1e-3). Its control is the albedo of the next case.
-TEST(BsdfSampling, FollowsItsDensityAndAlbedo) {
+TEST(BsdfSamplingSlow, FollowsItsDensityAndAlbedo) {
   const auto& cases = test::rough_cases();
   std::size_t tests = 0;
   for (const auto& c : cases) tests += test::directions_for(c.material).size();

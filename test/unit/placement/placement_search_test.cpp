@@ -100,7 +100,7 @@ Tally run_with(std::uint64_t seed, int cases, const test::RandomTableLimits& tab
   return tally;
 }
 
-TEST(PlacementSearch, EqualsEnumerationWithoutTrees) {
+TEST(PlacementSearchSlow, EqualsEnumerationWithoutTrees) {
   const detail::SearchLimits without_trees{.max_units_of_trees = 0, .small_answer = 0};
   for (const std::uint64_t seed : {21U, 22U}) {
     const Tally tally =

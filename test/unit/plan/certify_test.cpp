@@ -198,7 +198,7 @@ class CancelAt : public ProgressSink {
 
 // Wherever a plan is interrupted, its matrix and its placement are consistent, and a resumed run has the same
 // result.
-TEST(Certify, ResumesAfterAnInterruption) {
+TEST(CertifySlow, ResumesAfterAnInterruption) {
   test::PlanStore store;
   store.across = 1;
   const double least = min_received(true_matrix(store.scene(), 0.002));

@@ -136,7 +136,7 @@ double of_what_was_lacking(const SignalTable& table, const PlacementProblem& pro
   return last > 0 ? 1 + std::log(lacking(installed) / last) : 1;
 }
 
-TEST(PlacementGreedy, CoversAndStaysWithinItsBound) {
+TEST(PlacementGreedySlow, CoversAndStaysWithinItsBound) {
   expect_within(21, {alone}, of_all_labels);
   expect_within(22, {coop}, of_what_was_lacking);
   // At most two units that reach a label count, which is a submodular function of integers, so H(m) holds.
