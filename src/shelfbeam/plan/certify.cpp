@@ -39,11 +39,15 @@ void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
 }
 
+// The certified quantity: the sum of prices where these are minimised, and otherwise the count.
+double cost_of(const Placement& placement) {
+  return placement.problem.combination == Combination::weighted ? placement.objective_value
+                                                                : static_cast<double>(placement.count());
+}
+
 bool is_better(const Placement& one, const Placement& other) {
   if (!one.has_selection() || !other.has_selection()) return one.has_selection() && !other.has_selection();
-  return one.problem.combination == Combination::weighted
-             ? one.objective_value < other.objective_value * (1 - rounding)
-             : one.count() < other.count();
+  return cost_of(one) < cost_of(other) * (1 - rounding);
 }
 
 class Certifier {
@@ -333,9 +337,10 @@ class Certifier {
 
   // Whether no selection costs less, which needs no search if this one reaches all labels.
   bool is_proven(const Placement& placement) const {
-    return placement.problem.combination == Combination::weighted
-               ? certificate_.cost_lower_bound >= placement.objective_value * (1 - rounding)
-               : certificate_.count_lower_bound >= placement.count();
+    const double bound = placement.problem.combination == Combination::weighted
+                             ? certificate_.cost_lower_bound
+                             : static_cast<double>(certificate_.count_lower_bound);
+    return bound >= cost_of(placement) * (1 - rounding);
   }
 
   std::string infeasibility_reason(const Placement& placement) const {

@@ -138,13 +138,19 @@ class Test {
     const double next_level = (1 - share_of_others) * level / 2;
     std::vector<char> is_used(sums_.size(), 0);
     for (const Refutation::Leaf& leaf : leaves) is_used[leaf.weights] = 1;
-    std::vector<std::vector<double>> limits(sums_.size());
+    std::vector<std::vector<double>> present(sums_.size()), student(sums_.size()), limits(sums_.size());
+    parallel_for_ranges(sums_.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t w = first; w < last; ++w) {
+        if (is_used[w] == 0) continue;
+        present[w] = limits_of(sums_[w], next_level);
+        for (const ValidationEstimate& own : sums_[w].column)
+          student[w].push_back(own.upper((1 - share_of_rare) * next_level));
+      }
+    });
     LeafTotal total(tree_.limit, tree_.mounts);
     const auto refutes = [&](double multiple) {
-      parallel_for_ranges(sums_.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t w = first; w < last; ++w)
-          if (is_used[w] != 0) limits[w] = expected_limits(sums_[w], next_level, multiple);
-      });
+      for (std::size_t w = 0; w < sums_.size(); ++w)
+        if (is_used[w] != 0) limits[w] = expected_limits(sums_[w], present[w], student[w], multiple);
       return std::all_of(leaves.begin(), leaves.end(), [&](const Refutation::Leaf& leaf) {
         return total(leaf.chosen, leaf.free, limits[leaf.weights]) < below;
       });
@@ -247,13 +253,13 @@ class Test {
 
   // Limits that a multiple of the batches is likely to give: Student's fall with the root of the number of
   // batches, those for outliers with the number. Rarely hit columns keep theirs.
-  std::vector<double> expected_limits(const WeightedSums& sums, double level, double multiple) const {
-    std::vector<double> limit = limits_of(sums, level);
-    for (std::size_t j = 0; j < columns_; ++j) {
+  static std::vector<double> expected_limits(const WeightedSums& sums, std::vector<double> limit,
+                                             const std::vector<double>& student, double multiple) {
+    for (std::size_t j = 0; j < limit.size(); ++j) {
       const ValidationEstimate& own = sums.column[j];
       if (is_rarely_hit(own)) continue;
-      const double mean = own.mean(), student = own.upper((1 - share_of_rare) * level) - mean;
-      limit[j] = mean + std::max(student / std::sqrt(multiple), (limit[j] - mean) / multiple);
+      const double mean = own.mean();
+      limit[j] = mean + std::max((student[j] - mean) / std::sqrt(multiple), (limit[j] - mean) / multiple);
     }
     return limit;
   }
