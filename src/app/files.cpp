@@ -1,7 +1,11 @@
 #include "app/files.hpp"
 
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 #include "app/options/arguments.hpp"
@@ -10,6 +14,13 @@ namespace shelfbeam::app {
 
 Store load_store(const std::filesystem::path& path, bool allow_outside, std::size_t memory) {
   return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory});
+}
+
+void expect_no_warnings(const Scene& scene, const std::filesystem::path& store, bool strict) {
+  if (strict && !scene.warnings.empty())
+    throw InputError(store.string(),
+                     fmt::format("has {}, which count as errors", counted(scene.warnings.size(), "warning")),
+                     "correct the store, or allow warnings", Setting::strictness);
 }
 
 SignalTable table_without_signals(const Scene& scene) {
@@ -28,6 +39,10 @@ void add_store_options(CLI::App& verb, bool& allow_outside) {
   verb.add_flag("--allow-outside", allow_outside,
                 "Allow the store file to name files (meshes, tables, profiles) outside its folder")
       ->group(group::runs);
+}
+
+void add_strict_option(CLI::App& verb, bool& strict) {
+  verb.add_flag("--strict", strict, "Treat warnings about the store as errors")->group(group::runs);
 }
 
 void prepare_plan_folder(const std::filesystem::path& folder) {

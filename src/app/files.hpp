@@ -16,11 +16,16 @@ namespace shelfbeam::app {
 /// `memory`: limit in bytes, 0 for memory_limit().
 Store load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0);
 
+/// Throws InputError if the scene has warnings and `strict` is set.
+void expect_no_warnings(const Scene& scene, const std::filesystem::path& store, bool strict);
+
 /// The labels and candidates of a scene as a table without entries.
 SignalTable table_without_signals(const Scene& scene);
 
 /// --allow-outside.
 void add_store_options(CLI::App& verb, bool& allow_outside);
+/// --strict.
+void add_strict_option(CLI::App& verb, bool& strict);
 
 /// Names of the files in the folder of a plan. Without placement.json a plan is incomplete.
 inline constexpr auto signal_name = "signal.h5";

@@ -42,7 +42,8 @@ std::string with_flag(std::string_view text, Setting setting) {
       {Setting::forbidden_pairs, "--forbid"}, {Setting::share, "--share"},
       {Setting::units, "--at-most"},          {Setting::failure, "--survive-failure"},
       {Setting::estimator, "--estimator"},    {Setting::strategy, "--strategy"},
-      {Setting::direct_light, "--direct"},    {Setting::bounces, "--max-bounces"}};
+      {Setting::direct_light, "--direct"},    {Setting::bounces, "--max-bounces"},
+      {Setting::strictness, "--strict"}};
   const auto found = flags.find(setting);
   return found == flags.end() ? std::string(text) : fmt::format("{} ({})", text, found->second);
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/report/data/report.hpp"
 
 #include "app/files.hpp"
@@ -19,12 +20,12 @@ namespace {
 struct Options {
   CommonOptions common;
   std::filesystem::path store, plan;
-  bool allow_outside = false;
+  bool allow_outside = false, strict = false;
 };
 
 int run_inspect(const Options& options) {
   protect_input(options.plan, options.store);
-  const Scene scene = make_scene(load_store(options.store, options.allow_outside));
+  const Scene scene = make_inspected_scene(load_store(options.store, options.allow_outside));
   if (!options.plan.empty()) write_file(options.plan, floor_plan_svg(scene));
   if (options.common.json) {
     print_json(summary_json(scene));
@@ -32,6 +33,7 @@ int run_inspect(const Options& options) {
     print_summary(scene);
     if (!options.plan.empty()) fmt::print("\nfloor plan: {}\n", options.plan.string());
   }
+  expect_no_warnings(scene, options.store, options.strict);
   return done;
 }
 
@@ -44,6 +46,7 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen) {
   add_path(*verb, "STORE", options->store, "Store file")->required();
   add_path(*verb, "-o,--output", options->plan, "Write the floor plan as SVG to this file");
   add_store_options(*verb, options->allow_outside);
+  add_strict_option(*verb, options->strict);
   add_common_options(*verb, options->common);
   verb->footer("Example:\n  shelfbeam inspect store.json -o plan.svg");
   verb->callback([options, &chosen] { chosen = [options] { return run_inspect(*options); }; });

@@ -10,6 +10,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
@@ -39,7 +40,7 @@ struct Options {
   double reflectance_error = SensitivityOptions().assumed_error;
   Requirements requirements;
   std::filesystem::path store, folder;
-  bool allow_outside = false;
+  bool allow_outside = false, strict = false;
 };
 
 SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
@@ -97,7 +98,7 @@ bool follows_decision(const Options& options) {
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   const Store store = load_store(options.store, options.allow_outside, options.simulation.memory);
-  const Scene scene = make_scene(store);
+  const Scene scene = make_inspected_scene(store);
   const std::string resolved = resolved_store_json(store, scene);
   protect_store(options.folder, options.store, resolved);
   // Reports errors in the placement options before the simulation.
@@ -106,9 +107,10 @@ int run_plan(const Options& options) {
   SimulationOptions simulation =
       options.simulation.options(options.common.seed, options.folder / signal_name);
   if (follows_decision(options)) simulation.samples = decision_samples;
+  print_warnings(options.common, scene, simulation.rules().strategy);
+  expect_no_warnings(scene, options.store, options.strict);
   const bool is_new = !std::filesystem::exists(options.folder);
   prepare_plan_folder(options.folder);
-  print_warnings(options.common, scene, simulation.rules().strategy);
   Plan plan;
   try {
     TerminalProgress progress(options.common.quiet);
@@ -201,6 +203,7 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
       ->needs(sensitivity);
   add_run_options(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
+  add_strict_option(*verb, options->strict);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
 
 #include "app/files.hpp"
@@ -23,16 +24,18 @@ struct Options {
   CommonOptions common;
   SimulationFlags simulation;
   std::filesystem::path store, output;
-  bool allow_outside = false;
+  bool allow_outside = false, strict = false;
 };
 
 int run_simulate(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   protect_input(options.output, options.store);
-  const Scene scene = make_scene(load_store(options.store, options.allow_outside, options.simulation.memory));
+  const Scene scene =
+      make_inspected_scene(load_store(options.store, options.allow_outside, options.simulation.memory));
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   expect_writable(options.output);
   print_warnings(options.common, scene, simulation.rules().strategy);
+  expect_no_warnings(scene, options.store, options.strict);
   SimulationSummary summary;
   {
     TerminalProgress progress(options.common.quiet);
@@ -67,6 +70,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   add_layers(*verb, options->simulation);
   add_run_options(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
+  add_strict_option(*verb, options->strict);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -20,7 +20,8 @@ enum class Setting {
   estimator,
   strategy,
   direct_light,
-  bounces
+  bounces,
+  strictness
 };
 
 /// Wrong input. The message states the location, the problem and a suggestion.

@@ -17,6 +17,8 @@ struct LabelType {
   double safety_factor = 1;      ///< gamma
   double link_cost = 0;          ///< c^E (3.3)
   double signal_cost = 0;        ///< delta (3.14)
+  /// Distance at which the unit that gives the threshold is just heard ("hears ... at_m"), m; 0 for a number.
+  double range_m = 0;
 
   double requirement() const { return safety_factor * threshold; }
 };

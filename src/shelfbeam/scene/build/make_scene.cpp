@@ -50,6 +50,8 @@ class SceneMaker {
     return std::move(scene_);
   }
 
+  DeviceSources sources() { return std::move(sources_); }
+
  private:
   [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
     throw InputError(store_.file, problem, suggestion);
@@ -259,8 +261,11 @@ class SceneMaker {
 
 }  // namespace
 
-Scene make_scene(const Store& store) {
-  return SceneMaker(store).make();
+Scene make_scene(const Store& store, DeviceSources* sources) {
+  SceneMaker maker(store);
+  Scene scene = maker.make();
+  if (sources != nullptr) *sources = maker.sources();
+  return scene;
 }
 
 Scene read_scene(const std::filesystem::path& store, const StoreLimits& trust) {

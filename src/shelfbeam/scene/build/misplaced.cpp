@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,107 +12,18 @@
 
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/build/blocks.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-constexpr double rounding = 1e-6;  // m
-constexpr double too_near = 0.05;  // m in front of a label
+constexpr double rounding = Blocks::rounding, too_near = Blocks::too_near;
 constexpr std::array<const char*, 6> room_sides{"behind the wall x0", "behind the wall x1",
                                                 "behind the wall y0", "behind the wall y1",
                                                 "below the floor",    "above the ceiling"};
 constexpr std::array<const char*, 6> room_surfaces{"the wall x0", "the wall x1", "the wall y0",
                                                    "the wall y1", "the floor",   "the ceiling"};
-
-/// The part of a ray inside a convex body, in m from the ray's origin.
-struct Stretch {
-  double begin = -std::numeric_limits<double>::infinity(), end = -begin;
-
-  /// Keeps the part where `distance + t * slope` is positive.
-  void clip(double distance, double slope) {
-    if (std::abs(slope) < 1e-12)
-      end = distance > 1e-9 ? end : begin;
-    else if (slope > 0)
-      begin = std::max(begin, -distance / slope);
-    else
-      end = std::min(end, -distance / slope);
-  }
-  bool is_empty() const { return end - begin < rounding; }
-};
-
-/// Precondition: the part has a convex footprint.
-Stretch stretch_within(const Part& part, const Vec3& p, const Vec3& direction) {
-  Stretch stretch;
-  for (std::size_t k = 0; k < part.footprint.size(); ++k) {
-    const auto &a = part.footprint[k], &b = part.footprint[(k + 1) % part.footprint.size()];
-    const double x = b[0] - a[0], y = b[1] - a[1], edge = std::hypot(x, y);
-    if (edge > 0)
-      stretch.clip((x * (p.y - a[1]) - y * (p.x - a[0])) / edge, (x * direction.y - y * direction.x) / edge);
-  }
-  stretch.clip(p.z - part.bottom, direction.z);
-  stretch.clip(part.top - p.z, -direction.z);
-  return stretch;
-}
-
-/// The blocks of a scene by fixture, so that a device is compared only with the blocks of nearby fixtures.
-class Blocks {
- public:
-  explicit Blocks(const Scene& scene) : scene_(scene), fixtures_(scene.fixtures.size()) {
-    for (const Part& part : scene.parts) {
-      if (part.kind == PartKind::mesh) continue;
-      Fixture& fixture = fixtures_[part.fixture];
-      Box box;
-      for (const auto& [x, y] : part.footprint) box.include({x, y});
-      fixture.box.include(box.low);
-      fixture.box.include(box.high);
-      fixture.parts.emplace_back(box, &part);
-    }
-  }
-
-  struct Hit {
-    const std::string* fixture;
-    double distance;  ///< m; negative from within
-    bool is_within() const { return distance < -rounding; }
-  };
-  /// The first block along the direction within 5 cm, or the block that contains the point.
-  std::optional<Hit> next(const Vec3& p, const Vec3& direction) const {
-    std::optional<Hit> nearest;
-    for (std::size_t f = 0; f < fixtures_.size(); ++f) {
-      const Fixture& fixture = fixtures_[f];
-      if (!fixture.box.is_near(p)) continue;
-      for (const auto& [box, part] : fixture.parts) {
-        if (!box.is_near(p)) continue;
-        if (p.z < part->bottom - too_near || p.z > part->top + too_near) continue;
-        const Stretch stretch = stretch_within(*part, p, direction);
-        if (stretch.is_empty() || stretch.end < rounding || stretch.begin > too_near) continue;
-        if (!nearest || stretch.begin < nearest->distance)
-          nearest = Hit{&scene_.fixtures[f].id, stretch.begin};
-      }
-    }
-    return nearest;
-  }
-
- private:
-  struct Box {  // in plan
-    std::array<double, 2> low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-
-    void include(const std::array<double, 2>& q) {
-      low = {std::min(low[0], q[0]), std::min(low[1], q[1])};
-      high = {std::max(high[0], q[0]), std::max(high[1], q[1])};
-    }
-    bool is_near(const Vec3& p) const {
-      return p.x > low[0] - too_near && p.x < high[0] + too_near && p.y > low[1] - too_near &&
-             p.y < high[1] + too_near;
-    }
-  };
-  struct Fixture {
-    std::vector<std::pair<Box, const Part*>> parts;
-    Box box;
-  };
-  const Scene& scene_;
-  std::vector<Fixture> fixtures_;
-};
 
 /// The corners of a label; empty for a point.
 std::vector<Vec3> outline(const Scene& scene, const Label& label) {

@@ -1,18 +1,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/warning_list.hpp"
 
 namespace shelfbeam {
-
-/// The locations in the store file of a scene's labels and transceivers, in their order, for messages. A
-/// generated device has the location of its fixture or grid.
-struct DeviceSources {
-  std::vector<std::string> labels, transceivers;
-};
 
 /// The side of the room beyond which the point lies, for example "above the ceiling (4.2 m > 4 m)"; empty if
 /// the point is inside the room or there is no room.

@@ -157,6 +157,7 @@ void read_label_types(const JsonCursor& section, Store& store) {
     const JsonCursor threshold = cursor["threshold"];
     type.threshold = threshold.is_object() ? read_range(threshold, store, names, type.responsivity)
                                            : read_quantity(threshold);
+    if (threshold.is_object()) type.range_m = threshold["at_m"].number();
     if (const auto factor = cursor.find("safety_factor")) type.safety_factor = read_quantity(*factor);
     if (const auto cost = cursor.find("link_cost")) type.link_cost = read_amount(*cost);
     if (const auto cost = cursor.find("signal_cost")) type.signal_cost = read_amount(*cost);

@@ -72,8 +72,14 @@ Store read_store(const std::filesystem::path& path, const StoreLimits& trust = {
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                   const StoreLimits& trust = {});
 
+/// The locations in the store file of a scene's labels and transceivers, in their order, for messages. A
+/// generated device has the location of its fixture or grid.
+struct DeviceSources {
+  std::vector<std::string> labels, transceivers;
+};
+
 /// Expands fixtures and grids, checks ids and positions, and freezes the result. Throws InputError.
-Scene make_scene(const Store& store);
+Scene make_scene(const Store& store, DeviceSources* sources = nullptr);
 
 /// The store's scene with the units of a CSV file (read_transceivers_csv) instead of its candidates. They may
 /// have any position, even the same. Throws InputError with file and line.

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shelfbeam/scene/build/blocks.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/scene/warning_list.hpp"
+#include "shelfbeam/transport/world/ray_scene.hpp"
+
+namespace shelfbeam {
+
+/// A store and the means to examine it.
+struct Inspected {
+  Inspected(const Store& its_store, const Scene& its_scene, const DeviceSources& its_sources)
+      : store(its_store),
+        scene(its_scene),
+        sources(its_sources),
+        rays(scene),
+        blocks(scene),
+        is_mesh(scene.mesh.triangles.size()) {
+    for (const Part& part : scene.parts)
+      for (std::uint32_t k = 0; k < part.triangle_count; ++k) is_mesh[part.first_triangle + k] = true;
+  }
+
+  const Store& store;
+  const Scene& scene;
+  const DeviceSources& sources;
+  RayScene rays;
+  Blocks blocks;
+  std::vector<bool> is_mesh;  ///< for each triangle, whether it belongs to a mesh fixture
+
+  double floor() const { return scene.room ? 0 : scene.lower.z; }
+};
+
+// Each function adds warnings about one subject.
+
+/// Requirements, responses, sizes and prices of label and transceiver types; types without devices.
+void warn_of_types(const Inspected& store, WarningList& warnings);
+/// The room's height, the wavelength, materials, keep-out areas and grids.
+void warn_of_room(const Inspected& store, WarningList& warnings);
+/// Overlaps, floating boxes, odd scales and rotations.
+void warn_of_fixtures(const Inspected& store, WarningList& warnings);
+/// Labels in mid-air, out of sight, or too near to each other.
+void warn_of_labels(const Inspected& store, WarningList& warnings);
+/// Units that are aimed at a surface, too low, or listed twice.
+void warn_of_units(const Inspected& store, WarningList& warnings);
+/// Labels and units that closed walls separate from the others.
+void warn_of_separated(const Inspected& store, WarningList& warnings);
+
+}  // namespace shelfbeam

@@ -1,0 +1,232 @@
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/inspection/checks.hpp"
+#include "shelfbeam/material/material.hpp"
+#include "shelfbeam/math/box_index.hpp"
+#include "shelfbeam/math/frame.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+template <class Devices>
+BoxIndex index_of(const Devices& devices) {
+  std::vector<Bounds> points;
+  for (const auto& device : devices) points.push_back({device.position, device.position});
+  return BoxIndex(std::move(points));
+}
+
+// An earlier device for which `is_same` holds, at most `distance` away along each axis.
+template <class Devices, class Same>
+std::optional<std::size_t> earlier(const Devices& devices, const BoxIndex& index, std::size_t i,
+                                   double distance, const Same& is_same) {
+  std::optional<std::size_t> found;
+  const Vec3& p = devices[i].position;
+  index.any(Bounds{p, p}.wider_by(distance), [&](std::uint32_t k) {
+    if (k < i && is_same(devices[k])) found = k;
+    return found.has_value();
+  });
+  return found;
+}
+
+struct Distance {
+  double metres;
+  const NamedMaterial* material;
+  bool is_mesh;
+};
+
+// The first opaque surface along a direction, up to `limit`.
+std::optional<Distance> opaque_before(const Inspected& store, const SurfacePoint& from, const Vec3& direction,
+                                      double limit) {
+  const auto hit = store.rays.intersect(from, direction);
+  if (!hit) return std::nullopt;
+  const double distance = length(hit->point.position - from.position);
+  const NamedMaterial& named = store.scene.materials[hit->material.value];
+  if (distance > limit || !is_opaque(named.material)) return std::nullopt;
+  return Distance{distance, &named, store.is_mesh[hit->triangle]};
+}
+
+// Whether a label is mounted on something: a surface behind it, straight or at 45 degrees.
+bool has_support(const Inspected& store, const Label& label) {
+  constexpr double farthest = 0.3, in_front = 0.005;
+  const Frame frame = Frame::about(label.normal);
+  const SurfacePoint from{label.position + label.normal * in_front, label.normal};
+  const auto meets = [&](const Vec3& direction) {
+    const auto hit = store.rays.intersect(from, direction);
+    return hit && length(hit->point.position - from.position) <= farthest + in_front;
+  };
+  if (meets(-label.normal)) return true;
+  const double half = std::sqrt(0.5);
+  for (const auto& [x, y] : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}, Vec2{half, half},
+                             Vec2{-half, half}, Vec2{half, -half}, Vec2{-half, -half}})
+    if (meets(frame.to_world({x * half, y * half, -half}))) return true;
+  return false;
+}
+
+class LabelChecks {
+ public:
+  LabelChecks(const Inspected& store, WarningList& warnings)
+      : store_(store), labels_(store.scene.labels), warnings_(warnings), index_(index_of(labels_)) {}
+
+  void check() {
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+      check_neighbours(i);
+      check_direction(i);
+      if (store_.blocks.contain(labels_[i].position)) continue;  // make_scene warns of it
+      if (!has_support(store_, labels_[i]))
+        warn("labels in mid-air", i,
+             "has no surface within 0.3 m behind it; a label is mounted on a shelf, a wall or a rail; "
+             "correct its "
+             "position or its normal");
+      check_free_space(i);
+    }
+  }
+
+ private:
+  void warn(std::string_view kind, std::size_t i, std::string_view problem) {
+    const Vec3& p = labels_[i].position;
+    warnings_.add(kind, fmt::format("{}: label '{}' at ({:.6g}, {:.6g}, {:.6g}) {}", store_.sources.labels[i],
+                                    labels_[i].id, p.x, p.y, p.z, problem));
+  }
+
+  void check_neighbours(std::size_t i) {
+    constexpr double nearest = 0.015;  // half the width of the smallest labels
+    const auto faces_alike = [&](const Label& other) { return dot(other.normal, labels_[i].normal) > 0.5; };
+    if (const auto other = earlier(labels_, index_, i, nearest, faces_alike))
+      warn("labels at one place", i,
+           fmt::format(
+               "is {:.2g} mm from label '{}'; labels are at least 3 cm apart; remove one of them, or correct "
+               "its position",
+               1000 * length(labels_[*other].position - labels_[i].position), labels_[*other].id));
+  }
+
+  void check_direction(std::size_t i) {
+    constexpr double highest = 3;
+    const Label& label = labels_[i];
+    if (const double height = label.position.z - store_.floor(); height > highest)
+      warn("labels at an unusual height", i,
+           fmt::format("is {:.3g} m above the floor; 0.1 to 2.2 m are usual; correct its height", height));
+    if (label.normal.z < -0.8)
+      warn("labels that face the floor", i, "faces the floor; labels face the aisle; correct its normal");
+  }
+
+  // make_scene warns of blocks and of the room right in front of labels.
+  void check_free_space(std::size_t i) {
+    constexpr double narrowest = 0.35;
+    const Label& label = labels_[i];
+    const SurfacePoint from{label.position, label.normal};
+    if (const auto before = opaque_before(store_, from, label.normal, Blocks::too_near)) {
+      if (before->is_mesh)
+        warn("labels that face a surface right in front of them", i,
+             fmt::format(
+                 "faces a surface of '{}', {:.2g} cm in front of it; reverse its normal, or move it away "
+                 "from the surface",
+                 before->material->name, 100 * before->metres));
+      return;
+    }
+    if (std::abs(label.normal.z) > 0.8) return;
+    const Vec3 ahead = normalized({label.normal.x, label.normal.y, 0});
+    if (const auto before = opaque_before(store_, from, ahead, narrowest))
+      warn("labels without an aisle", i,
+           fmt::format(
+               "has {:.2g} cm of free space in front of it, up to a surface of '{}'; aisles of 0.9 m and "
+               "more are usual; move one of the fixtures",
+               100 * before->metres, before->material->name));
+  }
+
+  const Inspected& store_;
+  const std::vector<Label>& labels_;
+  WarningList& warnings_;
+  BoxIndex index_;
+};
+
+class UnitChecks {
+ public:
+  UnitChecks(const Inspected& store, WarningList& warnings)
+      : store_(store), units_(store.scene.transceivers), warnings_(warnings), index_(index_of(units_)) {}
+
+  void check() {
+    for (std::size_t j = 0; j < units_.size(); ++j) {
+      check_twins(j);
+      if (store_.blocks.contain(units_[j].position)) continue;  // make_scene warns of it
+      check_axis(j);
+      check_height(j);
+    }
+  }
+
+ private:
+  void warn(std::string_view kind, std::size_t j, std::string_view problem) {
+    const Vec3& p = units_[j].position;
+    warnings_.add(kind, fmt::format("{}: transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) {}",
+                                    store_.sources.transceivers[j], units_[j].id, p.x, p.y, p.z, problem));
+  }
+
+  void check_twins(std::size_t j) {
+    constexpr double same_place = 1e-3;
+    const Transceiver& unit = units_[j];
+    const auto is_twin = [&](const Transceiver& other) {
+      return other.type == unit.type && dot(other.axis, unit.axis) > 0.9999 &&
+             std::abs(other.roll_deg - unit.roll_deg) < 0.1;
+    };
+    if (const auto other = earlier(units_, index_, j, same_place, is_twin))
+      warn("candidates that are listed twice", j,
+           fmt::format(
+               "has the place, type, axis and roll of '{}'; each candidate is listed once; remove one of "
+               "them, or correct its position",
+               units_[*other].id));
+  }
+
+  void check_axis(std::size_t j) {
+    constexpr double nearest = 0.3, below_ceiling = 2;
+    const Transceiver& unit = units_[j];
+    const SurfacePoint from{unit.position, unit.axis};
+    const bool is_up = unit.axis.z > 0.5;
+    const auto before = opaque_before(store_, from, unit.axis, is_up ? below_ceiling : nearest);
+    if (before && before->metres <= nearest)
+      warn("transceivers aimed at a surface", j,
+           fmt::format(
+               "is aimed at a surface of '{}', {:.2g} cm in front of it; units are aimed at the shelves; "
+               "correct 'axis' or the position",
+               before->material->name, 100 * before->metres));
+    else if (before)
+      warn("transceivers aimed at the ceiling", j,
+           "is aimed up at the ceiling; units are aimed at the shelves; correct 'axis', which is [0, 0, -1] "
+           "for "
+           "straight down");
+  }
+
+  // Units that are aimed down belong on a ceiling.
+  void check_height(std::size_t j) {
+    constexpr double lowest = 1.5;
+    const double height = units_[j].position.z - store_.floor();
+    if (units_[j].axis.z < -0.5 && height < lowest)
+      warn("transceivers at an unusual height", j,
+           fmt::format(
+               "is aimed down from {:.3g} m above the floor; 2.2 m and more are usual; correct its height",
+               height));
+  }
+
+  const Inspected& store_;
+  const std::vector<Transceiver>& units_;
+  WarningList& warnings_;
+  BoxIndex index_;
+};
+
+}  // namespace
+
+void warn_of_labels(const Inspected& store, WarningList& warnings) {
+  LabelChecks(store, warnings).check();
+}
+
+void warn_of_units(const Inspected& store, WarningList& warnings) {
+  UnitChecks(store, warnings).check();
+}
+
+}  // namespace shelfbeam

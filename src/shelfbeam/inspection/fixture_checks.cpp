@@ -1,0 +1,274 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/inspection/checks.hpp"
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double contact = 0.02;  // m by which fixtures that touch may overlap
+
+struct Interval {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double overlap(const Interval& other) const {
+    return std::min(high, other.high) - std::max(low, other.low);
+  }
+};
+
+Interval extent(const std::vector<Vec2>& polygon, double x, double y) {
+  Interval interval;
+  for (const Vec2& q : polygon) interval.include(x * q[0] + y * q[1]);
+  return interval;
+}
+
+// The distance by which one of two convex polygons must move until they no longer overlap (separating axes).
+double overlap(const std::vector<Vec2>& one, const std::vector<Vec2>& other) {
+  double smallest = HUGE_VAL;
+  for (const auto* polygon : {&one, &other})
+    for (std::size_t k = 0; k < polygon->size(); ++k) {
+      const Vec2 &a = (*polygon)[k], &b = (*polygon)[(k + 1) % polygon->size()];
+      const double x = a[1] - b[1], y = b[0] - a[0], edge = std::hypot(x, y);
+      if (edge > 0)
+        smallest =
+            std::min(smallest, extent(one, x / edge, y / edge).overlap(extent(other, x / edge, y / edge)));
+    }
+  return smallest;
+}
+
+double overlap(const Part& one, const Part& other) {
+  return std::min(Interval{one.bottom, one.top}.overlap({other.bottom, other.top}),
+                  overlap(one.footprint, other.footprint));
+}
+
+// The share of the smaller of two upright boxes that is inside the other.
+double shared_volume(const Part& one, const Part& other) {
+  const Bounds a = bounds_of(one), b = bounds_of(other);
+  double shared = 1, first = 1, second = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    shared *= std::max(0.0, std::min(a.high[axis], b.high[axis]) - std::max(a.low[axis], b.low[axis]));
+    first *= a.high[axis] - a.low[axis];
+    second *= b.high[axis] - b.low[axis];
+  }
+  return shared / std::min(first, second);
+}
+
+class Overlaps {
+ public:
+  Overlaps(const Inspected& store, WarningList& warnings)
+      : store_(store), warnings_(warnings), is_reported_(store.scene.fixtures.size()) {}
+
+  void check() {
+    for (const Part* block : store_.blocks.all()) check_block(*block);
+    for (const Part& part : store_.scene.parts)
+      if (part.kind == PartKind::mesh) check_mesh(part);
+    if (budget_ == 0)
+      warnings_.add("overlaps that were not checked",
+                    fmt::format("{}: fixtures: too many fixtures lie close together to check all of them for "
+                                "overlaps; check their positions on the floor plan",
+                                store_.store.file));
+  }
+
+ private:
+  // The check ends after this number of pairs, because a store of n fixtures has up to n^2 / 2.
+  static constexpr std::size_t max_pairs = 20'000'000;
+
+  bool is_box(const Part& part) const { return store_.scene.fixtures[part.fixture].type == "box"; }
+
+  // Whether a pair may still be checked.
+  bool takes_pair(const Part& one, const Part& other) {
+    if (one.fixture == other.fixture || is_reported_[one.fixture] || budget_ == 0) return false;
+    --budget_;
+    return true;
+  }
+
+  // Reports one overlap per fixture. Returns true, so that a search ends.
+  bool report(const Part& one, const Part& other) {
+    is_reported_[one.fixture] = true;
+    const auto& [fixture, where] = store_.store.fixtures[one.fixture];
+    warnings_.add("fixtures that overlap others",
+                  fmt::format("{}: fixture '{}' is partly inside fixture '{}'; fixtures stand side by side; "
+                              "move one of them, or remove a duplicate",
+                              where, id_of(fixture), store_.scene.fixtures[other.fixture].id));
+    return true;
+  }
+
+  void check_block(const Part& block) {
+    if (is_reported_[block.fixture]) return;
+    store_.blocks.any(bounds_of(block).wider_by(-contact), [&](const Part& other) {
+      if (&other > &block || !takes_pair(block, other)) return budget_ == 0;
+      // Walls and columns that are drawn as boxes cross each other at corners.
+      const bool cross = is_box(block) && is_box(other) && shared_volume(block, other) < 0.5;
+      return !cross && overlap(block, other) > contact && report(block, other);
+    });
+  }
+
+  const Vec3& corner(std::uint32_t triangle, std::size_t k) const {
+    const TriangleMesh& mesh = store_.scene.mesh;
+    return mesh.vertices[mesh.triangles[triangle][k % 3]];
+  }
+
+  // Edges of the mesh inside a block, and edges of a block through the mesh.
+  void check_mesh(const Part& mesh) {
+    for (std::uint32_t t = mesh.first_triangle; t < mesh.first_triangle + mesh.triangle_count; ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 &a = corner(t, k), &b = corner(t, k + 1);
+        const double size = length(b - a);
+        if (!(size > contact) || is_reported_[mesh.fixture]) continue;
+        Bounds edge;
+        edge.include(a);
+        edge.include(b);
+        const Vec3 direction = (b - a) / size;
+        store_.blocks.any(edge, [&](const Part& block) {
+          if (!takes_pair(mesh, block)) return budget_ == 0;
+          const Stretch stretch = stretch_within(block, a, direction, contact);
+          return std::min(stretch.end, size) - std::max(stretch.begin, 0.0) > contact && report(mesh, block);
+        });
+      }
+    store_.blocks.any(bounds_of(mesh).wider_by(-contact), [&](const Part& block) {
+      if (!takes_pair(block, mesh)) return budget_ == 0;
+      if (crosses(block, mesh)) report(block, mesh);
+      return false;
+    });
+  }
+
+  // Whether an edge or a diagonal of the block, slightly inside it, meets a triangle of the mesh.
+  bool crosses(const Part& block, const Part& mesh) const {
+    const std::size_t corners = block.footprint.size();
+    const double inset = std::min(contact, 0.45 * (block.top - block.bottom));
+    Vec3 middle;
+    for (const auto& [x, y] : block.footprint) middle = middle + Vec3{x, y, 0} / static_cast<double>(corners);
+    std::vector<Vec3> low, high;
+    for (const auto& [x, y] : block.footprint) {
+      const Vec3 inwards = middle - Vec3{x, y, 0};
+      const double way = length(inwards);
+      const Vec3 q = Vec3{x, y, 0} + inwards * (way > 0 ? std::min(0.9, 1.5 * contact / way) : 0);
+      low.push_back(q + Vec3{0, 0, block.bottom + inset});
+      high.push_back(q + Vec3{0, 0, block.top - inset});
+    }
+    for (std::size_t k = 0; k < corners; ++k) {
+      const std::size_t next = (k + 1) % corners, opposite = (k + corners / 2) % corners;
+      for (const auto& [a, b] : {std::pair(low[k], high[k]), std::pair(low[k], low[next]),
+                                 std::pair(high[k], high[next]), std::pair(low[k], high[opposite])})
+        if (meets(a, b, mesh)) return true;
+    }
+    return false;
+  }
+
+  bool meets(const Vec3& a, const Vec3& b, const Part& mesh) const {
+    constexpr int max_surfaces = 16;
+    const double size = length(b - a);
+    if (!(size > contact)) return false;
+    const Vec3 direction = (b - a) / size;
+    SurfacePoint from{a, direction};
+    for (int k = 0; k < max_surfaces; ++k) {
+      const auto hit = store_.rays.intersect(from, direction);
+      if (!hit || dot(hit->point.position - a, direction) >= size) return false;
+      if (hit->triangle - mesh.first_triangle < mesh.triangle_count) return true;
+      from = hit->point;
+    }
+    return false;
+  }
+
+  const Inspected& store_;
+  WarningList& warnings_;
+  std::vector<bool> is_reported_;
+  std::size_t budget_ = max_pairs;
+};
+
+// A box above the floor that nothing supports. Signs and lamps are small or high.
+void warn_of_floating(const Inspected& store, WarningList& warnings) {
+  constexpr double largest_sign = 0.3, headroom = 2;
+  const Scene& scene = store.scene;
+  for (const Part* block : store.blocks.all()) {
+    const Bounds box = bounds_of(*block);
+    const Vec3 size = box.high - box.low;
+    const double bottom = box.low.z - store.floor();
+    if (scene.fixtures[block->fixture].type != "box" || bottom < 0.05 || bottom > headroom ||
+        size.x * size.y < largest_sign)
+      continue;
+    const Bounds near = box.wider_by(contact);
+    const auto touches = [&](const Part& other) { return other.fixture != block->fixture; };
+    const bool at_wall = near.low.x < scene.lower.x || near.low.y < scene.lower.y ||
+                         near.high.x > scene.upper.x || near.high.y > scene.upper.y ||
+                         near.high.z > scene.upper.z;
+    const bool at_mesh = std::any_of(scene.parts.begin(), scene.parts.end(), [&](const Part& part) {
+      return part.kind == PartKind::mesh && bounds_of(part).meets(near);
+    });
+    if (at_wall || at_mesh || store.blocks.any(near, touches)) continue;
+    const auto& [fixture, where] = store.store.fixtures[block->fixture];
+    warnings.add(
+        "fixtures that float",
+        fmt::format("{}: fixture '{}' floats {:.2g} m above the floor; a fixture stands on the floor or "
+                    "touches a wall, the ceiling or another fixture; correct 'min' and 'max'",
+                    where, id_of(fixture), bottom));
+  }
+}
+
+void warn_of_scale(const Inspected& store, WarningList& warnings) {
+  constexpr double smallest = 0.05, largest = 300;
+  std::vector<Bounds> meshes(store.scene.fixtures.size());
+  for (const Part& part : store.scene.parts)
+    if (part.kind == PartKind::mesh) meshes[part.fixture].include(bounds_of(part));
+  for (std::size_t f = 0; f < meshes.size(); ++f) {
+    const Vec3 size = meshes[f].high - meshes[f].low;
+    const double extent = std::max({size.x, size.y, size.z});
+    if (!std::isfinite(extent) || (extent >= smallest && extent <= largest)) continue;
+    const auto& [fixture, where] = store.store.fixtures[f];
+    warnings.add(
+        "meshes of an unusual size",
+        fmt::format("{}.scale: mesh '{}' extends {:.2g} m; 0.1 to 100 m are usual; give the metres per unit "
+                    "of length of its file, such as 0.001 for millimetres",
+                    where, id_of(fixture), extent));
+  }
+}
+
+double rotation_deg(const Fixture& fixture) {
+  return std::visit(
+      [](const auto& one) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Box>)
+          return 0.0;
+        else
+          return one.rotation_deg;
+      },
+      fixture);
+}
+
+// 0.785, 1.57, 3.14 and so on: fixtures stand at such fractions of a turn, and hardly at 1.57 degrees.
+void warn_of_radians(const Inspected& store, WarningList& warnings) {
+  for (const auto& [fixture, where] : store.store.fixtures) {
+    const double angle = rotation_deg(fixture), eighths = std::round(angle / (pi / 4));
+    if (eighths == 0 || std::abs(eighths) > 8 || std::abs(angle - eighths * pi / 4) > 0.004) continue;
+    warnings.add(
+        "rotations in radians",
+        fmt::format("{}.rotation_deg: is {:g}, which is {:g} degrees in radians; 0, 90, 180 and 270 are "
+                    "usual; give degrees",
+                    where, angle, eighths * 45));
+  }
+}
+
+}  // namespace
+
+void warn_of_fixtures(const Inspected& store, WarningList& warnings) {
+  Overlaps(store, warnings).check();
+  warn_of_floating(store, warnings);
+  warn_of_scale(store, warnings);
+  warn_of_radians(store, warnings);
+}
+
+}  // namespace shelfbeam

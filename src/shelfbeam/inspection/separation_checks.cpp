@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/inspection/checks.hpp"
+#include "shelfbeam/material/material.hpp"
+#include "shelfbeam/math/box_index.hpp"
+#include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+/// Labels and units in groups between which light can travel. Straight connections and random walks join
+/// groups, so two groups are separate if no walk leads from one to the other: through no door, window or gap.
+class LightGroups {
+ public:
+  explicit LightGroups(const Inspected& store)
+      : store_(store),
+        labels_(store.scene.labels.size()),
+        units_(store.scene.transceivers.size()),
+        parent_(labels_ + units_),
+        has_partner_(labels_ + units_),
+        index_(points(store.scene.transceivers)) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    const Vec3 size = store.scene.upper - store.scene.lower;
+    reach_ = 2 * std::sqrt(std::max(size.x * size.y, 1.0) / static_cast<double>(units_));
+    for (std::uint32_t i = 0; i < labels_; ++i)
+      if (!joins_directly(i)) walk_from(i, walks_per_device);
+    for (std::uint32_t j = 0; j < units_; ++j)
+      if (const std::uint32_t node = unit(j); is_alone(node)) walk_from(node, walks_per_device);
+    join_groups();
+  }
+
+  std::uint32_t unit(std::uint32_t j) const { return static_cast<std::uint32_t>(labels_) + j; }
+  std::uint32_t group(std::uint32_t node) const {
+    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+    return node;
+  }
+
+ private:
+  static constexpr std::uint32_t walks_per_device = 32, walks_per_group = 512, bounces = 8;
+  static constexpr std::size_t tests = 8;         // units tested per point
+  static constexpr std::size_t max_groups = 200;  // examined again
+
+  static std::vector<Bounds> points(const std::vector<Transceiver>& units) {
+    std::vector<Bounds> points;
+    for (const Transceiver& unit : units) points.push_back({unit.position, unit.position});
+    return points;
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = group(a);
+    b = group(b);
+    has_partner_[a] = has_partner_[b] = true;
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+  bool is_alone(std::uint32_t node) const { return parent_[node] == node && !has_partner_[node]; }
+
+  // The device as the origin of light, or its end.
+  SurfacePoint origin(std::uint32_t node) const {
+    if (node < labels_) return {store_.scene.labels[node].position, store_.scene.labels[node].normal};
+    const Transceiver& unit = store_.scene.transceivers[node - labels_];
+    return {unit.position, unit.axis};
+  }
+
+  // Calls `use` for some units near a point, until it returns true.
+  template <class Use>
+  bool any_near(const Vec3& p, const Use& use) const {
+    std::size_t count = 0;
+    for (double reach = reach_; count == 0 && reach < 1e6; reach *= 2) {
+      Bounds box{p, p};
+      box = box.wider_by(reach);
+      box.low.z = store_.scene.lower.z - 1e5;
+      box.high.z = store_.scene.upper.z + 1e5;
+      bool found = false;
+      index_.any(box, [&](std::uint32_t j) {
+        found = use(j);
+        return found || ++count == tests;
+      });
+      if (found) return true;
+    }
+    return false;
+  }
+
+  bool sees(const SurfacePoint& from, std::uint32_t j) const {
+    const Vec3& to = store_.scene.transceivers[j].position;
+    return dot(to - from.position, from.normal) > 0 && store_.rays.transmittance(from, to).share > 0;
+  }
+
+  bool joins_directly(std::uint32_t label) {
+    const SurfacePoint from = origin(label);
+    return any_near(from.position, [&](std::uint32_t j) {
+      if (!sees(from, j)) return false;
+      join(label, unit(j));
+      return true;
+    });
+  }
+
+  // Joins the first unit of another group that a walk sees. Glass is passed straight.
+  bool walk_from(std::uint32_t node, std::uint32_t walks) {
+    for (std::uint32_t walk = 0; walk < walks; ++walk) {
+      SurfacePoint at = origin(node);
+      for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
+        const auto random = philox({node, walk, bounce, 0}, 0x77616c6c73);
+        const double u = to_uniform(random[0]), phi = 2 * pi * to_uniform(random[1]), r = std::sqrt(u);
+        const Vec3 direction =
+            Frame::about(at.normal).to_world({r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - u)});
+        const auto next = surface(at, direction);
+        if (!next) break;
+        at = *next;
+        const auto joins = [&](std::uint32_t j) {
+          if (group(unit(j)) == group(node) || !sees(at, j)) return false;
+          join(node, unit(j));
+          return true;
+        };
+        const auto any = static_cast<std::uint32_t>(units_);
+        if (any_near(at.position, joins) || joins(to_index(random[2], any)) ||
+            joins(to_index(random[3], any)))
+          return true;
+      }
+    }
+    return false;
+  }
+
+  // The first opaque surface, with the normal towards the origin of the ray.
+  std::optional<SurfacePoint> surface(SurfacePoint from, const Vec3& direction) const {
+    constexpr int max_panes = 16;
+    for (int pane = 0; pane < max_panes; ++pane) {
+      const auto hit = store_.rays.intersect(from, direction);
+      if (!hit) return std::nullopt;
+      from = hit->point;
+      if (!is_opaque(store_.scene.materials[hit->material.value].material)) continue;
+      if (dot(from.normal, direction) > 0) from.normal = -from.normal;
+      return from;
+    }
+    return std::nullopt;
+  }
+
+  // Walks once more, and longer, from the members of every group except the largest, until no group grows.
+  void join_groups() {
+    bool has_joined = true;
+    while (has_joined) {
+      has_joined = false;
+      std::map<std::uint32_t, std::vector<std::uint32_t>> members;
+      for (std::uint32_t node = 0; node < parent_.size(); ++node) members[group(node)].push_back(node);
+      const auto largest = std::max_element(members.begin(), members.end(), [](const auto& a, const auto& b) {
+                             return a.second.size() < b.second.size();
+                           })->first;
+      std::size_t examined = 0;
+      for (const auto& [first, nodes] : members) {
+        if (group(first) == group(largest)) continue;
+        if (++examined > max_groups) break;
+        const std::size_t starts = std::min<std::size_t>(nodes.size(), 16);
+        bool joins = false;
+        for (std::size_t k = 0; k < starts && !joins; ++k)
+          joins = walk_from(nodes[k * nodes.size() / starts],
+                            walks_per_group / static_cast<std::uint32_t>(starts));
+        has_joined = has_joined || joins;
+      }
+    }
+  }
+
+  const Inspected& store_;
+  std::size_t labels_, units_;
+  mutable std::vector<std::uint32_t> parent_;  // union-find; searches shorten the paths
+  std::vector<bool> has_partner_;
+  BoxIndex index_;
+  double reach_ = 0;  // m; a square of this half side contains several units
+};
+
+std::string position_text(const Vec3& p) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
+}
+
+}  // namespace
+
+void warn_of_separated(const Inspected& store, WarningList& warnings) {
+  constexpr double small_group = 0.1;  // of the labels
+  const Scene& scene = store.scene;
+  const LightGroups groups(store);
+  struct Members {
+    std::size_t labels = 0, units = 0;
+  };
+  std::map<std::uint32_t, Members> members;
+  for (std::uint32_t i = 0; i < scene.labels.size(); ++i) ++members[groups.group(i)].labels;
+  for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j) ++members[groups.group(groups.unit(j))].units;
+  const double few = small_group * static_cast<double>(scene.labels.size());
+  for (std::uint32_t i = 0; i < scene.labels.size(); ++i) {
+    const Label& label = scene.labels[i];
+    const auto& [labels, units] = members.at(groups.group(i));
+    if ((units > 0 && static_cast<double>(labels) >= few) || store.blocks.contain(label.position)) continue;
+    warnings.add(
+        "labels behind closed walls",
+        fmt::format("{}: label '{}' at {} is separated by closed walls from {}; labels are in one room with "
+                    "the others; correct its position or the walls",
+                    store.sources.labels[i], label.id, position_text(label.position),
+                    units == 0 ? "all transceivers" : "most labels"));
+  }
+  for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j) {
+    const Transceiver& unit = scene.transceivers[j];
+    if (members.at(groups.group(groups.unit(j))).labels > 0 || store.blocks.contain(unit.position)) continue;
+    warnings.add(
+        "transceivers behind closed walls",
+        fmt::format("{}: transceiver '{}' at {} is separated by closed walls from all labels; units are "
+                    "mounted where labels are; correct its position, or cover it with 'keep_out'",
+                    store.sources.transceivers[j], unit.id, position_text(unit.position)));
+  }
+}
+
+}  // namespace shelfbeam

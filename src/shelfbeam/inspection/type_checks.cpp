@@ -1,0 +1,224 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/device/emission.hpp"
+#include "shelfbeam/device/responsivity.hpp"
+#include "shelfbeam/inspection/checks.hpp"
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// The largest mean intensity over phi, sampled every degree.
+double peak_intensity(const Emission& emission) {
+  double peak = 0;
+  for (int degree = 0; degree <= 180; ++degree)
+    peak = std::max(peak, mean_intensity(emission, radians(degree)));
+  return peak;
+}
+
+double peak_response(const Responsivity& responsivity) {
+  double peak = 0;
+  for (int degree = 0; degree <= 90; ++degree)
+    peak = std::max(peak, response(responsivity, std::cos(radians(degree))));
+  return peak;
+}
+
+// Three digits, without an exponent up to a million.
+std::string plain(double value) {
+  return value >= 100 && value < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
+// Distances at which one unit alone meets a requirement by direct light, m.
+struct Range {
+  std::string unit;
+  double peak = 0;  // in the unit's strongest direction
+  double mean = 0;  // at the intensity of the same flux spread over a hemisphere
+};
+
+class TypeChecks {
+ public:
+  TypeChecks(const Inspected& store, WarningList& warnings)
+      : file_(store.store.file),
+        scene_(store.scene),
+        diagonal_(length(store.scene.upper - store.scene.lower)),
+        warnings_(warnings),
+        labels_(scene_.label_types.size()),
+        units_(scene_.transceiver_types.size()) {
+    for (const Label& label : scene_.labels) ++labels_[label.type.value];
+    for (const Transceiver& unit : scene_.transceivers) ++units_[unit.type.value];
+  }
+
+  void check() {
+    for (std::size_t k = 0; k < labels_.size(); ++k) {
+      const LabelType& type = scene_.label_types[k];
+      if (labels_[k] == 0) {
+        unused("label_types", type.name, "no label has it");
+        continue;
+      }
+      check_requirement(type);
+      check_label(type);
+    }
+    for (std::size_t k = 0; k < units_.size(); ++k) {
+      const TransceiverType& type = scene_.transceiver_types[k];
+      if (units_[k] == 0)
+        unused("transceiver_types", type.name, "no candidate has it");
+      else
+        check_unit(type, k);
+    }
+    compare_requirements();
+    compare_flux();
+  }
+
+ private:
+  std::string at(std::string_view section, const std::string& name, std::string_view key = {}) const {
+    return fmt::format("{}: {}.{}{}", file_, section, name, key);
+  }
+
+  void unused(std::string_view section, const std::string& name, std::string_view why) {
+    warnings_.add("types that nothing uses",
+                  fmt::format("{}: {}; remove it, or correct the 'type' of the devices that should have it",
+                              at(section, name), why));
+  }
+
+  // `threshold`: with or without the safety factor.
+  Range range(const LabelType& type, double threshold) const {
+    Range best;
+    const double ahead = peak_response(type.responsivity);
+    for (std::size_t k = 0; k < units_.size(); ++k) {
+      if (units_[k] == 0) continue;
+      const TransceiverType& unit = scene_.transceiver_types[k];
+      const double peak = std::sqrt(peak_intensity(unit.emission) * ahead / threshold);
+      if (peak <= best.peak) continue;
+      best = {unit.name, peak, std::sqrt(power(unit.emission) / (2 * pi) * ahead / threshold)};
+    }
+    return best;
+  }
+
+  void check_requirement(const LabelType& type) {
+    const Range range = this->range(type, type.requirement());
+    // 1000 times as much signal is about 32 times as much distance.
+    const double thousand = std::sqrt(1000.0);
+    const auto is_usual = [&](double distance) { return distance > 1 && distance < 3 * diagonal_; };
+    const bool is_prefix = is_usual(range.peak / thousand) || is_usual(range.peak * thousand);
+    const std::string_view remedy =
+        is_prefix
+            ? "milliwatts and watts may be confused: thresholds count in W/m^2, flux in W, intensity in W/sr"
+            : "check 'threshold', 'safety_factor' and the emission of the transceiver";
+    if (type.range_m > diagonal_)
+      warnings_.add(
+          "requirements that every unit meets",
+          fmt::format(
+              "{}: the label hears at {} m, but the shop has a diagonal of {} m; 3 to 20 m are usual; "
+              "check 'at_m'",
+              at("label_types", type.name, ".threshold"), plain(type.range_m), plain(diagonal_)));
+    // A narrow beam may reach farther than the room; its mean then does not.
+    else if (range.peak > diagonal_ && range.mean > diagonal_ / 2)
+      warnings_.add(
+          "requirements that every unit meets",
+          fmt::format(
+              "{}: one '{}' meets the requirement of {} W/m^2 from {} m, but the shop has a diagonal of {} "
+              "m; 3 to 20 m are usual; {}",
+              at("label_types", type.name), range.unit, plain(type.requirement()), plain(range.peak),
+              plain(diagonal_), remedy));
+    else if (range.peak < 1)
+      warnings_.add(
+          "requirements that no unit meets",
+          fmt::format(
+              "{}: no transceiver meets the requirement of {} W/m^2 from 1 m, and '{}' from {} m at most; 3 "
+              "to 20 m are usual; {}",
+              at("label_types", type.name), plain(type.requirement()), range.unit, plain(range.peak),
+              remedy));
+  }
+
+  void check_label(const LabelType& type) {
+    if (type.safety_factor < 1 || type.safety_factor > 20)
+      warnings_.add(
+          "unusual safety factors",
+          fmt::format("{}: is {}{}; 1 to 4 are usual; correct it",
+                      at("label_types", type.name, ".safety_factor"), plain(type.safety_factor),
+                      type.safety_factor < 1 ? ", so labels count as reached below their threshold" : ""));
+    constexpr double largest = 0.6;
+    if (std::max(type.size[0], type.size[1]) > largest)
+      warnings_.add(
+          "unusual sizes of labels",
+          fmt::format("{}: is {} x {} m; 0.03 to 0.3 m are usual; correct it",
+                      at("label_types", type.name, ".size"), plain(type.size[0]), plain(type.size[1])));
+    if (const auto* power = std::get_if<CosinePowerResponse>(&type.responsivity);
+        power != nullptr && power->cutoff < radians(10))
+      warnings_.add(
+          "unusual responses of labels",
+          fmt::format(
+              "{}: is {}, so the label hears straight ahead only; 40 to 90 are usual; give degrees, not "
+              "radians",
+              at("label_types", type.name, ".responsivity.cutoff_deg"), plain(power->cutoff * 180 / pi)));
+  }
+
+  void check_unit(const TransceiverType& type, std::size_t k) {
+    const double flux = power(type.emission);
+    if (flux > 100 || flux < 1e-3)
+      warnings_.add(
+          "unusual flux",
+          fmt::format("{}: emits {} W in total; 0.01 to 20 W are usual; check its flux or intensity, "
+                      "which count in W and W/sr",
+                      at("transceiver_types", type.name, ".emission"), plain(flux)));
+    if (type.radius > 0.3)
+      warnings_.add("unusual radii of transceivers",
+                    fmt::format("{}: is {} m; up to 0.1 m is usual; correct it",
+                                at("transceiver_types", type.name, ".radius"), plain(type.radius)));
+    const auto is_new = [&](const Transceiver& unit) { return unit.type.value == k && !unit.installed; };
+    if (type.cost == 0 && std::any_of(scene_.transceivers.begin(), scene_.transceivers.end(), is_new))
+      warnings_.add(
+          "units that cost nothing",
+          fmt::format("{}: is 0, so a plan by cost has any number of them; a price above 0 is usual; "
+                      "give a price",
+                      at("transceiver_types", type.name, ".cost")));
+  }
+
+  // The smallest and the largest value of the used types.
+  template <class Types, class Value>
+  void compare(const Types& types, const std::vector<std::size_t>& used, std::string_view section,
+               std::string_view subject, std::string_view unit, Value value) {
+    const auto* low = static_cast<decltype(&types[0])>(nullptr);
+    const auto* high = low;
+    for (std::size_t k = 0; k < types.size(); ++k) {
+      if (used[k] == 0) continue;
+      if (low == nullptr || value(types[k]) < value(*low)) low = &types[k];
+      if (high == nullptr || value(types[k]) > value(*high)) high = &types[k];
+    }
+    if (low == nullptr || value(*high) < 100 * value(*low)) return;
+    warnings_.add(subject, fmt::format("{}: has a {} of {} {}, and '{}' one of {} {}; a factor below 10 is "
+                                       "usual; check the units of measure of both",
+                                       at(section, low->name), subject, plain(value(*low)), unit, high->name,
+                                       plain(value(*high)), unit));
+  }
+  void compare_requirements() {
+    compare(scene_.label_types, labels_, "label_types", "requirement", "W/m^2",
+            [](const LabelType& type) { return type.requirement(); });
+  }
+  void compare_flux() {
+    compare(scene_.transceiver_types, units_, "transceiver_types", "flux", "W",
+            [](const TransceiverType& type) { return power(type.emission); });
+  }
+
+  const std::string& file_;
+  const Scene& scene_;
+  double diagonal_;
+  WarningList& warnings_;
+  std::vector<std::size_t> labels_, units_;  // by type
+};
+
+}  // namespace
+
+void warn_of_types(const Inspected& store, WarningList& warnings) {
+  TypeChecks(store, warnings).check();
+}
+
+}  // namespace shelfbeam

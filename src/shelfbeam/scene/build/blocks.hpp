@@ -1,0 +1,59 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/math/box_index.hpp"
+#include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+/// The part of a straight line inside a convex body, in m from its origin.
+struct Stretch {
+  double begin = -std::numeric_limits<double>::infinity(), end = -begin;
+
+  /// Keeps the part where `distance + t * slope` is positive.
+  void clip(double distance, double slope);
+};
+
+/// The part of a line inside a block, with the block's sides moved inwards by `inset`. Precondition: the
+/// block's footprint is convex.
+Stretch stretch_within(const Part& block, const Vec3& p, const Vec3& direction, double inset = 0);
+
+Bounds bounds_of(const Part& part);
+
+/// The blocks of a scene: all parts of fixtures except meshes, of which only the hull is a block.
+class Blocks {
+ public:
+  static constexpr double rounding = 1e-6;  ///< m
+  static constexpr double too_near = 0.05;  ///< m in front of a label
+
+  /// The scene must outlive this object.
+  explicit Blocks(const Scene& scene);
+
+  struct Hit {
+    const std::string* fixture;
+    double distance;  ///< m; negative from within
+    bool is_within() const { return distance < -rounding; }
+  };
+  /// The first block along the direction within 5 cm, or the block that contains the point.
+  std::optional<Hit> next(const Vec3& p, const Vec3& direction) const;
+  bool contain(const Vec3& p) const;
+
+  /// Calls `use(part)` for the blocks whose bounds meet a box, until it returns true. Returns whether it did.
+  template <class Use>
+  bool any(const Bounds& box, const Use& use) const {
+    return index_.any(box, [&](std::uint32_t k) { return use(*blocks_[k]); });
+  }
+  const std::vector<const Part*>& all() const { return blocks_; }
+
+ private:
+  const Scene& scene_;
+  std::vector<const Part*> blocks_;
+  BoxIndex index_;
+};
+
+}  // namespace shelfbeam
