@@ -35,9 +35,10 @@ struct Plan : CertifiedPlan {
 
 /// Simulates a scene, places transceivers on the matrix, and certifies the placement, which may refine both.
 /// Nothing is certified if the search stopped without a selection. Curve and sensitivity (from independent
-/// samples) refer to the final placement. An interrupted simulation is placed with its samples so far and not
-/// certified. With the simulation's checkpoint an interrupted plan continues, to the same result as an
-/// uninterrupted one, apart from decisions by time.
+/// samples) refer to the final placement. Warnings are those of the scene, and one if nearly all labels
+/// receive far more than they require, or less. An interrupted simulation is placed with its samples so far
+/// and not certified. With the simulation's checkpoint an interrupted plan continues, to the same result as
+/// an uninterrupted one, apart from decisions by time.
 Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl& control = {});
 
 }  // namespace shelfbeam

@@ -113,7 +113,7 @@ TEST_F(Inspect, PrintsJson) {
   EXPECT_EQ(json["mounting_points"], 13);
   EXPECT_EQ(json["mounting_points_with_several_options"], 2);
 
-  ASSERT_EQ(json["warnings"].size(), 2u) << json["warnings"].dump(1);
+  ASSERT_EQ(json["warnings"].size(), 6u) << json["warnings"].dump(1);
   EXPECT_TRUE(json["warnings"][0].get<std::string>().starts_with(path("store.json") + ": fixtures[1]: "));
   EXPECT_TRUE(json["warnings"][1].get<std::string>().starts_with(path("store.json") + ": labels[1]: "));
 }

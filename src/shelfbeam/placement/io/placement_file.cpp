@@ -186,7 +186,7 @@ Placement detail::read_placement(const JsonCursor& file, const SignalTable& tabl
                     "scenarios",       "critical",        "curve",
                     "bound_proof",     "ties_settled",    "min_spacing",
                     "forbidden_pairs", "labels",          "curve_complete",
-                    "certificate",     "sensitivity"});
+                    "certificate",     "sensitivity",     "warnings"});
   Placement placement;
   placement.problem.model = file["model"].choice<CommunicationModel>();
   placement.problem.objective = file["objective"].choice<Objective>();

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
@@ -15,6 +17,7 @@ struct CertifiedPlan {
   CoverageCurve curve = {};                     ///< without points unless requested
   std::optional<Certificate> certificate = {};  ///< from independent samples
   std::optional<Sensitivity> sensitivity = {};  ///< to reflectances
+  std::vector<std::string> warnings = {};       ///< about implausible values and results
 };
 
 }  // namespace shelfbeam

@@ -74,6 +74,7 @@ std::string plan_json(const CertifiedPlan& plan, const SignalTable& table) {
   Json file = detail::placement_object(plan.placement, table, plan.curve);
   if (plan.certificate) file["certificate"] = to_json(*plan.certificate, table);
   if (plan.sensitivity) file["sensitivity"] = detail::sensitivity_object(*plan.sensitivity, table);
+  file["warnings"] = plan.warnings;
   return detail::file_text(file);
 }
 
@@ -88,6 +89,9 @@ CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& ta
   plan.curve = detail::read_curve(file, table);
   if (const auto found = file.find("certificate")) plan.certificate = read_certificate(*found, table);
   if (const auto found = file.find("sensitivity")) plan.sensitivity = detail::read_sensitivity(*found, table);
+  // Plans of version 0.2.0 and earlier have no warnings.
+  if (const auto found = file.find("warnings"))
+    for (const JsonCursor& warning : found->elements()) plan.warnings.push_back(warning.text());
   return plan;
 }
 

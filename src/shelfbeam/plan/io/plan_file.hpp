@@ -10,7 +10,7 @@
 namespace shelfbeam {
 
 /// The placement.json of a plan (docs/formats/placement.md): that of the placement, then certificate and
-/// sensitivity if present.
+/// sensitivity if present, then the warnings.
 std::string plan_json(const CertifiedPlan& plan, const SignalTable& table);
 
 /// The object under `certificate` alone.

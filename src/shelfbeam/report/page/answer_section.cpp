@@ -48,6 +48,16 @@ std::string min_card(const ReportData& data) {
               certificate ? "proven for the simulated signals" : bound_note(placement, data.has_selection()));
 }
 
+std::string warning_list(const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return {};
+  std::string items;
+  for (const std::string& warning : warnings) items += fmt::format("<li>{}</li>\n", escape(warning));
+  return html_section(
+      "warnings", "Warnings about the store",
+      "<p>The plan may rest on mistakes in the store file. Check these places first.</p>\n<ul>\n" + items +
+          "</ul>\n");
+}
+
 }  // namespace
 
 std::string answer_section(const ReportData& data) {
@@ -68,7 +78,7 @@ std::string answer_section(const ReportData& data) {
       "<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
       tones[tone], verdict, escape(name.empty() ? "Store" : name), escape(line.answer));
   for (const std::string& remark : line.remarks) html += paragraph(remark, "remark");
-  return html + "</header>\n";
+  return html + "</header>\n" + warning_list(data.input.plan.warnings);
 }
 
 std::string key_figures(const ReportData& data) {

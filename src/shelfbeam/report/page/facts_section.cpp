@@ -183,7 +183,6 @@ std::string facts_section(const ReportData& data) {
       uncovered_light(data.input.scene));
   html += list("Light that is sampled only by chance", "Signals from this light have large errors.",
                chance_light(data.input.scene));
-  html += list("Warnings about the store", "", data.input.scene.warnings);
   return html_section("facts", "Facts", html);
 }
 
