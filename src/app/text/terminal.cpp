@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 
 #include <fmt/format.h>
-#include <unistd.h>
+#include <sys/ioctl.h>
+
+#include "shelfbeam/base/text.hpp"
+
+#include "app/text/style.hpp"
+#include "app/text/width.hpp"
 
 namespace shelfbeam::app {
 
@@ -18,45 +24,33 @@ void on_signal(int number) {
   std::signal(number, SIG_DFL);
 }
 
-// The number of UTF-8 characters, not of bytes.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
+// The columns of the terminal, which change when its window does.
+std::size_t terminal_width() {
+  winsize size{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  const char* columns = std::getenv("COLUMNS");
+  const double given = columns == nullptr ? 0 : to_number(columns).value_or(0);
+  return given >= 1 && given <= 1000 ? static_cast<std::size_t>(given) : 80;
 }
 
 }  // namespace
 
-TerminalProgress::TerminalProgress(bool quiet) : active_(!quiet && ::isatty(STDERR_FILENO) == 1) {}
+TerminalProgress::TerminalProgress(bool quiet) : active_(!quiet && is_terminal(stderr)) {}
 
 TerminalProgress::~TerminalProgress() {
-  if (drawn_) fmt::print(stderr, "\r\033[K");
+  if (!drawn_task_.empty()) fmt::print(stderr, "\r\033[K");
 }
 
 void TerminalProgress::report(std::string_view task, double fraction, std::string_view detail) {
   if (!active_) return;
   const Clock::time_point now = Clock::now();
-  if (task != task_) {
-    task_ = task;
-    started_ = now;
-    first_ = std::max(0.0, fraction);
-  } else if (now - last_ < std::chrono::milliseconds(100)) {
-    return;
-  }
-  last_ = now;
-  drawn_ = true;
-  const double elapsed = std::chrono::duration<double>(now - started_).count();
-  if (fraction < 0) {
-    fmt::print(stderr, "\r\033[K{} {:.0f} s  {}", task, elapsed, detail);
-  } else {
-    constexpr int width = 30;
-    const int filled = static_cast<int>(fraction * width);
-    const std::string left =
-        fraction - first_ > 0.01
-            ? fmt::format("{:.0f} s left", elapsed * (1 - fraction) / (fraction - first_))
-            : "";
-    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %  {}  {}", task, "", filled, "", width - filled,
-               fraction * 100, left, detail);
-  }
+  const Progress progress =
+      stages_.update(task, fraction, detail, std::chrono::duration<double>(now - started_).count());
+  if (progress.task == drawn_task_ && now - drawn_at_ < std::chrono::milliseconds(100)) return;
+  drawn_at_ = now;
+  drawn_task_ = progress.task;
+  // Some terminals wrap a line that fills them.
+  fmt::print(stderr, "\r\033[K{}", progress_line(progress, terminal_width() - 1));
   std::fflush(stderr);
 }
 

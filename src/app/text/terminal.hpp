@@ -11,14 +11,16 @@
 
 #include "shelfbeam/base/control.hpp"
 
+#include "app/text/progress.hpp"
+
 namespace shelfbeam::app {
 
-/// A progress line with the remaining time on standard error; silent if that is not a terminal.
+/// Draws progress as one line on standard error; silent if that is not a terminal.
 class TerminalProgress : public ProgressSink {
  public:
   explicit TerminalProgress(bool quiet);
   ~TerminalProgress() override;
-  /// This object, or null if standard error is not a terminal.
+  /// This object, or null if nothing is drawn.
   ProgressSink* sink() { return active_ ? this : nullptr; }
   void report(std::string_view task, double fraction, std::string_view detail) override;
 
@@ -26,10 +28,9 @@ class TerminalProgress : public ProgressSink {
   using Clock = std::chrono::steady_clock;
 
   bool active_;
-  bool drawn_ = false;
-  double first_ = 0;  ///< the fraction at the start of the task
-  std::string task_;
-  Clock::time_point started_, last_;
+  ProgressStages stages_;
+  std::string drawn_task_;  ///< empty: nothing is drawn yet
+  Clock::time_point started_ = Clock::now(), drawn_at_;
 };
 
 /// Prints the summary for `--json`. Bytes of paths that are not UTF-8 are replaced, as JSON requires.

@@ -67,7 +67,7 @@ int run_place(const Options& options) {
   Answer answer;
   {
     TerminalProgress progress(options.common.quiet);
-    const RunControl control{options.common.threads, &cancel_on_signal(), &progress};
+    const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
     answer = options.at_most > 0 ? reach(options, table, control) : cover(options, table, control);
   }
   if (!options.output.empty()) write_file(options.output, answer.json);
