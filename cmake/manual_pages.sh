@@ -28,5 +28,5 @@ page() {
 
 shelfbeam --help >"$folder/help"
 page shelfbeam "$(head -n 1 "$folder/help")" shelfbeam
-sed -nE '/^Subcommands:/,/^$/s/^  ([a-z]+) +/\1 /p' "$folder/help" |
+sed -nE '/^Verbs:/,/^$/s/^  ([a-z]+) +/\1 /p' "$folder/help" |
   while read -r verb summary; do page "shelfbeam-$verb" "$summary" "shelfbeam $verb"; done

@@ -7,11 +7,11 @@ _shelfbeam() {
   if [[ $word == -* ]]; then
     wanted='s/^  (-.,)?(--[a-z-]+).*/\2/p'
   elif [[ ! $verb ]]; then
-    wanted='/^Subcommands:/,/^$/s/^  ([a-z]+) .*/\1/p'
+    wanted='/^Verbs:/,/^$/s/^  ([a-z]+) .*/\1/p'
   elif [[ $before == -* ]]; then
     wanted="s/^  (-.,)?${before//[^a-z-]/} \{([^}]*)\}.*/\2/p"
   elif ((COMP_CWORD == 2)); then
-    wanted='/^Positionals:/,/^$/s/^  [A-Z]+ \{([^}]*)\}.*/\1/p'
+    wanted='/^Arguments:/,/^$/s/^  [A-Z]+ \{([^}]*)\}.*/\1/p'
   else
     return 0
   fi

@@ -6,15 +6,14 @@
 #include <new>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/base/text.hpp"
 
 #include "app/options/arguments.hpp"
+#include "app/options/usage.hpp"
 #include "app/verbs.hpp"
 
 namespace {
@@ -51,15 +50,18 @@ std::string with_flag(std::string_view text, Setting setting) {
 // Names the program and adds every verb. Parsing fills `chosen`, which must outlive `app`.
 void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   app.description(
-      "Plans where to mount infrared transceivers so that every electronic shelf label hears them.");
+      "Plans where to mount infrared transceivers so that every electronic shelf label\nhears them.");
   app.name("shelfbeam");
   app.formatter(std::make_shared<HelpFormatter>());
-  app.set_version_flag("--version", std::string(program_version()));
+  app.set_help_flag("-h,--help", "Print this help");
+  app.set_version_flag("--version", std::string(program_version()), "Print the version");
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 success; 1 no feasible placement, or labels missed; 2 invalid input; 3 stopped by a "
-      "limit\n"
-      "or by the user (results so far are saved); 4 internal error. 'shelfbeam VERB --help' shows examples.");
+      "Start with 'shelfbeam new grocery my-store'. 'shelfbeam VERB --help' shows the\n"
+      "options of a verb, and examples.\n\n"
+      "Exit codes: 0 success; 1 no feasible placement, or labels missed; 2 invalid\n"
+      "input; 3 stopped by a limit or by the user (results so far are saved);\n"
+      "4 internal error.");
   add_new(app, chosen);
   add_inspect(app, chosen);
   add_simulate(app, chosen);
@@ -69,6 +71,7 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   add_report(app, chosen);
   add_compare(app, chosen);
   add_export(app, chosen);
+  for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");
 }
 
 int run(const ChosenVerb& verb) {
@@ -91,22 +94,6 @@ int run(const ChosenVerb& verb) {
   }
 }
 
-int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
-  const auto chosen = app.get_subcommands();
-  const auto extra = app.remaining();
-  std::string problem = error.what();
-  if (chosen.empty() && !extra.empty() && !extra.front().starts_with('-')) {
-    std::vector<std::string> names;
-    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-      names.push_back(verb->get_name());
-    problem = fmt::format("unknown verb '{}'; {}", extra.front(),
-                          suggest(extra.front(), std::vector<std::string_view>(names.begin(), names.end())));
-  }
-  const std::string verb = chosen.empty() ? "" : " " + chosen.front()->get_name();
-  print_line("error", fmt::format("{}; see 'shelfbeam{} --help'", problem, verb));
-  return wrong_input;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -116,11 +103,12 @@ int main(int argc, char** argv) {
   ChosenVerb chosen;
   define_command_line(app, chosen);
   try {
-    app.parse(argc, argv);
+    parse_command_line(app, argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return wrong_usage(app, error);
+  } catch (const WrongUsage& error) {
+    print_line("error", error.what());
+    return wrong_input;
   }
   return run(chosen);
 }

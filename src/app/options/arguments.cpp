@@ -1,9 +1,6 @@
 #include "app/options/arguments.hpp"
 
-#include <charconv>
-#include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -19,30 +16,30 @@
 
 namespace shelfbeam::app {
 
-CLI::Validator positive_number() {
-  const auto check = [](const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    const bool fits = !text.empty() && *end == '\0' && std::isfinite(value) && value > 0;
-    return fits ? std::string() : fmt::format("'{}' is not a finite number above 0", text);
-  };
-  return {check, "POSITIVE"};
+namespace {
+
+// The width of the help, for terminals of 80 columns, and of the first column of verbs.
+constexpr std::size_t help_width = 80, verb_width = 12;
+
+}  // namespace
+
+HelpFormatter::HelpFormatter() {
+  label("Positionals", "Arguments");
 }
 
-// CLI11 clamps numbers that are too large to the largest number of the type.
-CLI::Validator positive_count() {
-  const auto check = [](const std::string& text) {
-    std::size_t value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    const bool fits = error == std::errc() && stop == end && value > 0;
-    return fits ? std::string() : fmt::format("'{}' is not a whole number above 0, or is too large", text);
-  };
-  return {check, "POSITIVE"};
+std::string HelpFormatter::make_usage(const CLI::App* app, std::string name) const {
+  std::string text = fmt::format("Usage: {}", name);
+  if (app->get_parent() == nullptr) return text + " VERB [OPTIONS]\n";
+  for (const CLI::Option* option : app->get_options())
+    if (option->get_positional()) text += " " + make_option_usage(option);
+  for (const CLI::Option* option : app->get_options())
+    if (option->get_required() && !option->get_positional())
+      text += fmt::format(" -{}{}", option->get_snames().front(), make_option_opts(option));
+  return text + " [OPTIONS]\n";
 }
 
-CLI::Validator a_path() {
-  return {[](const std::string& text) { return std::string(text.empty() ? "the name is empty" : ""); }, ""};
+std::string HelpFormatter::make_subcommand(const CLI::App* verb) const {
+  return fmt::format("  {:<{}}{}\n", verb->get_name(), verb_width - 2, verb->get_description());
 }
 
 std::string HelpFormatter::make_group(std::string name, bool is_positional,
@@ -56,10 +53,8 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
 }
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
-  constexpr std::size_t width = 84;
-  const std::string description = option->get_description();
-  if (description.find('\n') != std::string::npos) return description;
-  std::istringstream words(description);
+  const std::size_t width = help_width - get_column_width();
+  std::istringstream words(option->get_description());
   std::string text, word;
   for (std::size_t length = 0; words >> word; length += word.size() + 1) {
     if (length + word.size() > width) {
@@ -84,10 +79,11 @@ CLI::Option* add_path(CLI::App& verb, const std::string& name, std::filesystem::
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {
   verb.add_option("--seed", options.seed, fmt::format("Seed of the random numbers; default {}", options.seed))
+      ->check(whole_number(0))
       ->option_text("N")
       ->group(group::runs);
   verb.add_option("--threads", options.threads, "Number of threads; default: one per core")
-      ->check(CLI::Range(0U, 256U))
+      ->check(whole_number(0, 256))
       ->option_text("N")
       ->group(group::runs);
   verb.add_flag("--quiet", options.quiet, "Print errors only")->group(group::runs);

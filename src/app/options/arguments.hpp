@@ -9,6 +9,8 @@
 
 #include "shelfbeam/base/names.hpp"
 
+#include "app/options/values.hpp"
+
 namespace shelfbeam::app {
 
 /// The groups of options in --help after the first group, which contains the options that most users need.
@@ -17,24 +19,18 @@ inline constexpr auto simulation = "Simulation", placement = "Placement", certif
                       runs = "Files and runs";
 }
 
-/// Prints the option_text of an option instead of its type and limits, wraps descriptions, and separates
-/// groups by one blank line.
+/// Prints the option_text of an option instead of its type and limits, shows arguments and required options
+/// in the usage, wraps at 80 columns, and separates groups by one blank line.
 class HelpFormatter : public CLI::Formatter {
  public:
+  HelpFormatter();
+  std::string make_usage(const CLI::App* app, std::string name) const override;
+  std::string make_subcommand(const CLI::App* verb) const override;
   std::string make_group(std::string name, bool is_positional,
                          std::vector<const CLI::Option*> options) const override;
   std::string make_option_opts(const CLI::Option* option) const override;
   std::string make_option_desc(const CLI::Option* option) const override;
 };
-
-// Checks of arguments, for CLI::Option::check; the messages name the option.
-
-/// A finite number above 0.
-CLI::Validator positive_number();
-/// A whole number above 0 that fits its type.
-CLI::Validator positive_count();
-/// A path that is not empty.
-CLI::Validator a_path();
 
 /// An option or argument that is a path.
 CLI::Option* add_path(CLI::App& verb, const std::string& name, std::filesystem::path& path,
@@ -49,7 +45,7 @@ CLI::Option* add_names(CLI::App& verb, const std::string& flag, Value& value, co
   const auto set = [&value](const std::string& name) { value = from_text<Enum>(name).value(); };
   const std::vector<std::string> names = all_names<Enum>();
   return verb.add_option_function<std::string>(flag, set, help)
-      ->check(CLI::IsMember(names))
+      ->check(one_of(names))
       ->option_text(choices(names));
 }
 template <class Enum>

@@ -139,7 +139,8 @@ void add_placement_input(CLI::App& verb, PlacementInput& input) {
       ->check(a_path());
   verb.add_option(
           "--threshold", input.threshold,
-          "Requirement of every label, in place of the requirements in the file; required for CSV and NPY")
+          "Signal that every label requires, in place of the requirements in the file; required for CSV "
+          "and NPY")
       ->check(positive_number())
       ->option_text("SIGNAL");
   add_requirement_options(verb, input.requirements);
@@ -163,7 +164,7 @@ void add_problem_options(CLI::App& verb, PlacementProblem& problem) {
   verb.add_option(
           "--share", problem.share,
           fmt::format("Minimum share of the requirement for an effective link; default {}", problem.share))
-      ->check(positive_number())
+      ->transform(a_share(any_share))
       ->option_text("SHARE")
       ->group(group::placement);
 }
@@ -176,7 +177,7 @@ void add_solver_options(CLI::App& verb, PlaceOptions& options) {
              "solver alone; greedy: the paper's heuristic, not exact")
       ->group(group::placement);
   verb.add_option("--backend", options.backend, "MIP solver; default: the first that is built in")
-      ->check(CLI::IsMember(names))
+      ->check(one_of(names))
       ->option_text(choices(names))
       ->group(group::placement);
   verb.add_option("--time-limit", options.time_limit_s,
@@ -189,13 +190,14 @@ void add_solver_options(CLI::App& verb, PlaceOptions& options) {
 
 void add_certificate_options(CLI::App& verb, CertificateFlags& flags) {
   verb.add_option("--confidence", flags.confidence,
-                  fmt::format("Joint confidence of all certified statements; default {}", flags.confidence))
-      ->check(CLI::Range(0.5, 0.999999))
+                  fmt::format("Confidence that all statements of the certificate hold, "
+                              "e.g. 0.999 or 99.9%; default {}",
+                              flags.confidence))
+      ->transform(a_share({0.5, 0.999999, true, true}))
       ->option_text("LEVEL")
       ->group(group::certificate);
-  verb.add_option(
-          "--budget", flags.budget_s,
-          fmt::format("Time limit of verification and refinement in seconds; default {}", flags.budget_s))
+  verb.add_option("--budget", flags.budget_s,
+                  fmt::format("Time limit of the certificate in seconds; default {}", flags.budget_s))
       ->check(positive_number())
       ->option_text("SECONDS")
       ->group(group::certificate);

@@ -73,16 +73,15 @@ EstimatorKind SimulationFlags::kind() const {
 void add_simulation_options(CLI::App& verb, SimulationFlags& flags, DirectLight default_direct) {
   flags.default_direct = default_direct;
   auto* samples = verb.add_option("--samples", flags.samples,
-                                  "Samples per label, rounded up to whole batches; default 10000 without "
-                                  "--relative-error and --time")
-                      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 36))
+                                  "Samples per label; default 10000 without --relative-error and --time")
+                      ->check(whole_number(64, std::uint64_t{1} << 36))
                       ->option_text("N");
   auto* error =
       verb.add_option(
               "--relative-error", flags.relative_error,
               "Stop when 99 % of the entries (see --above) have at most this relative standard error, e.g. "
-              "0.05")
-          ->check(positive_number())
+              "0.05 or 5%")
+          ->transform(a_share({0, 1, false}))
           ->option_text("E")
           ->group(group::simulation)
           ->excludes(samples);
@@ -90,14 +89,14 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, DirectLight 
                                 fmt::format("With --relative-error: use the entries above this share of the "
                                             "requirement; default {}",
                                             default_above))
-                    ->check(positive_number())
+                    ->transform(a_share(any_share))
                     ->option_text("SHARE")
                     ->group(group::simulation)
                     ->excludes(samples);
   verb.add_option("--max-samples", flags.max_samples,
                   fmt::format("With --relative-error: maximum number of samples per label; default {}",
                               RelativeError{}.max_samples))
-      ->check(CLI::Range(std::uint64_t{2096}, std::uint64_t{1} << 36))
+      ->check(whole_number(2096, std::uint64_t{1} << 36))
       ->option_text("N")
       ->group(group::simulation)
       ->excludes(samples);
@@ -124,7 +123,7 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, DirectLight 
       ->group(group::simulation);
   verb.add_option("--max-bounces", flags.max_bounces,
                   "With uniform: maximum number of reflections and refractions per path; default: no limit")
-      ->check(CLI::Range(0, 1000))
+      ->check(whole_number(0, 1000))
       ->option_text("N")
       ->group(group::simulation);
 }
@@ -143,7 +142,7 @@ void add_layers(CLI::App& verb, SimulationFlags& flags) {
           "--lengths", flags.lengths,
           fmt::format("Number of steps of --by-length; default {}; the last step includes all longer paths",
                       default_lengths))
-      ->check(CLI::Range(1, 10000))
+      ->check(whole_number(1, 10000))
       ->option_text("N")
       ->needs("--by-length")
       ->group(group::simulation);
@@ -152,8 +151,7 @@ void add_layers(CLI::App& verb, SimulationFlags& flags) {
 void add_run_options(CLI::App& verb, SimulationFlags& flags) {
   verb.add_option("--memory", flags.memory,
                   "Memory limit, e.g. 4G or 500M; default: 80 % of the memory of the machine")
-      ->transform(CLI::AsSizeValue(true))
-      ->check(positive_number())
+      ->transform(size_in_bytes())
       ->option_text("SIZE")
       ->group(group::runs);
   verb.add_flag("--resume", flags.resume, "Continue an interrupted run from its checkpoint, if there is one")
@@ -162,7 +160,7 @@ void add_run_options(CLI::App& verb, SimulationFlags& flags) {
                   fmt::format("Minimum time between checkpoints in seconds; default {}; 0: after every round "
                               "of batches",
                               flags.checkpoint_interval_s))
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_from_zero())
       ->option_text("SECONDS")
       ->group(group::runs);
 }

@@ -188,8 +188,8 @@ int run_compare(const Options& options) {
 }  // namespace
 
 void add_compare(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb = app.add_subcommand(
-      "compare", "Compare measured with simulated signals and fit the factor between them");
+  CLI::App* verb =
+      app.add_subcommand("compare", "Compare measured with simulated signals; fit the factor between them");
   auto options = std::make_shared<Options>();
   add_path(*verb, "SIGNAL", options->signal, "Signal file (HDF5, from trusted sources only)")->required();
   add_path(*verb, "MEASURED", options->measured,
@@ -197,9 +197,10 @@ void add_compare(CLI::App& app, ChosenVerb& chosen) {
       ->required();
   add_path(*verb, "--placement", options->placement,
            "placement.json of the units that were on together, for measurements without a transceiver");
-  verb->add_option("--confidence", options->confidence,
-                   fmt::format("Confidence of the intervals; default {}", options->confidence))
-      ->check(CLI::Range(0.5, 0.9999))
+  verb->add_option(
+          "--confidence", options->confidence,
+          fmt::format("Confidence of the intervals, e.g. 0.99 or 99%; default {}", options->confidence))
+      ->transform(a_share({0.5, 0.9999, true, true}))
       ->option_text("LEVEL");
   add_path(*verb, "-o,--output", options->output,
            "Folder for comparison.csv and comparison.html, or a file .csv or .html");
@@ -207,7 +208,7 @@ void add_compare(CLI::App& app, ChosenVerb& chosen) {
   verb->footer(
       "Examples:\n"
       "  shelfbeam compare plan/signal.h5 measured.csv -o comparison\n"
-      "  shelfbeam compare plan/signal.h5 labels.csv --placement plan/placement.json --json");
+      "  shelfbeam compare plan/signal.h5 labels.csv --placement plan/placement.json");
   verb->callback([options, &chosen] { chosen = [options] { return run_compare(*options); }; });
 }
 

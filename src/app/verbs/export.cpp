@@ -96,13 +96,13 @@ void add_export(CLI::App& app, ChosenVerb& chosen) {
   const std::vector<std::string> matrices{"mean", "standard-error", "direct"};
   verb->add_option("--what", options->what,
                    "Matrix of a signal file to export: mean (default), standard-error or direct")
-      ->check(CLI::IsMember(matrices))
+      ->check(one_of(matrices))
       ->option_text(choices(matrices));
   add_problem_options(*verb, options->problem);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"
-      "  shelfbeam export signal.h5 -o model.mps --model non-cooperative --objective links --weighted\n"
+      "  shelfbeam export signal.h5 -o model.mps --objective links --weighted\n"
       "  shelfbeam export signal.h5 -o errors.csv --what standard-error");
   verb->callback([options, verb, &chosen] {
     options->for_matrix = verb->count("--what") > 0;

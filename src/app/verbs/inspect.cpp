@@ -40,10 +40,10 @@ int run_inspect(const Options& options) {
 }  // namespace
 
 void add_inspect(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb = app.add_subcommand(
-      "inspect", "Check a store file and print its dimensions, counts, areas, reflectances and flux");
+  CLI::App* verb =
+      app.add_subcommand("inspect", "Check a store file; print its dimensions, counts and materials");
   auto options = std::make_shared<Options>();
-  add_path(*verb, "STORE", options->store, "Store file")->required();
+  add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
   add_path(*verb, "-o,--output", options->plan, "Write the floor plan as SVG to this file");
   add_store_options(*verb, options->allow_outside);
   add_strict_option(*verb, options->strict);

@@ -57,7 +57,7 @@ const std::vector<Template>& store_templates() {
        "a small grocery with gondolas, freezers and checkouts",
        {{"store.json", embedded::grocery_store}, {"checkout.glb", embedded::grocery_checkout}}},
       {"chiller",
-       "a petrol station shop: glass doors, profile files, several options per mounting point",
+       "a petrol station shop with glass doors and aimed units",
        {{"store.json", embedded::chiller_store},
         {"till.glb", embedded::chiller_till},
         {"security-mirror.obj", embedded::chiller_mirror},
@@ -112,16 +112,16 @@ void add_new(CLI::App& app, ChosenVerb& chosen) {
   std::string descriptions;
   std::vector<std::string> names;
   for (const Template& t : store_templates()) {
-    descriptions += fmt::format("\n  {:<11} {}", t.name, t.description);
+    descriptions += fmt::format("\n  {:<11}  {}", t.name, t.description);
     names.emplace_back(t.name);
   }
-  verb->add_option("TEMPLATE", options->name, "One of:" + descriptions)
+  verb->add_option("TEMPLATE", options->name, "Example to copy; see below")
       ->required()
       ->option_text(choices(names));
   add_path(*verb, "DIR", options->folder, "Folder for the store file and the files that it names")
       ->required();
   add_common_options(*verb, options->common);
-  verb->footer("Example:\n  shelfbeam new grocery my-store");
+  verb->footer("Templates:" + descriptions + "\n\nExample:\n  shelfbeam new grocery my-store");
   verb->callback([options, &chosen] { chosen = [options] { return run_new(*options); }; });
 }
 

@@ -82,14 +82,14 @@ int run_place(const Options& options) {
 
 void add_place(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
-      app.add_subcommand("place", "Choose transceivers for a signal matrix, with a proven bound");
+      app.add_subcommand("place", "Choose transceivers from a signal matrix, with a proven bound");
   auto options = std::make_shared<Options>();
   add_placement_input(*verb, options->input);
   add_path(*verb, "-o,--output", options->output, "Write the placement as JSON to this file");
   auto* at_most =
       verb->add_option("--at-most", options->at_most,
-                       "Max coverage: reach as many labels as possible with at most K transceivers")
-          ->check(positive_count())
+                       "Reach as many labels as possible with at most K transceivers, instead of all labels")
+          ->check(whole_number(1))
           ->option_text("K");
   verb->add_flag("--curve", options->curve,
                  "Also print the number of labels that fewer transceivers can reach")

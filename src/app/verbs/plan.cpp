@@ -171,34 +171,31 @@ int run_plan(const Options& options) {
 }  // namespace
 
 void add_plan(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb = app.add_subcommand(
-      "plan", "Simulate a store, place transceivers, certify the placement and write the report");
+  CLI::App* verb =
+      app.add_subcommand("plan", "Simulate a store, place transceivers, certify and report the plan");
   auto options = std::make_shared<Options>();
-  add_path(*verb, "STORE", options->store, "Store file")->required();
+  add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
   add_path(*verb, "-o,--output", options->folder, "Folder for the results")->required();
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
   verb->get_option("--samples")
       ->description(
-          "Samples per label, rounded up to whole batches; default: where the certificate needs them (10000 "
-          "with --no-certificate)");
+          "Samples per label; default: as many as the certificate needs (with --no-certificate: 10000)");
   add_problem_options(*verb, options->problem);
   add_solver_options(*verb, options->solver);
   add_requirement_options(*verb, options->requirements);
   add_certificate_options(*verb, options->certificate);
   verb->add_flag("--no-certificate", options->no_certificate,
-                 "Skip certification: place on the simulated matrix as if it were exact")
+                 "Do not certify: treat the simulated signals as exact")
       ->group(group::certificate);
-  verb->add_flag("--curve", options->curve,
-                 "Also report the number of labels that fewer transceivers can reach");
+  verb->add_flag("--curve", options->curve, "Also report how many labels fewer transceivers can reach");
   auto* sensitivity =
       verb->add_flag("--sensitivity", options->sensitivity,
-                     "Also simulate the chosen transceivers with all reflectances at the ends of their "
-                     "ranges");
+                     "Also determine the effect of uncertain reflectances on the labels that are reached");
   verb->add_option("--reflectance-error", options->reflectance_error,
-                   fmt::format("With --sensitivity: relative error of reflectances without a given range; "
-                               "default {}",
+                   fmt::format("With --sensitivity: relative error of reflectances without a given range, "
+                               "e.g. 0.2 or 20%; default {}",
                                options->reflectance_error))
-      ->check(CLI::Range(0.0, 1.0))
+      ->transform(a_share({0, 1}))
       ->option_text("SHARE")
       ->needs(sensitivity);
   add_run_options(*verb, options->simulation);
@@ -210,11 +207,11 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
       "  shelfbeam plan store.json -o plan\n"
       "  shelfbeam plan store.json -o plan --curve --sensitivity\n"
       "  shelfbeam plan store.json -o plan --samples 50000\n"
-      "  shelfbeam plan store.json -o plan --model non-cooperative --survive-failure --min-spacing 2\n"
-      "  shelfbeam plan store.json -o plan --confidence 0.999 --budget 1800\n"
+      "  shelfbeam plan store.json -o plan --survive-failure --min-spacing 2\n"
+      "  shelfbeam plan store.json -o plan --confidence 99.9% --budget 1800\n"
       "  shelfbeam plan store.json -o plan --threads 8 --resume\n"
-      "Writes report.html, placement.csv, labels.csv, placement.json, verification.csv, signal.h5 and the\n"
-      "resolved store.json.");
+      "Writes report.html (begin here), placement.csv (for the fitter), labels.csv,\n"
+      "verification.csv, placement.json, signal.h5 and the resolved store.json.");
   verb->callback([options, &chosen] { chosen = [options] { return run_plan(*options); }; });
 }
 

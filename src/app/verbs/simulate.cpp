@@ -62,9 +62,10 @@ int run_simulate(const Options& options) {
 }  // namespace
 
 void add_simulate(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb = app.add_subcommand("simulate", "Compute the signal matrix of a store");
+  CLI::App* verb =
+      app.add_subcommand("simulate", "Compute the signal of every label from every candidate transceiver");
   auto options = std::make_shared<Options>();
-  add_path(*verb, "STORE", options->store, "Store file")->required();
+  add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
   add_path(*verb, "-o,--output", options->output, "Signal file (HDF5) to write")->required();
   add_simulation_options(*verb, options->simulation, DirectLight::sampled);
   add_layers(*verb, options->simulation);
@@ -75,8 +76,8 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   verb->footer(
       "Examples:\n"
       "  shelfbeam simulate store.json -o signal.h5\n"
-      "  shelfbeam simulate store.json -o signal.h5 --relative-error 0.05 --memory 8G\n"
-      "  shelfbeam simulate store.json -o signal.h5 --relative-error 0.05 --memory 8G --resume");
+      "  shelfbeam simulate store.json -o signal.h5 --relative-error 5%\n"
+      "  shelfbeam simulate store.json -o signal.h5 --relative-error 5% --resume");
   verb->callback([options, &chosen] { chosen = [options] { return run_simulate(*options); }; });
 }
 

@@ -97,12 +97,11 @@ int run_verify(const Options& options) {
 }  // namespace
 
 void add_verify(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb =
-      app.add_subcommand("verify", "Verify a placement or an installation with independent samples");
+  CLI::App* verb = app.add_subcommand("verify", "Verify which labels a placement or mounted units reach");
   auto options = std::make_shared<Options>();
-  add_path(*verb, "STORE", options->store, "Store file")->required();
+  add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
   add_path(*verb, "PLACEMENT", options->placement,
-           "placement.json, or a CSV of units with columns id,x,y,z,ax,ay,az,roll_deg,type")
+           "placement.json, or a CSV of mounted units with the columns id,x,y,z,ax,ay,az,roll_deg,type")
       ->required();
   add_path(*verb, "-o,--output", options->output, "Write one row per label to this CSV file");
   add_choice(*verb, "--model", options->model,
@@ -117,7 +116,7 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
   verb->footer(
       "Examples:\n"
       "  shelfbeam verify store.json plan/placement.json\n"
-      "  shelfbeam verify store.json installed.csv --model non-cooperative -o verification.csv");
+      "  shelfbeam verify store.json installed.csv -o verification.csv");
   verb->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
 }
 

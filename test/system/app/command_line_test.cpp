@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace {
 using test::expect_silent;
 using test::Json;
 
-const std::vector<std::string> verbs = {"new",  "inspect", "simulate", "place",
-                                        "plan", "verify",  "report",   "export"};
+const std::vector<std::string> verbs = {"new",    "inspect", "simulate", "place", "plan",
+                                        "verify", "report",  "compare",  "export"};
 
 TEST(Help, OfEveryVerbShowsExamplesAndCommonOptions) {
   for (const std::string& verb : verbs) {
@@ -33,6 +34,25 @@ TEST(Help, OptionsWorkAsDescribed) {
     for (const char* solver : {"auto (default): ", "search: ", "mip: ", "greedy: "})
       EXPECT_NE(solvers.find(solver), std::string::npos) << verb << ' ' << solver;
   }
+}
+
+TEST(Help, FitsTerminals) {
+  std::vector<std::vector<std::string>> pages{{"--help"}};
+  for (const std::string& verb : verbs) pages.push_back({verb, "--help"});
+  for (const std::vector<std::string>& page : pages) {
+    std::istringstream lines(expect_silent(page));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+  }
+}
+
+TEST(Help, HasManyNames) {
+  const std::string general = expect_silent({"--help"}), plan = expect_silent({"plan", "--help"});
+  EXPECT_EQ(expect_silent({}), general);
+  EXPECT_EQ(expect_silent({"-h"}), general);
+  EXPECT_EQ(expect_silent({"help"}), general);
+  EXPECT_EQ(expect_silent({"help", "plan"}), plan);
+  EXPECT_EQ(expect_silent({"plan", "-h"}), plan);
+  EXPECT_NE(plan.find("\nUsage: shelfbeam plan STORE -o PATH [OPTIONS]\n"), std::string::npos) << plan;
 }
 
 TEST(Version, IsAThreePartNumber) {
@@ -78,21 +98,40 @@ TEST_F(CommandLine, WrongUseIsOneError) {
     std::string message;
   };
   const std::vector<Case> cases = {
-      {{}, "see 'shelfbeam --help'"},
-      {{"simulat"}, "'simulat'; did you mean 'simulate'?"},
+      {{"simulat"}, "'simulat'; did you mean 'simulate'?\n"},
+      {{"simulat", "--help"}, "'simulat'; did you mean 'simulate'?\n"},
+      {{"help", "simulat"}, "'simulat'; did you mean 'simulate'?\n"},
       {{"certify", store}, "'certify'"},
-      {{"--frobnicate"}, "see 'shelfbeam --help'"},
-      {{"inspect"}, "STORE is required; see 'shelfbeam inspect --help'"},
+      {{"--frobnicate"}, "unknown option '--frobnicate'; see 'shelfbeam --help'"},
+      {{"--quiet", "inspect", store}, "'--quiet' must follow the verb: shelfbeam inspect ... --quiet"},
+      {{"--budget", "3"}, "'--budget' belongs to 'plan' and 'verify' and must follow the verb"},
+      {{"inspect"}, "STORE is required; for example: shelfbeam inspect store.json -o plan.svg; see "},
+      {{"plan", store}, "--output is required; for example: shelfbeam plan store.json -o plan; see "},
+      {{"plan", store, "-o", out, "--sampels", "100"},
+       "error: unknown option '--sampels'; did you mean '--samples'?\n"},
+      {{"plan", "--sampels=100", store}, "error: unknown option '--sampels'; did you mean '--samples'?\n"},
+      {{"plan", store, "-o", out, "-samples", "100"}, "'-samples'; did you mean '--samples'?"},
+      {{"plan", store, "-output=" + out}, "'-output'; did you mean '--output'?"},
+      {{"plan", store, "-o", out, "--conf", "0.9"}, "'--conf'; did you mean '--confidence'?"},
+      {{"plan", store, "-o", out, "-x"}, "unknown option '-x'; see "},
+      {{"simulate", store, "-o", out, "--budget", "3"},
+       "'--budget' belongs to 'plan' and 'verify', not to 'simulate'; see "},
+      {{"plan", store, "-o", out, "--by-bounce"}, "'--by-bounce' belongs to 'simulate', not to 'plan'; see "},
+      {{"plan", store, "-o", out, "-o", out}, "--output is given more than once"},
+      {{"plan", store, "-o", out, "--model", "coperative"},
+       "--model: unknown value 'coperative'; did you mean 'cooperative'?"},
+      {{"plan", store, "-o", out, "--samples", std::string(500, '7')},
+       "--samples: '" + std::string(40, '7') + "...' is not a whole number from 64 to"},
       {{"inspect", ""}, "STORE: "},
-      {{"inspect", store, "--frobnicate"}, "--frobnicate; see 'shelfbeam inspect --help'"},
-      {{"inspect", store, "extra"}, "extra"},
+      {{"inspect", store, "--frobnicate"}, "'--frobnicate'; see 'shelfbeam inspect --help'"},
+      {{"inspect", store, "extra"}, "unexpected argument 'extra'"},
       {{"inspect", store, "-o", ""}, "--output: "},
       {{"inspect", store, "--threads", "-1"}, "--threads"},
       {{"inspect", store, "--seed", "1.5"}, "--seed"},
       {{"new", "thesi", out}, "'thesi'; did you mean 'thesis'?"},
       {{"new", "thesis"}, "DIR is required"},
       {{"simulate", store}, "--output is required"},
-      {{"simulate", store, "-o"}, "--output"},
+      {{"simulate", store, "-o"}, "--output: PATH is missing"},
       {{"simulate", store, "-o", out, "--samples", "0"}, "--samples"},
       {{"simulate", store, "-o", out, "--samples", "1e99"}, "--samples"},
       {{"simulate", store, "-o", out, "--estimator", "reuse", "--max-bounces", "3"}, "--max-bounces"},
@@ -120,8 +159,10 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"plan", store, "-o", out, "--relative-error", "0.1", "--samples", "100"}, "excludes"},
       {{"plan", store, "-o", out, "--above", "0.1", "--samples", "640"}, "--above"},
       {{"plan", store, "-o", out, "--above", "0.1"}, "--above"},
+      {{"plan", path("none.json"), "-o", out, "--confidence", "99"}, "none.json"},
+      {{"plan", store, "-o", out, "--confidence", "1"}, "--confidence: '1' is not a share from 0.5 to"},
       {{"plan", store, "-o", out, "--time", "-1"}, "--time"},
-      {{"plan", store, "-o", out, "--memory", "4X"}, "--memory"},
+      {{"plan", store, "-o", out, "--memory", "4X"}, "--memory: '4X' is not a size such as 4G or 500M"},
       {{"plan", store, "-o", out, "--checkpoint-interval", "-1"}, "--checkpoint-interval"},
       {{"export", matrix, "-o", path("model.xml")}, "model.xml: "},
       {{"export", matrix, "-o", path("model")}, "model: "},

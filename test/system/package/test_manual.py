@@ -22,7 +22,7 @@ def has(program):
 
 
 def verbs():
-    listed = output(PROGRAM, "--help").split("Subcommands:")[1].split("Exit codes:")[0]
+    listed = output(PROGRAM, "--help").split("Verbs:")[1].split("Exit codes:")[0]
     return re.findall(r"^  (\w+) ", listed, re.MULTILINE)
 
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace shelfbeam::app {
+
+// Values of options: checks for CLI::Option::check, and readings for CLI::Option::transform. Their messages
+// follow the name of the option.
+
+/// A finite number above 0.
+CLI::Validator positive_number();
+/// A finite number of at least 0.
+CLI::Validator number_from_zero();
+/// A whole number that fits its type.
+CLI::Validator whole_number(std::uint64_t least,
+                            std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+/// A path that is not empty.
+CLI::Validator a_path();
+/// One of the names.
+CLI::Validator one_of(const std::vector<std::string>& names);
+
+/// Reads "4G" or "500MiB" as a number of bytes.
+CLI::Validator size_in_bytes();
+
+/// The shares that an option accepts.
+struct Shares {
+  double least, most;
+  bool includes_least = true;
+  /// Whether a bare number from 2 to 100 is in percent.
+  bool reads_percent = false;
+};
+
+/// Any share above 0. Shares above 1 must be in percent: nearly always, a bare 5 is meant as 5 percent.
+inline constexpr Shares any_share{0, std::numeric_limits<double>::infinity(), false};
+
+/// Reads a share, "0.05", "5%" or "5 %", as a number.
+CLI::Validator a_share(const Shares& shares);
+
+}  // namespace shelfbeam::app
