@@ -14,6 +14,7 @@
 
 #include "app/options/arguments.hpp"
 #include "app/options/usage.hpp"
+#include "app/text/style.hpp"
 #include "app/verbs.hpp"
 
 namespace {
@@ -30,7 +31,8 @@ void print_line(std::string_view kind, std::string_view text) {
     else
       line += c;
   }
-  fmt::print(stderr, "{}: {}\n", kind, line);
+  const Style style = kind == "stopped" ? Style::warning : Style::error;
+  fmt::print(stderr, "{} {}\n", styled(style, fmt::format("{}:", kind), stderr), line);
 }
 
 // The library does not know the names of the flags.

@@ -16,6 +16,7 @@
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
 
+#include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 
 namespace shelfbeam::app {
@@ -79,14 +80,15 @@ using Rows = std::vector<std::vector<std::string>>;
 
 void print_head(const Scene& scene, const Counts& counts) {
   const Vec3 size = scene.upper - scene.lower;
-  fmt::print("{}\n  {:.2f} x {:.2f} x {:.2f} m, {:g} nm, {} triangles, store hash {}\n", scene.name, size.x,
-             size.y, size.z, scene.wavelength_nm, scene.mesh.triangles.size(), scene.store_hash);
+  fmt::print("{}\n", styled(Style::answer, scene.name));
+  fmt::print("  {:.2f} x {:.2f} x {:.2f} m, {:g} nm, {} triangles, store hash {}\n", size.x, size.y, size.z,
+             scene.wavelength_nm, scene.mesh.triangles.size(), scene.store_hash);
   fmt::print("  {} fixtures, {} labels, {} candidate transceivers", scene.fixtures.size(),
              scene.labels.size(), scene.transceivers.size());
   if (counts.with_several_options > 0)
     fmt::print(" at {} mounting points, {} of them with several options", counts.mounting_points,
                counts.with_several_options);
-  fmt::print("\n\n");
+  fmt::print("\n");
 }
 
 // Shares at normal incidence, and their mean over all directions if it differs.
@@ -141,8 +143,12 @@ void print_light(const char* heading, const std::vector<std::string>& paths) {
   for (const std::string& light : paths) fmt::print("  {}\n", light);
 }
 
+void print_warning(const std::string& text) {
+  fmt::print("{} {}\n", styled(Style::warning, "warning:"), text);
+}
+
 void print_warnings(const Scene& scene) {
-  for (const std::string& warning : scene.warnings) fmt::print("warning: {}\n", warning);
+  for (const std::string& warning : scene.warnings) print_warning(warning);
 }
 
 }  // namespace
@@ -151,13 +157,15 @@ void print_warnings(const CommonOptions& common, const Scene& scene, Strategy st
   if (common.json || common.quiet) return;
   print_warnings(scene);
   for (const std::string& light : chance_light(scene, strategy))
-    fmt::print("warning: {} is sampled only by chance: use more samples and check the flagged entries\n",
-               light);
+    print_warning(light + " is sampled only by chance: use more samples and check the flagged entries");
 }
 
-void print_summary(const Scene& scene) {
+void print_summary(const Scene& scene, const std::filesystem::path& floor_plan) {
   const Counts counts(scene);
   print_head(scene, counts);
+  print_warnings(scene);
+  if (!floor_plan.empty()) fmt::print("floor plan: {}\n", floor_plan.string());
+  fmt::print("\n");
   print_materials(scene, counts);
   fmt::print("\n");
   print_label_types(scene, counts);
@@ -165,8 +173,6 @@ void print_summary(const Scene& scene) {
   print_transceiver_types(scene, counts);
   print_light("not simulated unless the transceiver type has a radius", uncovered_light(scene));
   print_light("sampled only by chance, with large errors", chance_light(scene));
-  if (!scene.warnings.empty()) fmt::print("\n");
-  print_warnings(scene);
 }
 
 nlohmann::ordered_json summary_json(const Scene& scene) {

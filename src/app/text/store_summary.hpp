@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/scene/scene.hpp"
@@ -12,7 +14,8 @@ namespace shelfbeam::app {
 /// The output of `inspect`: areas, counts, and the light that the default strategy omits or samples only by
 /// chance.
 nlohmann::ordered_json summary_json(const Scene& scene);
-void print_summary(const Scene& scene);
+/// The warnings and the path of the floor plan, if it is not empty, come before the tables.
+void print_summary(const Scene& scene, const std::filesystem::path& floor_plan);
 
 /// Prints one line per warning of a scene and per kind of light that its simulation samples only by chance;
 /// nothing with --json or --quiet.

@@ -19,6 +19,7 @@
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "app/options/arguments.hpp"
+#include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
@@ -146,8 +147,12 @@ void print_pairs(const ComparisonInput& input, const std::string& heading,
   print_table(rows, 2);
 }
 
-void print_text(const ComparisonInput& input) {
-  for (const std::string& statement : comparison_statements(input.comparison)) fmt::print("{}\n", statement);
+void print_text(const ComparisonInput& input, const Outputs& outputs) {
+  const std::vector<std::string> statements = comparison_statements(input.comparison);
+  for (const std::string& statement : statements)
+    fmt::print("{}\n", &statement == &statements.front() ? styled(Style::answer, statement) : statement);
+  if (!outputs.page.empty()) fmt::print("report: {}\n", outputs.page.string());
+  if (!outputs.table.empty()) fmt::print("table: {}\n", outputs.table.string());
   const Comparison& c = input.comparison;
   if (c.outliers.empty())
     fmt::print("No pair is an outlier.\n");
@@ -178,9 +183,7 @@ int run_compare(const Options& options) {
     if (!outputs.page.empty()) json["report"] = outputs.page.string();
     print_json(json);
   } else if (!options.common.quiet) {
-    print_text(input);
-    for (const fs::path& output : {outputs.table, outputs.page})
-      if (!output.empty()) fmt::print("{}\n", output.string());
+    print_text(input, outputs);
   }
   return done;
 }

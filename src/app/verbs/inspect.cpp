@@ -30,8 +30,7 @@ int run_inspect(const Options& options) {
   if (options.common.json) {
     print_json(summary_json(scene));
   } else if (!options.common.quiet) {
-    print_summary(scene);
-    if (!options.plan.empty()) fmt::print("\nfloor plan: {}\n", options.plan.string());
+    print_summary(scene, options.plan);
   }
   expect_no_warnings(scene, options.store, options.strict);
   return done;

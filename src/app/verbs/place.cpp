@@ -12,6 +12,7 @@
 
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
+#include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
@@ -74,7 +75,7 @@ int run_place(const Options& options) {
   if (options.common.json)
     fmt::print("{}", answer.json);
   else if (!options.common.quiet)
-    fmt::print("{}", answer.text);
+    fmt::print("{}", with_answer(answer.text));
   return answer.code;
 }
 

@@ -23,6 +23,7 @@
 #include "app/options/simulation_options.hpp"
 #include "app/text/placement_text.hpp"
 #include "app/text/store_summary.hpp"
+#include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
@@ -59,7 +60,7 @@ void protect_store(const std::filesystem::path& folder, const std::filesystem::p
                      "choose another folder for the plan");
 }
 
-// Curve, certificate and sensitivity.
+// Curve and sensitivity.
 std::string additions(const Options& options, const Plan& plan, const SignalTable& table) {
   const Placement& placement = plan.placement;
   std::string text = describe(plan.curve, table);
@@ -67,7 +68,6 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
     text +=
         fmt::format("  {}; 'place {} --at-most K' reports the number of labels that K transceivers reach\n",
                     no_curve, (options.folder / signal_name).string());
-  if (plan.certificate) text += fmt::format("certificate: {}\n", certificate_sentence(plan));
   if (plan.sensitivity)
     text += fmt::format("sensitivity: {}\n", sensitivity_sentence(*plan.sensitivity, table.rows()));
   else if (options.sensitivity)
@@ -75,6 +75,26 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
                                                      ? "yet: the run was stopped before its simulation"
                                                      : "without a placement");
   return text;
+}
+
+// The answer comes first, then the page that shows it, then the details.
+std::string result(const Options& options, const Plan& plan, const SignalTable& table,
+                   bool follows_decision) {
+  std::string placed = describe(plan.placement, table);
+  std::string answer = certificate_sentence(plan);
+  if (answer.empty()) {
+    const std::size_t end = placed.find('\n');
+    answer = placed.substr(0, end);
+    placed.erase(0, end + 1);
+  } else {
+    placed = "on the simulated signals: " + placed;
+  }
+  std::string simulated = describe(plan.simulation.summary, follows_decision) + '\n';
+  for (std::size_t at = 0; (at = simulated.find('\n', at) + 1) < simulated.size();)
+    simulated.insert(at, "  ");
+  return fmt::format("{}\nreport: {}\n{}{}simulation: {}", styled(Style::answer, answer),
+                     (options.folder / report_name).string(), placed, additions(options, plan, table),
+                     simulated);
 }
 
 // The requested relative error was not reached, and no certificate covers the sampling error.
@@ -153,9 +173,7 @@ int run_plan(const Options& options) {
   if (options.common.json)
     fmt::print("{}", answer);
   else if (!options.common.quiet)
-    fmt::print("{}\n{}{}report: {}\n", describe(summary, follows_decision(options)),
-               describe(plan.placement, table), additions(options, plan, table),
-               (options.folder / report_name).string());
+    fmt::print("{}", result(options, plan, table, follows_decision(options)));
   if (options.common.json && !options.common.quiet && is_imprecise(plan))
     fmt::print(
         stderr,

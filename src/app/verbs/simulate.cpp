@@ -13,6 +13,7 @@
 #include "app/options/arguments.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/store_summary.hpp"
+#include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
@@ -49,7 +50,7 @@ int run_simulate(const Options& options) {
     json["found_by_chance"] = chance_light(scene, simulation.rules().strategy);
     print_json(json);
   } else if (!options.common.quiet) {
-    fmt::print("{}\n{}\n", describe(summary), options.output.string());
+    fmt::print("{}\n", with_answer(fmt::format("{}: {}", options.output.string(), describe(summary))));
   }
   if (summary.complete) return summary.unmet_error ? stopped_early : done;
   if (!options.common.json && !options.common.quiet)

@@ -22,6 +22,7 @@
 #include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/store_summary.hpp"
+#include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
@@ -89,7 +90,7 @@ int run_verify(const Options& options) {
   if (options.common.json)
     fmt::print("{}", certificate_json(certificate, table_without_signals(installation.scene)));
   else if (!options.common.quiet)
-    fmt::print("{}\n{}\n", certificate_sentence(verified), certificate_scope);
+    fmt::print("{}\n{}\n", styled(Style::answer, certificate_sentence(verified)), certificate_scope);
   if (certificate.count(Verdict::missed) > 0) return answer_is_no;
   return certificate.all_reached() ? done : stopped_early;
 }

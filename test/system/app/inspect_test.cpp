@@ -125,8 +125,11 @@ TEST_F(Inspect, PrintsText) {
         " at 13 mounting points, 2 of them with several options\n", "  reflectance  ", "  transmittance  ",
         "\n  pane      thin_dielectric     13.28          4        0.077  0.155          0.923  0.845\n",
         "\n  wide        cosine_power  100 x 50       1         0.02\n",
-        "\n  spot              lambertian      0.05       3      10.03      4     3   2.5\n", "\nwarning: "})
+        "\n  spot              lambertian      0.05       3      10.03      4     3   2.5\n"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
+  // Results come before tables.
+  EXPECT_LT(text.find("\nwarning: "), text.find("\nfloor plan: " + path("plan.svg") + "\n\n"));
+  EXPECT_LT(text.find("\nfloor plan: "), text.find("  material  "));
   EXPECT_NE(bytes("plan.svg").find("class=\"door\""), std::string::npos);
 }
 

@@ -60,7 +60,7 @@ TEST_F(SimulationSummary, ReportsExtraSamples) {
   const std::string why = ": at least 16 batches are needed to estimate errors\n";
   EXPECT_THAT(simulated("--samples 64"), HasSubstr("\n2096 samples per label instead of 64" + why));
   EXPECT_THAT(told("plan @store.json -o @plan --samples 64 --no-certificate"),
-              HasSubstr("\n2096 samples per label instead of 64" + why));
+              HasSubstr("\n  2096 samples per label instead of 64" + why));
   const Json json = Json::parse(simulated("--samples 64 --json"));
   EXPECT_EQ(json["asked"], 64);
   EXPECT_EQ(json["samples"], Json({2096, 2096}));
