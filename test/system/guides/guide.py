@@ -4,8 +4,8 @@ Every fenced block of the page has one of these kinds:
   sh, python, octave   runs in the order of the page, in one folder; `sh needs=PROGRAM` runs only if PROGRAM is
                        installed, octave only if octave is. A block whose last line ends with `# exit code N` must
                        exit with N, any other block with 0
-  text                 lines that the output of the block before it contains, in this order; `...` matches any text
-                       within a line, and is ignored on a separate line
+  text                 whole lines that the output of the block before it contains, in this order; `...` matches any
+                       text within a line, and is ignored on a separate line
 """
 
 import os
@@ -47,7 +47,7 @@ def holds(output, expected):
     lines = iter(output.splitlines())
     for wanted in filter(None, map(str.strip, expected.splitlines())):
         pattern = re.compile(".*".join(map(re.escape, wanted.split("..."))))
-        if wanted != "..." and not any(pattern.search(line) for line in lines):
+        if wanted != "..." and not any(pattern.fullmatch(line.strip()) for line in lines):
             return wanted
     return None
 
@@ -56,6 +56,13 @@ def links(page):
     """The files to which a page links."""
     for target in re.findall(r"\]\((?!http)([^)#]+)", page.read_text(encoding="utf-8")):
         yield page.parent / target
+
+
+def named_options(page):
+    """The options of shelfbeam that the sentences of a page name, as inline code."""
+    for code in re.findall(r"`([^`\n]+)`", FENCE.sub("", page)):
+        if code.startswith(("--", "shelfbeam ")):
+            yield from re.findall(r"(?<!\S)--[a-z-]+", code)
 
 
 def run_page(path, folder, environment):

@@ -2,6 +2,8 @@
 
 import os
 import pathlib
+import re
+import subprocess
 import tempfile
 import unittest
 
@@ -42,6 +44,7 @@ class RunPage(unittest.TestCase):
         self.expect_wrong("```sh\necho 3 units\n```\n```text\n4 units\n```\n", "page.md:4", "'4 units'")
         self.expect_wrong("```sh\necho a; echo b\n```\n```text\nb\na\n```\n", "'a'")
         self.expect_wrong("```sh\necho a b\n```\n```text\na...c\n```\n", "'a...c'")
+        self.expect_wrong("```sh\necho a and more\n```\n```text\na\n```\n", "'a'")
 
     def test_every_block_is_of_a_kind_that_is_run(self):
         self.expect_wrong("```bash\ntrue\n```\n", "'bash'")
@@ -50,6 +53,19 @@ class RunPage(unittest.TestCase):
     def test_what_is_missing_is_told(self):
         page = "```sh needs=no-such-solver\nno-such-solver\n```\n```text\noptimal\n```\n"
         self.assertEqual(self.run_page(page), (0, {"no-such-solver"}))
+
+    def test_named_options_exist(self):
+        def helped(*verb):
+            return subprocess.check_output([os.environ["SHELFBEAM"], *verb, "--help"], text=True)
+
+        verbs = re.findall(r"^  ([a-z]+) ", helped().split("Verbs:")[1], re.MULTILINE)
+        known = set(re.findall(r"--[a-z-]+", "".join(map(helped, verbs))))
+        guides = [guide.DOCS.parent / "README.md", guide.DOCS / "tutorial.md", guide.DOCS / "research.md"]
+        for page in [*guides, *guide.DOCS.glob("formats/*.md")]:
+            for option in guide.named_options(page.read_text(encoding="utf-8")):
+                self.assertIn(option, known, page.name)
+        page = "`--samples N` and `shelfbeam plan a --curve`, not `scripts/test --all`\n```sh\n`--x`\n```\n"
+        self.assertEqual(list(guide.named_options(page)), ["--samples", "--curve"])
 
     def test_links_lead_somewhere(self):
         pages = [guide.DOCS / "tutorial.md", guide.DOCS / "research.md", *guide.DOCS.glob("*/*.md")]
