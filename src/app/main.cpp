@@ -15,6 +15,7 @@
 #include "app/options/arguments.hpp"
 #include "app/options/usage.hpp"
 #include "app/text/style.hpp"
+#include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
 namespace {
@@ -22,17 +23,10 @@ namespace {
 using namespace shelfbeam;
 using namespace shelfbeam::app;
 
-// Prints one line; control characters from names and paths are escaped.
+// Prints one line of limited length, whatever names and paths contain.
 void print_line(std::string_view kind, std::string_view text) {
-  std::string line;
-  for (const char c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      line += c == '\n' ? "\\n" : fmt::format("\\x{:02x}", c);
-    else
-      line += c;
-  }
   const Style style = kind == "stopped" ? Style::warning : Style::error;
-  fmt::print(stderr, "{} {}\n", styled(style, fmt::format("{}:", kind), stderr), line);
+  fmt::print(stderr, "{} {}\n", styled(style, fmt::format("{}:", kind), stderr), one_line(text));
 }
 
 // The library does not know the names of the flags.

@@ -80,7 +80,7 @@ using Rows = std::vector<std::vector<std::string>>;
 
 void print_head(const Scene& scene, const Counts& counts) {
   const Vec3 size = scene.upper - scene.lower;
-  fmt::print("{}\n", styled(Style::answer, scene.name));
+  fmt::print("{}\n", styled(Style::answer, one_line(scene.name)));
   fmt::print("  {:.2f} x {:.2f} x {:.2f} m, {:g} nm, {} triangles, store hash {}\n", size.x, size.y, size.z,
              scene.wavelength_nm, scene.mesh.triangles.size(), scene.store_hash);
   fmt::print("  {} fixtures, {} labels, {} candidate transceivers", scene.fixtures.size(),
@@ -140,11 +140,11 @@ void print_transceiver_types(const Scene& scene, const Counts& counts) {
 void print_light(const char* heading, const std::vector<std::string>& paths) {
   if (paths.empty()) return;
   fmt::print("\n{}:\n", heading);
-  for (const std::string& light : paths) fmt::print("  {}\n", light);
+  for (const std::string& light : paths) fmt::print("  {}\n", one_line(light));
 }
 
 void print_warning(const std::string& text) {
-  fmt::print("{} {}\n", styled(Style::warning, "warning:"), text);
+  fmt::print("{} {}\n", styled(Style::warning, "warning:"), one_line(text));
 }
 
 void print_warnings(const Scene& scene) {

@@ -13,6 +13,8 @@
 #include "app/text/style.hpp"
 #include "app/text/width.hpp"
 
+#include "shelfbeam/base/text.hpp"
+
 namespace shelfbeam::app {
 
 namespace {
@@ -61,7 +63,14 @@ const CancelToken& cancel_on_signal() {
   return signal_token;
 }
 
-void print_table(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
+std::string one_line(std::string_view message) {
+  constexpr std::size_t most = 1000;
+  return printable(shortened(message, most));
+}
+
+void print_table(std::vector<std::vector<std::string>> rows, std::size_t left) {
+  for (auto& row : rows)
+    for (std::string& cell : row) cell = one_line(cell);
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));

@@ -38,12 +38,15 @@ inline void print_json(const nlohmann::ordered_json& json) {
   fmt::print("{}\n", json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
+/// A message of at most about 1000 characters without control characters.
+std::string one_line(std::string_view message);
+
 /// After Ctrl-C, SIGTERM or the loss of the terminal, the running work ends with the results so far. A second
 /// Ctrl-C ends the program.
 const CancelToken& cancel_on_signal();
 
 /// Prints rows in aligned columns: the first `left` columns left-aligned, the others right-aligned. The first
 /// row is the heading.
-void print_table(const std::vector<std::vector<std::string>>& rows, std::size_t left);
+void print_table(std::vector<std::vector<std::string>> rows, std::size_t left);
 
 }  // namespace shelfbeam::app

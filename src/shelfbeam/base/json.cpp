@@ -22,6 +22,9 @@ struct JsonCursor::Document {
 
 namespace {
 
+// In messages, bytes of a key and of the parser's message, which may quote a whole text of the file.
+constexpr std::size_t longest_name = 60, longest_message = 250;
+
 const Node& as_node(const void* pointer) {
   return *static_cast<const Node*>(pointer);
 }
@@ -89,7 +92,8 @@ class KeyWatcher {
   std::string path() const {
     std::string path;
     for (const Level& level : open_)
-      path += level.is_array ? fmt::format("[{}]", level.index) : (path.empty() ? "" : ".") + level.key;
+      path += level.is_array ? fmt::format("[{}]", level.index)
+                             : (path.empty() ? "" : ".") + shortened(level.key, longest_name);
     return path;
   }
 
@@ -117,10 +121,12 @@ Node parse_strictly(std::string_view text, const std::string& name) {
       throw InputError(name + ": " + keys.repeated(), "is a duplicate key", "remove one of the two");
     return root;
   } catch (const Node::out_of_range& error) {
-    throw InputError(name, "has a number out of range (" + overflow_message(error, text) + ")",
-                     "correct the number");
+    throw InputError(
+        name, "has a number out of range (" + shortened(overflow_message(error, text), longest_message) + ")",
+        "correct the number");
   } catch (const Node::exception& error) {
-    throw InputError(name, "is not valid JSON (" + parser_message(error) + ")", "correct the syntax");
+    throw InputError(name, "is not valid JSON (" + shortened(parser_message(error), longest_message) + ")",
+                     "correct the syntax");
   }
 }
 
@@ -168,7 +174,8 @@ void JsonCursor::expect_keys(std::initializer_list<std::string_view> known) cons
   if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
   for (const auto& [key, value] : as_node(node_).items()) {
     if (std::find(known.begin(), known.end(), key) == known.end())
-      fail(fmt::format("has the unknown key '{}'", key), suggest(key, {known.begin(), known.size()}));
+      fail(fmt::format("has the unknown key {}", in_quotes(key)),
+           suggest(key, {known.begin(), known.size()}));
   }
 }
 
@@ -176,7 +183,8 @@ std::optional<JsonCursor> JsonCursor::find(std::string_view key) const {
   if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
   const auto found = as_node(node_).find(std::string(key));
   if (found == as_node(node_).end()) return std::nullopt;
-  return JsonCursor(document_, &*found, path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key));
+  std::string name = shortened(key, longest_name);
+  return JsonCursor(document_, &*found, path_.empty() ? std::move(name) : fmt::format("{}.{}", path_, name));
 }
 
 JsonCursor JsonCursor::operator[](std::string_view key) const {
@@ -264,7 +272,7 @@ std::vector<double> JsonCursor::numbers(std::size_t count) const {
 std::string JsonCursor::one_of(std::span<const std::string_view> known) const {
   std::string word = text();
   if (std::find(known.begin(), known.end(), word) == known.end())
-    fail(fmt::format("has the unknown value '{}'", word), suggest(word, known));
+    fail(fmt::format("has the unknown value {}", in_quotes(word)), suggest(word, known));
   return word;
 }
 

@@ -1,8 +1,10 @@
 #include "shelfbeam/base/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <system_error>
@@ -28,12 +30,66 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// The number of bytes of the character at `i`; 0 if they are not UTF-8.
+std::size_t character_bytes(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  const unsigned lead = byte(i);
+  const std::size_t length = lead < 0x80                   ? 1
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
+  if (length == 0 || text.size() - i < length) return 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if ((byte(i + k) & 0xC0U) != 0x80) return 0;
+  // The second byte reveals overlong forms, surrogates and code points beyond U+10FFFF.
+  if ((lead == 0xE0 && byte(i + 1) < 0xA0) || (lead == 0xED && byte(i + 1) > 0x9F) ||
+      (lead == 0xF0 && byte(i + 1) < 0x90) || (lead == 0xF4 && byte(i + 1) > 0x8F))
+    return 0;
+  return length;
+}
+
+struct Character {
+  std::uint32_t code;  ///< code point, or a byte that is not UTF-8
+  std::size_t bytes;
+  bool is_printable, is_utf8;
+};
+
+// Control characters, marks and controls of the direction of writing, and invisible characters. The joiners
+// U+200C and U+200D are parts of words in some scripts.
+bool is_printable(std::uint32_t code) {
+  return code >= 0x20 && !(code >= 0x7F && code <= 0x9F) && code != 0x61C && code != 0x200B &&
+         code != 0x200E && code != 0x200F && !(code >= 0x2028 && code <= 0x202E) &&
+         !(code >= 0x2060 && code <= 0x206F) && code != 0xFEFF;
+}
+
+Character character_at(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) -> std::uint32_t { return static_cast<unsigned char>(text[k]); };
+  const std::size_t bytes = character_bytes(text, i);
+  if (bytes == 0) return {byte(i), 1, false, false};
+  constexpr std::array<std::uint32_t, 5> lead_bits{0, 0x7F, 0x1F, 0x0F, 0x07};
+  std::uint32_t code = byte(i) & lead_bits[bytes];
+  for (std::size_t k = 1; k < bytes; ++k) code = code << 6 | (byte(i + k) & 0x3FU);
+  return {code, bytes, is_printable(code), true};
+}
+
+std::string escaped(const Character& character) {
+  if (character.code == '\n') return "\\n";
+  const bool is_byte = character.code < 0x80 || !character.is_utf8;
+  return is_byte ? fmt::format("\\x{:02x}", character.code) : fmt::format("\\u{:04x}", character.code);
+}
+
+// The longest word for which a typing error is looked for; the time grows with the square of the length.
+constexpr std::size_t longest_word = 100;
+
 }  // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string_view> known) {
+  if (word.size() > longest_word) return {};
   std::size_t best = std::numeric_limits<std::size_t>::max();
   std::string_view found;
   for (const std::string_view candidate : known) {
+    if (candidate.size() > 2 * longest_word) continue;
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < best) {
       best = distance;
@@ -45,8 +101,9 @@ std::string nearest(std::string_view word, std::span<const std::string_view> kno
 
 std::string suggest(std::string_view word, std::span<const std::string_view> known) {
   if (const std::string near = nearest(word, known); !near.empty())
-    return fmt::format("did you mean '{}'?", near);
-  return "known: " + join(known, ", ");
+    return fmt::format("did you mean {}?", in_quotes(near));
+  constexpr std::size_t most = 300;
+  return "known: " + shortened(join(known, ", "), most);
 }
 
 std::string join(std::span<const std::string_view> words, std::string_view separator) {
@@ -98,24 +155,57 @@ std::string counted(std::uint64_t count, std::string_view singular, std::string_
 }
 
 bool is_utf8(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   for (std::size_t i = 0; i < text.size();) {
-    const unsigned lead = byte(i);
-    const std::size_t length = lead < 0x80                   ? 1
-                               : lead >= 0xC2 && lead < 0xE0 ? 2
-                               : lead >= 0xE0 && lead < 0xF0 ? 3
-                               : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                             : 0;
-    if (length == 0 || text.size() - i < length) return false;
-    for (std::size_t k = 1; k < length; ++k)
-      if ((byte(i + k) & 0xC0U) != 0x80) return false;
-    // The second byte reveals overlong forms, surrogates and code points beyond U+10FFFF.
-    if ((lead == 0xE0 && byte(i + 1) < 0xA0) || (lead == 0xED && byte(i + 1) > 0x9F) ||
-        (lead == 0xF0 && byte(i + 1) < 0x90) || (lead == 0xF4 && byte(i + 1) > 0x8F))
-      return false;
+    if (std::uint64_t eight = 0; text.size() - i >= sizeof(eight)) {
+      std::memcpy(&eight, text.data() + i, sizeof(eight));
+      if ((eight & 0x8080808080808080U) == 0) {
+        i += sizeof(eight);
+        continue;
+      }
+    }
+    const std::size_t length = character_bytes(text, i);
+    if (length == 0) return false;
     i += length;
   }
   return true;
+}
+
+bool is_utf16(std::string_view text) {
+  return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+         (text.size() > 1 && (text[0] == '\0') != (text[1] == '\0'));
+}
+
+std::string printable(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const Character character = character_at(text, i);
+    result += character.is_printable ? std::string(text.substr(i, character.bytes)) : escaped(character);
+    i += character.bytes;
+  }
+  return result;
+}
+
+std::string unprintable_character(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const Character character = character_at(text, i);
+    if (!character.is_printable) return escaped(character);
+    i += character.bytes;
+  }
+  return {};
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80; };
+  std::size_t head = most * 2 / 3, tail = text.size() - most / 3;
+  while (head > 0 && continues(head)) --head;
+  while (tail < text.size() && continues(tail)) ++tail;
+  return fmt::format("{}...{}", text.substr(0, head), text.substr(tail));
+}
+
+std::string in_quotes(std::string_view value) {
+  constexpr std::size_t most = 60;
+  return fmt::format("'{}'", shortened(value, most));
 }
 
 std::vector<std::string_view> split(std::string_view line, char separator) {

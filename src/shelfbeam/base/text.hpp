@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -9,7 +10,8 @@
 
 namespace shelfbeam {
 
-/// The known word nearest to `word` by edit distance; empty when no word is near enough for a typing error.
+/// The known word nearest to `word` by edit distance; empty when no word is near enough for a typing error,
+/// or if `word` is too long for one.
 std::string nearest(std::string_view word, std::span<const std::string_view> known);
 
 /// "did you mean 'x'?" when a known word is near, else "known: a, b, c".
@@ -36,6 +38,24 @@ std::string counted(std::uint64_t count, std::string_view singular, std::string_
 
 /// Whether the bytes are well-formed UTF-8 (RFC 3629).
 bool is_utf8(std::string_view text);
+
+/// Whether the text begins as UTF-16 does: with a byte order mark or with a null byte in its first character.
+bool is_utf16(std::string_view text);
+
+inline constexpr auto save_as_utf8 = "save it as UTF-8 (in Excel: CSV UTF-8)";
+
+/// `text` for a terminal: characters that control the terminal, change the direction of writing or are
+/// invisible are escaped ("\\n", "\\x1b", "\\u202e"), as are bytes that are not UTF-8.
+std::string printable(std::string_view text);
+
+/// The first character of `text` that `printable` escapes, escaped; empty if there is none.
+std::string unprintable_character(std::string_view text);
+
+/// A text of more than `most` bytes is cut in its middle, where "..." replaces the rest.
+std::string shortened(std::string_view text, std::size_t most);
+
+/// A value from a file in a message: 'value', shortened if it is long.
+std::string in_quotes(std::string_view value);
 
 /// The whole of `text` as a number ("nan" and "inf" count as numbers); nothing if it is not a number or lies
 /// outside the range of a double. Independent of the locale.

@@ -31,7 +31,7 @@ const NamedReflectance& named_reflectance(const JsonCursor& cursor, double wavel
                   "give the reflectance at that wavelength as a number");
     return entry;
   }
-  cursor.fail(fmt::format("names the unknown reflectance '{}'", name), suggest(name, known));
+  cursor.fail(fmt::format("names the unknown reflectance {}", in_quotes(name)), suggest(name, known));
 }
 
 // alpha along x and y; nothing for a smooth surface.

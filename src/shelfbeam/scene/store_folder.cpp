@@ -8,6 +8,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam {
 namespace fs = std::filesystem;
@@ -23,6 +24,11 @@ fs::path resolved(const fs::path& path, std::error_code& error) {
 // Precondition: both paths are resolved. A folder lies in itself.
 bool lies_in(const fs::path& file, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
+
+// Longer paths are not those of a user.
+std::string path_in_quotes(const fs::path& path) {
+  return fmt::format("'{}'", shortened(path.string(), 250));
 }
 
 }  // namespace
@@ -45,13 +51,13 @@ fs::path StoreFolder::find(const fs::path& name, const std::string& where, const
     const fs::path home = resolved(folder_.empty() ? "." : folder_, error);
     const fs::path target = error ? fs::path() : resolved(path, error);
     if (error || !lies_in(target, home))
-      throw InputError(where, fmt::format("'{}' is outside the folder of the store file", name.string()),
+      throw InputError(where, fmt::format("{} is outside the folder of the store file", path_in_quotes(name)),
                        "move it there, or allow files outside it", Setting::files_outside);
   }
   if (fs::is_directory(path, error))
-    throw InputError(where, fmt::format("'{}' is a folder", path.string()), "name a file in it");
+    throw InputError(where, fmt::format("{} is a folder", path_in_quotes(path)), "name a file in it");
   if (!fs::is_regular_file(path, error))
-    throw InputError(where, fmt::format("the {} '{}' does not exist", what, path.string()),
+    throw InputError(where, fmt::format("the {} {} does not exist", what, path_in_quotes(path)),
                      "paths are relative to the store file");
   return path;
 }

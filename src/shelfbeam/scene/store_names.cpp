@@ -15,7 +15,7 @@ std::uint32_t NameIndex<Id>::find(const std::string& name, const std::string& wh
   if (const auto found = names_.find(name); found != names_.end()) return found->second;
   std::vector<std::string_view> known;
   for (const auto& [key, index] : names_) known.push_back(key);
-  throw InputError(where, fmt::format("names the unknown {} '{}'", what_, name),
+  throw InputError(where, fmt::format("names the unknown {} {}", what_, in_quotes(name)),
                    known.empty() ? "define it first" : suggest(name, known));
 }
 

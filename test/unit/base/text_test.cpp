@@ -87,5 +87,44 @@ TEST(Text, GlobIsFastOnManyStars) {
   EXPECT_TRUE(matches_glob(text, pattern));
 }
 
+TEST(Text, PrintableEscapesWhatTerminalsInterpret) {
+  EXPECT_EQ(printable("Kühlregal „A“, 3 €, \xF0\x9F\x98\x80"), "Kühlregal „A“, 3 €, \xF0\x9F\x98\x80");
+  EXPECT_EQ(printable("a\nb\t\x1B[31m\x7F"), "a\\nb\\x09\\x1b[31m\\x7f");
+  EXPECT_EQ(printable("\xC2\x80\xC2\x9F\xC2\xA0"), "\\u0080\\u009f\xC2\xA0");
+  EXPECT_EQ(printable("a\xE2\x80\xAE"
+                      "b"),
+            "a\\u202eb");
+  EXPECT_EQ(printable("\xFF"
+                      "a\xC3"),
+            "\\xffa\\xc3");
+  EXPECT_EQ(unprintable_character("a b é"), "");
+  for (const std::string bad : {"\xD8\x9C", "\xE2\x80\x8B", "\xE2\x80\x8E", "\xE2\x80\x8F", "\xE2\x80\xA8",
+                                "\xE2\x80\xA9", "\xE2\x80\xAA", "\xE2\x80\xAE", "\xE2\x81\xA6",
+                                "\xE2\x81\xA9", "\xEF\xBB\xBF", "\x01", "\x7F", "\xC2\x85"})
+    EXPECT_EQ(unprintable_character("a" + bad + "b"), printable(bad));
+  // Negative control: the neighbours of these characters, and the joiners of Persian and Indic words.
+  for (const std::string good : {"\xD8\x9B", "\xE2\x80\x8A", "\xE2\x80\x8C", "\xE2\x80\x8D", "\xE2\x80\xA7",
+                                 "\xE2\x80\xAF", "\xE2\x81\xB0", "\xEF\xBB\xBE", " ", "~", "\xC2\xA0"})
+    EXPECT_EQ(unprintable_character("a" + good + "b"), "") << good;
+}
+
+TEST(Text, ShortensLongValues) {
+  EXPECT_EQ(shortened("abcdef", 6), "abcdef");
+  EXPECT_EQ(shortened("abcdefghij", 6), "abcd...ij");
+  EXPECT_EQ(in_quotes("a"), "'a'");
+  EXPECT_LT(in_quotes(std::string(1'000'000, 'x')).size(), 70u);
+  std::string accents;
+  for (int k = 0; k < 100; ++k) accents += "é";
+  for (std::size_t most = 20; most < 30; ++most) EXPECT_TRUE(is_utf8(shortened(accents, most))) << most;
+}
+
+TEST(Text, NearestWordOfLongTextsTakesNoTime) {
+  const std::string huge(10'000'000, 'a');
+  const std::array<std::string_view, 2> words{"short", huge};
+  EXPECT_EQ(nearest(huge, words), "");  // by edit distance this would take hours
+  EXPECT_EQ(nearest("shrt", words), "short");
+  EXPECT_LT(suggest("completely different", words).size(), 400u);
+}
+
 }  // namespace
 }  // namespace shelfbeam

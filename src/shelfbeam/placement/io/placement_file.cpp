@@ -43,14 +43,15 @@ std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const SignalT
   std::vector<bool> seen(table.columns(), false);
   for (const JsonCursor& element : cursor.elements()) {
     selected.push_back(position(element, known, "transceiver"));
-    if (seen[selected.back()]) element.fail(fmt::format("is a duplicate '{}'", element.text()), "remove it");
+    if (seen[selected.back()])
+      element.fail(fmt::format("is a duplicate {}", in_quotes(element.text())), "remove it");
     seen[selected.back()] = true;
   }
   if (const auto crowded = shared_mounts(table, seen); !crowded.empty()) {
-    std::vector<std::string_view> ids;
+    std::vector<std::string> ids;
     for (const std::uint32_t j : table.mounts[crowded.front()])
-      if (seen[j]) ids.push_back(table.transceivers[j].id);
-    cursor.fail(fmt::format("has '{}', which are options of one mounting point", fmt::join(ids, "' and '")),
+      if (seen[j]) ids.push_back(in_quotes(table.transceivers[j].id));
+    cursor.fail(fmt::format("has {}, which are options of one mounting point", fmt::join(ids, " and ")),
                 "keep one of them");
   }
   std::sort(selected.begin(), selected.end());

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 
@@ -41,7 +42,7 @@ inline std::uint32_t position(const JsonCursor& cursor, const Positions& known, 
   const std::string id = cursor.text();
   const auto found = known.find(id);
   if (found == known.end())
-    cursor.fail(fmt::format("names '{}', but the matrix has no such {}", id, what),
+    cursor.fail(fmt::format("names {}, but the matrix has no such {}", in_quotes(id), what),
                 "use the matrix that this placement was computed from");
   return found->second;
 }

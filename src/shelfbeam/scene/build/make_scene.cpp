@@ -7,6 +7,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
@@ -97,15 +98,16 @@ class SceneMaker {
     for (const auto& [fixture, where] : store_.fixtures) {
       const std::string& id = id_of(fixture);
       if (!ids.insert(id).second)
-        throw InputError(where, fmt::format("has the duplicate fixture id '{}'", id), "make ids unique");
+        throw InputError(where, fmt::format("has the duplicate fixture id {}", in_quotes(id)),
+                         "make ids unique");
       const std::size_t first_vertex = scene_.mesh.vertices.size();
       add_fixture(scene_, fixture, where, warnings_);
       const auto is_outside = [&](const Vec3& p) { return !beyond_room(scene_, p).empty(); };
       if (std::any_of(scene_.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex),
                       scene_.mesh.vertices.end(), is_outside))
         warnings_.add("fixtures that extend outside the room",
-                      fmt::format("{}: fixture '{}' extends outside the room; move it, or correct {}", where,
-                                  id, sized_by(fixture)));
+                      fmt::format("{}: fixture {} extends outside the room; move it, or correct {}", where,
+                                  in_quotes(id), sized_by(fixture)));
       sources_.labels.resize(scene_.labels.size(), where);
     }
   }
@@ -139,7 +141,7 @@ class SceneMaker {
           fmt::format("{0}: materials.{1}{2}: material '{1}' reflects {3:.3g} of the light, so paths between "
                       "such surfaces end late: the simulation is slow and its standard errors are less "
                       "reliable; white paint reflects 0.8 to 0.9, rough metal 0.6 to 0.9",
-                      store_.file, named.name, given ? ".reflectance" : "", reflectance));
+                      store_.file, shortened(named.name, 60), given ? ".reflectance" : "", reflectance));
     }
   }
 
@@ -149,8 +151,8 @@ class SceneMaker {
       throw InputError(
           where,
           fmt::format(
-              "{} '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside the room of {:.6g} x {:.6g} x {:.6g} m: {}",
-              what, id, p.x, p.y, p.z, scene_.room->x, scene_.room->y, scene_.room->z, side),
+              "{} {} at ({:.6g}, {:.6g}, {:.6g}) is outside the room of {:.6g} x {:.6g} x {:.6g} m: {}", what,
+              in_quotes(id), p.x, p.y, p.z, scene_.room->x, scene_.room->y, scene_.room->z, side),
           "move it inside, or correct the room's size");
   }
 
@@ -167,10 +169,10 @@ class SceneMaker {
         throw InputError(sources_.labels[i], "has a label without an id", "give it an id");
       const auto [first, is_new] = seen.emplace(label.id, sources_.labels[i]);
       if (!is_new)
-        throw InputError(
-            sources_.labels[i],
-            fmt::format("has the duplicate label id '{}', first used in {}", label.id, first->second),
-            "make ids unique");
+        throw InputError(sources_.labels[i],
+                         fmt::format("has the duplicate label id {}, first used in {}", in_quotes(label.id),
+                                     first->second),
+                         "make ids unique");
       expect_in_room(label.id, label.position, sources_.labels[i], "label");
     }
   }
@@ -191,7 +193,7 @@ class SceneMaker {
     }
     expect_in_room(unit.id, unit.position, where, "transceiver");
     if (!unit_index_.emplace(unit.id, scene_.transceivers.size()).second)
-      throw InputError(where, fmt::format("has the duplicate transceiver id '{}'", unit.id),
+      throw InputError(where, fmt::format("has the duplicate transceiver id {}", in_quotes(unit.id)),
                        "make ids unique");
     scene_.transceivers.push_back(unit);
     sources_.transceivers.push_back(where);
@@ -231,7 +233,7 @@ class SceneMaker {
       const auto found = unit_index_.find(id);
       if (found == unit_index_.end())
         throw InputError(
-            where, fmt::format("names the unknown transceiver '{}'", id),
+            where, fmt::format("names the unknown transceiver {}", in_quotes(id)),
             kept_out_ids_.count(id) != 0 ? "it is in a 'keep_out' area" : "list it, or correct the id");
       scene_.transceivers[found->second].installed = true;
     }
@@ -245,8 +247,10 @@ class SceneMaker {
       const std::size_t index = unit_index_.at(id);
       const Transceiver*& first = at[groups.group_of[index]];
       if (first != nullptr && first->id != id)
-        throw InputError(where, fmt::format("'{}' is installed at the mounting point of '{}'", id, first->id),
-                         "remove one of the two, or correct a position");
+        throw InputError(
+            where,
+            fmt::format("{} is installed at the mounting point of {}", in_quotes(id), in_quotes(first->id)),
+            "remove one of the two, or correct a position");
       first = &scene_.transceivers[index];
     }
   }

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/build/blocks.hpp"
@@ -102,31 +103,29 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
     const Label& label = scene.labels[i];
     const auto looks_at = [&](const std::string& what, double distance) {
-      warnings.add(
-          "labels that face a surface right in front of them",
-          fmt::format("{}: label '{}' faces {}, {:.2g} cm in front of it; reverse its normal, or move "
-                      "it away from the surface",
-                      sources[i], label.id, what, 100 * std::max(0.0, distance)));
+      warnings.add("labels that face a surface right in front of them",
+                   fmt::format("{}: label {} faces {}, {:.2g} cm in front of it; reverse its normal, or move "
+                               "it away from the surface",
+                               sources[i], in_quotes(label.id), what, 100 * std::max(0.0, distance)));
     };
     const auto hit = blocks.next(label.position, label.normal);
     if (hit && hit->is_within())
       warnings.add("labels inside a fixture",
-                   fmt::format("{}: label '{}' is inside fixture '{}' and receives no light; "
+                   fmt::format("{}: label {} is inside fixture {} and receives no light; "
                                "move one of them",
-                               sources[i], label.id, *hit->fixture));
+                               sources[i], in_quotes(label.id), in_quotes(*hit->fixture)));
     else if (hit)
-      looks_at(fmt::format("fixture '{}'", *hit->fixture), hit->distance);
+      looks_at(fmt::format("fixture {}", in_quotes(*hit->fixture)), hit->distance);
     else if (const auto surface = room_surface_before(scene, label))
       looks_at(surface->first, surface->second);
     else if (const std::string* fixture = around_a_part(scene, blocks, label, label.normal))
       warnings.add(
           "labels that are partly hidden",
-          fmt::format(
-              "{}: part of label '{}' is inside fixture '{}' and receives no light; move it, turn it, "
-              "or change the 'size' of its type",
-              sources[i], label.id, *fixture));
+          fmt::format("{}: part of label {} is inside fixture {} and receives no light; move it, turn it, "
+                      "or change the 'size' of its type",
+                      sources[i], in_quotes(label.id), in_quotes(*fixture)));
     else
-      warn_of_overhang(scene, sources[i], fmt::format("label '{}'", label.id), label.position,
+      warn_of_overhang(scene, sources[i], fmt::format("label {}", in_quotes(label.id)), label.position,
                        half_extent_of_label(label.normal, scene.label_types[label.type.value].size),
                        warnings);
   }
@@ -146,27 +145,26 @@ void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::v
     const Vec3& p = unit.position;
     const auto hit = blocks.next(p, unit.axis);
     if (hit && hit->is_within())
-      warnings.add(
-          "transceivers inside a fixture",
-          fmt::format("{}: transceiver '{}' is inside fixture '{}', which blocks its light; move it, or "
-                      "cover the position with 'keep_out'",
-                      sources[j], unit.id, *hit->fixture));
+      warnings.add("transceivers inside a fixture",
+                   fmt::format("{}: transceiver {} is inside fixture {}, which blocks its light; move it, or "
+                               "cover the position with 'keep_out'",
+                               sources[j], in_quotes(unit.id), in_quotes(*hit->fixture)));
     else if (!scene.room && !is_within_bounds(scene, p))
       warnings.add(
           "transceivers outside all surfaces",
-          fmt::format("{}: transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) is outside all surfaces, which "
+          fmt::format("{}: transceiver {} at ({:.6g}, {:.6g}, {:.6g}) is outside all surfaces, which "
                       "extend from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}); move it, or give "
                       "the store a 'room'",
-                      sources[j], unit.id, p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y, high.z));
+                      sources[j], in_quotes(unit.id), p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y,
+                      high.z));
     else if (const std::string* fixture = around_a_part(scene, blocks, unit, unit.axis))
       warnings.add(
           "transceivers that are partly hidden",
-          fmt::format(
-              "{}: part of transceiver '{}' is inside fixture '{}', which blocks its light; move it, or "
-              "change the 'radius' of its type",
-              sources[j], unit.id, *fixture));
+          fmt::format("{}: part of transceiver {} is inside fixture {}, which blocks its light; move it, or "
+                      "change the 'radius' of its type",
+                      sources[j], in_quotes(unit.id), in_quotes(*fixture)));
     else
-      warn_of_overhang(scene, sources[j], fmt::format("the disc of transceiver '{}'", unit.id), p,
+      warn_of_overhang(scene, sources[j], fmt::format("the disc of transceiver {}", in_quotes(unit.id)), p,
                        half_extent_of_disc(unit.axis, scene.transceiver_types[unit.type.value].radius),
                        warnings);
   }

@@ -62,7 +62,7 @@ double MeshLines::coordinate(std::size_t word) const {
   const auto number = to_number(words_[word]);
   if (number && std::isfinite(*number)) return *number;
   fail(is_utf8(words_[word])
-           ? fmt::format("the coordinate '{}' is not a finite number", words_[word].substr(0, 40))
+           ? fmt::format("the coordinate {} is not a finite number", in_quotes(words_[word]))
            : "a coordinate is not a number");
 }
 

@@ -68,7 +68,8 @@ MeshPiece piece_of(const MeshTriangles::OfMaterial& part, bool y_is_up) {
                      "add an entry \"*\" to 'materials', which matches all surfaces");
   throw InputError(where,
                    fmt::format("no entry of 'materials' matches these materials of '{}': {}{}", file.string(),
-                               join(list, ", "), has_unnamed ? ", or the surfaces without a material" : ""),
+                               shortened(join(list, ", "), 300),
+                               has_unnamed ? ", or the surfaces without a material" : ""),
                    "add an entry for each, e.g. \"*\"");
 }
 

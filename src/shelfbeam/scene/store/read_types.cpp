@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/device/photometry/photometry.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/read_values.hpp"
@@ -122,7 +123,7 @@ double read_range(const JsonCursor& cursor, const Store& store, const StoreNames
   // Rounding leaves a trace of intensity in directions where the closed form is zero.
   const double intensity = mean_intensity(unit.emission, radians(angle_deg));
   if (!(intensity > 1e-12 * power(unit.emission)))
-    cursor.fail(fmt::format("'{}' emits nothing at {} degrees from its axis", unit.name, angle_deg),
+    cursor.fail(fmt::format("{} emits nothing at {} degrees from its axis", in_quotes(unit.name), angle_deg),
                 "give an 'angle_deg' at which it emits");
   const double ahead = response(responsivity, 1);
   if (!(ahead > 0))

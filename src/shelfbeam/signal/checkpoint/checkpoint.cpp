@@ -15,6 +15,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint_records.hpp"
 
 namespace shelfbeam {
@@ -64,10 +65,11 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
   const std::string found(*first);
   for (const auto& [name, value] : identity_)
     if (const std::string theirs = value_of(found, name); theirs != value)
-      throw InputError(
-          path_.string(),
-          fmt::format("belongs to another simulation: its {} is '{}' instead of '{}'", name, theirs, value),
-          "resume with the same store and options, or start again without resuming", Setting::resumption);
+      throw InputError(path_.string(),
+                       fmt::format("belongs to another simulation: its {} is {} instead of {}", name,
+                                   in_quotes(theirs), in_quotes(value)),
+                       "resume with the same store and options, or start again without resuming",
+                       Setting::resumption);
   if (found != to_text(identity_)) file.fail();
 
   std::vector<double> values;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
 
 namespace shelfbeam {
@@ -22,7 +23,8 @@ void expect_same(const SignalTable::Transceiver& unit, const SignalTable::Transc
                  const NamedTable& scenario, const std::string& first_file) {
   const auto fail = [&](const std::string& here, const std::string& there) {
     throw InputError(scenario.file,
-                     fmt::format("'{}' {}, but in '{}' it {}", unit.id, here, first_file, there), same_store);
+                     fmt::format("{} {}, but in '{}' it {}", in_quotes(unit.id), here, first_file, there),
+                     same_store);
   };
   if (unit.cost != first.cost) fail(fmt::format("costs {}", unit.cost), fmt::format("costs {}", first.cost));
   if (unit.installed != first.installed)
@@ -42,7 +44,7 @@ std::vector<std::uint32_t> columns_of(const NamedTable& scenario, const NamedTab
     const auto found = column.find(unit.id);
     if (found == column.end())
       throw InputError(scenario.file,
-                       fmt::format("has a transceiver '{}', but '{}' does not", unit.id, first.file),
+                       fmt::format("has a transceiver {}, but '{}' does not", in_quotes(unit.id), first.file),
                        same_store);
     expect_same(unit, first.table.transceivers[found->second], scenario, first.file);
     result.push_back(found->second);
@@ -51,10 +53,10 @@ std::vector<std::uint32_t> columns_of(const NamedTable& scenario, const NamedTab
   const std::unordered_set<std::uint32_t> there(result.begin(), result.end());
   for (std::uint32_t j = 0; j < first.table.columns(); ++j)
     if (!there.contains(j))
-      throw InputError(
-          scenario.file,
-          fmt::format("has no transceiver '{}', but '{}' does", first.table.transceivers[j].id, first.file),
-          same_store);
+      throw InputError(scenario.file,
+                       fmt::format("has no transceiver {}, but '{}' does",
+                                   in_quotes(first.table.transceivers[j].id), first.file),
+                       same_store);
   return result;
 }
 

@@ -57,9 +57,9 @@ class TextScanner {
     const char* end = word.data() + word.size();
     const auto [stopped, error] = std::from_chars(word.data(), end, value);
     if (stopped != end || error == std::errc::invalid_argument)
-      fail(fmt::format("{} is '{}'", what, word.substr(0, 40)), "a whole number is expected");
+      fail(fmt::format("{} is {}", what, in_quotes(word)), "a whole number is expected");
     if (error != std::errc{} || value < low || value > high)
-      fail(fmt::format("{} is {}", what, word.substr(0, 40)),
+      fail(fmt::format("{} is {}", what, shortened(word, 40)),
            fmt::format("a number from {} to {} is expected", low, high));
     return static_cast<std::uint32_t>(value);
   }
@@ -67,7 +67,7 @@ class TextScanner {
   double amount(std::string_view what) {
     const std::string_view word = token(what);
     const auto value = to_number(word);
-    if (!value) fail(fmt::format("{} is '{}'", what, word.substr(0, 40)), "a number is expected");
+    if (!value) fail(fmt::format("{} is {}", what, in_quotes(word)), "a number is expected");
     if (const auto problem = amount_problem(*value); !problem.empty())
       fail(fmt::format("{} {}", what, problem), "a finite number that is not negative is expected");
     return *value;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/transport/reuse/reuse.hpp"
 #include "shelfbeam/transport/run/batch_scheduler.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
@@ -36,8 +37,8 @@ void expect_possible(const Scene& scene, const SimulationOptions& options) {
   for (const Transceiver& unit : scene.transceivers)
     if (scene.type_of(unit).radius == 0)
       throw InputError("strategy walk",
-                       fmt::format("never hits transceiver '{}': its type '{}' is a point", unit.id,
-                                   scene.type_of(unit).name),
+                       fmt::format("never hits transceiver {}: its type {} is a point", in_quotes(unit.id),
+                                   in_quotes(scene.type_of(unit).name)),
                        "give the type a radius, or use another strategy", Setting::strategy);
 }
 
