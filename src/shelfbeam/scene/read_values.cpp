@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
@@ -124,11 +125,15 @@ Vec3 read_direction(const JsonCursor& cursor) {
   return unit_direction({v[0], v[1], v[2]}, cursor.where());
 }
 
+void expect_printable(const std::string& text, const std::string& where) {
+  if (const std::string character = unprintable_character(text); !character.empty())
+    throw InputError(where, fmt::format("has the unprintable character '{}' in its name", character),
+                     "remove it");
+}
+
 std::string check_name(std::string name, const std::string& where) {
   if (name.empty()) throw InputError(where, "is empty", "give it a name");
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (std::any_of(name.begin(), name.end(), is_control))
-    throw InputError(where, "has a control character in its name", "use printable characters");
+  expect_printable(name, where);
   return name;
 }
 

@@ -51,7 +51,10 @@ double degrees_of(double angle);
 Vec3 read_direction(const JsonCursor& cursor);
 Vec3 unit_direction(const Vec3& v, const std::string& where);
 
-/// An id or a name: not empty and without control characters, which would break messages and tables.
+/// Throws InputError for characters that control a terminal, change the direction of writing or are
+/// invisible: they would break messages and tables, or make a name look like another.
+void expect_printable(const std::string& text, const std::string& where);
+/// An id or a name: not empty, and printable.
 std::string check_name(std::string name, const std::string& where);
 std::string read_name(const JsonCursor& cursor);
 

@@ -52,7 +52,10 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   store.file = name;
   store.memory = folder.memory();
   if (const auto schema = root.find("$schema")) schema->text();
-  if (const auto title = root.find("name")) store.name = title->text();
+  if (const auto title = root.find("name")) {
+    store.name = title->text();
+    expect_printable(store.name, title->where());
+  }
   if (const auto wavelength = root.find("wavelength_nm")) store.wavelength_nm = wavelength->number(100, 1e5);
   read_materials(root["materials"], store);
   read_transceiver_types(root["transceiver_types"], folder, store);

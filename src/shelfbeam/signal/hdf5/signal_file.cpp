@@ -206,13 +206,22 @@ class MatrixReader {
       for (std::size_t i = 0; i < count; ++i) rows[i].*member = static_cast<T>(std::move(values[i]));
     };
     if constexpr (std::is_same_v<T, std::string>)
-      set(file_.texts(path, count));
+      set(printable_texts(path, count));
     else if constexpr (std::is_same_v<T, Vec3>)
       set(vectors(path, count));
     else if constexpr (std::is_same_v<T, double>)
       set(amounts(path, count));
     else
       set(file_.numbers<Stored<T>>(path, {count}));
+  }
+
+  std::vector<std::string> printable_texts(const std::string& path, std::size_t count) const {
+    auto texts = file_.texts(path, count);
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      if (const std::string character = unprintable_character(texts[i]); !character.empty())
+        fail(fmt::format("{}, row {}", path, i + 1),
+             fmt::format("has the unprintable character '{}'", character));
+    return texts;
   }
 
   std::vector<SignalLayer> layers(const std::string& kind, const std::string& path,
@@ -251,8 +260,9 @@ class MatrixReader {
     auto values = file_.numbers<T>(path, {matrix.rows(), matrix.columns()});
     for (std::size_t k = 0; k < values.size(); ++k)
       if (const auto found = problem(k, values[k]); !found.empty())
-        fail(fmt::format("{}, label '{}', transceiver '{}'", path, matrix.labels[k / matrix.columns()].id,
-                         matrix.transceivers[k % matrix.columns()].id),
+        fail(fmt::format("{}, label {}, transceiver {}", path,
+                         in_quotes(matrix.labels[k / matrix.columns()].id),
+                         in_quotes(matrix.transceivers[k % matrix.columns()].id)),
              found);
     return values;
   }

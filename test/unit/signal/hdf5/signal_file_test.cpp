@@ -255,6 +255,15 @@ TEST(SignalFile, OtherFilesAreRefused) {
   refused([](Writer& f) { f.attribute("format_version", std::string("1")); }, "format_version", "wrong type");
   refused([](Writer& f) { f.attribute("format_version", std::uint32_t{1}); }, "program_version", "missing");
   refused(attributes, "/labels/id", "missing");
+  refused(
+      [&](Writer& file) {
+        attributes(file);
+        file.group("/labels");
+        file.group("/transceivers");
+        file.texts("/labels/id", std::vector<std::string>{"a", "b\xE2\x80\xAE"});
+        file.texts("/transceivers/id", ids);
+      },
+      "/labels/id, row 2: ", "unprintable character '\\u202e'");
   refused(sizes, "/labels/type", "missing");
   refused(
       [&](Writer& file) {
