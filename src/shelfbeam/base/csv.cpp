@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,7 +12,102 @@
 
 namespace shelfbeam {
 
-CsvReader::CsvReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+namespace {
+
+constexpr std::string_view all_separators = ",;\t";
+
+bool ends_line(char c) {
+  return c == '\n' || c == '\r';
+}
+
+std::string_view first_line(std::string_view text) {
+  return text.substr(0, text.find_first_of("\r\n"));
+}
+
+// The character after "sep=" if this is the whole line, as Excel reads and writes it.
+std::optional<char> stated_separator(std::string_view text) {
+  std::string_view line = first_line(text);
+  if (line.size() > 2 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
+  if (line.size() != 5 || lower_case(line.substr(0, 4)) != "sep=") return std::nullopt;
+  return line.back();
+}
+
+std::string_view without_mark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
+// A number of the form "1.500" or "1,500", which may be one and a half, or 1500 with a thousands separator.
+bool may_be_grouped(std::string_view number) {
+  if (!number.empty() && (number[0] == '+' || number[0] == '-')) number.remove_prefix(1);
+  const std::size_t mark = number.find_first_of(".,");
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return mark != std::string_view::npos && mark >= 1 && mark <= 3 && number[0] != '0' &&
+         number.size() == mark + 4 && std::all_of(number.begin(), number.begin() + mark, is_digit) &&
+         std::all_of(number.begin() + mark + 1, number.end(), is_digit);
+}
+
+std::optional<double> with_decimal_comma(std::string_view field) {
+  const std::size_t comma = field.find(',');
+  if (comma == std::string_view::npos || field.find('.') != std::string_view::npos) return std::nullopt;
+  std::string number(field);
+  number[comma] = '.';
+  return to_number(number);
+}
+
+// Whether the text is a formula for a spreadsheet, possibly behind apostrophes.
+bool is_formula(std::string_view text) {
+  const std::size_t first = text.find_first_not_of('\'');
+  return first != std::string_view::npos &&
+         std::string_view("=+-@\t\r").find(text[first]) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string csv_separators(std::string_view text) {
+  text = without_mark(text);
+  if (const auto stated = stated_separator(text)) return {*stated};
+  std::string found;
+  bool is_quoted = false, has_content = false;
+  char before = ' ';  // the last character that is not a blank
+  const auto is_other = [](char c) { return c == ',' || c == ';' || ends_line(c); };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') is_quoted = !is_quoted;
+    if (!is_quoted && ends_line(c)) {
+      if (has_content) break;
+      before = ' ';
+      continue;
+    }
+    if (!is_quoted && (c == ' ' || c == '\t')) {
+      // Tabs beside other separators are blanks.
+      const std::size_t next = std::min(text.find_first_not_of(" \t", i), text.size());
+      const bool has_tab = text.substr(i, next - i).find('\t') != std::string_view::npos;
+      const bool is_beside = is_other(before) || next == text.size() || is_other(text[next]);
+      if (has_tab && !is_beside && found.find('\t') == std::string::npos) found += '\t';
+      i = next - 1;
+      continue;
+    }
+    has_content = true;
+    if (!is_quoted && (c == ',' || c == ';') && found.find(c) == std::string::npos) found += c;
+    before = c;
+  }
+  return found;
+}
+
+CsvReader::CsvReader(std::string_view text, std::string name, std::optional<char> separator)
+    : text_(without_mark(text)), name_(std::move(name)) {
+  if (is_utf16(text_)) throw InputError(name_, "is UTF-16", save_as_utf8);
+  if (!is_utf8(text_)) throw InputError(name_, "is not UTF-8", save_as_utf8);
+  const std::string separators = csv_separators(text_);
+  separator_ = separator.value_or(separators.empty() ? ',' : separators.front());
+  if (!stated_separator(text_)) return;
+  line_ = 1;
+  if (all_separators.find(separators.front()) == std::string_view::npos)
+    fail(fmt::format("names the unknown separator '{}'", separators), "use a comma, a semicolon or a tab");
+  position_ = first_line(text_).size();
+  end_line();
+}
 
 std::string CsvReader::where() const {
   return fmt::format("{}: line {}", name_, line_);
@@ -38,7 +134,8 @@ std::string_view CsvReader::quoted_field() {
   }
   std::string_view content = text_.substr(begin, position_ - begin);
   ++position_;
-  next_line_ += static_cast<std::size_t>(std::count(content.begin(), content.end(), '\n'));
+  for (std::size_t i = 0; i < content.size(); ++i)
+    if (content[i] == '\n' || (content[i] == '\r' && !content.substr(i + 1).starts_with('\n'))) ++next_line_;
   if (!escaped) return content;
   std::string& plain = unescaped_.emplace_back();
   for (std::size_t i = 0; i < content.size(); ++i) {
@@ -48,56 +145,129 @@ std::string_view CsvReader::quoted_field() {
   return plain;
 }
 
+// Moves behind a line end, if there is one here.
+void CsvReader::end_line() {
+  if (position_ >= text_.size()) return;
+  position_ += text_.substr(position_).starts_with("\r\n") ? 2 : 1;
+  ++next_line_;
+}
+
 bool CsvReader::next() {
+  const std::string_view blanks = separator_ == '\t' ? " " : " \t";
   do {
-    if (position_ >= text_.size()) return false;
+    if (position_ >= text_.size()) {
+      if (grouped_.line == 0 || has_decimals_) return false;
+      line_ = grouped_.line;
+      std::string whole = grouped_.number;
+      std::erase_if(whole, [](char c) { return c == '.' || c == ','; });
+      fail(grouped_.field,
+           fmt::format("is '{}', which may have a thousands separator; no other number of the file decides",
+                       grouped_.number),
+           fmt::format("write '{}' or '{}0'", whole, grouped_.number));
+    }
     line_ = next_line_;
     fields_.clear();
     unescaped_.clear();
     while (true) {
-      const std::size_t content = text_.find_first_not_of(" \t", position_);
-      if (content != std::string_view::npos && text_[content] == '"') {
+      const std::size_t content = text_.find_first_not_of(blanks, position_);
+      const bool is_quoted = content != std::string_view::npos && text_[content] == '"';
+      if (is_quoted) {
         position_ = content;
         fields_.push_back(quoted_field());
-        const std::size_t end = std::min(text_.find_first_of(",\n", position_), text_.size());
-        if (!trim(text_.substr(position_, end - position_)).empty())
-          fail(fields_.size() - 1, "continues after its closing quote", "double the quotes inside the field");
-        position_ = end;
-      } else {
-        const std::size_t end = std::min(text_.find_first_of(",\n", position_), text_.size());
-        fields_.push_back(trim(text_.substr(position_, end - position_)));
-        position_ = end;
       }
+      const std::size_t begin = position_;
+      while (position_ < text_.size() && text_[position_] != separator_ && !ends_line(text_[position_]))
+        ++position_;
+      const std::string_view rest = trim(text_.substr(begin, position_ - begin));
+      if (!is_quoted)
+        fields_.push_back(rest);
+      else if (!rest.empty())
+        fail(fields_.size() - 1, "continues after its closing quote", "double the quotes inside the field");
       if (position_ >= text_.size()) break;
-      if (text_[position_++] == '\n') {
-        ++next_line_;
+      if (ends_line(text_[position_])) {
+        end_line();
         break;
       }
+      ++position_;
     }
-  } while (fields_.size() == 1 && fields_[0].empty());
+  } while (std::all_of(fields_.begin(), fields_.end(), [](std::string_view field) { return field.empty(); }));
   return true;
 }
 
-double CsvReader::number(std::size_t field) const {
-  const auto value = to_number(fields_[field]);
+void CsvReader::expect_fields(std::size_t least, std::size_t most, std::string_view meaning) const {
+  std::size_t count = fields_.size();
+  while (count > most && fields_[count - 1].empty()) --count;
+  if (count >= least && count <= most) return;
+  fail("has " + counted(count, "field"),
+       fmt::format("{} are expected{}{}", count < least ? least : most, meaning,
+                   count > most && separator_ == ','
+                       ? "; numbers with decimal commas need quotes, or semicolons between the fields"
+                       : ""));
+}
+
+bool CsvReader::is_number(std::size_t field) const {
+  return to_number(fields_[field]) || with_decimal_comma(fields_[field]);
+}
+
+void CsvReader::note_mark(std::size_t field, char mark) {
+  Example& same = mark == ',' ? comma_ : point_;
+  const Example& other = mark == ',' ? point_ : comma_;
+  if (other.line != 0)
+    fail(field,
+         fmt::format("is {}, but line {} has {}", in_quotes(fields_[field]), other.line,
+                     in_quotes(other.number)),
+         "use the same decimal mark in the whole file, and no thousands separators");
+  if (same.line == 0) same = {line_, field, std::string(fields_[field])};
+  // Programs that separate by commas write decimal points, spreadsheets that separate by semicolons commas.
+  const bool is_usual = (separator_ == ',' && mark == '.') || (separator_ == ';' && mark == ',');
+  if (is_usual || has_decimals_) return;
+  if (!may_be_grouped(fields_[field]))
+    has_decimals_ = true;
+  else if (grouped_.line == 0)
+    grouped_ = {line_, field, std::string(fields_[field])};
+}
+
+double CsvReader::number(std::size_t field) {
+  const std::string_view content = fields_[field];
+  auto value = to_number(content);
+  if (value) {
+    // In files separated by commas, only the first point matters, unless there are decimal commas.
+    const bool is_searched = separator_ != ',' || point_.line == 0 || comma_.line != 0;
+    if (is_searched && content.find('.') != std::string_view::npos) note_mark(field, '.');
+  } else {
+    value = with_decimal_comma(content);
+    if (value) note_mark(field, ',');
+  }
   if (!value) {
-    if (fields_[field].empty()) fail(field, "is empty", "a number is expected");
-    fail(field, fmt::format("is '{}'", fields_[field].substr(0, 40)), "a number is expected");
+    if (content.empty()) fail(field, "is empty", "a number is expected");
+    const bool is_grouped = content.find_first_not_of("+-0123456789., '") == std::string_view::npos &&
+                            content.find_first_of("0123456789") != std::string_view::npos;
+    fail(field, fmt::format("is {}", in_quotes(content)),
+         is_grouped ? "a number without thousands separators is expected" : "a number is expected");
   }
   if (!std::isfinite(*value))
     fail(field, std::string(amount_problem(std::abs(*value))), "a finite number is expected");
   return *value;
 }
 
-double CsvReader::amount(std::size_t field) const {
+double CsvReader::amount(std::size_t field) {
   const double value = number(field);
   if (value < 0) fail(field, "is negative", "a finite number that is not negative is expected");
   return value;
 }
 
+std::string CsvReader::text(std::size_t field) const {
+  std::string_view text = fields_[field];
+  if (text.starts_with('\'') && is_formula(text)) text.remove_prefix(1);
+  return std::string(text);
+}
+
 std::string CsvReader::id(std::size_t field) const {
-  if (fields_[field].empty()) fail(field, "is empty", "an id is expected");
-  return std::string(fields_[field]);
+  std::string id = text(field);
+  if (id.empty()) fail(field, "is empty", "an id is expected");
+  if (const std::string character = unprintable_character(id); !character.empty())
+    fail(field, fmt::format("has the unprintable character '{}'", character), "remove it from the id");
+  return id;
 }
 
 std::uint32_t CsvIdLookup::read(const CsvReader& csv, std::size_t field) const {
@@ -105,19 +275,25 @@ std::uint32_t CsvIdLookup::read(const CsvReader& csv, std::size_t field) const {
   const auto found = index_.find(id);
   if (found != index_.end()) return found->second;
   const std::string near = nearest(id, known_);
-  csv.fail(field, fmt::format("the matrix has no {} '{}'", kind_, id),
-           near.empty() ? "correct the id or remove the line" : fmt::format("did you mean '{}'?", near));
+  csv.fail(
+      field, fmt::format("the matrix has no {} {}", kind_, in_quotes(id)),
+      near.empty() ? "correct the id or remove the line" : fmt::format("did you mean {}?", in_quotes(near)));
 }
 
-std::string csv_field(std::string_view field) {
-  if (field.find_first_of(",\"\r\n") == std::string_view::npos && trim(field) == field)
-    return std::string(field);
+std::string csv_quoted(std::string_view text) {
   std::string quoted = "\"";
-  for (const char c : field) {
+  for (const char c : text) {
     if (c == '"') quoted += '"';
     quoted += c;
   }
   return quoted + '"';
+}
+
+std::string csv_field(std::string_view text, bool safe) {
+  std::string field(text);
+  if (is_formula(text) && (safe || text.starts_with('\''))) field.insert(0, 1, '\'');
+  const bool is_plain = field.find_first_of(",\"\r\n") == std::string::npos && trim(field) == field;
+  return is_plain ? field : csv_quoted(field);
 }
 
 }  // namespace shelfbeam

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -10,23 +11,34 @@
 
 namespace shelfbeam {
 
-/// Reads comma-separated records (RFC 4180: fields may be quoted, and a quote inside them is doubled). Blanks
-/// around unquoted fields and blank lines are ignored. There is no comment syntax.
+/// Reads records (RFC 4180: fields may be quoted, and a quote inside them is doubled) as spreadsheets write
+/// them. Fields are separated by commas, semicolons or tabs; in the first line either `sep=;` or the first
+/// separator decides. A number has a decimal point or a decimal comma, the same in the whole file. Lines end
+/// with LF, CR LF or CR. Blanks around unquoted fields and records of empty fields are ignored. There is no
+/// comment syntax.
 class CsvReader {
  public:
-  /// Errors name the file as `name`. The text must outlive the reader.
-  CsvReader(std::string_view text, std::string name);
+  /// Errors name the file as `name`. The text must outlive the reader. `separator` overrides the header's.
+  /// Throws InputError for a text that is not UTF-8 and for an unknown separator after `sep=`.
+  CsvReader(std::string_view text, std::string name, std::optional<char> separator = {});
 
-  /// Moves to the next record; false at the end.
+  /// Moves to the next record; false at the end. Throws InputError at the end if no number has shown whether
+  /// "1.500" is a decimal or has a thousands separator.
   bool next();
   /// The current record; valid until `next`.
   const std::vector<std::string_view>& fields() const { return fields_; }
+  /// Throws InputError unless the record has `least` to `most` fields; further empty fields do not count.
+  /// `meaning` completes "3 are expected".
+  void expect_fields(std::size_t least, std::size_t most, std::string_view meaning = {}) const;
 
+  bool is_number(std::size_t field) const;
   /// The field as a number; throws InputError unless it is finite.
-  double number(std::size_t field) const;
+  double number(std::size_t field);
   /// The field as a number; throws InputError unless it is finite and not negative.
-  double amount(std::size_t field) const;
-  /// The field as an id; throws InputError when it is empty.
+  double amount(std::size_t field);
+  /// The field as text: the text that `csv_field` was given.
+  std::string text(std::size_t field) const;
+  /// The field as an id; throws InputError when it is empty or has an unprintable character.
   std::string id(std::size_t field) const;
 
   /// "file: line 3" for errors.
@@ -36,16 +48,32 @@ class CsvReader {
   [[noreturn]] void fail(std::size_t field, const std::string& problem, const std::string& suggestion) const;
 
  private:
+  /// The first number of a kind.
+  struct Example {
+    std::size_t line = 0, field = 0;  ///< line 0: there is none
+    std::string number;
+  };
+
   std::string_view quoted_field();
+  void end_line();
+  void note_mark(std::size_t field, char mark);
 
   std::string_view text_;
   std::string name_;
+  char separator_ = ',';
   std::size_t position_ = 0;
   std::size_t line_ = 0;       ///< of the current record's beginning, from 1
   std::size_t next_line_ = 1;  ///< of `position_`
   std::vector<std::string_view> fields_;
   std::deque<std::string> unescaped_;  ///< fields that had doubled quotes
+  Example point_, comma_;              ///< numbers with these decimal marks
+  Example grouped_;                    ///< a number whose mark may separate thousands
+  bool has_decimals_ = false;          ///< whether another number shows that it does not
 };
+
+/// The characters that may separate the fields of a text: that of its line `sep=;`, or those in its first
+/// record outside quotes, in their order.
+std::string csv_separators(std::string_view text);
 
 /// Looks up the items that a CSV file names by their ids.
 class CsvIdLookup {
@@ -67,7 +95,13 @@ class CsvIdLookup {
   std::unordered_map<std::string_view, std::uint32_t> index_;
 };
 
-/// `field` in the form for a CSV file: quoted if it would otherwise be read back differently.
-std::string csv_field(std::string_view field);
+/// `text` in the form for a CSV file: quoted if it would otherwise be read back differently. Spreadsheets
+/// take a text that begins with one of = + - @, tab and CR for a formula; with `safe`, an apostrophe before
+/// it prevents that. A text with apostrophes before a formula has one more in any case, so that
+/// CsvReader::text restores every text.
+std::string csv_field(std::string_view text, bool safe = false);
+
+/// `text` in quotes.
+std::string csv_quoted(std::string_view text);
 
 }  // namespace shelfbeam

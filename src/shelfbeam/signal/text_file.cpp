@@ -12,6 +12,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam::detail {
 namespace fs = std::filesystem;
@@ -80,6 +81,7 @@ std::string read_text_file(const fs::path& path, std::size_t max_bytes) {
   }
   text.resize(size);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  if (is_utf16(text)) throw InputError(path.string(), "is UTF-16", save_as_utf8);
   check_is_text(path, text);
   return text;
 }

@@ -208,7 +208,11 @@ TEST_F(StoreCsv, ErrorsNameFileAndLine) {
       {head + "L1,5,2,1,0,0,0,large\n", ": line 2", "zero"},
       {head + "L1,5,2,1,0,0,1,big\n", ": line 2", "'big'"},
       {head + ",5,2,1,0,0,1,large\n", ": line 2, field 1", "is empty"},
-      {head + "a\tb,5,2,1,0,0,1,large\n", ": line 2: id", "unprintable character"},
+      {head + "a\tb,5,2,1,0,0,1,large\n", ": line 2, field 1", "unprintable character '\\x09'"},
+      {head + "a\xE2\x80\xAE"
+              "b,5,2,1,0,0,1,large\n",
+       ": line 2, field 1", "unprintable character '\\u202e'"},
+      {head + "L1,5,2,1,0,0,1,large,7\n", ": line 2", "9 fields"},
       {head + "L1,5,2,1e9,0,0,1,large\n", ": line 2", "10 km"},
       {head + "L1,5,2,9,0,0,1,large\n", ": line 2", "'L1' at (5, 2, 9)"},
       {head + "L1,5,2,1,0,0,1,large\nL1,5,2,2,0,0,1,large\n", ": line 3", file + ": line 2"},

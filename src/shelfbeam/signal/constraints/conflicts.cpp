@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/signal/text_file.hpp"
 
@@ -38,7 +39,8 @@ void add_conflicts(SignalTable& table, double metres, const std::string& name) {
   const auto& units = table.transceivers;
   for (const SignalTable::Transceiver& unit : units)
     if (!unit.position)
-      throw InputError(name, fmt::format("has no position of '{}', so distances are unknown", unit.id),
+      throw InputError(name,
+                       fmt::format("has no position of {}, so distances are unknown", in_quotes(unit.id)),
                        "use a signal file (HDF5), or name the pairs to forbid", Setting::forbidden_pairs);
   const std::vector<std::size_t> point = points_of(table);
   const double min_distance = metres - position_tolerance;
@@ -71,13 +73,14 @@ void forbid_pairs(SignalTable& table, const std::filesystem::path& path) {
 
   const CsvIdLookup columns(table.transceivers, "transceiver");
   while (csv.next()) {
-    if (csv.fields().size() != 2)
-      csv.fail(fmt::format("has {} fields", csv.fields().size()), "2 are expected");
+    csv.expect_fields(2, 2);
     const std::uint32_t a = columns.read(csv, 0), b = columns.read(csv, 1);
-    if (a == b) csv.fail(fmt::format("names '{}' twice", csv.id(0)), "name two different transceivers");
+    if (a == b)
+      csv.fail(fmt::format("names {} twice", in_quotes(csv.id(0))), "name two different transceivers");
     if (table.transceivers[a].installed && table.transceivers[b].installed)
-      csv.fail(fmt::format("'{}' and '{}' are both already installed", csv.id(0), csv.id(1)),
-               "remove the line, or one of the two units from 'installed'");
+      csv.fail(
+          fmt::format("{} and {} are both already installed", in_quotes(csv.id(0)), in_quotes(csv.id(1))),
+          "remove the line, or one of the two units from 'installed'");
     table.conflicts.emplace_back(std::min(a, b), std::max(a, b));
   }
   order(table.conflicts);

@@ -32,11 +32,11 @@ Fields read_header(CsvReader& csv) {
     const auto* known = std::find(columns.begin(), columns.end(), name);
     if (known == columns.end()) {
       const std::string near = nearest(name, columns);
-      csv.fail(k, fmt::format("is the unknown column '{}'", name.substr(0, 40)),
+      csv.fail(k, fmt::format("is the unknown column {}", in_quotes(name)),
                near.empty() ? expected : fmt::format("did you mean '{}'?", near));
     }
     auto& field = fields[static_cast<std::size_t>(known - columns.begin())];
-    if (field) csv.fail(k, fmt::format("is the duplicate column '{}'", name), "remove one of them");
+    if (field) csv.fail(k, fmt::format("is the duplicate column {}", in_quotes(name)), "remove one of them");
     field = k;
   }
   if (!fields[0] || !fields[2]) csv.fail("is missing the column 'label' or 'signal'", expected);
@@ -57,8 +57,7 @@ Measurements read_measurements(const std::filesystem::path& path, const SignalMa
   result.has_errors = error.has_value();
   std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
   while (csv.next()) {
-    if (csv.fields().size() != width)
-      csv.fail(fmt::format("has {} fields", csv.fields().size()), fmt::format("{} are expected", width));
+    csv.expect_fields(width, width);
     Measurement one;
     one.label = labels.read(csv, *label);
     if (transceiver) one.transceiver = transceivers.read(csv, *transceiver);
@@ -71,9 +70,10 @@ Measurements read_measurements(const std::filesystem::path& path, const SignalMa
     }
     const bool is_new = seen.emplace(one.label, one.transceiver.value_or(0)).second;
     if (!is_new) {
-      const std::string pair =
-          transceiver ? fmt::format("label '{}' and transceiver '{}'", csv.id(*label), csv.id(*transceiver))
-                      : fmt::format("label '{}'", csv.id(*label));
+      const std::string pair = transceiver
+                                   ? fmt::format("label {} and transceiver {}", in_quotes(csv.id(*label)),
+                                                 in_quotes(csv.id(*transceiver)))
+                                   : fmt::format("label {}", in_quotes(csv.id(*label)));
       csv.fail(fmt::format("is a duplicate of {}", pair), "average repeated measurements");
     }
     result.values.push_back(one);

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <unordered_set>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/tables/formats.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
@@ -14,11 +16,9 @@ namespace shelfbeam::detail {
 
 namespace {
 
-void read_row(SignalTable& table, const CsvReader& csv, std::size_t first_value) {
+void read_row(SignalTable& table, CsvReader& csv, std::size_t first_value) {
   const std::size_t expected = first_value + table.columns();
-  if (csv.fields().size() != expected)
-    csv.fail(fmt::format("has {} fields", csv.fields().size()),
-             fmt::format("{} are expected, one value for each transceiver", expected));
+  csv.expect_fields(expected, expected, ", one value for each transceiver");
   for (std::size_t j = 0; j < table.columns(); ++j)
     if (const double value = csv.amount(first_value + j); value > 0)
       table.entries.push_back({static_cast<std::uint32_t>(j), value});
@@ -34,13 +34,17 @@ void read_plain_rows(SignalTable& table, CsvReader& csv) {
 }
 
 void read_rows_with_ids(SignalTable& table, CsvReader& csv) {
-  const std::vector<std::string> header(csv.fields().begin(), csv.fields().end());
+  std::vector<std::string> header;
+  for (std::size_t j = 0; j < csv.fields().size(); ++j) header.push_back(csv.text(j));
   if (!csv.next()) csv.fail("is a header without rows", "add a row for every label");
   // The header may or may not have a field above the ids of the labels.
   const std::size_t corner = csv.fields().size() == header.size() + 1 ? 0 : 1;
   for (std::size_t j = corner; j < header.size(); ++j) {
     if (header[j].empty())
       csv.fail(fmt::format("the header's field {} is empty", j + 1), "give every transceiver an id");
+    if (const std::string character = unprintable_character(header[j]); !character.empty())
+      csv.fail(fmt::format("the header's field {} has the unprintable character '{}'", j + 1, character),
+               "remove it from the id");
     table.transceivers.push_back({.id = header[j]});
   }
   if (table.transceivers.empty()) csv.fail("the header has no transceivers", "add a column for each");
@@ -50,6 +54,36 @@ void read_rows_with_ids(SignalTable& table, CsvReader& csv) {
   } while (csv.next());
 }
 
+// Whether this separator splits the first two records into a header and a row, or into rows, of a matrix.
+bool separates(std::string_view text, const std::string& name, char separator) {
+  CsvReader csv(text, name, separator);
+  if (!csv.next()) return false;
+  const auto has_numbers_from = [&](std::size_t first) {
+    for (std::size_t j = first; j < csv.fields().size(); ++j)
+      if (!csv.is_number(j)) return false;
+    return csv.fields().size() > first;
+  };
+  if (csv.is_number(0)) return has_numbers_from(0);
+  const std::size_t header = csv.fields().size();
+  return csv.next() && (csv.fields().size() == header || csv.fields().size() == header + 1) &&
+         has_numbers_from(1);
+}
+
+// The ids in a header may contain further separators.
+std::optional<char> separator_of(std::string_view text, const std::string& name) {
+  const std::string separators = csv_separators(text);
+  if (separators.size() < 2) return std::nullopt;
+  std::string fitting;
+  for (const char separator : separators)
+    if (separates(text, name, separator)) fitting += separator;
+  if (fitting.size() > 1)
+    throw InputError(name + ": line 1", "may be separated by more than one of comma, semicolon and tab",
+                     "put the ids in quotes, or begin the file with a line like 'sep=;'");
+  // If the first rows are wrong, reports the error with the old separator.
+  if (!fitting.empty()) return fitting.front();
+  return separators.find(',') != std::string::npos ? ',' : separators.front();
+}
+
 // Calls apply(row, field) for every line after the header, with the element of `rows` that has its id.
 template <class Rows, class Apply>
 void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Apply& apply) {
@@ -57,11 +91,11 @@ void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Appl
   const CsvIdLookup ids(rows, kind);
   std::unordered_set<std::uint32_t> seen;
   while (csv.next()) {
-    if (csv.fields().size() != width)
-      csv.fail(fmt::format("has {} fields", csv.fields().size()), fmt::format("{} are expected", width));
+    csv.expect_fields(width, width);
     const std::uint32_t row = ids.read(csv, 0);
     if (!seen.insert(row).second)
-      csv.fail(0, fmt::format("is the duplicate {} '{}'", kind, csv.id(0)), "remove one of the lines");
+      csv.fail(0, fmt::format("is the duplicate {} {}", kind, in_quotes(csv.id(0))),
+               "remove one of the lines");
     for (std::size_t field = 1; field < width; ++field) apply(rows[row], field);
   }
 }
@@ -69,14 +103,14 @@ void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Appl
 }  // namespace
 
 SignalTable read_csv_table(std::string_view text, const std::string& name) {
-  CsvReader csv(text, name);
+  CsvReader csv(text, name, separator_of(text, name));
   SignalTable table;
   table.row_begin = {0};
   if (!csv.next()) csv.fail("is empty", "name a file with a signal matrix");
   if (csv.fields()[0].starts_with('#'))
     csv.fail("is a comment; a matrix file cannot contain comments", "remove the line");
   // The first field of a header is not a number: it is an id or the title of the ids.
-  if (to_number(csv.fields()[0]))
+  if (csv.is_number(0))
     read_plain_rows(table, csv);
   else
     read_rows_with_ids(table, csv);
@@ -98,11 +132,11 @@ void apply_costs(SignalTable& table, const std::filesystem::path& path) {
     const bool known =
         i == 0 ? header[i] == "id" : std::find(costs.begin(), costs.end(), header[i]) != costs.end();
     if (!known)
-      csv.fail(i, fmt::format("is the unknown column '{}'", header[i]),
+      csv.fail(i, fmt::format("is the unknown column {}", in_quotes(header[i])),
                "the first line must be 'id,cost' or 'id,link_cost,signal_cost'");
     if (std::find(header.begin(), header.begin() + static_cast<std::ptrdiff_t>(i), header[i]) !=
         header.begin() + static_cast<std::ptrdiff_t>(i))
-      csv.fail(i, fmt::format("is the duplicate column '{}'", header[i]), "remove one of them");
+      csv.fail(i, fmt::format("is the duplicate column {}", in_quotes(header[i])), "remove one of them");
   }
   const bool of_transceivers = std::find(header.begin(), header.end(), "cost") != header.end();
   if (header.size() < 2 || (of_transceivers && header.size() > 2))

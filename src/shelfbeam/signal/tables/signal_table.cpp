@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
@@ -24,10 +25,10 @@ void expect_one_installed(const SignalTable& table, const std::string& name) {
       const SignalTable::Transceiver& unit = table.transceivers[j];
       if (!unit.installed) continue;
       if (installed != nullptr)
-        throw InputError(
-            name + ": /transceivers/installed",
-            fmt::format("'{}' and '{}' are installed at the same mounting point", installed->id, unit.id),
-            "keep one of them in the store, and simulate it again");
+        throw InputError(name + ": /transceivers/installed",
+                         fmt::format("{} and {} are installed at the same mounting point",
+                                     in_quotes(installed->id), in_quotes(unit.id)),
+                         "keep one of them in the store, and simulate it again");
       installed = &unit;
     }
   }
@@ -39,16 +40,17 @@ void check_unique(const Rows& rows, std::string_view kind, const std::string& na
   seen.reserve(rows.size());
   for (const auto& row : rows)
     if (!seen.insert(row.id).second)
-      throw InputError(name, fmt::format("has the duplicate {} id '{}'", kind, row.id), "make ids unique");
+      throw InputError(name, fmt::format("has the duplicate {} id {}", kind, in_quotes(row.id)),
+                       "make ids unique");
 }
 
 // The first line determines the format: "m n g" is sparse text, "m n" is OR-Library, and anything else is
-// CSV, which has commas unless it has a single column.
+// CSV, which has separators unless it has a single column.
 SignalTable read_text_table(std::string_view text, const std::string& name) {
   const std::string_view content = trim(text);
   if (content.empty()) throw InputError(name, "is empty", "name a file with a signal matrix");
-  const std::string_view first_line = trim(content.substr(0, content.find('\n')));
-  if (first_line.find(',') != std::string_view::npos) return detail::read_csv_table(text, name);
+  const std::string_view first_line = trim(content.substr(0, content.find_first_of("\r\n")));
+  if (first_line.find_first_of(",;") != std::string_view::npos) return detail::read_csv_table(text, name);
 
   std::size_t words = 0, numbers = 0;
   for (const std::string_view word : split(first_line, ' ')) {
@@ -62,9 +64,11 @@ SignalTable read_text_table(std::string_view text, const std::string& name) {
     if (words == 2) return detail::read_or_library(text, name);
     if (words == 3) return detail::read_sparse_text(text, name);
   }
+  if (csv_separators(first_line) == "\t") return detail::read_csv_table(text, name);
   throw InputError(name + ": line 1",
-                   fmt::format("'{}' does not begin a known matrix format", first_line.substr(0, 60)),
-                   "CSV (separated by commas), sparse text ('m n g') and OR-Library ('m n') are supported");
+                   fmt::format("{} does not begin a known matrix format", in_quotes(first_line)),
+                   "CSV (separated by commas, semicolons or tabs), sparse text ('m n g') and OR-Library ('m "
+                   "n') are supported");
 }
 
 }  // namespace

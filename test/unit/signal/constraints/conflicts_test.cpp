@@ -86,7 +86,7 @@ TEST(Conflicts, RefusesBrokenFilesWithPosition) {
   };
   refused("", "empty", "'a,b'");
   refused("b,a\n", "line 1", "'a,b'");
-  refused("a,b\nG1-0-0\n", "line 2", "1 fields");
+  refused("a,b\nG1-0-0\n", "line 2", "1 field");
   refused("a,b\nG1-0-0,G1-1-0\nG1-0-0,G1-1-1\n", "line 3", "'G1-1-1'");
   refused("a,b\nG1-0-0,\n", "line 2", "");
   refused("a,b\nG1-2-0,G1-4-0\n", "line 2", "installed");

@@ -34,6 +34,16 @@ TEST(Measurements, OfPairs) {
   EXPECT_EQ(read.values[2].signal, 0);
 }
 
+TEST(Measurements, FromEuropeanSpreadsheets) {
+  const TempFolder folder;
+  const Measurements read = read_measurements(
+      folder.write("m.csv",
+                   "\xEF\xBB\xBFsep=;\r\nlabel;transceiver;signal\r\nA1-front-2;G1-0-0;-0,002\r\n;;\r\n"),
+      test::small_matrix());
+  ASSERT_EQ(read.values.size(), 1u);
+  EXPECT_EQ(read.values[0].signal, -2e-3);
+}
+
 TEST(Measurements, OfSeveralUnits) {
   const TempFolder folder;
   SignalMatrix matrix = test::small_matrix();

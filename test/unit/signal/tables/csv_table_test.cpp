@@ -16,13 +16,13 @@ SignalTable read(std::string_view content) {
 }
 
 TEST(CsvTable, ReadsIdsAndQuotes) {
-  const auto table = read("label,\"T,1\",\"a \"\"b\"\"\", T3 \r\nL1, 0.5 ,0,1e-3\r\n\"two\nlines\",+1,2,3\n");
+  const auto table = read("label,\"T,1\",\"a \"\"b\"\"\", T3 \r\nL1, 0.5 ,0,1e-3\r\n\"two words\",+1,2,3\n");
   ASSERT_EQ(table.columns(), 3u);
   EXPECT_EQ(table.transceivers[0].id, "T,1");
   EXPECT_EQ(table.transceivers[1].id, "a \"b\"");
   EXPECT_EQ(table.transceivers[2].id, "T3");
   ASSERT_EQ(table.rows(), 2u);
-  EXPECT_EQ(table.labels[1].id, "two\nlines");
+  EXPECT_EQ(table.labels[1].id, "two words");
   EXPECT_EQ(table.labels[0].requirement, 0) << "CSV has no requirement";
   ASSERT_EQ(table.row(0).size(), 2u);
   EXPECT_EQ(table.row(0)[1].transceiver, 2u);
@@ -53,6 +53,32 @@ TEST(CsvTable, ReadsPlainNumbers) {
   EXPECT_EQ(read("0.5\n0.25\n").rows(), 2u) << "a single column has no comma";
 }
 
+TEST(CsvTable, ReadsEuropeanSpreadsheets) {
+  const SignalTable expected = read("label,T1,\"north, 3\"\nL1,0.5,0.25\nL2,0,1e-3\n");
+  for (const std::string_view text :
+       {"label;T1;north, 3\r\nL1;0,5;0,25\r\nL2;0;1E-03\r\n",
+        "label\tT1\tnorth, 3\rL1\t0,5\t0,25\rL2\t0\t0,001\r",
+        "sep=;\nlabel;T1;\"north, 3\"\nL1;0.5;0.25\nL2;0;1e-3\n", "T1;north, 3\nL1;0,5;0,25\nL2;0;0,001\n",
+        "label,T1,\"north, 3\"\nL1,\"0,5\",\"0,25\"\nL2,0,\"0,001\"\n"}) {
+    const SignalTable table = read(text);
+    ASSERT_EQ(table.columns(), 2u) << text;
+    EXPECT_EQ(table.transceivers[1].id, "north, 3") << text;
+    ASSERT_EQ(table.rows(), 2u) << text;
+    EXPECT_EQ(table.row(0)[0].signal, expected.row(0)[0].signal) << text;
+    EXPECT_EQ(table.row(0)[1].signal, expected.row(0)[1].signal) << text;
+    EXPECT_EQ(table.row(1)[0].signal, expected.row(1)[0].signal) << text;
+  }
+  const SignalTable plain = read("0,5;0,25;3\n1;2;0\n");
+  ASSERT_EQ(plain.columns(), 3u);
+  EXPECT_EQ(plain.row(0)[1].signal, 0.25);
+  EXPECT_EQ(read("1\t2\t3\t4\n").columns(), 4u);
+  EXPECT_EQ(read("1,5\t2\n").row(0)[0].signal, 1.5);
+  // A comma separates wherever only the ids have other separators.
+  const SignalTable ids = read("label;x,T;1,T2\nL;1,0.5,0.25\n");
+  EXPECT_EQ(ids.labels[0].id, "L;1");
+  EXPECT_EQ(ids.transceivers[0].id, "T;1");
+}
+
 TEST(CsvTable, BrokenFilesAreRefusedWithPosition) {
   const struct {
     std::string_view text, place, problem;
@@ -69,6 +95,14 @@ TEST(CsvTable, BrokenFilesAreRefusedWithPosition) {
       {"id,T1\n", "line 1", "header"},
       {"id,T1\n\"L1,1\n", "line 2, field 1", "quote"},
       {"id,T1\n\"L1\"x,1\n", "line 2, field 1", "after its closing quote"},
+      {"id,T1\n\"two\nlines\",1\n", "line 2, field 1", "unprintable character '\\n'"},
+      {"id,T\xE2\x80\xAE"
+       "1\nL1,1\n",
+       "line 2", "field 2 has the unprintable character '\\u202e'"},
+      {"id,T1,T2\nL1,0,5,0,25\n", "line 2", "5 fields; 3 are expected"},
+      {"id,T1,T2\nL1,0,5,0,25\n", "", "decimal commas"},
+      {"id;a,T\nL;1,5\n", "line 1", "sep=;"},
+      {"id;T1;T2\nL1;0,5;0.25\n", "line 2, field 3", "'0,5'"},
       {"# from a spreadsheet, 2024\n1,2,3\n", "line 1", "comment"},
   };
   for (const auto& [text, place, problem] : all)

@@ -90,7 +90,7 @@ TEST(Costs, BrokenFilesAreRefusedWithPosition) {
   refused("id,cost,cost\nG1-0-0,1,1\n", "line 1, field 3", "'cost'");
   refused("id,cost\nG1-0-0,1\nG1-0-0,1\n", "line 3, field 1", "'G1-0-0'");
   refused("id,cost\nG1-0-0,-1\n", "line 2, field 2", "negative");
-  refused("id,cost\nG1-0-0\n", "line 2", "1 fields");
+  refused("id,cost\nG1-0-0\n", "line 2", "1 field");
 }
 
 TEST(Requirement, IsSetOnEveryLabel) {

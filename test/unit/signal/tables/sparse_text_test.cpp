@@ -67,7 +67,8 @@ TEST(AnyText, OtherContentIsRefused) {
   };
   refused("", "empty");
   refused(" \n\r\n\t", "empty");
-  refused("0.1;0.2\n0.3;0.4\n", "'0.1;0.2'");
+  refused("0.1|0.2\n0.3|0.4\n", "'0.1|0.2'");
+  refused(std::string_view("\xFF\xFEi\0d\0", 6), "is UTF-16; save it as UTF-8");
   refused("0.1 0.2 0.3 0.4\n", "'0.1 0.2 0.3 0.4'");
   refused(std::string_view("1 2 3\n\0\1", 8), "HDF5");
   refused("\x89HDF\r\n\x1a", "HDF5");

@@ -1,0 +1,170 @@
+#include "shelfbeam/base/csv.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using namespace std::string_literals;
+
+using Rows = std::vector<std::vector<std::string>>;
+
+Rows rows_of(const std::string& text) {
+  CsvReader csv(text, "f.csv");
+  Rows rows;
+  while (csv.next()) rows.emplace_back(csv.fields().begin(), csv.fields().end());
+  return rows;
+}
+
+// The numbers of all records after the first.
+std::vector<double> numbers_of(const std::string& text) {
+  CsvReader csv(text, "f.csv");
+  std::vector<double> numbers;
+  csv.next();
+  while (csv.next())
+    for (std::size_t k = 0; k < csv.fields().size(); ++k) numbers.push_back(csv.number(k));
+  return numbers;
+}
+
+void expect_refused(const std::string& text, const std::vector<std::string>& parts) {
+  const std::string message = test::input_error([&] { numbers_of(text); });
+  EXPECT_TRUE(message.starts_with("f.csv")) << text << ": " << message;
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << text << ": '" << part << "' is not in: " << message;
+}
+
+TEST(Csv, SeparatorsBomAndLineEndsMakeNoDifference) {
+  const Rows expected{{"id", "x", "note"}, {"a", "1.5", ""}, {"b c", "2", "\"q\""}};
+  const std::string bom = "\xEF\xBB\xBF";
+  for (const std::string separator : {",", ";", "\t"})
+    for (const std::string end : {"\n", "\r\n", "\r"})
+      for (const std::string& begin :
+           {""s, bom, "sep=" + separator + end, bom + "\"sep=" + separator + "\"" + end}) {
+        std::string text = begin;
+        for (const std::string& line :
+             {"id" + separator + "x" + separator + "note", "a " + separator + " 1.5" + separator, ""s,
+              separator + separator + separator, "\"b c\"" + separator + "2" + separator + "\"\"\"q\"\"\""})
+          text += line + end;
+        EXPECT_EQ(rows_of(text), expected) << testing::PrintToString(text);
+      }
+  EXPECT_EQ(rows_of("id,x\na;b,\"c;d\"\n"), (Rows{{"id", "x"}, {"a;b", "c;d"}})) << "the header decides";
+  EXPECT_EQ(rows_of("id;x\n\"a,b\";c,d\n"), (Rows{{"id", "x"}, {"a,b", "c,d"}}));
+  EXPECT_EQ(rows_of("id \t,\tx\na,b\n"), (Rows{{"id", "x"}, {"a", "b"}})) << "tabs as blanks";
+  EXPECT_EQ(rows_of("a b\n1 2\n"), (Rows{{"a b"}, {"1 2"}})) << "a single column";
+}
+
+TEST(Csv, LinesAreCountedWithAllLineEnds) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    expect_refused("a;b" + end + "1;2" + end + "1;x" + end, {"line 3, field 2", "'x'"});
+    const std::string quoted = "sep=;" + end + "a;b" + end + end + "1;\"2" + end + "\"" + end + "x;\"2";
+    EXPECT_EQ(test::input_error([&] { rows_of(quoted); }),
+              "f.csv: line 6, field 2: has an unclosed quote; close it with '\"'");
+  }
+}
+
+TEST(Csv, ReadsDecimalCommas) {
+  const std::vector<double> expected{1.5, -0.25, 1e-3, 1200};
+  EXPECT_EQ(numbers_of("a;b;c;d\n1,5;-0,25;1,0e-3;1200\n"), expected);
+  EXPECT_EQ(numbers_of("a\tb\tc\td\n1,5\t-,25\t1E-03\t+1200\n"), expected);
+  EXPECT_EQ(numbers_of("a;b;c;d\n1.5;-0.25;1e-3;1200\n"), expected);
+  EXPECT_EQ(numbers_of("a,b,c,d\n\"1,5\",\"-0,25\",1e-3,1200\n"), expected);
+  EXPECT_EQ(numbers_of("a;b\n1,500;2,125\n"), (std::vector<double>{1.5, 2.125}))
+      << "the decimal comma of spreadsheets that separate by semicolons";
+  EXPECT_EQ(numbers_of("a,b\n1.500,2.125\n"), (std::vector<double>{1.5, 2.125}));
+  EXPECT_EQ(numbers_of("a;b\n1.500;0.125\n"), (std::vector<double>{1.5, 0.125})) << "0.125 decides";
+  EXPECT_EQ(numbers_of("a;b\n1.500;2.12\n"), (std::vector<double>{1.5, 2.12}));
+}
+
+TEST(Csv, RefusesAmbiguousNumbers) {
+  expect_refused("a;b\n1;1.234,5\n", {"line 2, field 2", "'1.234,5'", "thousands"});
+  expect_refused("a;b\n1;1.234.567\n", {"'1.234.567'", "thousands"});
+  expect_refused("a;b\n1;1 234,5\n", {"'1 234,5'", "thousands"});
+  expect_refused("a;b\n1;2,5\n3;2.5\n", {"line 3, field 2", "'2.5'", "line 2", "'2,5'"});
+  expect_refused("a;b\n1;2.5\n3;2,5\n", {"line 3, field 2", "'2,5'", "line 2", "'2.5'"});
+  expect_refused("a,b\n1,2.5\n3,\"2,5\"\n", {"line 3, field 2", "line 2"});
+  expect_refused("a,b\n1,\"2,5\"\n3,2.5\n", {"line 3, field 2", "line 2"});
+  expect_refused("a;b\n1;2\n3;1.500\n4;-2.125\n", {"line 3, field 2", "'1.500'", "'1500' or '1.5000'"});
+  expect_refused("a\tb\n1\t\"1,500\"\n", {"line 2, field 2", "'1,500'"});
+  expect_refused("a,b\n1,\"1,500\"\n", {"line 2, field 2", "'1,500'"});
+  expect_refused("a;b\n1;2,5x\n", {"'2,5x'", "a number is expected"});
+  expect_refused("a;b\n1;,\n", {"','"});
+  EXPECT_EQ(test::input_error([] { numbers_of("a;b\n1;2,5x\n"); }).find("thousands"), std::string::npos);
+}
+
+TEST(Csv, CountsFields) {
+  const auto read = [](const std::string& text) {
+    CsvReader csv(text, "f.csv");
+    csv.next();
+    csv.expect_fields(2, 3, ", at least");
+    return csv.fields().size();
+  };
+  EXPECT_EQ(read("1,2"), 2u);
+  EXPECT_EQ(read("1,2,3,,"), 5u) << "empty fields at the end";
+  EXPECT_EQ(test::input_error([&] { read("1"); }), "f.csv: line 1: has 1 field; 2 are expected, at least");
+  const std::string many = test::input_error([&] { read("1,5,2,5"); });
+  EXPECT_NE(many.find("has 4 fields; 3 are expected, at least; numbers with decimal commas"),
+            std::string::npos);
+  EXPECT_EQ(test::input_error([&] { read("1;5;2;5"); }).find("decimal"), std::string::npos);
+}
+
+TEST(Csv, RefusesOtherEncodingsAndSeparators) {
+  const auto refused = [](const std::string& text, const std::string& part) {
+    const std::string message = test::input_error([&] { rows_of(text); });
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  refused("\xFF\xFEi\0d\0"s, "is UTF-16; save it as UTF-8");
+  refused("\xFE\xFF\0i\0d"s, "is UTF-16");
+  refused("i\0d\0"s, "is UTF-16");
+  refused("id\nK\xFChltruhe\n", "is not UTF-8");
+  refused("sep=|\nid|x\n", "line 1: names the unknown separator '|'");
+  EXPECT_EQ(rows_of("sep=;;\n"), (Rows{{"sep=", "", ""}})) << "not a statement";
+}
+
+TEST(Csv, IdsArePrintable) {
+  const auto id = [](const std::string& text) {
+    CsvReader csv(text, "f.csv");
+    csv.next();
+    return csv.id(0);
+  };
+  EXPECT_EQ(id("Kühlregal 3,x"), "Kühlregal 3");
+  const std::vector<std::string> bad{"a\x1B[31m", "a\nb",
+                                     "a\xE2\x80\xAE"
+                                     "b",
+                                     "\xE2\x80\x8B", "a\xC2\x85"};
+  for (const std::string& text : bad)
+    EXPECT_NE(
+        test::input_error([&] { id("\"" + text + "\""); }).find("field 1: has the unprintable character"),
+        std::string::npos)
+        << text;
+}
+
+// Plain and safe files restore every text.
+TEST(Csv, FormulasSurviveTheRoundTrip) {
+  const std::vector<std::string> texts{"=1+1", "+x",    "-1",        "@SUM(A1)", "'=1", "''=1", "'",
+                                       "''",   "'t",    "'t, hooft", "=a,\"b\"", "a=b", "-\"'", "\"",
+                                       "a",    "'-a,b", "=\"x\"",    "é",        "a;b", "'@",   "' =1"};
+  for (const bool safe : {false, true})
+    for (const std::string& text : texts) {
+      const std::string line = "id," + csv_field(text, safe) + ",end\n";
+      CsvReader csv(line, "f.csv");
+      ASSERT_TRUE(csv.next()) << text;
+      EXPECT_EQ(csv.text(1), text) << line;
+      // As a spreadsheet unquotes it.
+      const std::string_view cell = csv.fields()[1];
+      EXPECT_TRUE(!safe || cell.find_first_of("=+-@") != 0) << line;
+    }
+  EXPECT_EQ(csv_field("=1+1"), "=1+1");
+  EXPECT_EQ(csv_field("=1+1", true), "'=1+1");
+  EXPECT_EQ(csv_field("=a,b", true), "\"'=a,b\"");
+  EXPECT_EQ(csv_field("A-1", true), "A-1");
+  EXPECT_EQ(csv_field("'t", true), "'t");
+}
+
+}  // namespace
+}  // namespace shelfbeam
