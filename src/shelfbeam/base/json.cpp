@@ -132,13 +132,34 @@ Node parse_strictly(std::string_view text, const std::string& name) {
 
 }  // namespace
 
-JsonCursor::JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path)
-    : document_(std::move(document)), node_(node), path_(std::move(path)) {}
+double to_metres(double length, LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::mm:
+      return length / 1000;
+    case LengthUnit::cm:
+      return length / 100;
+    case LengthUnit::ft:
+      return length * 381 / 1250;
+    case LengthUnit::in:
+      return length * 127 / 5000;
+    case LengthUnit::m:
+      break;
+  }
+  return length;
+}
+
+JsonCursor::JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path,
+                       LengthUnit unit)
+    : document_(std::move(document)), node_(node), path_(std::move(path)), unit_(unit) {}
+
+JsonCursor JsonCursor::with_unit(LengthUnit unit) const {
+  return {document_, node_, path_, unit};
+}
 
 JsonCursor JsonCursor::parse(std::string_view text, const std::string& name) {
   auto document = std::make_shared<const Document>(Document{name, parse_strictly(text, name)});
   const void* root = &document->root;
-  return {std::move(document), root, ""};
+  return {std::move(document), root, "", LengthUnit::m};
 }
 
 JsonCursor JsonCursor::parse_file(const std::filesystem::path& path) {
@@ -184,7 +205,8 @@ std::optional<JsonCursor> JsonCursor::find(std::string_view key) const {
   const auto found = as_node(node_).find(std::string(key));
   if (found == as_node(node_).end()) return std::nullopt;
   std::string name = shortened(key, longest_name);
-  return JsonCursor(document_, &*found, path_.empty() ? std::move(name) : fmt::format("{}.{}", path_, name));
+  return JsonCursor(document_, &*found, path_.empty() ? std::move(name) : fmt::format("{}.{}", path_, name),
+                    unit_);
 }
 
 JsonCursor JsonCursor::operator[](std::string_view key) const {
@@ -211,7 +233,7 @@ std::size_t JsonCursor::size() const {
 }
 
 JsonCursor JsonCursor::element(std::size_t index) const {
-  return JsonCursor(document_, &as_node(node_)[index], fmt::format("{}[{}]", path_, index));
+  return JsonCursor(document_, &as_node(node_)[index], fmt::format("{}[{}]", path_, index), unit_);
 }
 
 double JsonCursor::number() const {
@@ -226,6 +248,22 @@ double JsonCursor::number(double low, double high) const {
   if (value < low || value > high)
     fail(fmt::format("is {}, which is outside {} to {}", value, low, high), "use a value in that range");
   return value;
+}
+
+double JsonCursor::metres() const {
+  return to_metres(number(), unit_);
+}
+
+double JsonCursor::metres(double low, double high) const {
+  const double value = metres();
+  if (!(value >= low && value <= high))
+    fail(fmt::format("is {}, which is outside {} to {} m", length_text(), low, high),
+         "use a value in that range");
+  return value;
+}
+
+std::string JsonCursor::length_text() const {
+  return fmt::format("{} {}", number(), to_text(unit_));
 }
 
 double JsonCursor::positive() const {

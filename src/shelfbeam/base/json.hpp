@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -16,6 +17,19 @@
 
 namespace shelfbeam {
 
+/// The unit of the lengths in a file.
+enum class LengthUnit { m, mm, cm, ft, in };
+template <>
+inline constexpr auto names_of<LengthUnit> = std::to_array<Named<LengthUnit>>({{"m", LengthUnit::m},
+                                                                               {"mm", LengthUnit::mm},
+                                                                               {"cm", LengthUnit::cm},
+                                                                               {"ft", LengthUnit::ft},
+                                                                               {"in", LengthUnit::in}});
+
+/// A length in metres. A length in mm or cm becomes the double nearest to the length in metres if `length` is
+/// exact, and 1 ft is exactly 0.3048 m.
+double to_metres(double length, LengthUnit unit);
+
 /// A position in a JSON document that is read strictly. Every access states the expected type and range; any
 /// other value throws InputError with the file and the JSON path ("store.json: fixtures[3].labels.spacing").
 class JsonCursor {
@@ -23,6 +37,10 @@ class JsonCursor {
   /// Comments are allowed, duplicate keys are not. Errors name the file as `name`.
   static JsonCursor parse(std::string_view text, const std::string& name);
   static JsonCursor parse_file(const std::filesystem::path& path);
+
+  /// The unit of `metres`, here and at all positions below; m unless `with_unit` has set it.
+  LengthUnit unit() const { return unit_; }
+  JsonCursor with_unit(LengthUnit unit) const;
 
   /// "file: path" for errors.
   std::string where() const;
@@ -49,6 +67,9 @@ class JsonCursor {
   double number(double low, double high) const;  ///< within [low, high]
   double positive() const;                       ///< > 0
   double non_negative() const;
+  double metres() const;                         ///< a finite length, in metres
+  double metres(double low, double high) const;  ///< a length within [low, high] metres
+  std::string length_text() const;               ///< the number and its unit of length, for messages
   std::int64_t integer(std::int64_t low, std::int64_t high) const;
   bool boolean() const;
   std::string text() const;
@@ -69,11 +90,12 @@ class JsonCursor {
  private:
   struct Document;
   std::string one_of(std::span<const std::string_view> known) const;
-  JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path);
+  JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path, LengthUnit unit);
 
   std::shared_ptr<const Document> document_;
   const void* node_;
   std::string path_;
+  LengthUnit unit_;
 };
 
 }  // namespace shelfbeam

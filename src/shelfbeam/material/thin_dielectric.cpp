@@ -44,8 +44,8 @@ ThinDielectric ThinDielectric::read(const JsonCursor& json, double) {
   json.expect_keys({"type", "ior", "thickness", "absorption_per_m"});
   const double ior = read_ior(json);
   const auto absorption = json.find("absorption_per_m"), thickness = json.find("thickness");
-  if (absorption && !thickness) json.fail("has 'absorption_per_m', but no 'thickness'", "add it, in m");
-  return make_thin_dielectric(ior, thickness ? thickness->number(0, 1) : 0,
+  if (absorption && !thickness) json.fail("has 'absorption_per_m', but no 'thickness'", "add it");
+  return make_thin_dielectric(ior, thickness ? thickness->metres(0, 1) : 0,
                               absorption ? absorption->number(0, 1e6) : 0);
 }
 

@@ -13,15 +13,17 @@
 
 namespace shelfbeam {
 
-double check_coordinate(double value, const std::string& where) {
+double read_coordinate(double value, LengthUnit unit, const std::string& where) {
   constexpr double farthest = 1e4;
-  if (!(std::abs(value) <= farthest))
-    throw InputError(where, fmt::format("is at {} m", value), "it must be within 10 km of the origin");
-  return value;
+  const double metres = to_metres(value, unit);
+  if (!(std::abs(metres) <= farthest))
+    throw InputError(where, fmt::format("is at {} {}", value, to_text(unit)),
+                     "it must be within 10 km of the origin");
+  return metres;
 }
 
 double read_coordinate(const JsonCursor& cursor) {
-  return check_coordinate(cursor.number(), cursor.where());
+  return read_coordinate(cursor.number(), cursor.unit(), cursor.where());
 }
 
 Vec2 read_plan_point(const JsonCursor& cursor) {
@@ -38,7 +40,7 @@ Vec3 read_point(const JsonCursor& cursor) {
 
 double read_length(const JsonCursor& cursor) {
   cursor.positive();
-  return cursor.number(1e-3, 1e3);
+  return cursor.metres(1e-3, 1e3);
 }
 
 double read_angle_deg(const JsonCursor& cursor) {
@@ -52,9 +54,10 @@ double read_rotation_deg(const JsonCursor& fixture) {
 
 double read_extent(const JsonCursor& cursor, double smallest) {
   constexpr double largest = 10;
-  const double value = cursor.non_negative();
+  cursor.non_negative();
+  const double value = cursor.metres();
   if (value > 0 && (value < smallest || value > largest))
-    cursor.fail(fmt::format("is {}, which is outside {} to {} m", value, smallest, largest),
+    cursor.fail(fmt::format("is {}, which is outside {} to {} m", cursor.length_text(), smallest, largest),
                 "use a value in that range, or 0 for a point");
   return value;
 }

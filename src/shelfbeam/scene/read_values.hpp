@@ -14,9 +14,11 @@ namespace shelfbeam {
 // Readers of values in a store file; all throw InputError. Their limits, also in data/store.schema.json,
 // catch wrong units of measure and typing errors before they produce a scene that exceeds the memory.
 
+// Lengths and coordinates are given in the unit of the store file and returned in metres.
+
 /// A coordinate, within 10 km of the origin.
-double check_coordinate(double value, const std::string& where);
 double read_coordinate(const JsonCursor& cursor);
+double read_coordinate(double value, LengthUnit unit, const std::string& where);
 Vec2 read_plan_point(const JsonCursor& cursor);
 Vec3 read_point(const JsonCursor& cursor);
 

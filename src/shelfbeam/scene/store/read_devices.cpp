@@ -56,33 +56,53 @@ std::filesystem::path csv_path(const JsonCursor& section, const StoreFolder& fol
   return folder.find(section["csv"]);
 }
 
-// Calls `use(record)` for each record of a CSV whose first columns are those of `header`.
+// The columns of a device CSV. `ours` continue them in the file that `plan` writes, which is always in
+// metres.
+struct Columns {
+  std::string_view header, ours;
+};
+constexpr Columns label_columns{"id,x,y,z,nx,ny,nz,type", "requirement,signal,margin_db"};
+constexpr Columns unit_columns{"id,x,y,z,ax,ay,az,roll_deg,type", "cost,installed,reaches_alone"};
+
+// A record and the unit of its coordinates.
+struct Record {
+  CsvReader& csv;
+  LengthUnit unit;
+
+  Vec3 vector(std::size_t first) const {
+    return {csv.number(first), csv.number(first + 1), csv.number(first + 2)};
+  }
+  Vec3 point(std::size_t first) const {
+    const auto coordinate = [&](std::size_t field) {
+      return read_coordinate(csv.number(field), unit, csv.where());
+    };
+    return {coordinate(first), coordinate(first + 1), coordinate(first + 2)};
+  }
+};
+
+bool continues_with(const CsvReader& csv, std::size_t first, std::string_view header) {
+  const std::vector<std::string_view> columns = split(header, ',');
+  return csv.fields().size() >= first + columns.size() &&
+         std::equal(columns.begin(), columns.end(),
+                    csv.fields().begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+// Calls `use(record)` for each record of a CSV whose first columns are those of its header.
 template <class Use>
-void each_record(const std::filesystem::path& path, std::string_view header, Use use) {
+void each_record(const std::filesystem::path& path, const Columns& known, LengthUnit unit, Use use) {
+  const auto& [header, ours] = known;
   const std::string text = read_file(path);
   CsvReader csv(text, path.string());
   const std::string expected = fmt::format("the first line must be {}", header);
   if (!csv.next()) throw InputError(path.string(), "is empty", expected);
-  const std::vector<std::string_view> columns = split(header, ',');
-  if (csv.fields().size() < columns.size() ||
-      !std::equal(columns.begin(), columns.end(), csv.fields().begin()))
-    csv.fail("has an unknown header", expected);
-  const std::size_t width = csv.fields().size();
+  if (!continues_with(csv, 0, header)) csv.fail("has an unknown header", expected);
+  const std::size_t required = split(header, ',').size(), width = csv.fields().size();
+  const Record record{csv, continues_with(csv, required, ours) ? LengthUnit::m : unit};
   const std::string meaning = fmt::format(": {}", header);
   while (csv.next()) {
-    csv.expect_fields(columns.size(), width, meaning);
-    use(csv);
+    csv.expect_fields(required, width, meaning);
+    use(record);
   }
-}
-
-Vec3 vector_at(CsvReader& csv, std::size_t first) {
-  return {csv.number(first), csv.number(first + 1), csv.number(first + 2)};
-}
-
-Vec3 point_at(CsvReader& csv, std::size_t first) {
-  const Vec3 p = vector_at(csv, first);
-  for (int axis = 0; axis < 3; ++axis) check_coordinate(p[axis], csv.where());
-  return p;
 }
 
 }  // namespace
@@ -123,22 +143,24 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
 }
 
 void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store) {
-  each_record(path, "id,x,y,z,nx,ny,nz,type", [&](CsvReader& csv) {
+  each_record(path, label_columns, store.unit, [&](const Record& record) {
+    const CsvReader& csv = record.csv;
     Label label;
     label.id = csv.id(0);
-    label.position = point_at(csv, 1);
-    label.normal = unit_direction(vector_at(csv, 4), csv.where());
+    label.position = record.point(1);
+    label.normal = unit_direction(record.vector(4), csv.where());
     label.type = names.label_type(csv.text(7), csv.where());
     store.labels.push_back({std::move(label), csv.where()});
   });
 }
 
 void read_transceivers_csv(const std::filesystem::path& path, const StoreNames& names, Store& store) {
-  each_record(path, "id,x,y,z,ax,ay,az,roll_deg,type", [&](CsvReader& csv) {
+  each_record(path, unit_columns, store.unit, [&](const Record& record) {
+    CsvReader& csv = record.csv;
     Transceiver unit;
     unit.id = csv.id(0);
-    unit.position = point_at(csv, 1);
-    unit.axis = unit_direction(vector_at(csv, 4), csv.where());
+    unit.position = record.point(1);
+    unit.axis = unit_direction(record.vector(4), csv.where());
     unit.roll_deg = csv.number(7);
     if (!(std::abs(unit.roll_deg) <= 360))
       csv.fail(7, fmt::format("is {}", unit.roll_deg), "use a value from -360 to 360");

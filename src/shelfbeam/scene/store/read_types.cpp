@@ -117,7 +117,7 @@ double read_range(const JsonCursor& cursor, const Store& store, const StoreNames
                   const Responsivity& responsivity) {
   cursor.expect_keys({"hears", "at_m", "angle_deg"});
   const TransceiverType& unit = store.transceiver_types[names.transceiver_type(cursor["hears"]).value];
-  const double distance = read_length(cursor["at_m"]);
+  const double distance = read_length(cursor["at_m"].with_unit(LengthUnit::m));
   const auto given = cursor.find("angle_deg");
   const double angle_deg = given ? given->number(0, 180) : 0;
   // Rounding leaves a trace of intensity in directions where the closed form is zero.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/base/ids.hpp"
+#include "shelfbeam/base/json.hpp"
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/fixture/fixture.hpp"
@@ -44,7 +45,8 @@ struct Listed {
 
 /// The content of a store file, with names resolved to indices and with tables and meshes loaded.
 struct Store {
-  std::string file;  ///< for messages
+  std::string file;                 ///< for messages
+  LengthUnit unit = LengthUnit::m;  ///< of its CSV files; all lengths below are in m
   std::string name;
   double wavelength_nm = 940;
   std::optional<Room> room;

@@ -42,14 +42,17 @@ Room read_room(const JsonCursor& cursor, const StoreNames& names) {
 
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& path,
                   const StoreLimits& trust) {
-  const JsonCursor root = JsonCursor::parse(text, name);
+  const JsonCursor file = JsonCursor::parse(text, name);
+  const auto units = file.find("units");
+  const JsonCursor root = file.with_unit(units ? units->choice<LengthUnit>() : LengthUnit::m);
   if (const auto format = root.find("format"))
     expect_format_version(root.where(), format->integer(0, max_versions), store_format_version);
-  root.expect_keys({"$schema", "format", "name", "wavelength_nm", "room", "materials", "label_types",
+  root.expect_keys({"$schema", "format", "units", "name", "wavelength_nm", "room", "materials", "label_types",
                     "transceiver_types", "fixtures", "labels", "transceivers"});
   const StoreFolder folder(path, trust);
   Store store;
   store.file = name;
+  store.unit = root.unit();
   store.memory = folder.memory();
   if (const auto schema = root.find("$schema")) schema->text();
   if (const auto title = root.find("name")) {
