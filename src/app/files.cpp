@@ -45,6 +45,14 @@ void add_strict_option(CLI::App& verb, bool& strict) {
   verb.add_flag("--strict", strict, "Treat warnings about the store as errors")->group(group::runs);
 }
 
+CLI::Option* add_safe_csv(CLI::App& verb, bool& safe_csv) {
+  return verb
+      .add_flag("--safe-csv", safe_csv,
+                "In CSV files, write an apostrophe before ids and names that a spreadsheet would take for "
+                "formulas")
+      ->group(group::runs);
+}
+
 void prepare_plan_folder(const std::filesystem::path& folder) {
   make_output_folder(folder);
   for (const char* name : {signal_name, placement_name, store_name, labels_name, placement_table_name,

@@ -27,6 +27,9 @@ void add_store_options(CLI::App& verb, bool& allow_outside);
 /// --strict.
 void add_strict_option(CLI::App& verb, bool& strict);
 
+/// --safe-csv.
+CLI::Option* add_safe_csv(CLI::App& verb, bool& safe_csv);
+
 /// Names of the files in the folder of a plan. Without placement.json a plan is incomplete.
 inline constexpr auto signal_name = "signal.h5";
 inline constexpr auto placement_name = "placement.json";

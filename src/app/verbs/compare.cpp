@@ -18,6 +18,7 @@
 #include "shelfbeam/signal/measured/measurements.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
+#include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
@@ -35,6 +36,7 @@ struct Options {
   CommonOptions common;
   fs::path signal, measured, placement, output;
   double confidence = 0.95;
+  bool safe_csv = false;
 };
 
 /// The paths of the table and the page; empty: not written.
@@ -172,8 +174,12 @@ int run_compare(const Options& options) {
   const std::vector<ComparedPair> pairs =
       compared_pairs(matrix, measurements, units_of(options, matrix, measurements));
   const Comparison comparison = compare_signals(pairs, options.confidence, options.measured.string());
-  const ComparisonInput input{matrix, pairs, comparison, options.measured.filename().string(),
-                              options.signal.filename().string()};
+  const ComparisonInput input{matrix,
+                              pairs,
+                              comparison,
+                              options.measured.filename().string(),
+                              options.signal.filename().string(),
+                              options.safe_csv};
   prepare(options, outputs);
   if (!outputs.table.empty()) write_file(outputs.table, comparison_csv(input));
   if (!outputs.page.empty()) write_file(outputs.page, comparison_html(input));
@@ -207,6 +213,7 @@ void add_compare(CLI::App& app, ChosenVerb& chosen) {
       ->option_text("LEVEL");
   add_path(*verb, "-o,--output", options->output,
            "Folder for comparison.csv and comparison.html, or a file .csv or .html");
+  add_safe_csv(*verb, options->safe_csv)->needs("--output");
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -12,6 +12,7 @@
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/matrix_export.hpp"
 
+#include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/text/terminal.hpp"
@@ -27,6 +28,7 @@ struct Options {
   PlacementInput input;
   std::filesystem::path output;
   std::string what = "mean";
+  bool safe_csv = false;
   bool for_model = false, for_matrix = false;  ///< an option for this kind of output was given
 };
 
@@ -41,7 +43,7 @@ void export_matrix(const Options& options) {
   if (options.output.extension() == ".npy")
     write_matrix_npy(matrix, values, options.output);
   else
-    write_matrix_csv(matrix, values, options.output);
+    write_matrix_csv(matrix, values, options.output, options.safe_csv);
 }
 
 void export_model(const Options& options) {
@@ -69,6 +71,8 @@ int run_export(const Options& options) {
         "--model, --objective, --weighted, --share, --survive-failure, --threshold, --costs, --min-spacing, "
         "--forbid",
         "do not apply to a matrix", "remove them, or write .mps or .lp");
+  if (options.safe_csv && kind != ".csv")
+    throw InputError("--safe-csv", "applies to CSV files only", "remove it, or write .csv");
   if (is_model)
     export_model(options);
   else if (is_matrix)
@@ -99,6 +103,7 @@ void add_export(CLI::App& app, ChosenVerb& chosen) {
       ->check(one_of(matrices))
       ->option_text(choices(matrices));
   add_problem_options(*verb, options->problem);
+  add_safe_csv(*verb, options->safe_csv);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -41,7 +41,7 @@ struct Options {
   double reflectance_error = SensitivityOptions().assumed_error;
   Requirements requirements;
   std::filesystem::path store, folder;
-  bool allow_outside = false, strict = false;
+  bool allow_outside = false, strict = false, safe_csv = false;
 };
 
 SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
@@ -160,8 +160,9 @@ int run_plan(const Options& options) {
     AtomicFolder files(options.folder);
     files.add(store_name).write(resolved);
     write_signal_file(matrix, files.add(signal_name));
-    if (plan.certificate) files.add(verification_name).write(verification_csv(*plan.certificate, scene));
-    write_report(files, {scene, matrix, plan});
+    if (plan.certificate)
+      files.add(verification_name).write(verification_csv(*plan.certificate, scene, options.safe_csv));
+    write_report(files, {scene, matrix, plan, options.safe_csv});
     files.add(placement_name).write(answer);
     files.commit({placement_name, verification_name});
   } catch (const OutputError& error) {
@@ -219,6 +220,7 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
   add_run_options(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
   add_strict_option(*verb, options->strict);
+  add_safe_csv(*verb, options->safe_csv);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -24,6 +24,7 @@ namespace {
 struct Options {
   CommonOptions common;
   std::filesystem::path folder;
+  bool safe_csv = false;
 };
 
 int run_report(const Options& options) {
@@ -36,7 +37,7 @@ int run_report(const Options& options) {
   const SignalTable table = make_signal_table(matrix, (options.folder / signal_name).string());
   const CertifiedPlan plan = read_plan(options.folder / placement_name, table);
   AtomicFolder files(options.folder);
-  write_report(files, {scene, matrix, plan});
+  write_report(files, {scene, matrix, plan, options.safe_csv});
   files.commit({});
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)
@@ -54,6 +55,7 @@ void add_report(CLI::App& app, ChosenVerb& chosen) {
   auto options = std::make_shared<Options>();
   add_path(*verb, "DIR", options->folder, "Folder written by 'shelfbeam plan', from a trusted source (HDF5)")
       ->required();
+  add_safe_csv(*verb, options->safe_csv);
   add_common_options(*verb, options->common);
   verb->footer("Example:\n  shelfbeam report plan");
   verb->callback([options, &chosen] { chosen = [options] { return run_report(*options); }; });

@@ -37,7 +37,7 @@ struct Options {
   std::optional<CommunicationModel> model;
   bool survive_failure = false;
   std::filesystem::path store, placement, output;
-  bool allow_outside = false;
+  bool allow_outside = false, safe_csv = false;
 };
 
 struct Installation {
@@ -86,7 +86,8 @@ int run_verify(const Options& options) {
     verified = verify_installation(installation.scene, problem, certify_options, control);
   }
   const Certificate& certificate = *verified.certificate;
-  if (!options.output.empty()) write_file(options.output, verification_csv(certificate, installation.scene));
+  if (!options.output.empty())
+    write_file(options.output, verification_csv(certificate, installation.scene, options.safe_csv));
   if (options.common.json)
     fmt::print("{}", certificate_json(certificate, table_without_signals(installation.scene)));
   else if (!options.common.quiet)
@@ -113,6 +114,7 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
   add_run_options(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
+  add_safe_csv(*verb, options->safe_csv)->needs("--output");
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"

@@ -95,13 +95,13 @@ CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& ta
   return plan;
 }
 
-std::string verification_csv(const Certificate& certificate, const Scene& scene) {
+std::string verification_csv(const Certificate& certificate, const Scene& scene, bool safe) {
   std::string text = "id,verdict,requirement,signal,standard_error,lower,upper,samples\n";
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
     const LabelVerdict& label = certificate.labels[i];
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(scene.labels[i].id), to_text(label.verdict),
-                        label.requirement, label.signal, label.standard_error, label.lower, label.upper,
-                        label.samples);
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(scene.labels[i].id, safe),
+                        to_text(label.verdict), label.requirement, label.signal, label.standard_error,
+                        label.lower, label.upper, label.samples);
   }
   return text;
 }

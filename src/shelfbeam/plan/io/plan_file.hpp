@@ -20,7 +20,8 @@ std::string certificate_json(const Certificate& certificate, const SignalTable& 
 /// contains only verdicts per label, and the curve has no `selected`.
 CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& table);
 
-/// verification.csv (docs/formats/report.md): one row per label, in the order of the scene.
-std::string verification_csv(const Certificate& certificate, const Scene& scene);
+/// verification.csv (docs/formats/report.md): one row per label, in the order of the scene. `safe`: as in
+/// `csv_field`.
+std::string verification_csv(const Certificate& certificate, const Scene& scene, bool safe = false);
 
 }  // namespace shelfbeam

@@ -141,14 +141,15 @@ std::string transceiver_section(const ComparisonInput& input) {
 }  // namespace
 
 std::string comparison_csv(const ComparisonInput& input) {
+  const auto text = [&](std::string_view field) { return csv_field(field, input.safe_csv); };
   std::string csv =
       "label,transceiver,measured,error,simulated,standard_error,scaled,residual_db,standardized,use,"
       "outlier\n";
   for (std::size_t k = 0; k < input.pairs.size(); ++k) {
     const ComparedPair& pair = input.pairs[k];
     const PairResult& result = input.comparison.pairs[k];
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(input.matrix.labels[pair.label].id),
-                       pair.transceiver ? csv_field(input.matrix.transceivers[*pair.transceiver].id) : "",
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", text(input.matrix.labels[pair.label].id),
+                       pair.transceiver ? text(input.matrix.transceivers[*pair.transceiver].id) : "",
                        csv_number(pair.measured), pair.error ? csv_number(*pair.error) : "",
                        csv_number(pair.simulated), csv_number(pair.standard_error),
                        csv_number(pair.measured / input.comparison.factor),

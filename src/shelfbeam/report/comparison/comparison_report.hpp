@@ -14,6 +14,7 @@ struct ComparisonInput {
   std::span<const ComparedPair> pairs;
   const Comparison& comparison;
   std::string measured_name, simulated_name;  ///< file names
+  bool safe_csv = false;                      ///< as in ReportInput
 };
 
 /// comparison.csv (docs/formats/measurements.md): one row per pair, in the order of the measurements.

@@ -28,6 +28,7 @@ std::string row(std::initializer_list<std::string> fields) {
 std::string labels_csv(const ReportInput& input) {
   const SignalMatrix& matrix = input.matrix;
   const Outcome outcome = outcome_of(matrix, input.plan.placement, input.plan.certificate);
+  const auto text = [&](std::string_view field) { return csv_field(field, input.safe_csv); };
   const bool has_direct = matrix.direct.size() == matrix.mean.size();
   std::string csv =
       "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted\n";
@@ -38,14 +39,13 @@ std::string labels_csv(const ReportInput& input) {
     for (const std::uint32_t column : result.reached_by)
       serving += (serving.empty() ? "" : ";") + matrix.transceivers[column].id;
     const bool is_known = !matrix.flags.empty() && !input.plan.placement.selected.empty();
-    csv += row(
-        {csv_field(label.id), coordinates(label.position), coordinates(label.normal), csv_field(label.type),
-         csv_number(label.requirement), csv_number(result.signal), csv_number(result.margin()),
-         has_direct && result.signal > 0 ? csv_number(result.direct / result.signal) : "", csv_field(serving),
-         result.strongest ? csv_field(matrix.transceivers[*result.strongest].id) : "",
-         !is_known                   ? ""
-         : result.depends_on_flagged ? "no"
-                                     : "yes"});
+    csv += row({text(label.id), coordinates(label.position), coordinates(label.normal), text(label.type),
+                csv_number(label.requirement), csv_number(result.signal), csv_number(result.margin()),
+                has_direct && result.signal > 0 ? csv_number(result.direct / result.signal) : "",
+                text(serving), result.strongest ? text(matrix.transceivers[*result.strongest].id) : "",
+                !is_known                   ? ""
+                : result.depends_on_flagged ? "no"
+                                            : "yes"});
   }
   return csv;
 }
@@ -53,6 +53,7 @@ std::string labels_csv(const ReportInput& input) {
 std::string placement_csv(const ReportInput& input) {
   const SignalMatrix& matrix = input.matrix;
   const Outcome outcome = outcome_of(matrix, input.plan.placement);
+  const auto text = [&](std::string_view field) { return csv_field(field, input.safe_csv); };
   std::map<std::string_view, double> roll_deg;
   for (const Transceiver& transceiver : input.scene.transceivers)
     roll_deg.emplace(transceiver.id, transceiver.roll_deg);
@@ -60,8 +61,8 @@ std::string placement_csv(const ReportInput& input) {
   for (const UnitOutcome& unit : outcome.units) {
     const TransceiverColumn& t = matrix.transceivers[unit.column];
     const auto roll = roll_deg.find(t.id);
-    csv += row({csv_field(t.id), coordinates(t.position), coordinates(t.axis),
-                csv_number(roll == roll_deg.end() ? 0 : roll->second), csv_field(t.type), csv_number(t.cost),
+    csv += row({text(t.id), coordinates(t.position), coordinates(t.axis),
+                csv_number(roll == roll_deg.end() ? 0 : roll->second), text(t.type), csv_number(t.cost),
                 t.installed ? "1" : "0", fmt::format("{}", unit.reaches_alone),
                 fmt::format("{}", unit.strongest_for), fmt::format("{}", unit.needed_by)});
   }

@@ -13,6 +13,8 @@ struct ReportInput {
   const Scene& scene;
   const SignalMatrix& matrix;
   const CertifiedPlan& plan;
+  /// Whether texts in CSV files have an apostrophe where a spreadsheet would take them for formulas.
+  bool safe_csv = false;
 };
 
 /// A self-contained HTML page that needs no network and, apart from the 3-D view, no script.

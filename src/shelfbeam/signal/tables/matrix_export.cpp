@@ -45,7 +45,7 @@ void check_size(const SignalMatrix& matrix, std::span<const float> values) {
 }  // namespace
 
 void write_matrix_csv(const SignalMatrix& matrix, std::span<const float> values,
-                      const std::filesystem::path& path) {
+                      const std::filesystem::path& path, bool safe) {
   check_size(matrix, values);
   PieceWriter file(path);
   fmt::memory_buffer line;
@@ -55,11 +55,15 @@ void write_matrix_csv(const SignalMatrix& matrix, std::span<const float> values,
     line.clear();
   };
   line.append(std::string_view("label"));
-  for (const TransceiverColumn& unit : matrix.transceivers)
-    fmt::format_to(std::back_inserter(line), ",{}", csv_field(unit.id));
+  for (const TransceiverColumn& unit : matrix.transceivers) {
+    const std::string id = csv_field(unit.id, safe);
+    // Readers determine the separator from the header.
+    const bool is_doubtful = !id.starts_with('"') && id.find_first_of(";\t") != std::string::npos;
+    fmt::format_to(std::back_inserter(line), ",{}", is_doubtful ? csv_quoted(id) : id);
+  }
   end_line();
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
-    line.append(csv_field(matrix.labels[i].id));
+    line.append(csv_field(matrix.labels[i].id, safe));
     for (const float value : values.subspan(i * matrix.columns(), matrix.columns()))
       fmt::format_to(std::back_inserter(line), ",{:.9g}", value);
     end_line();

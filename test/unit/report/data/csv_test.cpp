@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/scene/store/store_parts.hpp"
 
 #include "support/temp_folder.hpp"
 #include "unit/report/csv_reader.hpp"
@@ -138,6 +140,44 @@ TEST(Csv, BothFilesAreTablesThatAStoreCanName) {
     EXPECT_LT(length(again.labels[i].position - scene.labels[i].position), 1e-7);
   }
   EXPECT_EQ(again.transceivers[0].id, matrix.transceivers[placement.selected[0]].id);
+}
+
+// Ids and types that are formulas, plain and safe.
+TEST(LabelsCsv, RestoresHostileNames) {
+  Store store = sample_store::kiosk();
+  const std::vector<std::string> ids{"=HYPERLINK(\"x\")", "'=1", "''@a", "-2,5;3", "'t Hofje"};
+  store.label_types[0].name = "+type";
+  store.labels.clear();
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    store.labels.push_back(
+        {Label{ids[k], {0.5, 0.5 + 0.1 * static_cast<double>(k), 1}, {1, 0, 0}, {}}, "labels"});
+  store.transceivers[0].value.id = "=T1";
+  const Scene scene = make_scene(store);
+  const SignalMatrix matrix = sample_store::matrix_of(scene);
+  const CertifiedPlan plan{sample_store::cover(matrix)};
+  for (const bool safe : {false, true}) {
+    const ReportInput input{scene, matrix, plan, safe};
+    const test::TempFolder folder;
+    const auto labels = folder.write("labels.csv", labels_csv(input));
+    const auto units = folder.write("placement.csv", placement_csv(input));
+    Store again = store;
+    again.labels.clear();
+    again.transceivers.clear();
+    read_labels_csv(labels, StoreNames(again), again);
+    read_transceivers_csv(units, StoreNames(again), again);
+    ASSERT_EQ(again.labels.size(), scene.labels.size());
+    for (std::size_t i = 0; i < scene.labels.size(); ++i)
+      EXPECT_EQ(again.labels[i].value.id, scene.labels[i].id);
+    for (std::size_t k = 0; k < plan.placement.selected.size(); ++k)
+      EXPECT_EQ(again.transceivers[k].value.id, matrix.transceivers[plan.placement.selected[k]].id);
+    const auto rows = test::read_csv(read_file(labels));
+    bool has_formula = false;
+    for (const auto& row : rows)
+      for (const std::size_t text : {0U, 7U, 12U, 13U})
+        has_formula = has_formula || row[text].find_first_of("=+-@") == 0;
+    EXPECT_EQ(has_formula, !safe);
+    EXPECT_TRUE(test::read_csv(labels_csv(input))[1][10].find('\'') == std::string::npos) << "a number";
+  }
 }
 
 TEST(LabelsCsv, LeavesFieldsEmptyWithoutASelection) {

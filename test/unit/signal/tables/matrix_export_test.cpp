@@ -34,6 +34,25 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
+// Ids that are formulas or have separators, plain and safe.
+TEST(MatrixExport, CsvRestoresHostileIds) {
+  const TempFolder folder;
+  SignalMatrix matrix = small_matrix(7, 5);
+  const std::vector<std::string> ids{"=1+1", "'=1", "-5", "a;b", "@x, \"y\";"};
+  for (std::size_t k = 0; k < ids.size(); ++k) matrix.transceivers[k].id = matrix.labels[k].id = ids[k];
+  for (const bool safe : {false, true}) {
+    write_matrix_csv(matrix, matrix.mean, folder / "matrix.csv", safe);
+    const SignalTable table = read_signal_table(folder / "matrix.csv");
+    ASSERT_EQ(table.columns(), ids.size());
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      EXPECT_EQ(table.transceivers[k].id, ids[k]);
+      EXPECT_EQ(table.labels[k].id, ids[k]);
+    }
+    EXPECT_TRUE(same_bits(dense(table), matrix.mean));
+    EXPECT_EQ(read_file(folder / "matrix.csv").find("\n=1+1,") == std::string::npos, safe);
+  }
+}
+
 TEST(MatrixExport, SignalFileCsvAndNpyGiveOneTable) {
   const TempFolder folder;
   const SignalMatrix matrix = small_matrix(60, 41);
