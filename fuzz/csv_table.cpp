@@ -12,8 +12,13 @@ void read(std::string_view bytes) {
 }
 
 std::vector<std::string> seeds() {
-  return {"0.1,0.2,0\n0,1e-3,4\n", "label,T1,T2\nA,0.1,0.2\n\"B, \"\"2\"\"\",0,1e-3\n",
-          "T1,T2\r\nA,0.1,0.2\r\n", "1\n2\n\n3\n"};
+  return {"0.1,0.2,0\n0,1e-3,4\n",
+          "label,T1,T2\nA,0.1,0.2\n\"B, \"\"2\"\"\",0,1e-3\n",
+          "T1,T2\r\nA,0.1,0.2\r\n",
+          "1\n2\n\n3\n",
+          "sep=;\r\nlabel;T1;T,2\r\nA;0,5;0,25\r\n",
+          "label;T1;\"T;2\"\nA;0,5;1,125\n",
+          "label\tT1\rA\t0,5\r'=B\t1\r"};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ void read(std::string_view bytes) {
 
 std::vector<std::string> seeds() {
   return {"label,transceiver,signal,error\nL0,T1,0.1,0.01\nL2,T3,-0.2,1e-3\n",
-          "label,signal\nL1,3\n\"L2\",4\n"};
+          "sep=;\nlabel;signal\nL1;3,5\n", "label,signal\nL1,3\n\"L2\",4\n"};
 }
 
 }  // namespace

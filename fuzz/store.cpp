@@ -38,6 +38,7 @@ constexpr const char* every_section = R"({
 })";
 
 constexpr const char* lists = R"({ // comments, too
+  "units": "ft",
   "materials": { "m": { "type": "lambertian", "reflectance": 0.5 } },
   "label_types": { "l": { "threshold": 0.02 } },
   "transceiver_types": { "t": { "emission": { "type": "isotropic", "intensity": 0.5 } } },
