@@ -160,6 +160,13 @@ TEST_F(UnitsCsv, FilesOfAPlanAreInMetres) {
   EXPECT_EQ(unit("id;x;y;z;ax;ay;az;roll_deg;type;cost;installed;reaches_alone;strongest_for;needed_by",
                  "T;5;2,5;1;0;0;-1;0;down;4;0;1;1;1"),
             expected);
+  // Without these columns, the file looks like one in mm; a shop is larger than that.
+  expect_input_error(
+      [&] { unit("id,x,y,z,ax,ay,az,roll_deg,type", "T,5,2.5,1,0,0,-1,0,down"); },
+      "units.csv: ", "all positions within 0.1 m of the origin, because 'units' of the store is 'mm'");
+  // Negative control: one position farther away.
+  EXPECT_EQ(unit("id,x,y,z,ax,ay,az,roll_deg,type", "T,5,2.5,1,0,0,-1,0,down\nU,5,101,1,0,0,-1,0,down"),
+            (Vec3{0.005, 0.0025, 0.001}));
 }
 
 }  // namespace

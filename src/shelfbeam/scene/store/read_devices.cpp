@@ -64,21 +64,36 @@ struct Columns {
 constexpr Columns label_columns{"id,x,y,z,nx,ny,nz,type", "requirement,signal,margin_db"};
 constexpr Columns unit_columns{"id,x,y,z,ax,ay,az,roll_deg,type", "cost,installed,reaches_alone"};
 
-// A record and the unit of its coordinates.
+// The current record of a file and the unit of its coordinates.
 struct Record {
   CsvReader& csv;
   LengthUnit unit;
+  double farthest = 0;  // the largest coordinate of the file so far, m
 
   Vec3 vector(std::size_t first) const {
     return {csv.number(first), csv.number(first + 1), csv.number(first + 2)};
   }
-  Vec3 point(std::size_t first) const {
+  Vec3 point(std::size_t first) {
     const auto coordinate = [&](std::size_t field) {
-      return read_coordinate(csv.number(field), unit, csv.where());
+      const double value = read_coordinate(csv.number(field), unit, csv.where());
+      farthest = std::max(farthest, std::abs(value));
+      return value;
     };
     return {coordinate(first), coordinate(first + 1), coordinate(first + 2)};
   }
 };
+
+// Refuses positions in metres in a store of another unit, as far as they can be recognised: a shop is larger
+// than this.
+void expect_unit(const Record& record, const std::string& file) {
+  constexpr double corner = 0.1;  // m
+  if (record.unit != LengthUnit::m && record.farthest > 0 && record.farthest <= corner)
+    throw InputError(
+        file,
+        fmt::format("has all positions within {} m of the origin, because 'units' of the store is '{}'",
+                    corner, to_text(record.unit)),
+        "give positions in that unit, or keep all columns of a file that 'plan' wrote in m");
+}
 
 bool continues_with(const CsvReader& csv, std::size_t first, std::string_view header) {
   const std::vector<std::string_view> columns = split(header, ',');
@@ -97,12 +112,13 @@ void each_record(const std::filesystem::path& path, const Columns& known, Length
   if (!csv.next()) throw InputError(path.string(), "is empty", expected);
   if (!continues_with(csv, 0, header)) csv.fail("has an unknown header", expected);
   const std::size_t required = split(header, ',').size(), width = csv.fields().size();
-  const Record record{csv, continues_with(csv, required, ours) ? LengthUnit::m : unit};
+  Record record{csv, continues_with(csv, required, ours) ? LengthUnit::m : unit};
   const std::string meaning = fmt::format(": {}", header);
   while (csv.next()) {
     csv.expect_fields(required, width, meaning);
     use(record);
   }
+  expect_unit(record, path.string());
 }
 
 }  // namespace
@@ -143,7 +159,7 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
 }
 
 void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store) {
-  each_record(path, label_columns, store.unit, [&](const Record& record) {
+  each_record(path, label_columns, store.unit, [&](Record& record) {
     const CsvReader& csv = record.csv;
     Label label;
     label.id = csv.id(0);
@@ -155,7 +171,7 @@ void read_labels_csv(const std::filesystem::path& path, const StoreNames& names,
 }
 
 void read_transceivers_csv(const std::filesystem::path& path, const StoreNames& names, Store& store) {
-  each_record(path, unit_columns, store.unit, [&](const Record& record) {
+  each_record(path, unit_columns, store.unit, [&](Record& record) {
     CsvReader& csv = record.csv;
     Transceiver unit;
     unit.id = csv.id(0);
