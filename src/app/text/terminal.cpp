@@ -13,8 +13,6 @@
 #include "app/text/style.hpp"
 #include "app/text/width.hpp"
 
-#include "shelfbeam/base/text.hpp"
-
 namespace shelfbeam::app {
 
 namespace {
