@@ -86,6 +86,7 @@ std::string result(const Options& options, const Plan& plan, const SignalTable& 
     const std::size_t end = placed.find('\n');
     answer = placed.substr(0, end);
     placed.erase(0, end + 1);
+    if (plan.placement.has_selection()) answer += " Not verified yet.";
   } else {
     placed = "on the simulated signals: " + placed;
   }

@@ -91,7 +91,7 @@ int run_verify(const Options& options) {
   if (options.common.json)
     fmt::print("{}", certificate_json(certificate, table_without_signals(installation.scene)));
   else if (!options.common.quiet)
-    fmt::print("{}\n{}\n", styled(Style::answer, certificate_sentence(verified)), certificate_scope);
+    fmt::print("{}\n", styled(Style::answer, certificate_sentence(verified)));
   if (certificate.count(Verdict::missed) > 0) return answer_is_no;
   return certificate.all_reached() ? done : stopped_early;
 }

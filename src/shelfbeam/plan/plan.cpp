@@ -100,6 +100,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl&
     plan.simulation.matrix = std::move(certified.matrix);
     plan.placement = std::move(certified.placement);
     plan.certificate = std::move(certified.certificate);
+    plan.certificate->mark_unverified();
   }
   if (options.curve && plan.placement.has_selection())
     plan.curve = add_curve(plan.placement, table(plan.simulation.matrix), options.place.time_limit_s, control,

@@ -259,6 +259,7 @@ CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& pr
     certificate.open = "it was interrupted";
   }
   certificate.seconds = rounds.seconds();
+  certificate.mark_unverified();
   return plan;
 }
 

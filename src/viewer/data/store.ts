@@ -3,7 +3,7 @@
 import { readPageData } from "./page_data";
 
 /** The verdicts of a certificate, numbered as in plan/answer/certificate.hpp. */
-export const verdicts = ["reached", "missed", "undecided"] as const;
+export const verdicts = ["reached", "missed", "undecided", "not verified yet"] as const;
 
 export interface StoreAbout {
   lower: number[];

@@ -82,13 +82,16 @@ function certificateClasses(store: Store, isAsPlanned: boolean): Classes {
       list: [{ name: "no verdict", colour: "--floor" }],
       of: () => 0,
     };
-  const [reached, missed, undecided] = verdicts;
+  const [reached, missed, undecided, unverified] = verdicts;
   return {
     title: `With independent samples and ${percentage(store.certificate.confidence)} confidence:`,
     list: [
       { name: reached, colour: "--m5", shape: "disc" },
       { name: missed, colour: "--m0", shape: "triangle" },
       { name: undecided, colour: "--m2", shape: "square" },
+      ...(store.label.verdict.includes(verdicts.indexOf(unverified))
+        ? [{ name: unverified, colour: "--floor", shape: "square" as const }]
+        : []),
     ],
     of: (label) => store.label.verdict[label],
   };

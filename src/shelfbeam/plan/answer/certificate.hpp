@@ -13,15 +13,18 @@
 namespace shelfbeam {
 
 enum class Verdict {
-  reached,   ///< lower limit at least the requirement
-  missed,    ///< upper limit below the requirement
-  undecided  ///< requirement between the limits
+  reached,    ///< lower limit at least the requirement
+  missed,     ///< upper limit below the requirement
+  undecided,  ///< requirement between the limits
+  unverified  ///< no samples yet
 };
 
 template <>
 inline constexpr auto names_of<Verdict> = std::to_array<Named<Verdict>>({{"reached", Verdict::reached},
                                                                          {"missed", Verdict::missed},
-                                                                         {"undecided", Verdict::undecided}});
+                                                                         {"undecided", Verdict::undecided},
+                                                                         {"not verified yet",
+                                                                          Verdict::unverified}});
 
 /// The result of independent samples for one label. The signal is that of received_signal: the sum, or the
 /// link planned for the label; with unit failure, after the worst failure.
@@ -53,6 +56,12 @@ struct Certificate {
     const auto has = [&](const LabelVerdict& label) { return label.verdict == verdict; };
     return static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), has));
   }
+  /// Open labels without samples become unverified.
+  void mark_unverified() {
+    for (LabelVerdict& label : labels)
+      if (label.verdict == Verdict::undecided && label.samples == 0) label.verdict = Verdict::unverified;
+  }
+  bool none_verified() const { return count(Verdict::unverified) == labels.size(); }
   bool all_reached() const { return count(Verdict::reached) == labels.size(); }
 };
 

@@ -28,9 +28,12 @@ Json ids_of(const Certificate& certificate, Verdict verdict, const SignalTable& 
 
 Json to_json(const Certificate& certificate, const SignalTable& table) {
   return {{"confidence", certificate.confidence},
-          {"reached", certificate.count(Verdict::reached)},
+          {"covers", "sampling error"},
+          {"assumes", "materials, stock and mounting as in the store file"},
+          {"reached", certificate.none_verified() ? Json() : Json(certificate.count(Verdict::reached))},
           {"missed", ids_of(certificate, Verdict::missed, table)},
           {"undecided", ids_of(certificate, Verdict::undecided, table)},
+          {"not_verified_yet", ids_of(certificate, Verdict::unverified, table)},
           {"count_lower_bound", certificate.count_lower_bound},
           {"cost_lower_bound", certificate.cost_lower_bound},
           {"bound_labels", certificate.bound_labels},
@@ -41,8 +44,8 @@ Json to_json(const Certificate& certificate, const SignalTable& table) {
 
 // Reads verdicts only: verification.csv contains signals and limits.
 Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table) {
-  cursor.expect_keys({"confidence", "reached", "missed", "undecided", "count_lower_bound", "cost_lower_bound",
-                      "bound_labels", "rounds", "seconds", "open"});
+  cursor.expect_keys({"confidence", "covers", "assumes", "reached", "missed", "undecided", "not_verified_yet",
+                      "count_lower_bound", "cost_lower_bound", "bound_labels", "rounds", "seconds", "open"});
   Certificate certificate;
   certificate.confidence = cursor["confidence"].positive();
   certificate.labels.resize(table.rows());
@@ -51,10 +54,13 @@ Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table)
     certificate.labels[i].verdict = Verdict::reached;
   }
   const Positions known = positions(table.labels);
+  // Plans of version 0.2.0 and earlier call labels without samples undecided.
   for (const auto& [key, verdict] :
-       {std::pair("missed", Verdict::missed), std::pair("undecided", Verdict::undecided)})
-    for (const JsonCursor& element : cursor[key].elements())
-      certificate.labels[position(element, known, "label")].verdict = verdict;
+       {std::pair("missed", Verdict::missed), std::pair("undecided", Verdict::undecided),
+        std::pair("not_verified_yet", Verdict::unverified)})
+    if (const auto list = verdict == Verdict::unverified ? cursor.find(key) : cursor[key])
+      for (const JsonCursor& element : list->elements())
+        certificate.labels[position(element, known, "label")].verdict = verdict;
   certificate.count_lower_bound = static_cast<std::size_t>(cursor["count_lower_bound"].non_negative());
   // Plans of version 0.2.0 and earlier have no bound on the cost.
   if (const auto cost = cursor.find("cost_lower_bound")) certificate.cost_lower_bound = cost->non_negative();
@@ -62,9 +68,9 @@ Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table)
   certificate.rounds = static_cast<std::uint32_t>(cursor["rounds"].non_negative());
   certificate.seconds = cursor["seconds"].non_negative();
   certificate.open = cursor["open"].text();
-  if (const JsonCursor stated = cursor["reached"];
-      stated.number() != static_cast<double>(certificate.count(Verdict::reached)))
-    stated.fail("is not the number of labels that are neither missed nor undecided", "correct one of them");
+  const JsonCursor stated = cursor["reached"];
+  if (!stated.is_null() && stated.number() != static_cast<double>(certificate.count(Verdict::reached)))
+    stated.fail("is not the number of labels that none of the lists names", "correct one of them");
   return certificate;
 }
 

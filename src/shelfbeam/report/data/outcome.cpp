@@ -109,7 +109,7 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement,
   nothing_fails.redundant = false;
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     LabelOutcome label = label_outcome(matrix, placement, mounts, chosen, i);
-    const bool is_decided = certificate && certificate->labels[i].verdict != Verdict::undecided;
+    const bool is_decided = certificate && certificate->labels[i].verdict < Verdict::undecided;
     label.depends_on_flagged = !is_decided && depends_on_flagged(matrix, placement, chosen, i);
     const std::vector<SignalEntry> entries = entries_of(matrix, i);
     if (label.met) ++outcome.met;

@@ -95,8 +95,7 @@ std::string closeness_remark(const ReportData& data) {
 // The certificate becomes the answer; the statement about the simulated matrix becomes a remark.
 void lead_with_certificate(const CertifiedPlan& plan, Headline& headline) {
   const Certificate& certificate = *plan.certificate;
-  headline.remarks.insert(headline.remarks.begin(),
-                          {std::string(certificate_scope), "On the simulated matrix: " + headline.answer});
+  headline.remarks.insert(headline.remarks.begin(), "On the simulated matrix: " + headline.answer);
   headline.answer = with_joined_percent(certificate_sentence(plan));
   headline.tone = certificate.count(Verdict::missed) > 0 ? Headline::Tone::no
                   : certificate.open.empty()             ? Headline::Tone::yes
@@ -105,7 +104,9 @@ void lead_with_certificate(const CertifiedPlan& plan, Headline& headline) {
 
 std::string sampling_remark(const ReportData& data) {
   std::string text =
-      "This statement applies to the simulated signals; their sampling error is not part of the proof.";
+      "Not verified yet: this statement applies to the simulated signals; their sampling error is not part "
+      "of "
+      "the proof.";
   const SamplingSummary& s = data.sampling;
   if (!s.has_errors)
     text += " The matrix contains no standard errors.";

@@ -63,22 +63,39 @@ std::string uncertified_objective(const PlacementProblem& problem) {
                          : fmt::format("secondary objective ({})", objective_text(problem)));
 }
 
+// The scope of the confidence.
+std::string scope_sentence(const Certificate& certificate) {
+  return fmt::format(
+      " The {:.6g} % cover the sampling error of the simulation; materials, stock and mounting are taken as "
+      "in the "
+      "store file.",
+      100 * certificate.confidence);
+}
+
 std::string reached_sentence(const Placement& placement, const Certificate& certificate) {
+  if (certificate.none_verified())
+    return fmt::format("{} {}{} on the simulated signals, which is not verified yet.",
+                       units_reach(placement.count()), all_labels(certificate.labels.size()),
+                       failure_clause(placement.problem));
   return fmt::format("{} {}{}{}, {}.", units_reach(placement.count()),
                      labels_reached(certificate.count(Verdict::reached), certificate.labels.size()),
                      failure_clause(placement.problem), certified_bound(placement, certificate),
                      joint_confidence(certificate.confidence)) +
          other_labels(certificate, Verdict::missed) + other_labels(certificate, Verdict::undecided) +
-         uncertified_objective(placement.problem);
+         other_labels(certificate, Verdict::unverified) + uncertified_objective(placement.problem) +
+         scope_sentence(certificate);
 }
 
 // Without a selection, only missed labels have a meaning: none of the candidates reaches them.
 std::string out_of_reach_sentence(const Certificate& certificate) {
   const std::size_t labels = certificate.labels.size(), missed = certificate.count(Verdict::missed);
+  if (certificate.none_verified())
+    return fmt::format("No selection reaches {} on the simulated signals, which is not verified yet.",
+                       all_labels(labels));
   if (missed == 0)
     return fmt::format("It is undecided whether any selection reaches {}.", all_labels(labels));
-  return fmt::format("{}, {}: at least {} cannot be reached.", no_selection_reaches(labels),
-                     joint_confidence(certificate.confidence), grouped(missed));
+  return fmt::format("{}, {}: at least {} cannot be reached.{}", no_selection_reaches(labels),
+                     joint_confidence(certificate.confidence), grouped(missed), scope_sentence(certificate));
 }
 
 }  // namespace

@@ -50,12 +50,8 @@ std::string_view status_name(Status status);
 // Sentences about the certificate.
 
 /// "4 transceivers reach all 390 labels, and 3 are not enough, with 99 % confidence.": one or more
-/// sentences, which state what the certificate does not cover. Empty without a certificate.
+/// sentences, which state what the confidence covers and what not. Empty without a certificate.
 std::string certificate_sentence(const CertifiedPlan& plan);
-
-/// The scope of the confidence.
-inline constexpr std::string_view certificate_scope =
-    "The confidence covers sampling error only; candidates, materials and geometry are taken as given.";
 
 /// "390 of 390 labels are reached for all reflectances within their ranges, with 99 % confidence; ...":
 /// the result of the simulations at the ends of the ranges, as one sentence.

@@ -95,9 +95,11 @@ std::string key_figures(const ReportData& data) {
                   data.has_selection() && installed > 0 ? fmt::format("; {} installed", installed) : ""));
   html += min_card(data);
   if (data.has_selection()) {
-    html += certificate ? card("Labels reached", grouped(certificate->count(Verdict::reached)),
-                               fmt::format("of {}, with independent samples", grouped(labels)))
-                        : card("Labels reached", grouped(data.outcome.met), "of " + grouped(labels));
+    html += certificate && certificate->none_verified()
+                ? card("Labels reached", "–", "not verified yet", "card word")
+            : certificate ? card("Labels reached", grouped(certificate->count(Verdict::reached)),
+                                 fmt::format("of {}, with independent samples", grouped(labels)))
+                          : card("Labels reached", grouped(data.outcome.met), "of " + grouped(labels));
     const std::uint32_t weakest = data.outcome.by_margin.front();
     html += card("Smallest margin", decibels(data.outcome.labels[weakest].margin()),
                  fmt::format("label {}{}", data.label(weakest).id, certificate ? ", simulated" : ""));

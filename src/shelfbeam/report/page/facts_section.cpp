@@ -96,10 +96,15 @@ std::string certificate_facts(const ReportData& data) {
   const Certificate& certificate = *data.input.plan.certificate;
   Facts facts("Certificate from independent samples");
   facts.add("Joint confidence", plain(100 * certificate.confidence) + "\u00A0%");
-  facts.add("Labels reached", fmt::format("{} of {}", grouped(certificate.count(Verdict::reached)),
-                                          grouped(certificate.labels.size())));
+  if (certificate.none_verified())
+    facts.add("Labels reached", "not verified yet");
+  else
+    facts.add("Labels reached", fmt::format("{} of {}", grouped(certificate.count(Verdict::reached)),
+                                            grouped(certificate.labels.size())));
   facts.add("Missed", named_labels(data, Verdict::missed));
   facts.add("Undecided", named_labels(data, Verdict::undecided));
+  if (certificate.count(Verdict::unverified) > 0)
+    facts.add("Not verified yet", named_labels(data, Verdict::unverified));
   if (certificate.cost_lower_bound > 0)
     facts.add("Lower bound on the cost", plain(certificate.cost_lower_bound));
   if (certificate.count_lower_bound > 0)
