@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam {
@@ -55,31 +56,50 @@ std::string overflow_message(const std::exception& error, std::string_view docum
   return fmt::format("{} at line {}", message, 1 + std::count(document.begin(), document.begin() + at, '\n'));
 }
 
-// Follows the parser and records the path of the first duplicate key. The parser itself would silently use
-// the last value.
+// Deeper than any valid file. The limit is needed because a level costs much more memory than its bracket.
+constexpr std::size_t max_levels = 100;
+// Objects are searched key by key, so the time grows with the square of their keys.
+constexpr std::size_t max_keys = 10'000;
+
+// Checks the nesting and the keys before the document is parsed, in one pass and without keeping values. The
+// parser itself would silently use the last value of a duplicate key, and its callbacks take time that grows
+// with the square of the elements of a list.
 class KeyWatcher {
  public:
-  void see(Node::parse_event_t event, const Node& value) {
-    switch (event) {
-      case Node::parse_event_t::object_start:
-      case Node::parse_event_t::array_start:
-        open_.push_back({event == Node::parse_event_t::array_start, 0, {}, {}});
-        break;
-      case Node::parse_event_t::key:
-        open_.back().key = value.get<std::string>();
-        if (!open_.back().keys.insert(open_.back().key).second && repeated_.empty()) repeated_ = path();
-        break;
-      case Node::parse_event_t::object_end:
-      case Node::parse_event_t::array_end:
-        open_.pop_back();
-        [[fallthrough]];
-      case Node::parse_event_t::value:
-        if (!open_.empty()) ++open_.back().index;
-        break;
-    }
-  }
+  explicit KeyWatcher(const std::string& name) : name_(name) {}
 
-  const std::string& repeated() const { return repeated_; }
+  bool start_object(std::size_t) { return open(false); }
+  bool start_array(std::size_t) { return open(true); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool key(std::string& key) {
+    Level& level = open_.back();
+    level.key = key;
+    bytes_ += sizeof(std::pair<std::string, Node>) + key.size();
+    if (!level.keys.insert(key).second)
+      throw InputError(name_ + ": " + path(), "is a duplicate key", "remove one of the two");
+    if (level.keys.size() > max_keys) {
+      open_.pop_back();
+      throw InputError(open_.empty() ? name_ : name_ + ": " + path(),
+                       fmt::format("has more than {} keys", grouped(max_keys)),
+                       "check that it is the right file");
+    }
+    return true;
+  }
+  bool null() { return value(); }
+  bool boolean(bool) { return value(); }
+  bool number_integer(Node::number_integer_t) { return value(); }
+  bool number_unsigned(Node::number_unsigned_t) { return value(); }
+  bool number_float(Node::number_float_t, const std::string&) { return value(); }
+  bool string(std::string& text) {
+    bytes_ += sizeof text + text.size();
+    return value();
+  }
+  bool binary(Node::binary_t&) { return value(); }
+  /// The memory of the document, counted without parsing it, bytes. Lists may reserve twice their elements.
+  std::size_t bytes() const { return bytes_; }
+  // The parser itself reports the error.
+  bool parse_error(std::size_t, const std::string&, const std::exception&) { return false; }
 
  private:
   struct Level {
@@ -89,6 +109,22 @@ class KeyWatcher {
     std::set<std::string> keys;
   };
 
+  bool open(bool is_array) {
+    if (open_.size() >= max_levels)
+      throw InputError(name_, fmt::format("has more than {} nested brackets", max_levels),
+                       "check that it is the right file");
+    open_.push_back({is_array, 0, {}, {}});
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return value();
+  }
+  bool value() {
+    bytes_ += 2 * sizeof(Node);
+    if (!open_.empty()) ++open_.back().index;
+    return true;
+  }
   std::string path() const {
     std::string path;
     for (const Level& level : open_)
@@ -97,29 +133,22 @@ class KeyWatcher {
     return path;
   }
 
+  const std::string& name_;
   std::vector<Level> open_;
-  std::string repeated_;
+  std::size_t bytes_ = 0;
 };
 
-// Deeper than any valid file. The limit is needed because a level costs much more memory than its bracket.
-constexpr int max_levels = 100;
-
 Node parse_strictly(std::string_view text, const std::string& name) {
-  KeyWatcher keys;
+  KeyWatcher keys(name);
   try {
-    Node root = Node::parse(
-        text,
-        [&](int depth, Node::parse_event_t event, const Node& value) {
-          if (depth > max_levels)
-            throw InputError(name, fmt::format("has more than {} nested brackets", max_levels),
-                             "check that it is the right file");
-          keys.see(event, value);
-          return true;
-        },
-        true, true);
-    if (!keys.repeated().empty())
-      throw InputError(name + ": " + keys.repeated(), "is a duplicate key", "remove one of the two");
-    return root;
+    Node::sax_parse(text, &keys, Node::input_format_t::json, true, true);
+    if (keys.bytes() > memory_limit())
+      throw InputError(
+          name,
+          fmt::format("requires {:.3g} GB of memory; the limit is {:.3g} GB",
+                      1e-9 * static_cast<double>(keys.bytes()), 1e-9 * static_cast<double>(memory_limit())),
+          "check that it is the right file, or use a machine with more memory");
+    return Node::parse(text, nullptr, true, true);
   } catch (const Node::out_of_range& error) {
     throw InputError(
         name, "has a number out of range (" + shortened(overflow_message(error, text), longest_message) + ")",
@@ -217,7 +246,9 @@ JsonCursor JsonCursor::operator[](std::string_view key) const {
 std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
   if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
   std::vector<std::pair<std::string, JsonCursor>> result;
-  for (const auto& [key, value] : as_node(node_).items()) result.emplace_back(key, (*this)[key]);
+  for (const auto& [key, value] : as_node(node_).items())
+    result.emplace_back(
+        key, JsonCursor(document_, &value, path_.empty() ? key : fmt::format("{}.{}", path_, key)));
   return result;
 }
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "support/expect_input_error.hpp"
+#include "support/processor_time.hpp"
+#include "support/sanitizers.hpp"
 #include "support/temp_folder.hpp"
 
 namespace shelfbeam {
@@ -78,6 +80,25 @@ TEST(Json, RefusesDuplicateKeys) {
   expect_input_error([] { parse(R"([ 1, [], { "a": [ {}, { "b": [2], "b": 3 } ] } ])"); },
                      "store.json: [2].a[1].b: ");
   EXPECT_NO_THROW(parse(R"({ "a": { "b": 1 }, "b": [ { "b": 1 }, { "b": 2 } ] })"));
+}
+
+TEST(Json, RefusesObjectsWithTooManyKeys) {
+  const auto with_keys = [](int count) {
+    std::string text;
+    for (int k = 0; k < count; ++k) text += (k == 0 ? "\"" : ",\"") + std::to_string(k) + "\":0";
+    return "{ \"a\": [ 1, {" + text + "} ] }";
+  };
+  EXPECT_EQ(parse(with_keys(10'000))["a"].elements()[1].members().size(), 10'000U);
+  expect_input_error([&] { parse(with_keys(10'001)); }, "store.json: a[1]: ", "more than 10,000 keys");
+}
+
+// A time that grows with the square of the elements would be a hundred times as long.
+TEST(Json, LongListsTakeTimeInProportion) {
+  std::string text = "[0";
+  for (int k = 0; k < 200'000; ++k) text += ",{\"a\":1}";
+  const test::ProcessorTime time;
+  EXPECT_EQ(parse(text + "]").elements().size(), 200'001U);
+  EXPECT_LT(time.seconds(), 4 * test::slowness);
 }
 
 TEST(Json, InvalidJsonIsReportedWithItsPosition) {

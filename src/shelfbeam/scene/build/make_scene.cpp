@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
+#include "shelfbeam/scene/build/keep_out_index.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_scene.hpp"
@@ -28,7 +30,7 @@ std::size_t scene_bytes(const TransceiverGrid& grid) {
 
 class SceneMaker {
  public:
-  explicit SceneMaker(const Store& store) : store_(store) {}
+  explicit SceneMaker(const Store& store) : store_(store), keep_out_(store.keep_out) {}
 
   Scene make() {
     scene_.name = store_.name;
@@ -162,32 +164,25 @@ class SceneMaker {
       sources_.labels.push_back(where);
     }
     if (scene_.labels.empty()) fail("has no labels", "add 'labels' to the store or to a fixture");
-    std::unordered_map<std::string, std::string> seen;
+    std::unordered_map<std::string_view, std::size_t> seen;
+    seen.reserve(scene_.labels.size());
     for (std::size_t i = 0; i < scene_.labels.size(); ++i) {
       const Label& label = scene_.labels[i];
       if (label.id.empty())
         throw InputError(sources_.labels[i], "has a label without an id", "give it an id");
-      const auto [first, is_new] = seen.emplace(label.id, sources_.labels[i]);
+      const auto [first, is_new] = seen.emplace(label.id, i);
       if (!is_new)
         throw InputError(sources_.labels[i],
                          fmt::format("has the duplicate label id {}, first used in {}", in_quotes(label.id),
-                                     first->second),
+                                     sources_.labels[first->second]),
                          "make ids unique");
       expect_in_room(label.id, label.position, sources_.labels[i], "label");
     }
   }
 
-  bool kept_out(const Vec3& p) const {
-    constexpr double slack = 1e-9;
-    return std::any_of(store_.keep_out.begin(), store_.keep_out.end(), [&](const KeepOut& area) {
-      return p.x >= area.min[0] - slack && p.x <= area.max[0] + slack && p.y >= area.min[1] - slack &&
-             p.y <= area.max[1] + slack;
-    });
-  }
-
   void add_transceiver(const Transceiver& unit, const std::string& where) {
     if (unit.id.empty()) throw InputError(where, "has a transceiver without an id", "give it an id");
-    if (kept_out(unit.position)) {
+    if (keep_out_.contains(unit.position)) {
       kept_out_ids_.insert(unit.id);
       return;
     }
@@ -256,6 +251,7 @@ class SceneMaker {
   }
 
   const Store& store_;
+  const KeepOutIndex keep_out_;
   Scene scene_;
   DeviceSources sources_;
   WarningList warnings_;

@@ -90,6 +90,25 @@ std::string hash_of(const std::vector<T>& numbers) {
   return content_hash({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
 }
 
+// Appends a list at this level of nesting as Json::dump(1) writes it. The list never exists as Json, which
+// would take several times the memory of the scene.
+template <class Items, class ToJson>
+void append_list(std::string& text, std::size_t level, const Items& items, ToJson to_json) {
+  const std::string line = "\n" + std::string(level + 1, ' ');
+  const char* separator = "[";
+  for (const auto& item : items) {
+    text += separator + line;
+    for (const char c : to_json(item).dump(1)) {
+      if (c == '\n')
+        text += line;
+      else
+        text += c;
+    }
+    separator = ",";
+  }
+  text += items.empty() ? "[]" : line.substr(0, level + 1) + "]";
+}
+
 }  // namespace
 
 std::string resolved_store_json(const Store& store, const Scene& scene) {
@@ -105,27 +124,36 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   for (const LabelType& type : store.label_types) json["label_types"][type.name] = resolved(type);
   for (const TransceiverType& type : store.transceiver_types)
     json["transceiver_types"][type.name] = resolved(type);
-  json["fixtures"] = Json::array();
-  for (const auto& [fixture, where] : store.fixtures) {
-    FixtureWriter writer{json["fixtures"].emplace_back(), store.materials};
-    write(fixture, writer);
-  }
-  json["labels"] = Json::array();
-  for (const Label& label : scene.labels)
-    json["labels"].push_back({{"id", label.id},
-                              {"position", array_of(label.position)},
-                              {"normal", array_of(label.normal)},
-                              {"type", scene.type_of(label).name}});
-  json["transceivers"] = {{"list", Json::array()}, {"installed", Json::array()}};
-  for (const Transceiver& unit : scene.transceivers) {
-    json["transceivers"]["list"].push_back({{"id", unit.id},
-                                            {"position", array_of(unit.position)},
-                                            {"axis", array_of(unit.axis)},
-                                            {"roll_deg", unit.roll_deg},
-                                            {"type", scene.type_of(unit).name}});
-    if (unit.installed) json["transceivers"]["installed"].push_back(unit.id);
-  }
-  return json.dump(1) + "\n";
+  std::string text = json.dump(1);
+  text.resize(text.size() - 2);  // without "\n}"
+  text += ",\n \"fixtures\": ";
+  append_list(text, 1, store.fixtures, [&](const auto& listed) {
+    Json object;
+    FixtureWriter writer{object, store.materials};
+    write(listed.value, writer);
+    return object;
+  });
+  text += ",\n \"labels\": ";
+  append_list(text, 1, scene.labels, [&](const Label& label) {
+    return Json{{"id", label.id},
+                {"position", array_of(label.position)},
+                {"normal", array_of(label.normal)},
+                {"type", scene.type_of(label).name}};
+  });
+  text += ",\n \"transceivers\": {\n  \"list\": ";
+  append_list(text, 2, scene.transceivers, [&](const Transceiver& unit) {
+    return Json{{"id", unit.id},
+                {"position", array_of(unit.position)},
+                {"axis", array_of(unit.axis)},
+                {"roll_deg", unit.roll_deg},
+                {"type", scene.type_of(unit).name}};
+  });
+  std::vector<std::string> installed;
+  for (const Transceiver& unit : scene.transceivers)
+    if (unit.installed) installed.push_back(unit.id);
+  text += ",\n  \"installed\": ";
+  append_list(text, 2, installed, [](const std::string& id) { return Json(id); });
+  return text + "\n }\n}\n";
 }
 
 std::string scene_hash(const Scene& scene) {
