@@ -7,9 +7,12 @@
 #include <string>
 #include <string_view>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
 #include "app/options/arguments.hpp"
@@ -23,10 +26,17 @@ namespace {
 using namespace shelfbeam;
 using namespace shelfbeam::app;
 
+// Otherwise an output file would take the number of a closed stream, and messages would overwrite it. These
+// replacements fail when they are used, as the closed streams would.
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 // Prints one line of limited length, whatever names and paths contain.
 void print_line(std::string_view kind, std::string_view text) {
   const Style style = kind == "stopped" ? Style::warning : Style::error;
-  fmt::print(stderr, "{} {}\n", styled(style, fmt::format("{}:", kind), stderr), one_line(text));
+  tell("{} {}\n", styled(style, fmt::format("{}:", kind), stderr), one_line(text));
 }
 
 // The library does not know the names of the flags.
@@ -70,11 +80,18 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");
 }
 
+// The exit code of a program that has printed all that it has to print.
+int ended(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  print_line("error", fmt::format("standard output: cannot be written ({}); check the disk or the program "
+                                  "that reads it",
+                                  system_reason()));
+  return wrong_input;
+}
+
 int run(const ChosenVerb& verb) {
   try {
-    const int code = verb();
-    if (std::fflush(stdout) != 0) throw InputError("standard output", "cannot be written", "check the disk");
-    return code;
+    return ended(verb());
   } catch (const InputError& error) {
     print_line("error", with_flag(error.what(), error.setting()));
     return wrong_input;
@@ -85,6 +102,7 @@ int run(const ChosenVerb& verb) {
     print_line("internal error", "not enough memory");
     return internal_error;
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return ended(wrong_input);
     print_line("internal error", error.what());
     return internal_error;
   }
@@ -93,6 +111,7 @@ int run(const ChosenVerb& verb) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  occupy_standard_streams();
   // Writing beyond a file size limit then fails, which is reported like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app;
@@ -101,7 +120,7 @@ int main(int argc, char** argv) {
   try {
     parse_command_line(app, argc, argv);
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    return ended(app.exit(help));
   } catch (const WrongUsage& error) {
     print_line("error", error.what());
     return wrong_input;

@@ -35,10 +35,15 @@ std::size_t terminal_width() {
 
 }  // namespace
 
+void write_error(std::string_view text) noexcept {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
 TerminalProgress::TerminalProgress(bool quiet) : active_(!quiet && is_terminal(stderr)) {}
 
 TerminalProgress::~TerminalProgress() {
-  if (!drawn_task_.empty()) fmt::print(stderr, "\r\033[K");
+  if (!drawn_task_.empty()) tell("\r\033[K");
 }
 
 void TerminalProgress::report(std::string_view task, double fraction, std::string_view detail) {
@@ -50,8 +55,7 @@ void TerminalProgress::report(std::string_view task, double fraction, std::strin
   drawn_at_ = now;
   drawn_task_ = progress.task;
   // Some terminals wrap a line that fills them.
-  fmt::print(stderr, "\r\033[K{}", progress_line(progress, terminal_width() - 1));
-  std::fflush(stderr);
+  tell("\r\033[K{}", progress_line(progress, terminal_width() - 1));
 }
 
 const CancelToken& cancel_on_signal() {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -32,6 +33,15 @@ class TerminalProgress : public ProgressSink {
   std::string drawn_task_;  ///< empty: nothing is drawn yet
   Clock::time_point started_ = Clock::now(), drawn_at_;
 };
+
+/// Writes to standard error. If that is closed or full, the text is lost, and nothing else happens.
+void write_error(std::string_view text) noexcept;
+
+/// Formats a message for standard error.
+template <class... T>
+void tell(fmt::format_string<T...> format, T&&... values) {
+  write_error(fmt::format(format, std::forward<T>(values)...));
+}
 
 /// Prints the summary for `--json`. Bytes of paths that are not UTF-8 are replaced, as JSON requires.
 inline void print_json(const nlohmann::ordered_json& json) {

@@ -177,14 +177,12 @@ int run_plan(const Options& options) {
   else if (!options.common.quiet)
     fmt::print("{}", result(options, plan, table, follows_decision(options)));
   if (options.common.json && !options.common.quiet && is_imprecise(plan))
-    fmt::print(
-        stderr,
-        "the requested relative error was not reached; without '--json' the program lists the entries\n");
+    tell("the requested relative error was not reached; without '--json' the program lists the entries\n");
   if (plan.complete) return is_open(options, plan) ? stopped_early : exit_code(plan.placement.status);
   if (!options.common.quiet)
-    fmt::print(stderr, "stopped early: {}; repeat the command with '--resume' to continue\n",
-               summary.complete ? "the simulation is complete, the later steps are not"
-                                : "the plan uses the samples so far");
+    tell("stopped early: {}; repeat the command with '--resume' to continue\n",
+         summary.complete ? "the simulation is complete, the later steps are not"
+                          : "the plan uses the samples so far");
   return stopped_early;
 }
 

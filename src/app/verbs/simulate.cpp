@@ -54,9 +54,9 @@ int run_simulate(const Options& options) {
   }
   if (summary.complete) return summary.unmet_error ? stopped_early : done;
   if (!options.common.json && !options.common.quiet)
-    fmt::print(stderr,
-               "stopped early: the file contains the samples so far; repeat the command with '--resume' to "
-               "continue\n");
+    tell(
+        "stopped early: the file contains the samples so far; repeat the command with '--resume' to "
+        "continue\n");
   return stopped_early;
 }
 
