@@ -6,6 +6,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
 #include "app/options/arguments.hpp"
@@ -89,7 +91,21 @@ int ended(int code) {
   return wrong_input;
 }
 
-int run(const ChosenVerb& verb) {
+// Names the verb and its first argument, the input.
+int out_of_memory(const CLI::App& app) {
+  const CLI::App* verb = app.get_subcommands().front();
+  const auto arguments =
+      verb->get_options([](const CLI::Option* option) { return option->get_positional(); });
+  const std::string input =
+      arguments.empty() || arguments.front()->empty() ? "" : arguments.front()->results().front();
+  print_line("error",
+             fmt::format("{}: '{}' requires more memory than this process may use (--memory is {:.3g} "
+                         "GB by default); use a smaller input, or a machine with more memory",
+                         input, verb->get_name(), 1e-9 * static_cast<double>(memory_limit())));
+  return wrong_input;
+}
+
+int run(const CLI::App& app, const ChosenVerb& verb) {
   try {
     return ended(verb());
   } catch (const InputError& error) {
@@ -99,9 +115,12 @@ int run(const ChosenVerb& verb) {
     print_line("stopped", with_flag(stop.what(), stop.setting()));
     return stopped_early;
   } catch (const std::bad_alloc&) {
-    print_line("internal error", "not enough memory");
-    return internal_error;
+    return out_of_memory(app);
   } catch (const std::exception& error) {
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
+    if (system != nullptr && (system->code() == std::errc::not_enough_memory ||
+                              system->code() == std::errc::resource_unavailable_try_again))
+      return out_of_memory(app);
     if (std::ferror(stdout) != 0) return ended(wrong_input);
     print_line("internal error", error.what());
     return internal_error;
@@ -125,5 +144,5 @@ int main(int argc, char** argv) {
     print_line("error", error.what());
     return wrong_input;
   }
-  return run(chosen);
+  return run(app, chosen);
 }

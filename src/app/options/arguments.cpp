@@ -11,6 +11,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
 
 #include "app/verbs.hpp"
 

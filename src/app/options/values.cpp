@@ -47,7 +47,8 @@ std::string kind_of(const Shares& shares) {
 CLI::Validator positive_number() {
   const auto check = [](const std::string& text) {
     const auto value = finite_number(text);
-    return value && *value > 0 ? std::string() : fmt::format("'{}' is not a finite number above 0", text);
+    if (!value || !(*value > 0)) return fmt::format("'{}' is not a finite number above 0", text);
+    return *value > max_amount ? fmt::format("'{}' is greater than 1e18", text) : std::string();
   };
   return {check, "POSITIVE"};
 }

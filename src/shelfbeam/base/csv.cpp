@@ -245,8 +245,9 @@ double CsvReader::number(std::size_t field) {
     fail(field, fmt::format("is {}", in_quotes(content)),
          is_grouped ? "a number without thousands separators is expected" : "a number is expected");
   }
-  if (!std::isfinite(*value))
-    fail(field, std::string(amount_problem(std::abs(*value))), "a finite number is expected");
+  if (const auto problem = amount_problem(std::abs(*value)); !problem.empty())
+    fail(field, *value < -max_amount && std::isfinite(*value) ? "is less than -1e18" : std::string(problem),
+         "a finite number is expected");
   return *value;
 }
 

@@ -12,6 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/base/text.hpp"
+
 namespace shelfbeam {
 namespace fs = std::filesystem;
 
@@ -119,14 +122,37 @@ void cannot_write(const fs::path& path, const std::string& why) {
                     "choose an existing, writable folder with enough disk space");
 }
 
-std::string read_file(const fs::path& path) {
-  if (is_folder(path)) throw InputError(path.string(), "is a folder, not a file", "name a file in it");
+std::uint64_t input_size(const fs::path& path, std::uint64_t max_bytes) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  struct stat state = {};
+  if (descriptor < 0 && ::stat(path.c_str(), &state) != 0)
+    throw InputError(path.string(), fmt::format("cannot be read ({})", system_reason()), "check the path");
+  if (descriptor >= 0) {
+    ::fstat(descriptor, &state);
+    ::close(descriptor);
+  }
+  if (S_ISDIR(state.st_mode)) throw InputError(path.string(), "is a folder, not a file", "name a file in it");
+  if (!S_ISREG(state.st_mode))
+    throw InputError(path.string(), "is not a regular file", "save its content to a file, and name that");
+  if (descriptor < 0)
+    throw InputError(path.string(), fmt::format("cannot be read ({})", system_reason()), "check the path");
+  const auto size = static_cast<std::uint64_t>(state.st_size);
+  if (size > max_bytes)
+    throw InputError(path.string(),
+                     fmt::format("has {} bytes; the maximum is {}", grouped(size), grouped(max_bytes)),
+                     "check that it is the right file");
+  return size;
+}
+
+std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
+  std::string text(input_size(path, std::min<std::uint64_t>(max_bytes, memory_limit())), '\0');
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw InputError(path.string(), fmt::format("cannot be read ({})", system_reason()), "check the path");
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in.bad()) throw InputError(path.string(), "cannot be read to its end", "check the disk");
+  text.resize(static_cast<std::size_t>(in.gcount()));
   return text;
 }
 

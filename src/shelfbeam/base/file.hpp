@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <list>
 #include <string>
 #include <string_view>
@@ -10,8 +12,18 @@
 
 namespace shelfbeam {
 
-/// The whole file as text. Throws InputError when it cannot be read.
-std::string read_file(const std::filesystem::path& path);
+/// Maximum sizes of input files, bytes. Matrices are limited by the memory instead.
+inline constexpr std::uint64_t max_text_file = std::uint64_t{1} << 30, max_mesh_file = std::uint64_t{1} << 31,
+                               max_photometry_file = std::uint64_t{1} << 24;
+
+/// The size of an input file in bytes. Throws InputError if the path is not a regular file that can be read
+/// (never waits for a pipe), or has more than `max_bytes`.
+std::uint64_t input_size(const std::filesystem::path& path,
+                         std::uint64_t max_bytes = std::numeric_limits<std::uint64_t>::max());
+
+/// The whole file as text. Throws InputError when it cannot be read, and before reading when it has more than
+/// `max_bytes`.
+std::string read_file(const std::filesystem::path& path, std::uint64_t max_bytes = max_text_file);
 
 /// A file that appears under its name only when it is complete: write to `temporary()`, then `commit()`.
 /// Without a commit, the destructor removes the temporary file, and an older file of that name is unchanged.

@@ -2,14 +2,11 @@
 
 #include <cstddef>
 
-#include <unistd.h>
-
 namespace shelfbeam {
 
-/// Default memory limit, bytes: 80 % of the physical memory; the rest is for other processes.
-inline std::size_t memory_limit() {
-  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) / 10 * 8 *
-         static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-}
+/// Default memory limit, bytes: 80 % of the memory that this process may use; the rest is for other purposes.
+/// The physical memory, the limits of the process (ulimit -v and -d) and those of its control groups
+/// (containers) are taken into account.
+std::size_t memory_limit();
 
 }  // namespace shelfbeam

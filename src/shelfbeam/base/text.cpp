@@ -231,6 +231,7 @@ std::string_view amount_problem(double value) {
   if (std::isnan(value)) return "is NaN";
   if (std::isinf(value)) return "is infinite";
   if (value < 0) return "is negative";
+  if (value > max_amount) return "is greater than 1e18";
   return {};
 }
 

@@ -61,7 +61,11 @@ std::string in_quotes(std::string_view value);
 /// outside the range of a double. Independent of the locale.
 std::optional<double> to_number(std::string_view text);
 
-/// The problem with a signal, cost or requirement ("is NaN"); empty if the value is finite and not negative.
+/// The largest signal, cost or requirement of a table. Its square, and sums of millions of squares, are far
+/// from the limits of single precision.
+inline constexpr double max_amount = 1e18;
+
+/// The problem with a signal, cost or requirement ("is NaN"); empty if the value is 0 to `max_amount`.
 std::string_view amount_problem(double value);
 
 }  // namespace shelfbeam

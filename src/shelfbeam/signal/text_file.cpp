@@ -25,12 +25,6 @@ constexpr std::size_t piece = 1 << 16;
   throw InputError(path.string(), fmt::format("cannot be read ({})", system_reason()), "check the path");
 }
 
-void check_is_file(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-    throw InputError(path.string(), "is a folder, not a file", "name a file in it");
-}
-
 void check_is_text(const fs::path& path, std::string_view text) {
   const auto is_binary = [](char c) {
     const auto code = static_cast<unsigned char>(c);
@@ -45,7 +39,7 @@ void check_is_text(const fs::path& path, std::string_view text) {
 }  // namespace
 
 std::string read_first_bytes(const fs::path& path, std::size_t count) {
-  check_is_file(path);
+  input_size(path);
   std::ifstream in(path, std::ios::binary);
   if (!in) cannot_read(path);
   std::string bytes(count, '\0');
@@ -56,7 +50,11 @@ std::string read_first_bytes(const fs::path& path, std::size_t count) {
 }
 
 std::string read_text_file(const fs::path& path, std::size_t max_bytes) {
-  check_is_file(path);
+  const std::uint64_t packed = input_size(path, max_bytes);
+  // A small file that unpacks without end is refused within a second or so.
+  constexpr std::uint64_t always_allowed = std::uint64_t{1} << 28, usual_ratio = 100;
+  const std::uint64_t limit =
+      std::min<std::uint64_t>(max_bytes, std::max(always_allowed, usual_ratio * packed));
   errno = 0;
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose_r);
   if (!file) cannot_read(path);
@@ -74,10 +72,14 @@ std::string read_text_file(const fs::path& path, std::size_t max_bytes) {
       throw InputError(path.string(), fmt::format("is a truncated or corrupt gzip file ({})", message),
                        "download or compress it again");
     if (got == 0) break;
+    if (size == 0) check_is_text(path, std::string_view(text).substr(0, static_cast<std::size_t>(got)));
     size += static_cast<std::size_t>(got);
-    if (size > max_bytes)
-      throw InputError(path.string(), fmt::format("has more than {} bytes of decompressed text", max_bytes),
-                       "check that it is the right file; a signal file (HDF5) or NPY requires less memory");
+    if (size > limit)
+      throw InputError(
+          path.string(), fmt::format("has more than {} bytes of decompressed text", grouped(limit)),
+          limit == max_bytes
+              ? "check that it is the right file; a signal file (HDF5) or NPY requires less memory"
+              : "check that it is the right file, or decompress it first");
   }
   text.resize(size);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);

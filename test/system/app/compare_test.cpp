@@ -86,6 +86,24 @@ TEST_F(Compare, FindsTheFactorOfAPlacement) {
   EXPECT_EQ(json["worst"][0]["transceiver"], nullptr);
 }
 
+// Ratios and squares of these values would overflow.
+TEST_F(Compare, RefusesValuesBeyondItsRange) {
+  const std::string head = "label,transceiver,signal,error\ndoor,G1-1-1,";
+  for (const auto& [values, problem] : std::vector<std::pair<std::string, std::string>>{
+           {"1e160,1", "field 3: is greater than 1e18"},
+           {"-1e160,1", "field 3: is less than -1e18"},
+           {"1,1e160", "field 4: is greater than 1e18"},
+           {"1e-160,1", "field 3: is 1e-160, which is nearer to 0 than 1e-18"},
+           {"1,1e-160", "field 4: is 1e-160, which is nearer to 0 than 1e-18"}}) {
+    folder.write("m.csv", head + values + "\n");
+    refused("compare @signal.h5 @m.csv", {"m.csv: line 2, " + problem});
+  }
+  // Control: the limits themselves.
+  folder.write("m.csv", head + "1e18,1e-18\ndoor,G1-2-1,-1e18,1e18\ndoor,G1-3-1,1e-18,1\ndoor,G1-4-1,0,1\n");
+  const test::Outcome outcome = test::shelfbeam(test::words(folder, "compare @signal.h5 @m.csv"));
+  EXPECT_LT(outcome.exit_code, 3) << outcome.err;
+}
+
 TEST_F(Compare, RefusesIncomparableInput) {
   const auto refuse = [&](const std::string& csv, const std::string& options,
                           const std::vector<std::string>& parts) {

@@ -1,6 +1,10 @@
+#include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <zlib.h>
 
 #include "support/process.hpp"
 #include "support/sanitizers.hpp"
@@ -73,8 +77,11 @@ TEST_F(HostileFiles, StoresThatMultiply) {
   const std::string store = folder.write("store.json", store_of(100));
   const std::string rest = " -o " + (folder / "signal.h5").string() + " --memory ";
   expect_refused("simulate " + store + rest + "300M", "(--memory)");
-  // Control: with a higher memory limit than the address space, the memory runs out.
-  EXPECT_EQ(run_small("simulate " + store + rest + "500G").exit_code, 4);
+  // With a higher limit than the address space, the memory runs out.
+  expect_refused("simulate " + store + rest + "500G",
+                 store + ": requires about 92.9 GB of memory, more than is ");
+  // Without an option, the limit is that of the process.
+  expect_refused("inspect " + store, "the limit is 0.4");
 }
 
 TEST_F(HostileFiles, DeeplyNestedBrackets) {
@@ -132,6 +139,46 @@ TEST_F(HostileFiles, MatricesThatClaimMore) {
   expect_refused(place(folder.write("a.npy", npy("(4294967294, 4294967294)"))), "(4294967294, 4294967294)");
   expect_refused(place(folder.write("a.txt", "4000000000 4000000000 1\n0\n")), "m is 4000000000");
   expect_refused(place(folder.write("b.txt", "4000000000 4000000000\n1 1\n")), "m is 4000000000");
+}
+
+// Sparse files of 200 GB, which take no room on the disk.
+TEST_F(HostileFiles, FilesThatAreTooLarge) {
+  const TempFolder folder;
+  for (const char* name : {"a.stl", "a.npy", "a.csv", "a.h5", "a.json"})
+    std::filesystem::resize_file(folder.write(name, ""), std::uintmax_t{200} << 30);
+  folder.write("store.json", mesh_store("a.stl"));
+  const auto refuse = [&](const std::string& verb, const std::string& file, const std::string& name) {
+    expect_refused(verb + " " + (folder / file).string(),
+                   name + ": has 214,748,364,800 bytes; the maximum is ");
+  };
+  refuse("inspect", "store.json", "a.stl");
+  refuse("inspect", "a.json", "a.json");
+  for (const std::string name : {"a.npy", "a.csv", "a.h5"}) refuse("place --threshold 1", name, name);
+}
+
+TEST_F(HostileFiles, FilesThatAreNotRegular) {
+  const TempFolder folder;
+  const std::string pipe = (folder / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {pipe, std::string("/dev/zero")})
+    for (const std::string verb : {"inspect ", "place "})
+      expect_refused(verb + path, path + ": is not a regular file");
+  const std::string store = folder.write("store.json", store_of(0));
+  expect_refused("verify " + store + " " + pipe, "pipe: is not a regular file");
+}
+
+// A gzip file that unpacks to a thousand times its size.
+TEST_F(HostileFiles, FilesThatUnpackWithoutEnd) {
+  const TempFolder folder;
+  const std::string path = (folder / "a.txt.gz").string();
+  const std::string text(1 << 20, ' ');
+  const gzFile file = gzopen(path.c_str(), "wb1");
+  gzputs(file, "1 1 1\n");
+  for (int k = 0; k < 300; ++k) gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(file);
+  const Outcome outcome = test::run({SHELFBEAM_BINARY, "place", path});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find(path + ": has more than 268,435,456 bytes"), std::string::npos) << outcome.err;
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ DirectionTable parse_eulumdat(std::string_view text, const std::string& name) {
 }
 
 DirectionTable read_eulumdat(const std::filesystem::path& file) {
-  return parse_eulumdat(read_file(file), file.string());
+  return parse_eulumdat(read_file(file, max_photometry_file), file.string());
 }
 
 }  // namespace shelfbeam

@@ -82,7 +82,7 @@ DirectionTable parse_ies(std::string_view text, const std::string& name) {
 }
 
 DirectionTable read_ies(const std::filesystem::path& file) {
-  return parse_ies(read_file(file), file.string());
+  return parse_ies(read_file(file, max_photometry_file), file.string());
 }
 
 }  // namespace shelfbeam

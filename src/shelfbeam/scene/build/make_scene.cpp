@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -33,6 +34,19 @@ class SceneMaker {
   explicit SceneMaker(const Store& store) : store_(store), keep_out_(store.keep_out) {}
 
   Scene make() {
+    try {
+      return made();
+    } catch (const std::bad_alloc&) {
+      fail(fmt::format("requires about {:.3g} GB of memory, more than is available",
+                       1e-9 * static_cast<double>(estimate_)),
+           "use wider spacings or simpler meshes, or a machine with more memory");
+    }
+  }
+
+  DeviceSources sources() { return std::move(sources_); }
+
+ private:
+  Scene made() {
     scene_.name = store_.name;
     scene_.wavelength_nm = store_.wavelength_nm;
     scene_.materials = store_.materials;
@@ -53,16 +67,13 @@ class SceneMaker {
     return std::move(scene_);
   }
 
-  DeviceSources sources() { return std::move(sources_); }
-
- private:
   [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
     throw InputError(store_.file, problem, suggestion);
   }
 
   // Checks the memory before anything is allocated.
-  void expect_memory() const {
-    std::size_t size = 0;
+  void expect_memory() {
+    std::size_t& size = estimate_;
     const auto add = [&](std::size_t more, const std::string& where) {
       size += more;
       if (size > store_.memory)
@@ -255,6 +266,7 @@ class SceneMaker {
   Scene scene_;
   DeviceSources sources_;
   WarningList warnings_;
+  std::size_t estimate_ = 0;  ///< bytes
   std::unordered_map<std::string, std::size_t> unit_index_;
   std::set<std::string> kept_out_ids_;
 };

@@ -237,7 +237,8 @@ std::string GltfFile::load(const JsonCursor& buffer, bool is_first) const {
       if (begin == std::string::npos) uri->fail("is not base64", "export the file again");
       bytes = from_base64(std::string_view(text).substr(begin + marker.size()), *uri);
     } else {
-      bytes = read_file(folder_.find(name_.parent_path() / without_percent(text), uri->where(), "buffer"));
+      bytes = read_file(folder_.find(name_.parent_path() / without_percent(text), uri->where(), "buffer"),
+                        max_mesh_file);
     }
   }
   const auto length = static_cast<std::size_t>(buffer["byteLength"].integer(0, max_integer));

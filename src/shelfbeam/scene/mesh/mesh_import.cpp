@@ -85,7 +85,7 @@ std::vector<MeshPiece> import_mesh(const std::filesystem::path& name, const Stor
   if (!is_gltf && extension != ".obj" && extension != ".stl" && extension != ".ply")
     throw InputError(where, fmt::format("the mesh '{}' does not have a known file extension", file.string()),
                      "use glTF (.gltf, .glb), OBJ (.obj), STL (.stl) or PLY (.ply)");
-  const std::string content = read_file(file);
+  const std::string content = read_file(file, max_mesh_file);
   // During the conversion to pieces, memory contains all triangles twice and an index of their corners.
   MeshTriangles triangles(folder.memory() / 4);
   MeshLines lines(content, file, where);

@@ -48,10 +48,9 @@ inline std::uint64_t hash_of_head(std::uint64_t length, std::uint64_t content_ha
 class RecordReader {
  public:
   explicit RecordReader(const std::filesystem::path& path)
-      : name_(path.string()), file_(std::fopen(path.c_str(), "rb")) {
+      : name_(path.string()), size_(input_size(path)), file_(std::fopen(path.c_str(), "rb")) {
     if (!file_)
       throw InputError(name_, fmt::format("cannot be read ({})", system_reason()), "check its permissions");
-    size_ = std::filesystem::file_size(path);
   }
 
   bool line(std::string_view expected) {
@@ -88,8 +87,8 @@ class RecordReader {
   std::size_t read(void* data, std::size_t size) { return std::fread(data, 1, size, file_.get()); }
 
   std::string name_;
+  std::uint64_t size_, valid_size_ = 0;
   std::unique_ptr<std::FILE, Close> file_;
-  std::uint64_t size_ = 0, valid_size_ = 0;
   std::string content_;
 };
 

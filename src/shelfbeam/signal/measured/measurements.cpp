@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
@@ -43,6 +44,13 @@ Fields read_header(CsvReader& csv) {
   return fields;
 }
 
+/// Throws for values whose squares and ratios would leave the range of a double.
+void expect_unit(const CsvReader& csv, std::size_t field, double value) {
+  if (value != 0 && std::abs(value) < 1 / max_amount)
+    csv.fail(field, fmt::format("is {:g}, which is nearer to 0 than 1e-18", value),
+             "use 0, or a smaller unit of measure");
+}
+
 }  // namespace
 
 Measurements read_measurements(const std::filesystem::path& path, const SignalMatrix& matrix) {
@@ -62,11 +70,13 @@ Measurements read_measurements(const std::filesystem::path& path, const SignalMa
     one.label = labels.read(csv, *label);
     if (transceiver) one.transceiver = transceivers.read(csv, *transceiver);
     one.signal = csv.number(*signal);
+    expect_unit(csv, *signal, one.signal);
     if (error) {
       one.error = csv.number(*error);
       if (*one.error <= 0)
         csv.fail(*error, "is not greater than 0",
                  "an error is the standard deviation of its signal; remove the column if it is unknown");
+      expect_unit(csv, *error, *one.error);
     }
     const bool is_new = seen.emplace(one.label, one.transceiver.value_or(0)).second;
     if (!is_new) {

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/tables/formats.hpp"
 #include "shelfbeam/signal/text_file.hpp"
@@ -92,7 +94,8 @@ NpyHeader read_header(const fs::path& path) {
 template <class T>
 SignalTable read_entries(const fs::path& path, const NpyHeader& header) {
   const std::size_t m = header.rows, n = header.columns;
-  const std::size_t present = static_cast<std::size_t>(fs::file_size(path)) - header.data_begin;
+  // The table takes at least as much memory as the file.
+  const std::size_t present = input_size(path, memory_limit() / 2) - header.data_begin;
   if (present % sizeof(T) != 0 || present / sizeof(T) / n != m || present / sizeof(T) % n != 0)
     throw InputError(path.string(),
                      fmt::format("has {} bytes of data, but its shape ({}, {}) requires {}", present, m, n,

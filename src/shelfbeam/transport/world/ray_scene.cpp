@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -154,7 +155,9 @@ EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const std::vector<
   rtcAttachGeometry(scene.get(), geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(scene.get());
-  if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (error != RTC_ERROR_NONE)
     throw std::runtime_error(
         fmt::format("Embree could not build the scene (error {})", static_cast<int>(error)));
   return scene;
