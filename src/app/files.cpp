@@ -9,6 +9,7 @@
 #include "shelfbeam/scene/store/store.hpp"
 
 #include "app/options/arguments.hpp"
+#include "app/plan_folder.hpp"
 
 namespace shelfbeam::app {
 
@@ -51,13 +52,6 @@ CLI::Option* add_safe_csv(CLI::App& verb, bool& safe_csv) {
                 "In CSV files, write an apostrophe before ids and names that a spreadsheet would take for "
                 "formulas")
       ->group(group::runs);
-}
-
-void prepare_plan_folder(const std::filesystem::path& folder) {
-  make_output_folder(folder);
-  for (const char* name : {signal_name, placement_name, store_name, labels_name, placement_table_name,
-                           verification_name, report_name})
-    expect_writable(folder / name);
 }
 
 void write_report(AtomicFolder& files, const ReportInput& input) {

@@ -30,18 +30,6 @@ void add_strict_option(CLI::App& verb, bool& strict);
 /// --safe-csv.
 CLI::Option* add_safe_csv(CLI::App& verb, bool& safe_csv);
 
-/// Names of the files in the folder of a plan. Without placement.json a plan is incomplete.
-inline constexpr auto signal_name = "signal.h5";
-inline constexpr auto placement_name = "placement.json";
-inline constexpr auto store_name = "store.json";
-inline constexpr auto labels_name = "labels.csv";
-inline constexpr auto placement_table_name = "placement.csv";
-inline constexpr auto verification_name = "verification.csv";
-inline constexpr auto report_name = "report.html";
-
-/// Makes the folder; throws InputError if one of these files cannot be written.
-void prepare_plan_folder(const std::filesystem::path& folder);
-
 /// Adds labels.csv, placement.csv and report.html.
 void write_report(AtomicFolder& files, const ReportInput& input);
 

@@ -50,7 +50,7 @@ std::string with_flag(std::string_view text, Setting setting) {
       {Setting::units, "--at-most"},          {Setting::failure, "--survive-failure"},
       {Setting::estimator, "--estimator"},    {Setting::strategy, "--strategy"},
       {Setting::direct_light, "--direct"},    {Setting::bounces, "--max-bounces"},
-      {Setting::strictness, "--strict"}};
+      {Setting::strictness, "--strict"},      {Setting::overwriting, "--overwrite"}};
   const auto found = flags.find(setting);
   return found == flags.end() ? std::string(text) : fmt::format("{} ({})", text, found->second);
 }

@@ -21,6 +21,7 @@
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
+#include "app/plan_folder.hpp"
 #include "app/text/placement_text.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
@@ -41,7 +42,7 @@ struct Options {
   double reflectance_error = SensitivityOptions().assumed_error;
   Requirements requirements;
   std::filesystem::path store, folder;
-  bool allow_outside = false, strict = false, safe_csv = false;
+  bool allow_outside = false, strict = false, overwrite = false, safe_csv = false;
 };
 
 SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
@@ -79,7 +80,7 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
 
 // The answer comes first, then the page that shows it, then the details.
 std::string result(const Options& options, const Plan& plan, const SignalTable& table,
-                   bool follows_decision) {
+                   bool follows_decision, bool is_kept) {
   std::string placed = describe(plan.placement, table);
   std::string answer = certificate_sentence(plan);
   if (answer.empty()) {
@@ -93,9 +94,10 @@ std::string result(const Options& options, const Plan& plan, const SignalTable& 
   std::string simulated = describe(plan.simulation.summary, follows_decision) + '\n';
   for (std::size_t at = 0; (at = simulated.find('\n', at) + 1) < simulated.size();)
     simulated.insert(at, "  ");
-  return fmt::format("{}\nreport: {}\n{}{}simulation: {}", styled(Style::answer, answer),
-                     (options.folder / report_name).string(), placed, additions(options, plan, table),
-                     simulated);
+  const std::string report =
+      is_kept ? "" : fmt::format("report: {}\n", (options.folder / report_name).string());
+  return fmt::format("{}\n{}{}{}simulation: {}", styled(Style::answer, answer), report, placed,
+                     additions(options, plan, table), simulated);
 }
 
 // The requested relative error was not reached, and no certificate covers the sampling error.
@@ -116,6 +118,55 @@ bool follows_decision(const Options& options) {
   return !options.no_certificate && !flags.samples && !flags.relative_error && !flags.time_s;
 }
 
+// The files of a matrix, approximately: three floats and a flag per entry.
+double bytes_of_matrix(const SignalTable& table) {
+  return 13.0 * static_cast<double>(table.rows()) * static_cast<double>(table.columns());
+}
+
+void write_plan(const std::filesystem::path& folder, const Scene& scene, const std::string& resolved,
+                const Plan& plan, const std::string& answer, bool safe_csv) {
+  const SignalMatrix& matrix = plan.simulation.matrix;
+  AtomicFolder files(folder);
+  files.add(store_name).write(resolved);
+  write_signal_file(matrix, files.add(signal_name));
+  if (plan.certificate) files.add(verification_name).write(verification_csv(*plan.certificate, scene, safe_csv));
+  write_report(files, {scene, matrix, plan, safe_csv});
+  const std::string recorded = recorded_placement(answer, plan.complete, files);
+  files.add(placement_name).write(recorded);
+  files.commit({placement_name, verification_name});
+}
+
+// A plan that cannot be written to its folder is written elsewhere.
+void save(const Options& options, const Scene& scene, const std::string& resolved, const Plan& plan,
+          const std::string& answer) {
+  const auto write = [&](const std::filesystem::path& folder) {
+    write_plan(folder, scene, resolved, plan, answer, options.safe_csv);
+  };
+  try {
+    write(options.folder);
+  } catch (const OutputError& error) {
+    const auto elsewhere = keep_elsewhere(write);
+    std::string kept = elsewhere ? fmt::format("the plan is kept in '{}'", elsewhere->string()) : "";
+    if (!plan.simulation.summary.has_checkpoint) {
+      if (!elsewhere) throw;
+      throw OutputError(error, kept, Setting::none);
+    }
+    if (elsewhere) kept += "; ";
+    throw OutputError(error, kept + checkpoint_remains, Setting::resumption);
+  }
+}
+
+std::string remark_on_interruption(const Options& options, const SimulationSummary& summary, bool is_kept) {
+  const std::string repeat = "repeat the command with '--resume' to continue";
+  if (is_kept)
+    return fmt::format("the finished plan in {} is unchanged; {}", options.folder.string(),
+                       summary.has_checkpoint ? repeat : "there is no checkpoint yet, so start again");
+  return fmt::format("{}; {}",
+                     summary.complete ? "the simulation is complete, the later steps are not"
+                                      : "the plan uses the samples so far",
+                     repeat);
+}
+
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   const Store store = load_store(options.store, options.allow_outside, options.simulation.memory);
@@ -128,12 +179,12 @@ int run_plan(const Options& options) {
   SimulationOptions simulation =
       options.simulation.options(options.common.seed, options.folder / signal_name);
   if (follows_decision(options)) simulation.samples = decision_samples;
+  const PlanFolder folder(options.folder, resolved, options.overwrite);
+  expect_room(options.folder, bytes_of_matrix(nothing));
   print_warnings(options.common, scene, simulation.rules().strategy);
   expect_no_warnings(scene, options.store, options.strict);
-  const bool is_new = !std::filesystem::exists(options.folder);
-  prepare_plan_folder(options.folder);
   Plan plan;
-  try {
+  {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel, progress.sink()};
     PlanOptions plan_options;
@@ -148,41 +199,23 @@ int run_plan(const Options& options) {
     plan_options.curve = options.curve;
     if (options.sensitivity) plan_options.sensitivity = {options.reflectance_error, confidence};
     plan = make_plan(scene, plan_options, control);
-  } catch (...) {  // stopped too early, or refused
-    std::error_code not_empty;
-    if (is_new) std::filesystem::remove(options.folder, not_empty);
-    throw;
   }
-  const SignalMatrix& matrix = plan.simulation.matrix;
   const SimulationSummary& summary = plan.simulation.summary;
-  const SignalTable table = table_of(options, matrix);
+  const SignalTable table = table_of(options, plan.simulation.matrix);
   const std::string answer = plan_json(plan, table);
-  try {
-    AtomicFolder files(options.folder);
-    files.add(store_name).write(resolved);
-    write_signal_file(matrix, files.add(signal_name));
-    if (plan.certificate)
-      files.add(verification_name).write(verification_csv(*plan.certificate, scene, options.safe_csv));
-    write_report(files, {scene, matrix, plan, options.safe_csv});
-    files.add(placement_name).write(answer);
-    files.commit({placement_name, verification_name});
-  } catch (const OutputError& error) {
-    if (!summary.has_checkpoint) throw;
-    throw OutputError(error, checkpoint_remains, Setting::resumption);
-  }
+  // An interrupted run never replaces a finished plan.
+  const bool is_kept = !plan.complete && folder.has_finished_plan();
+  if (!is_kept) save(options, scene, resolved, plan, answer);
   if (plan.complete) remove_checkpoint(simulation.checkpoint.path);
 
   if (options.common.json)
     fmt::print("{}", answer);
   else if (!options.common.quiet)
-    fmt::print("{}", result(options, plan, table, follows_decision(options)));
+    fmt::print("{}", result(options, plan, table, follows_decision(options), is_kept));
   if (options.common.json && !options.common.quiet && is_imprecise(plan))
     tell("the requested relative error was not reached; without '--json' the program lists the entries\n");
   if (plan.complete) return is_open(options, plan) ? stopped_early : exit_code(plan.placement.status);
-  if (!options.common.quiet)
-    tell("stopped early: {}; repeat the command with '--resume' to continue\n",
-         summary.complete ? "the simulation is complete, the later steps are not"
-                          : "the plan uses the samples so far");
+  if (!options.common.quiet) tell("stopped early: {}\n", remark_on_interruption(options, summary, is_kept));
   return stopped_early;
 }
 
@@ -217,6 +250,8 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
       ->option_text("SHARE")
       ->needs(sensitivity);
   add_run_options(*verb, options->simulation);
+  verb->add_flag("--overwrite", options->overwrite, "Replace a finished plan in the folder")
+      ->group(group::runs);
   add_store_options(*verb, options->allow_outside);
   add_strict_option(*verb, options->strict);
   add_safe_csv(*verb, options->safe_csv);

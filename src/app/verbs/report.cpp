@@ -14,6 +14,7 @@
 
 #include "app/files.hpp"
 #include "app/options/arguments.hpp"
+#include "app/plan_folder.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
@@ -38,7 +39,14 @@ int run_report(const Options& options) {
   const CertifiedPlan plan = read_plan(options.folder / placement_name, table);
   AtomicFolder files(options.folder);
   write_report(files, {scene, matrix, plan, options.safe_csv});
-  files.commit({});
+  const std::string placement = read_file(options.folder / placement_name);
+  const std::string recorded = recorded_again(placement, files);
+  if (recorded == placement) {
+    files.commit({});
+  } else {  // another version writes other bytes
+    files.add(placement_name).write(recorded);
+    files.commit({placement_name});
+  }
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)
     print_json({{"report", report}});

@@ -21,7 +21,8 @@ enum class Setting {
   strategy,
   direct_light,
   bounces,
-  strictness
+  strictness,
+  overwriting
 };
 
 /// Wrong input. The message states the location, the problem and a suggestion.

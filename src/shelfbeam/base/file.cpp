@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include "shelfbeam/base/memory.hpp"
@@ -42,6 +43,22 @@ constexpr std::string_view random_part = "XXXXXX";
 
 std::string temporary_prefix(const fs::path& target) {
   return "." + target.filename().string() + ".shelfbeam-";
+}
+
+// A temporary file of this name contains the process that uses the target.
+constexpr std::string_view lock_part = "locked";
+static_assert(lock_part.size() == random_part.size());
+
+// " (process 123)" from a file that the process has locked; empty if it has not written its number.
+std::string owner_in(int descriptor) {
+  std::string number(32, '\0');
+  for (int attempt = 0; attempt < 50; ++attempt) {
+    const ssize_t size = ::pread(descriptor, number.data(), number.size(), 0);
+    if (size > 1 && number[static_cast<std::size_t>(size) - 1] == '\n')
+      return fmt::format(" (process {})", number.substr(0, static_cast<std::size_t>(size) - 1));
+    ::usleep(2000);
+  }
+  return {};
 }
 
 bool is_unlinked(int descriptor) {
@@ -254,6 +271,56 @@ void AtomicFolder::commit(const std::vector<std::string>& outdated) {
   for (AtomicFile& file : files_)
     if (!file.rename()) roll_back(file.target());
   ::fsync(descriptor);
+}
+
+OutputLock::OutputLock(const fs::path& output, const std::string& name)
+    : path_(folder_of(output) / (temporary_prefix(output) + std::string(lock_part))) {
+  for (;;) {
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
+    if (descriptor_ < 0) cannot_write(name, system_reason());
+    const bool is_locked = lock(descriptor_, F_OFD_SETLK);
+    if (!is_locked && (errno == EAGAIN || errno == EACCES)) {
+      const std::string owner = owner_in(descriptor_);
+      ::close(descriptor_);
+      throw InputError(name, fmt::format("is in use by another run of shelfbeam{}", owner),
+                       "wait until it ends, or choose another output");
+    }
+    // The previous owner removes the file when it ends.
+    if (!is_locked || !is_unlinked(descriptor_)) break;
+    ::close(descriptor_);
+  }
+  const std::string owner = fmt::format("{}\n", ::getpid());
+  // Without the number, the other process is not named.
+  if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, owner.data(), owner.size(), 0) < 0) return;
+}
+
+OutputLock::~OutputLock() {
+  ::unlink(path_.c_str());
+  ::close(descriptor_);
+}
+
+void expect_room(const fs::path& folder, double bytes) {
+  struct statvfs disk = {};
+  if (::statvfs(folder.c_str(), &disk) != 0) return;
+  const double room = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize);
+  if (room < bytes)
+    cannot_write(folder, fmt::format("{:.3g} MB of disk space are needed, and {:.3g} MB are free",
+                                     bytes / 1e6, room / 1e6));
+}
+
+std::optional<fs::path> keep_elsewhere(const std::function<void(const fs::path&)>& write) {
+  std::error_code none;
+  for (const fs::path& parent : {fs::temp_directory_path(none), fs::path("/var/tmp"), fs::path("/dev/shm")}) {
+    std::string name = (parent / ("shelfbeam-" + std::string(random_part))).string();
+    if (parent.empty() || ::mkdtemp(name.data()) == nullptr) continue;
+    try {
+      write(name);
+      return name;
+    } catch (const OutputError&) {
+      fs::remove_all(name, none);
+    }
+  }
+  return std::nullopt;
 }
 
 void make_output_folder(const fs::path& folder) {

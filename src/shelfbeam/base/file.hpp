@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,6 +72,7 @@ class AtomicFolder {
 
   /// Adds a file, which the caller writes before the commit. Throws OutputError.
   AtomicFile& add(const std::string& name);
+  const std::list<AtomicFile>& files() const { return files_; }
   /// Flushes all files, removes the `outdated` files in the given order, and renames the new files in the
   /// order in which they were added. If a step fails, all old files are restored. A file that is not outdated
   /// exists at every moment, old or new. Rename the first outdated file last: it is then missing if the
@@ -81,6 +84,31 @@ class AtomicFolder {
   std::filesystem::path folder_;
   std::list<AtomicFile> files_;
 };
+
+/// Marks an output as in use until the process ends, even if it is killed. Where the file system has no
+/// locks, it does nothing.
+class OutputLock {
+ public:
+  /// Errors name the output as `name`. Throws InputError with the other process if one uses the output, and
+  /// OutputError when the folder of the output cannot be written to.
+  OutputLock(const std::filesystem::path& output, const std::string& name);
+  ~OutputLock();
+  OutputLock(const OutputLock&) = delete;
+  OutputLock& operator=(const OutputLock&) = delete;
+
+ private:
+  std::filesystem::path path_;  ///< contains the number of the process; `remove_abandoned` knows its name
+  int descriptor_ = -1;
+};
+
+/// Throws OutputError if the disk of an existing folder has less room than this.
+void expect_room(const std::filesystem::path& folder, double bytes);
+
+/// Saves a result whose own folder cannot be written to: calls write(folder) with a new folder for temporary
+/// files, on another disk if necessary. Returns this folder; nothing if the result cannot be written
+/// anywhere.
+std::optional<std::filesystem::path> keep_elsewhere(
+    const std::function<void(const std::filesystem::path&)>& write);
 
 /// Creates the folder and its parents. Throws OutputError if the folder cannot be created or is not writable.
 void make_output_folder(const std::filesystem::path& folder);

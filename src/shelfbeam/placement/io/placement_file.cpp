@@ -178,16 +178,38 @@ std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
 
 Placement detail::read_placement(const JsonCursor& file, const SignalTable& table) {
   expect_format_version(file.where(), file["format"].integer(0, max_versions), format_version);
-  file.expect_keys({"format",          "model",           "objective",
-                    "combination",     "share",           "survives_failure",
-                    "selected",        "count",           "count_lower_bound",
-                    "objective_value", "lower_bound",     "gap",
-                    "unit_costs",      "redundant_share", "status",
-                    "solver",          "seconds",         "unreachable",
-                    "scenarios",       "critical",        "curve",
-                    "bound_proof",     "ties_settled",    "min_spacing",
-                    "forbidden_pairs", "labels",          "curve_complete",
-                    "certificate",     "sensitivity",     "warnings"});
+  file.expect_keys({"format",
+                    "model",
+                    "objective",
+                    "combination",
+                    "share",
+                    "survives_failure",
+                    "selected",
+                    "count",
+                    "count_lower_bound",
+                    "objective_value",
+                    "lower_bound",
+                    "gap",
+                    "unit_costs",
+                    "redundant_share",
+                    "status",
+                    "solver",
+                    "seconds",
+                    "unreachable",
+                    "scenarios",
+                    "critical",
+                    "curve",
+                    "bound_proof",
+                    "ties_settled",
+                    "min_spacing",
+                    "forbidden_pairs",
+                    "labels",
+                    "curve_complete",
+                    "certificate",
+                    "sensitivity",
+                    "warnings",
+                    "complete",
+                    "files"});
   Placement placement;
   placement.problem.model = file["model"].choice<CommunicationModel>();
   placement.problem.objective = file["objective"].choice<Objective>();

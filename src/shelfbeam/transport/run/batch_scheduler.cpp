@@ -212,10 +212,12 @@ void BatchScheduler::save_checkpoint() {
   save_took_ = saved_at_ - begun;
 }
 
-void BatchScheduler::try_to_save() noexcept {
+bool BatchScheduler::try_to_save() noexcept {
   try {
     save_checkpoint();
+    return checkpoint_.has_value();
   } catch (const std::exception&) {  // the file keeps the previous checkpoint
+    return false;
   }
 }
 

@@ -44,8 +44,8 @@ class BatchScheduler {
   std::uint32_t fewest_batches() const;
   std::uint64_t batches() const;
   std::uint64_t resumed_batches() const { return done_before_; }
-  /// Saves a checkpoint; ignores errors.
-  void try_to_save() noexcept;
+  /// Saves a checkpoint; false if there is none, or on an error.
+  bool try_to_save() noexcept;
   bool has_checkpoint() const { return checkpoint_ && checkpoint_->has_saved(); }
   std::uint64_t rays() const { return driver_.rays() + analytic_direct_.rays(); }
   const ShadowRays& shadow_rays() const { return driver_.shadow_rays(); }

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/transport/run/batch_scheduler.hpp"
@@ -19,6 +24,10 @@ namespace {
 
 // Max number of entries that a summary lists with more than the required error.
 constexpr std::size_t named_entries = 10;
+
+// The name of the signal file if it is kept elsewhere.
+constexpr auto kept_name = "signal.h5";
+constexpr auto older_checkpoint = "resuming continues from an older checkpoint";
 
 constexpr auto too_early = "the simulation was stopped before it completed two batches of samples";
 
@@ -70,6 +79,19 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
   with_threads(control.threads, [&] {
     const std::string hash = scene_hash(scene);
     detail::BatchScheduler scheduler(prepared, options, hash, control);
+    const auto rows_so_far = [&] {
+      return detail::MatrixRows(estimator, scheduler.sums(), prepared.direct(), scene.labels.size(),
+                                options.bounce_layers(), options.length_layers());
+    };
+    const auto head_of = [&](const detail::MatrixRows& rows) {
+      SignalMatrix head = detail::matrix_head(scene, hash, options.seed, estimator.name());
+      head.length_step = options.by_length.step;
+      for (std::size_t i = 0; i < head.rows(); ++i) {
+        head.labels[i].batches = rows.batches(i);
+        head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator.samples_per_batch();
+      }
+      return head;
+    };
     try {
       const bool complete = scheduler.run();
       if (scheduler.fewest_batches() < 2)
@@ -77,23 +99,29 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
             ? Interrupted(std::string(too_early) + "; resuming continues from its checkpoint",
                           Setting::resumption)
             : Interrupted(too_early);
-      SignalMatrix head = detail::matrix_head(scene, hash, options.seed, estimator.name());
-      head.length_step = options.by_length.step;
-      const detail::MatrixRows rows(estimator, scheduler.sums(), prepared.direct(), head.rows(),
-                                    options.bounce_layers(), options.length_layers());
-      for (std::size_t i = 0; i < head.rows(); ++i) {
-        head.labels[i].batches = rows.batches(i);
-        head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator.samples_per_batch();
-      }
+      const detail::MatrixRows rows = rows_so_far();
+      SignalMatrix head = head_of(rows);
       summary = summarise(head, scheduler);
       summary.complete = complete;
       if (complete && options.relative_error) find_unmet(*options.relative_error, scheduler, summary);
       if (options.has_fixed_samples()) summary.requested_samples = options.samples;
       use(std::move(head), rows);
     } catch (const OutputError& error) {
-      scheduler.try_to_save();
-      if (!scheduler.has_checkpoint()) throw;
-      throw OutputError(error, checkpoint_remains, Setting::resumption);
+      const bool is_saved = scheduler.try_to_save();
+      const bool has_checkpoint = scheduler.has_checkpoint();
+      if (is_saved) throw OutputError(error, checkpoint_remains, Setting::resumption);
+      std::optional<std::filesystem::path> folder;
+      if (scheduler.fewest_batches() >= 2)
+        folder = keep_elsewhere([&](const std::filesystem::path& elsewhere) {
+          const detail::MatrixRows rows = rows_so_far();
+          write_signal_file(head_of(rows), rows, elsewhere / kept_name);
+        });
+      if (!folder && !has_checkpoint) throw;
+      const std::string kept =
+          folder ? fmt::format("the simulated signals are kept in '{}'", (*folder / kept_name).string()) : "";
+      if (!has_checkpoint) throw OutputError(error, kept, Setting::none);
+      throw OutputError(error, folder ? fmt::format("{}; {}", kept, older_checkpoint) : checkpoint_remains,
+                        Setting::resumption);
     }
   });
   return summary;
