@@ -118,7 +118,13 @@ def two_writers(trials, verb, count, dice):
                 time.sleep(dice.uniform(0, 1.5 * verb.seconds))
                 both[dice.randint(0, 1)].kill()
             ends = [Outcome(process) for process in both]
-            problems = [f"exit code {end.code}: {end.err}" for end in ends if end.code not in (0, -signal.SIGKILL)]
+            problems = []
+            for end, other in zip(ends, reversed(both)):
+                is_refused = f"is in use by another run of shelfbeam (process {other.pid})" in end.err
+                if end.code not in (0, -signal.SIGKILL) and not (end.code == 2 and is_refused):
+                    problems.append(f"exit code {end.code}: {end.err}")
+            if all(end.code == 2 for end in ends):
+                problems.append("both are refused")
             found = contents(folder)
             worst = min(ends, key=lambda end: end.code)
             seed = 2 if 2 in seeds and found.get(verb.signal) == verb.old[verb.signal] else 1

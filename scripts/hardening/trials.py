@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -10,6 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 PROGRAM = os.environ.get("SHELFBEAM", str(ROOT / "build/release/shelfbeam"))
+KEPT = re.compile(r"(?:is|are) kept in '([^']+)'")
 TEMPORARY = re.compile(r"^\.(.+)\.shelfbeam-\w{6}$")
 PATIENCE = 300  # seconds after which a program counts as hung
 
@@ -30,13 +32,14 @@ class Verb:
     def __init__(self, name, base, samples):
         self.name, self.base, self.samples = name, base, samples
         self.output = "plan" if name == "plan" else "signal.h5"
+        self.more = ["--overwrite"] if name == "plan" else []
         self.signal = "plan/signal.h5" if name == "plan" else "signal.h5"
         self.whole, self.old = (self.undisturbed(seed) for seed in (1, 2))
         self.seconds = min(self.timed() for _ in range(3))
 
     def command(self, seed=1, *more):
         return [PROGRAM, self.name, "../store.json", "-o", self.output, "--samples", str(self.samples),
-                "--checkpoint-interval", "0", "--seed", str(seed), *more]
+                "--checkpoint-interval", "0", "--seed", str(seed), *self.more, *more]
 
     def undisturbed(self, seed):
         folder = self.base / f"{self.name}-{seed}"
@@ -76,7 +79,15 @@ def untimed(content):
 
 def start(command, folder, environment=None, before=None):
     return subprocess.Popen(command, cwd=folder, text=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                            stderr=subprocess.PIPE, env={**os.environ, **(environment or {})}, preexec_fn=before)
+                            stderr=subprocess.PIPE, env={**os.environ, "TMPDIR": elsewhere(folder), **(environment or {})},
+                            preexec_fn=before)
+
+
+def elsewhere(folder):
+    """Where the program keeps a result that it cannot write to its output."""
+    path = Path(folder).parent / "elsewhere"
+    path.mkdir(exist_ok=True)
+    return str(path)
 
 
 def look_at_files(verb, found, old, outcome, new=None):
@@ -92,6 +103,8 @@ def look_at_files(verb, found, old, outcome, new=None):
         elif outcome.code >= 0:
             problems.append(f"{name} is left by a program that was not killed")
     if outcome.code == 3 and results != new:  # complete files with fewer samples
+        if verb.name == "plan" and old and results != old:
+            problems.append("a finished plan is replaced by an unfinished one")
         if verb.signal in found and found[verb.signal] != old.get(verb.signal):
             problems += readable(verb, found)
         return problems
@@ -142,6 +155,24 @@ def look_at_message(verb, found, old, outcome):
     return [f"{problem}: {lines[0]}" for problem in problems]
 
 
+def look_elsewhere(verb, outcome):
+    """The problems of a result that was kept elsewhere, which is then removed."""
+    named = KEPT.search(outcome.err)
+    if not named:
+        return []
+    path = Path(named[1])
+    is_plan = path.is_dir()
+    folder = path if is_plan else path.parent
+    found = {("plan/" if is_plan else "") + name: content for name, content in contents(folder).items()}
+    shutil.rmtree(folder)
+    if is_plan:
+        return [] if found == verb.whole else [f"another plan is kept: {' '.join(sorted(found))}"]
+    with tempfile.TemporaryDirectory(dir=verb.base) as scratch:
+        put(Path(scratch), found)
+        outcome = Outcome(start([PROGRAM, "place", "signal.h5", "--threshold", "0.03"], scratch))
+    return [] if outcome.code in (0, 1, 3) else [f"the kept signals cannot be read: {outcome.err}"]
+
+
 def look_at_resumption(verb, folder, seed=1, whole=None):
     threads = str(1 + seed % 3)
     outcome = Outcome(start(verb.command(seed, "--resume", "--threads", threads, "--quiet"), folder))
@@ -179,6 +210,7 @@ class Trials:
                     plant(folder)
                 found = contents(folder)
                 problems = look_at_files(verb, found, old, outcome) + look_at_message(verb, found, old, outcome)
+                problems += look_elsewhere(verb, outcome)
                 problems += look_at_resumption(verb, folder)
             lost += self.judge(kind, verb.name, problems, plant)
         self.row(kind, verb.name, injected, lost)

@@ -54,6 +54,16 @@ CLI::Option* add_safe_csv(CLI::App& verb, bool& safe_csv) {
       ->group(group::runs);
 }
 
+void expect_room_for_matrix(const std::filesystem::path& folder, const Scene& scene,
+                            const SimulationOptions& options) {
+  // Three floats and a flag per entry, and two floats per layer.
+  const double each = 13 + 8 * static_cast<double>(options.layers());
+  const double bytes =
+      each * static_cast<double>(scene.labels.size()) * static_cast<double>(scene.transceivers.size());
+  // A simulation that exceeds the memory is refused for that reason.
+  if (bytes < static_cast<double>(options.memory)) expect_room(folder, bytes);
+}
+
 void write_report(AtomicFolder& files, const ReportInput& input) {
   files.add(labels_name).write(labels_csv(input));
   files.add(placement_table_name).write(placement_csv(input));

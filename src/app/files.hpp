@@ -9,6 +9,7 @@
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
+#include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam::app {
 
@@ -29,6 +30,10 @@ void add_strict_option(CLI::App& verb, bool& strict);
 
 /// --safe-csv.
 CLI::Option* add_safe_csv(CLI::App& verb, bool& safe_csv);
+
+/// Throws OutputError if the disk has no room for the signal file of a simulation.
+void expect_room_for_matrix(const std::filesystem::path& folder, const Scene& scene,
+                            const SimulationOptions& options);
 
 /// Adds labels.csv, placement.csv and report.html.
 void write_report(AtomicFolder& files, const ReportInput& input);

@@ -118,11 +118,6 @@ bool follows_decision(const Options& options) {
   return !options.no_certificate && !flags.samples && !flags.relative_error && !flags.time_s;
 }
 
-// The files of a matrix, approximately: three floats and a flag per entry.
-double bytes_of_matrix(const SignalTable& table) {
-  return 13.0 * static_cast<double>(table.rows()) * static_cast<double>(table.columns());
-}
-
 void write_plan(const std::filesystem::path& folder, const Scene& scene, const std::string& resolved,
                 const Plan& plan, const std::string& answer, bool safe_csv) {
   const SignalMatrix& matrix = plan.simulation.matrix;
@@ -180,7 +175,7 @@ int run_plan(const Options& options) {
       options.simulation.options(options.common.seed, options.folder / signal_name);
   if (follows_decision(options)) simulation.samples = decision_samples;
   const PlanFolder folder(options.folder, resolved, options.overwrite);
-  expect_room(options.folder, bytes_of_matrix(nothing));
+  expect_room_for_matrix(options.folder, scene, simulation);
   print_warnings(options.common, scene, simulation.rules().strategy);
   expect_no_warnings(scene, options.store, options.strict);
   Plan plan;

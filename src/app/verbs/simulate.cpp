@@ -36,10 +36,8 @@ int run_simulate(const Options& options) {
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   const OutputLock lock(options.output, options.output.string());
   expect_writable(options.output);
-  const double entries =
-      static_cast<double>(scene.labels.size()) * static_cast<double>(scene.transceivers.size());
-  const auto folder = options.output.has_parent_path() ? options.output.parent_path() : ".";
-  expect_room(folder, entries * (13 + 8 * static_cast<double>(simulation.layers())));
+  expect_room_for_matrix(options.output.has_parent_path() ? options.output.parent_path() : ".", scene,
+                         simulation);
   print_warnings(options.common, scene, simulation.rules().strategy);
   expect_no_warnings(scene, options.store, options.strict);
   SimulationSummary summary;

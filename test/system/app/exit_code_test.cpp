@@ -65,7 +65,7 @@ TEST_F(ExitCode, OneIfOptionsConflict) {
   out = told("place @plan/signal.h5 -o @p.json --solver greedy", 3);
   EXPECT_NE(out.find("'--solver mip'"), std::string::npos) << out;
   EXPECT_EQ(json("p.json")["status"], "stopped");
-  told("plan @spots.json -o @plan --samples 320 --solver greedy", 3);
+  told("plan @spots.json -o @plan --samples 320 --solver greedy --overwrite", 3);
 }
 
 // A random cover of 300 labels by 200 units: no exact solver proves it in a millisecond.

@@ -28,7 +28,7 @@ class Extremes : public test::ProgramTest {
  protected:
   Json planned(const Json& store, int exit_code, const std::string& options = "") {
     folder.write("store.json", store.dump());
-    told("plan @store.json -o @plan --samples 640 " + options, exit_code);
+    told("plan @store.json -o @plan --samples 640 --overwrite " + options, exit_code);
     return json("plan/placement.json");
   }
   Json placed(const std::string& options, int exit_code) {

@@ -18,10 +18,23 @@ namespace {
 using test::contents;
 using test::expect_silent;
 using test::TempFolder;
+namespace fs = std::filesystem;
 
 class Fault : public testing::Test {
  protected:
-  Fault() { folder.write("store.json", test::small_store().dump()); }
+  Fault() {
+    folder.write("store.json", test::small_store().dump());
+    std::filesystem::create_directory(folder / "tmp");
+  }
+  // The only folder among the temporary files, in which a result was kept.
+  fs::path kept() const {
+    fs::path found;
+    for (const auto& entry : fs::directory_iterator(folder / "tmp")) {
+      EXPECT_TRUE(found.empty());
+      found = entry.path();
+    }
+    return found;
+  }
   std::string path(const std::string& name) const { return (folder / name).string(); }
 
   // Runs the program with a file size limit in KiB.
@@ -34,8 +47,12 @@ class Fault : public testing::Test {
 
   // Runs the program, which fails (or, if `error` is 0, is killed) when it renames a file for the n-th time.
   test::Outcome with_fault_at_renaming(int n, int error, const std::vector<std::string>& arguments) {
-    std::vector<std::string> all{"/usr/bin/env", "LD_PRELOAD=" SHELFBEAM_FAULT_SHIM, "FAULT_OF=rename",
-                                 "FAULT_AT=" + std::to_string(n), "FAULT_ERRNO=" + std::to_string(error)};
+    std::vector<std::string> all{"/usr/bin/env",
+                                 "LD_PRELOAD=" SHELFBEAM_FAULT_SHIM,
+                                 "FAULT_OF=rename",
+                                 "FAULT_AT=" + std::to_string(n),
+                                 "FAULT_ERRNO=" + std::to_string(error),
+                                 "TMPDIR=" + path("tmp")};
     for (const std::string& word : test::command(arguments)) all.push_back(word);
     return test::run(all);
   }
@@ -61,7 +78,7 @@ TEST_F(Fault, BeyondAFileSizeLimitTheOldPlanStays) {
   expect_silent(plan);
   const auto before = contents(folder.path());
   std::vector<std::string> other = plan;
-  other.insert(other.end(), {"--seed", "2"});
+  other.insert(other.end(), {"--seed", "2", "--overwrite"});
   const auto kilobytes = [&](const std::string& name) {
     return std::filesystem::file_size(folder / "plan" / name) / 1024;
   };
@@ -80,8 +97,9 @@ TEST_F(Fault, BeyondAFileSizeLimitTheOldPlanStays) {
 TEST_F(Fault, AFailedRenameLosesNoFileOfAPlan) {
   if (!test::memory_can_be_limited) GTEST_SKIP() << "faults cannot be preloaded before this sanitizer";
   const auto plan = [&](const char* seed) {
-    return std::vector<std::string>{"plan", path("store.json"), "-o",      path("plan"), "--samples",
-                                    "160",  "--no-certificate", "--quiet", "--seed",     seed};
+    return std::vector<std::string>{"plan", path("store.json"), "-o",      path("plan"),  "--samples",
+                                    "160",  "--no-certificate", "--quiet", "--overwrite", "--seed",
+                                    seed};
   };
   const auto files = [&] {
     auto found = contents(folder / "plan");
@@ -141,6 +159,36 @@ TEST_F(Fault, KeepsTheSimulationIfTheOutputCannotBeWritten) {
   const std::string bytes = read_file(folder / "signal.h5");
   expect_silent(simulation);
   EXPECT_TRUE(read_file(folder / "signal.h5") == bytes);
+}
+
+TEST_F(Fault, APlanThatCannotBeWrittenIsKeptElsewhere) {
+  if (!test::memory_can_be_limited) GTEST_SKIP() << "faults cannot be preloaded before this sanitizer";
+  const std::vector<std::string> plan{"plan", path("store.json"), "-o", path("plan"), "--samples", "160"};
+  expect_silent(plan);
+  fs::rename(folder / "plan", folder / "whole");
+  const test::Outcome outcome = with_fault_at_renaming(1, ENOSPC, plan);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("; the plan is kept in '" + kept().string() + "'"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(test::names(kept()), test::names(folder / "whole"));
+  EXPECT_TRUE(read_file(kept() / "signal.h5") == read_file(folder / "whole/signal.h5"));
+  EXPECT_FALSE(fs::exists(folder / "plan")) << "it was new";
+}
+
+// The checkpoint cannot be written either.
+TEST_F(Fault, SignalsThatCannotBeWrittenAreKeptElsewhere) {
+  if (!test::memory_can_be_limited) GTEST_SKIP() << "faults cannot be preloaded before this sanitizer";
+  const std::vector<std::string> simulation{"simulate",        path("store.json"), "-o",
+                                            path("signal.h5"), "--samples",        "160"};
+  expect_silent(simulation);
+  fs::rename(folder / "signal.h5", folder / "whole.h5");
+  fs::create_directory(folder / "signal.h5.checkpoint");
+  const test::Outcome outcome = with_fault_at_renaming(1, ENOSPC, simulation);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("; the simulated signals are kept in '" + (kept() / "signal.h5").string() + "'"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_TRUE(read_file(kept() / "signal.h5") == read_file(folder / "whole.h5"));
 }
 
 // A batch of two billion samples per label never ends.

@@ -215,7 +215,7 @@ TEST_F(Workflow, PlanLeavesEveryFileOfTheContract) {
 
   // A plan of the plan's own store is the same plan.
   for (const std::string other : {"again", "plan"}) {
-    told("plan @plan/store.json -o @" + other + " --samples 2000");
+    told("plan @plan/store.json -o @" + other + " --samples 2000 --overwrite");
     for (const char* name : {"signal.h5", "store.json", "labels.csv", "placement.csv"})
       EXPECT_TRUE(contents(folder / other)[name] == plan[name]) << other << name;
   }
@@ -331,7 +331,7 @@ TEST_F(Workflow, PlansPrintCurveAndSensitivity) {
   EXPECT_NE(page.find("<section id=\"curve\">"), std::string::npos);
   told("report @plan");
   EXPECT_TRUE(bytes("plan/report.html") == page) << "rebuilt from what lies in the folder";
-  told(plan);
+  told(plan + " --overwrite");
   EXPECT_FALSE(json("plan/placement.json").contains("sensitivity"));
   EXPECT_FALSE(json("plan/placement.json").contains("curve"));
   EXPECT_EQ(bytes("plan/report.html").find("<section id=\"curve\">"), std::string::npos);

@@ -156,5 +156,23 @@ TEST(OutputFolder, IsMadeWithItsParents) {
   expect_input_error([] { make_output_folder("/proc/folder"); }, "/proc/folder: ");
 }
 
+TEST(Files, ExpectsRoomOnTheDisk) {
+  const TempFolder folder;
+  EXPECT_NO_THROW(expect_room(folder.path(), 1));
+  test::expect_input_error([&] { expect_room(folder.path(), 1e24); }, "1e+18 MB of disk space are needed",
+                           " are free");
+}
+
+TEST(Files, OnlyRegularFilesOfALimitedSizeAreRead) {
+  const TempFolder folder;
+  const auto file = folder.write("a", "12345");
+  EXPECT_EQ(read_file(file, 5), "12345");
+  EXPECT_EQ(input_size(file), 5U);
+  test::expect_input_error([&] { read_file(file, 4); }, "has 5 bytes", "the maximum is 4");
+  test::expect_input_error([&] { read_file("/dev/zero"); }, "/dev/zero", "is not a regular file");
+  test::expect_input_error([&] { read_file(folder.path()); }, "is a folder", "");
+  test::expect_input_error([&] { read_file(folder / "none"); }, "cannot be read (", "");
+}
+
 }  // namespace
 }  // namespace shelfbeam

@@ -1,0 +1,146 @@
+// Tests that `plan` never replaces a finished plan or a file of the user, and never shares its folder.
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
+
+#include "system/app/program.hpp"
+
+namespace shelfbeam {
+namespace {
+
+namespace fs = std::filesystem;
+using test::contents;
+using test::Json;
+using test::names;
+
+class PlanFolder : public test::ProgramTest {
+ protected:
+  static constexpr auto plan = "plan @store.json -o @plan --samples 64 --no-certificate --quiet";
+  std::string overwriting() const { return std::string(plan) + " --overwrite"; }
+  void append_to(const std::string& name) const { folder.write(name, bytes(name) + "\n"); }
+};
+
+TEST_F(PlanFolder, AFinishedPlanIsReplacedOnRequestOnly) {
+  told(plan);
+  const auto before = contents(folder / "plan");
+  for (const char* more : {"", " --seed 2", " --resume"})
+    refused(plan + std::string(more), {path("plan") + ": contains a finished plan", "(--overwrite)"});
+  told(overwriting() + " --seed 2");
+  EXPECT_FALSE(bytes("plan/signal.h5") == before.at("signal.h5"));
+  told(overwriting());
+  EXPECT_TRUE(bytes("plan/signal.h5") == before.at("signal.h5"));
+  EXPECT_EQ(names(folder / "plan").size(), before.size());
+}
+
+TEST_F(PlanFolder, FilesOfTheUserAreNeverReplaced) {
+  for (const char* name : {"labels.csv", "placement.csv", "verification.csv", "report.html", "signal.h5",
+                           "store.json", "placement.json"}) {
+    folder.write(std::string("plan/") + name, "mine");
+    refused(overwriting(), {path("plan") + "/" + name + ": was not written by an earlier plan"});
+    fs::remove_all(folder / "plan");
+  }
+  folder.write("plan/notes.txt", "mine");
+  told(plan);
+  EXPECT_EQ(bytes("plan/notes.txt"), "mine");
+}
+
+TEST_F(PlanFolder, FilesThatTheUserChangedAreNeverReplaced) {
+  told(plan);
+  for (const char* name :
+       {"labels.csv", "placement.csv", "report.html", "signal.h5", "store.json", "placement.json"}) {
+    const std::string file = std::string("plan/") + name, before = bytes(file);
+    folder.write(file, std::string(name) == "placement.json"
+                           ? "{" + before.substr(1, 20) + " " + before.substr(21)
+                           : before + "\n");
+    refused(overwriting(), {path(file) + ": ", "was changed since"});
+    folder.write(file, before);
+  }
+  folder.write("plan/verification.csv", "id,verdict\n");  // not part of this plan
+  refused(overwriting(), {path("plan/verification.csv") + ": "});
+  fs::remove(folder / "plan/verification.csv");
+  // `report` rebuilds what it is asked to rebuild.
+  append_to("plan/placement.csv");
+  told("report @plan");
+  told(overwriting());
+}
+
+// `simulate` may have taken hours for this file.
+TEST_F(PlanFolder, ASignalFileWithoutAPlanIsKept) {
+  fs::create_directory(folder / "plan");
+  told("simulate @store.json -o @plan/signal.h5 --samples 64");
+  refused(overwriting(), {path("plan/signal.h5") + ": was not written by an earlier plan"});
+}
+
+// Some of the files, in the order in which they are renamed, and without the last one.
+TEST_F(PlanFolder, FilesOfAKilledPlanAreReplaced) {
+  told("plan @store.json -o @plan --samples 64 --quiet");
+  fs::rename(folder / "plan", folder / "whole");
+  fs::create_directory(folder / "plan");
+  for (const char* name :
+       {"store.json", "signal.h5", "verification.csv", "labels.csv", "placement.csv", "report.html"})
+    folder.write(std::string("plan/") + name, bytes(std::string("whole/") + name));
+  told(plan);
+  EXPECT_EQ(json("plan/placement.json")["complete"], true);
+}
+
+TEST_F(PlanFolder, AnInterruptedRunKeepsAFinishedPlan) {
+  told(plan);
+  const auto before = contents(folder / "plan");
+  const std::string longer =
+      "plan @store.json -o @plan --samples 4000000 --overwrite --no-certificate --checkpoint-interval 0 "
+      "--threads 1 ";
+  test::Process process(test::command(test::words(folder, longer)));
+  process.wait_for_changes(path("plan/signal.h5.checkpoint"), 3);
+  process.send(SIGINT);
+  const test::Outcome outcome = process.wait();
+  ASSERT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_EQ(outcome.err, "stopped early: the finished plan in " + path("plan") +
+                             " is unchanged; repeat the command with '--resume' to continue\n");
+  auto after = contents(folder / "plan");
+  EXPECT_EQ(after.erase("signal.h5.checkpoint"), 1U);
+  EXPECT_TRUE(after == before);
+}
+
+TEST_F(PlanFolder, AnInterruptedPlanMayBeReplaced) {
+  const std::string longer =
+      "plan @store.json -o @plan --samples 4000000 --no-certificate --checkpoint-interval 0 --threads 1 ";
+  test::Process process(test::command(test::words(folder, longer)));
+  process.wait_for_changes(path("plan/signal.h5.checkpoint"), 3);
+  process.send(SIGINT);
+  ASSERT_EQ(process.wait().exit_code, 3);
+  EXPECT_EQ(json("plan/placement.json")["complete"], false);
+  told(plan);
+  EXPECT_EQ(json("plan/placement.json")["complete"], true);
+}
+
+TEST_F(PlanFolder, AnOutputInUseIsRefused) {
+  for (const std::string line : {"plan @store.json -o @plan ", "simulate @store.json -o @signal.h5 "}) {
+    test::Process process(
+        test::command(test::words(folder, line + "--samples 60000000000 --estimator uniform --quiet")));
+    const std::string output = path(line.starts_with("plan") ? "plan" : "signal.h5");
+    const fs::path lock =
+        (fs::is_directory(output) || line.starts_with("plan") ? fs::path(output) : folder.path()) /
+        ".signal.h5.shelfbeam-locked";
+    process.wait_for_changes(lock, 1);
+    for (std::string pid; pid.empty() && !process.has_ended();) pid = read_file(lock);
+    const std::string pid = read_file(lock).substr(0, read_file(lock).find('\n'));
+    refused(line + "--samples 64",
+            {output + ": is in use by another run of shelfbeam (process " + pid + ")"});
+    process.send(SIGKILL);
+    process.wait();
+    // The kernel has removed the lock, though not its file.
+    EXPECT_TRUE(fs::exists(lock));
+    told(line + "--samples 64 --quiet");
+    EXPECT_FALSE(fs::exists(lock));
+  }
+}
+
+}  // namespace
+}  // namespace shelfbeam
