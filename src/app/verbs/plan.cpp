@@ -79,8 +79,8 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
 }
 
 // The answer comes first, then the page that shows it, then the details.
-std::string result(const Options& options, const Plan& plan, const SignalTable& table,
-                   bool follows_decision, bool is_kept) {
+std::string result(const Options& options, const Plan& plan, const SignalTable& table, bool follows_decision,
+                   bool is_kept) {
   std::string placed = describe(plan.placement, table);
   std::string answer = certificate_sentence(plan);
   if (answer.empty()) {
@@ -124,7 +124,8 @@ void write_plan(const std::filesystem::path& folder, const Scene& scene, const s
   AtomicFolder files(folder);
   files.add(store_name).write(resolved);
   write_signal_file(matrix, files.add(signal_name));
-  if (plan.certificate) files.add(verification_name).write(verification_csv(*plan.certificate, scene, safe_csv));
+  if (plan.certificate)
+    files.add(verification_name).write(verification_csv(*plan.certificate, scene, safe_csv));
   write_report(files, {scene, matrix, plan, safe_csv});
   const std::string recorded = recorded_placement(answer, plan.complete, files);
   files.add(placement_name).write(recorded);

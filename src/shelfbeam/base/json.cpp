@@ -248,7 +248,7 @@ std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
   std::vector<std::pair<std::string, JsonCursor>> result;
   for (const auto& [key, value] : as_node(node_).items())
     result.emplace_back(
-        key, JsonCursor(document_, &value, path_.empty() ? key : fmt::format("{}.{}", path_, key)));
+        key, JsonCursor(document_, &value, path_.empty() ? key : fmt::format("{}.{}", path_, key), unit_));
   return result;
 }
 
