@@ -55,13 +55,13 @@ CLI::Option* add_safe_csv(CLI::App& verb, bool& safe_csv) {
 }
 
 void expect_room_for_matrix(const std::filesystem::path& folder, const Scene& scene,
-                            const SimulationOptions& options) {
+                            const SimulationOptions& options, std::size_t others) {
   // Three floats and a flag per entry, and two floats per layer.
   const double each = 13 + 8 * static_cast<double>(options.layers());
   const double bytes =
       each * static_cast<double>(scene.labels.size()) * static_cast<double>(scene.transceivers.size());
   // A simulation that exceeds the memory is refused for that reason.
-  if (bytes < static_cast<double>(options.memory)) expect_room(folder, bytes);
+  if (bytes < static_cast<double>(options.memory)) expect_room(folder, bytes + static_cast<double>(others));
 }
 
 void write_report(AtomicFolder& files, const ReportInput& input) {

@@ -176,7 +176,8 @@ int run_plan(const Options& options) {
       options.simulation.options(options.common.seed, options.folder / signal_name);
   if (follows_decision(options)) simulation.samples = decision_samples;
   const PlanFolder folder(options.folder, resolved, options.overwrite);
-  expect_room_for_matrix(options.folder, scene, simulation);
+  constexpr std::size_t least_report = 100'000;
+  expect_room_for_matrix(options.folder, scene, simulation, resolved.size() + least_report);
   print_warnings(options.common, scene, simulation.rules().strategy);
   expect_no_warnings(scene, options.store, options.strict);
   Plan plan;

@@ -8,7 +8,7 @@
 
 namespace shelfbeam::test {
 
-/// A matrix with every kind of value: zeros, denormals, the largest float, ids that CSV must quote.
+/// A matrix with every kind of value: zeros, denormals, the largest amount, ids that CSV must quote.
 inline SignalMatrix small_matrix(std::size_t rows = 7, std::size_t columns = 5) {
   SignalMatrix matrix;
   for (std::size_t i = 0; i < rows; ++i) {
@@ -44,7 +44,7 @@ inline SignalMatrix small_matrix(std::size_t rows = 7, std::size_t columns = 5) 
     matrix.flags.push_back(k % 11 == 5 ? 1 : 0);
   }
   matrix.mean[0] = 1e-45f;
-  matrix.mean[1] = 3.40282347e+38f;
+  matrix.mean[1] = 1e+18f;
   matrix.provenance = {"0.1.0", "00112233445566778899aabbccddeeff", 0xfedcba9876543210u,
                        "uniform, direct sampled"};
   return matrix;
