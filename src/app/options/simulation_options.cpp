@@ -150,7 +150,7 @@ void add_layers(CLI::App& verb, SimulationFlags& flags) {
 
 void add_run_options(CLI::App& verb, SimulationFlags& flags) {
   verb.add_option("--memory", flags.memory,
-                  "Memory limit, e.g. 4G or 500M; default: 80 % of the memory of the machine")
+                  "Memory limit, e.g. 4G or 500M; default: 80 % of the memory that the program may use")
       ->transform(size_in_bytes())
       ->option_text("SIZE")
       ->group(group::runs);

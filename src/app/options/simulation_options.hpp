@@ -28,7 +28,7 @@ struct SimulationFlags {
   bool by_bounce = false;
   std::optional<double> by_length;
   std::optional<std::uint32_t> lengths;
-  std::size_t memory = 0;  ///< bytes; 0: 80 % of the memory of the machine
+  std::size_t memory = 0;  ///< bytes; 0: memory_limit()
   bool resume = false;
   double checkpoint_interval_s = 10;
 
