@@ -233,8 +233,12 @@ std::optional<JsonCursor> JsonCursor::find(std::string_view key) const {
   if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
   const auto found = as_node(node_).find(std::string(key));
   if (found == as_node(node_).end()) return std::nullopt;
+  return member(key, &*found);
+}
+
+JsonCursor JsonCursor::member(std::string_view key, const void* node) const {
   std::string name = shortened(key, longest_name);
-  return JsonCursor(document_, &*found, path_.empty() ? std::move(name) : fmt::format("{}.{}", path_, name),
+  return JsonCursor(document_, node, path_.empty() ? std::move(name) : fmt::format("{}.{}", path_, name),
                     unit_);
 }
 
@@ -246,9 +250,7 @@ JsonCursor JsonCursor::operator[](std::string_view key) const {
 std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
   if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
   std::vector<std::pair<std::string, JsonCursor>> result;
-  for (const auto& [key, value] : as_node(node_).items())
-    result.emplace_back(
-        key, JsonCursor(document_, &value, path_.empty() ? key : fmt::format("{}.{}", path_, key), unit_));
+  for (const auto& [key, value] : as_node(node_).items()) result.emplace_back(key, member(key, &value));
   return result;
 }
 

@@ -89,6 +89,7 @@ class JsonCursor {
 
  private:
   struct Document;
+  JsonCursor member(std::string_view key, const void* node) const;
   std::string one_of(std::span<const std::string_view> known) const;
   JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path, LengthUnit unit);
 

@@ -26,6 +26,7 @@ constexpr std::size_t piece = 1 << 16;
 }
 
 void check_is_text(const fs::path& path, std::string_view text) {
+  if (is_utf16(text)) throw InputError(path.string(), "is UTF-16", save_as_utf8);
   const auto is_binary = [](char c) {
     const auto code = static_cast<unsigned char>(c);
     return code < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
@@ -83,7 +84,6 @@ std::string read_text_file(const fs::path& path, std::size_t max_bytes) {
   }
   text.resize(size);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  if (is_utf16(text)) throw InputError(path.string(), "is UTF-16", save_as_utf8);
   check_is_text(path, text);
   return text;
 }

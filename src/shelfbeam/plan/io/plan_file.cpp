@@ -80,7 +80,7 @@ std::string plan_json(const CertifiedPlan& plan, const SignalTable& table) {
   Json file = detail::placement_object(plan.placement, table, plan.curve);
   if (plan.certificate) file["certificate"] = to_json(*plan.certificate, table);
   if (plan.sensitivity) file["sensitivity"] = detail::sensitivity_object(*plan.sensitivity, table);
-  file["warnings"] = plan.warnings;
+  if (!plan.warnings.empty()) file["warnings"] = plan.warnings;
   return detail::file_text(file);
 }
 

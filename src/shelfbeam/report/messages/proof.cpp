@@ -63,14 +63,10 @@ std::string uncertified_objective(const PlacementProblem& problem) {
                          : fmt::format("secondary objective ({})", objective_text(problem)));
 }
 
-// The scope of the confidence.
-std::string scope_sentence(const Certificate& certificate) {
-  return fmt::format(
-      " The {:.6g} % cover the sampling error of the simulation; materials, stock and mounting are taken as "
-      "in the "
-      "store file.",
-      100 * certificate.confidence);
-}
+constexpr std::string_view scope_sentence =
+    " This confidence covers the sampling error of the simulation only; materials, stock and mounting are "
+    "taken as in "
+    "the store file.";
 
 std::string reached_sentence(const Placement& placement, const Certificate& certificate) {
   if (certificate.none_verified())
@@ -83,7 +79,7 @@ std::string reached_sentence(const Placement& placement, const Certificate& cert
                      joint_confidence(certificate.confidence)) +
          other_labels(certificate, Verdict::missed) + other_labels(certificate, Verdict::undecided) +
          other_labels(certificate, Verdict::unverified) + uncertified_objective(placement.problem) +
-         scope_sentence(certificate);
+         std::string(scope_sentence);
 }
 
 // Without a selection, only missed labels have a meaning: none of the candidates reaches them.
@@ -95,7 +91,7 @@ std::string out_of_reach_sentence(const Certificate& certificate) {
   if (missed == 0)
     return fmt::format("It is undecided whether any selection reaches {}.", all_labels(labels));
   return fmt::format("{}, {}: at least {} cannot be reached.{}", no_selection_reaches(labels),
-                     joint_confidence(certificate.confidence), grouped(missed), scope_sentence(certificate));
+                     joint_confidence(certificate.confidence), grouped(missed), scope_sentence);
 }
 
 }  // namespace
