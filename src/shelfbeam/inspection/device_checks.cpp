@@ -11,6 +11,7 @@
 #include "shelfbeam/material/material.hpp"
 #include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
 
@@ -53,20 +54,42 @@ std::optional<Distance> opaque_before(const Inspected& store, const SurfacePoint
   return Distance{distance, &named, store.is_mesh[hit->triangle]};
 }
 
-// Whether a label is mounted on something: a surface behind it, straight or at 45 degrees.
-bool has_support(const Inspected& store, const Label& label) {
-  constexpr double farthest = 0.3, in_front = 0.005;
-  const Frame frame = Frame::about(label.normal);
+// The distance to the first surface along a direction from a point slightly in front of a label, or infinity.
+double surface_beside(const Inspected& store, const Label& label, const Vec3& direction) {
+  constexpr double in_front = 0.005;
   const SurfacePoint from{label.position + label.normal * in_front, label.normal};
-  const auto meets = [&](const Vec3& direction) {
-    const auto hit = store.rays.intersect(from, direction);
-    return hit && length(hit->point.position - from.position) <= farthest + in_front;
-  };
-  if (meets(-label.normal)) return true;
-  const double half = std::sqrt(0.5);
-  for (const auto& [x, y] : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}, Vec2{half, half},
-                             Vec2{-half, half}, Vec2{half, -half}, Vec2{-half, -half}})
-    if (meets(frame.to_world({x * half, y * half, -half}))) return true;
+  const auto hit = store.rays.intersect(from, direction);
+  return hit ? length(hit->point.position - from.position) - in_front : HUGE_VAL;
+}
+
+// Eight directions at this angle from the rear of a label.
+std::array<Vec3, 8> directions_behind(const Label& label, double angle) {
+  const Frame frame = Frame::of_surface(label.normal);
+  std::array<Vec3, 8> directions;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const double phi = static_cast<double>(k) * pi / 4;
+    directions[k] =
+        frame.to_world({std::sin(angle) * std::cos(phi), std::sin(angle) * std::sin(phi), -std::cos(angle)});
+  }
+  return directions;
+}
+
+// Whether a label is mounted on something: a surface behind it or, on rails and pegs, beside it.
+bool has_support(const Inspected& store, const Label& label) {
+  constexpr double farthest = 0.3;
+  if (surface_beside(store, label, -label.normal) <= farthest) return true;
+  for (const double angle : {30.0, 60.0, 85.0})
+    for (const Vec3& direction : directions_behind(label, radians(angle)))
+      if (surface_beside(store, label, direction) <= farthest) return true;
+  return false;
+}
+
+// Whether the normal of a label points along the surface on which it is mounted.
+bool is_turned_sideways(const Inspected& store, const Label& label) {
+  constexpr double mounted = 0.02, clear = 0.1;
+  if (surface_beside(store, label, -label.normal) <= clear) return false;
+  for (const Vec3& direction : directions_behind(label, pi / 2))
+    if (surface_beside(store, label, direction) <= mounted) return true;
   return false;
 }
 
@@ -80,7 +103,12 @@ class LabelChecks {
       check_neighbours(i);
       check_direction(i);
       if (store_.blocks.contain(labels_[i].position)) continue;  // make_scene warns of it
-      if (!has_support(store_, labels_[i]))
+      if (is_turned_sideways(store_, labels_[i]))
+        warn("labels that are turned sideways", i,
+             "is turned along the surface beside it, which is not behind it; a label usually faces away from "
+             "its shelf "
+             "or wall; turn its normal");
+      else if (!has_support(store_, labels_[i]) && !has_back_to_back(i))
         warn("labels in mid-air", i,
              "has no surface within 0.3 m behind it; a label is mounted on a shelf, a wall or a rail; "
              "correct its "
@@ -96,25 +124,37 @@ class LabelChecks {
                                     labels_[i].id, p.x, p.y, p.z, problem));
   }
 
+  // The other label of a sign with a label on either side.
+  bool has_back_to_back(std::size_t i) const {
+    constexpr double thickest = 0.1;
+    const Vec3& p = labels_[i].position;
+    return index_.any(Bounds{p, p}.wider_by(thickest),
+                      [&](std::uint32_t k) { return dot(labels_[k].normal, labels_[i].normal) < -0.5; });
+  }
+
   void check_neighbours(std::size_t i) {
     constexpr double nearest = 0.015;  // half the width of the smallest labels
     const auto faces_alike = [&](const Label& other) { return dot(other.normal, labels_[i].normal) > 0.5; };
     if (const auto other = earlier(labels_, index_, i, nearest, faces_alike))
       warn("labels at one place", i,
-           fmt::format(
-               "is {:.2g} mm from label '{}'; labels are at least 3 cm apart; remove one of them, or correct "
-               "its position",
-               1000 * length(labels_[*other].position - labels_[i].position), labels_[*other].id));
+           fmt::format("is {:.2g} mm from label '{}'; labels are usually at least 3 cm apart; remove one of "
+                       "them, or correct "
+                       "its position",
+                       1000 * length(labels_[*other].position - labels_[i].position), labels_[*other].id));
   }
 
   void check_direction(std::size_t i) {
-    constexpr double highest = 3;
+    constexpr double lowest = 0.03, highest = 6, below_ceiling = 0.25, standing = 2.3;
     const Label& label = labels_[i];
-    if (const double height = label.position.z - store_.floor(); height > highest)
+    const double height = label.position.z - store_.floor();
+    const bool is_at_ceiling = height > standing && label.position.z > store_.scene.upper.z - below_ceiling;
+    if (is_at_ceiling || height > highest || (height < lowest && std::abs(label.normal.z) < 0.5))
       warn("labels at an unusual height", i,
            fmt::format("is {:.3g} m above the floor; 0.1 to 2.2 m are usual; correct its height", height));
     if (label.normal.z < -0.8)
-      warn("labels that face the floor", i, "faces the floor; labels face the aisle; correct its normal");
+      warn("labels that face the floor", i,
+           "faces the floor; a label usually faces the aisle; correct its normal, or 'tilt_deg' of its "
+           "fixture");
   }
 
   // make_scene warns of blocks and of the room right in front of labels.
@@ -169,7 +209,7 @@ class UnitChecks {
   }
 
   void check_twins(std::size_t j) {
-    constexpr double same_place = 1e-3;
+    constexpr double same_place = 0.01;
     const Transceiver& unit = units_[j];
     const auto is_twin = [&](const Transceiver& other) {
       return other.type == unit.type && dot(other.axis, unit.axis) > 0.9999 &&
@@ -177,10 +217,10 @@ class UnitChecks {
     };
     if (const auto other = earlier(units_, index_, j, same_place, is_twin))
       warn("candidates that are listed twice", j,
-           fmt::format(
-               "has the place, type, axis and roll of '{}'; each candidate is listed once; remove one of "
-               "them, or correct its position",
-               units_[*other].id));
+           fmt::format("has the place, type, axis and roll of '{}'; usually each candidate is listed once; "
+                       "remove one of "
+                       "them, or correct its position",
+                       units_[*other].id));
   }
 
   void check_axis(std::size_t j) {
@@ -191,13 +231,14 @@ class UnitChecks {
     const auto before = opaque_before(store_, from, unit.axis, is_up ? below_ceiling : nearest);
     if (before && before->metres <= nearest)
       warn("transceivers aimed at a surface", j,
-           fmt::format(
-               "is aimed at a surface of '{}', {:.2g} cm in front of it; units are aimed at the shelves; "
-               "correct 'axis' or the position",
-               before->material->name, 100 * before->metres));
+           fmt::format("is aimed at a surface of '{}', {:.2g} cm in front of it; units are usually aimed at "
+                       "the shelves; "
+                       "correct 'axis' or the position",
+                       before->material->name, 100 * before->metres));
     else if (before)
       warn("transceivers aimed at the ceiling", j,
-           "is aimed up at the ceiling; units are aimed at the shelves; correct 'axis', which is [0, 0, -1] "
+           "is aimed up at the ceiling; units are usually aimed at the shelves; correct 'axis', which is [0, "
+           "0, -1] "
            "for "
            "straight down");
   }

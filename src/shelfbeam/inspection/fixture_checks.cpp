@@ -17,7 +17,8 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double contact = 0.02;  // m by which fixtures that touch may overlap
+// m by which fixtures that touch may overlap: cabinets have walls beyond their nominal length.
+constexpr double contact = 0.05;
 
 struct Interval {
   double low = HUGE_VAL, high = -HUGE_VAL;
@@ -90,6 +91,20 @@ class Overlaps {
 
   bool is_box(const Part& part) const { return store_.scene.fixtures[part.fixture].type == "box"; }
 
+  // Shelves stand on plinths and around columns, and walls and columns that are drawn as boxes cross.
+  bool may_overlap(const Part& one, const Part& other) const {
+    if (is_box(one) && is_box(other)) return shared_volume(one, other) < 0.5;
+    constexpr double plinth = 0.2, column = 1;  // m, m^2
+    const auto is_part_of_building = [&](const Part& part) {
+      const Bounds box = bounds_of(part);
+      const Vec3 size = box.high - box.low;
+      return is_box(part) &&
+             (box.high.z - store_.floor() <= plinth ||
+              (size.x * size.y < column && size.z > 0.8 * (store_.scene.upper.z - store_.floor())));
+    };
+    return is_part_of_building(one) || is_part_of_building(other);
+  }
+
   // Whether a pair may still be checked.
   bool takes_pair(const Part& one, const Part& other) {
     if (one.fixture == other.fixture || is_reported_[one.fixture] || budget_ == 0) return false;
@@ -99,10 +114,10 @@ class Overlaps {
 
   // Reports one overlap per fixture. Returns true, so that a search ends.
   bool report(const Part& one, const Part& other) {
-    is_reported_[one.fixture] = true;
+    is_reported_[one.fixture] = is_reported_[other.fixture] = true;
     const auto& [fixture, where] = store_.store.fixtures[one.fixture];
     warnings_.add("fixtures that overlap others",
-                  fmt::format("{}: fixture '{}' is partly inside fixture '{}'; fixtures stand side by side; "
+                  fmt::format("{}: fixture '{}' overlaps fixture '{}'; fixtures usually stand side by side; "
                               "move one of them, or remove a duplicate",
                               where, id_of(fixture), store_.scene.fixtures[other.fixture].id));
     return true;
@@ -112,9 +127,7 @@ class Overlaps {
     if (is_reported_[block.fixture]) return;
     store_.blocks.any(bounds_of(block).wider_by(-contact), [&](const Part& other) {
       if (&other > &block || !takes_pair(block, other)) return budget_ == 0;
-      // Walls and columns that are drawn as boxes cross each other at corners.
-      const bool cross = is_box(block) && is_box(other) && shared_volume(block, other) < 0.5;
-      return !cross && overlap(block, other) > contact && report(block, other);
+      return !may_overlap(block, other) && overlap(block, other) > contact && report(block, other);
     });
   }
 
@@ -135,14 +148,14 @@ class Overlaps {
         edge.include(b);
         const Vec3 direction = (b - a) / size;
         store_.blocks.any(edge, [&](const Part& block) {
-          if (!takes_pair(mesh, block)) return budget_ == 0;
+          if (may_overlap(mesh, block) || !takes_pair(mesh, block)) return budget_ == 0;
           const Stretch stretch = stretch_within(block, a, direction, contact);
           return std::min(stretch.end, size) - std::max(stretch.begin, 0.0) > contact && report(mesh, block);
         });
       }
     store_.blocks.any(bounds_of(mesh).wider_by(-contact), [&](const Part& block) {
       if (!takes_pair(block, mesh)) return budget_ == 0;
-      if (crosses(block, mesh)) report(block, mesh);
+      if (!may_overlap(block, mesh) && crosses(block, mesh)) report(block, mesh);
       return false;
     });
   }
@@ -220,11 +233,39 @@ void warn_of_floating(const Inspected& store, WarningList& warnings) {
   }
 }
 
+// The bounds of the meshes, by fixture; empty bounds for other fixtures.
+std::vector<Bounds> bounds_of_meshes(const Scene& scene) {
+  std::vector<Bounds> meshes(scene.fixtures.size());
+  for (const Part& part : scene.parts)
+    if (part.kind == PartKind::mesh) meshes[part.fixture].include(bounds_of(part));
+  return meshes;
+}
+
+// The same mesh twice at the same place.
+void warn_of_copies(const Inspected& store, WarningList& warnings) {
+  constexpr double same = 0.01;
+  std::vector<Bounds> meshes = bounds_of_meshes(store.scene);
+  const auto is_mesh = [&](std::size_t f) { return meshes[f].low.x <= meshes[f].high.x; };
+  const auto differs = [&](const Vec3& a, const Vec3& b) { return length(a - b) > same; };
+  for (std::size_t f = 0; f < meshes.size(); ++f)
+    for (std::size_t first = 0; is_mesh(f) && first < f; ++first) {
+      if (!is_mesh(first) || differs(meshes[first].low, meshes[f].low) ||
+          differs(meshes[first].high, meshes[f].high))
+        continue;
+      const auto& [fixture, where] = store.store.fixtures[f];
+      warnings.add(
+          "meshes at the same place",
+          fmt::format(
+              "{}: mesh '{}' has the place and the size of mesh '{}'; usually each mesh is placed once; "
+              "remove one of them",
+              where, id_of(fixture), store.scene.fixtures[first].id));
+      break;
+    }
+}
+
 void warn_of_scale(const Inspected& store, WarningList& warnings) {
   constexpr double smallest = 0.05, largest = 300;
-  std::vector<Bounds> meshes(store.scene.fixtures.size());
-  for (const Part& part : store.scene.parts)
-    if (part.kind == PartKind::mesh) meshes[part.fixture].include(bounds_of(part));
+  const std::vector<Bounds> meshes = bounds_of_meshes(store.scene);
   for (std::size_t f = 0; f < meshes.size(); ++f) {
     const Vec3 size = meshes[f].high - meshes[f].low;
     const double extent = std::max({size.x, size.y, size.z});
@@ -266,6 +307,7 @@ void warn_of_radians(const Inspected& store, WarningList& warnings) {
 
 void warn_of_fixtures(const Inspected& store, WarningList& warnings) {
   Overlaps(store, warnings).check();
+  warn_of_copies(store, warnings);
   warn_of_floating(store, warnings);
   warn_of_scale(store, warnings);
   warn_of_radians(store, warnings);

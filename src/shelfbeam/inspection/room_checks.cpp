@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -43,7 +45,7 @@ void warn_of_materials(const Inspected& store, WarningList& warnings) {
       warnings.add(
           "materials that reflect almost nothing",
           fmt::format("{}: materials.{}.reflectance: is {:.3g}; 0.03 (black paint) to 0.95 are usual; "
-                      "give a share of 1, not per cent of it",
+                      "give a fraction, such as 0.8 for 80 %",
                       store.store.file, name, *reflectance));
   }
 }
@@ -57,16 +59,23 @@ void warn_of_keep_out(const Inspected& store, WarningList& warnings) {
     warnings.add(
         "keep-out areas outside the shop",
         fmt::format("{}: transceivers.keep_out[{}]: extends from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}), but "
-                    "the shop from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}); an area covers candidates; "
-                    "correct it, and give metres",
+                    "the shop from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}); it removes no candidate; "
+                    "check its unit of length",
                     store.store.file, k, min[0], min[1], max[0], max[1], low.x, low.y, high.x, high.y));
   }
 }
 
 void warn_of_grids(const Inspected& store, WarningList& warnings) {
-  constexpr double widest = 8;
+  constexpr double narrowest = 0.25, widest = 8;
   for (std::size_t g = 0; g < store.store.grids.size(); ++g) {
     const double spacing = store.store.grids[g].spacing;
+    if (spacing < narrowest)
+      warnings.add(
+          "narrow grids",
+          fmt::format(
+              "{}: transceivers.grids[{}].spacing: is {:.3g} m, which makes very many candidates; 0.5 to 3 "
+              "m are usual; use a wider spacing",
+              store.store.file, g, spacing));
     if (spacing > widest)
       warnings.add(
           "wide grids",
@@ -77,23 +86,53 @@ void warn_of_grids(const Inspected& store, WarningList& warnings) {
   }
 }
 
+// The share of devices, up to 200 of them, from which a vertical ray meets no surface.
+template <class Devices>
+double open_share(const Inspected& store, const Devices& devices, const Vec3& direction) {
+  constexpr std::size_t most = 200;
+  const std::size_t count = std::min(devices.size(), most);
+  std::size_t open = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec3& p = devices[k * devices.size() / count].position;
+    if (!store.rays.intersect({p, direction}, direction)) ++open;
+  }
+  return static_cast<double>(open) / static_cast<double>(count);
+}
+
+// A building that is a mesh may lack a part, or stand at another place than its fixtures.
+void warn_of_open_building(const Inspected& store, WarningList& warnings) {
+  constexpr double many = 0.1;
+  const auto warn = [&](double share, std::string_view devices, std::string_view surface) {
+    if (share > many)
+      warnings.add(
+          "buildings that are open",
+          fmt::format(
+              "{}: fixtures: {:.0f} % of the {} have no surface {} them; a floor and a ceiling are usual; "
+              "add a 'room', or check which parts of the building the mesh contains and where it stands",
+              store.store.file, 100 * share, devices, surface));
+  };
+  warn(open_share(store, store.scene.labels, {0, 0, -1}), "labels", "below");
+  warn(open_share(store, store.scene.transceivers, {0, 0, 1}), "transceivers", "above");
+}
+
 }  // namespace
 
 void warn_of_room(const Inspected& store, WarningList& warnings) {
   const Scene& scene = store.scene;
-  const double height = scene.upper.z - store.floor();
-  if (height > 15 || height < 2)
-    warnings.add(
-        "unusual heights of rooms",
-        fmt::format("{}: {}: the shop is {:.3g} m high; 2.5 to 12 m are usual; correct the height, and "
-                    "give metres",
-                    store.store.file, scene.room ? "room.size[2]" : "fixtures", height));
+  const double height = scene.room ? scene.room->z : scene.upper.z - scene.lower.z;
+  // Without a room, low fixtures may be all that the store describes.
+  if (height > 15 || (scene.room && height < 2))
+    warnings.add("unusual heights of rooms",
+                 fmt::format("{}: {}: the shop is {:.3g} m high; 2.5 to 12 m are usual; check its "
+                             "unit of length",
+                             store.store.file, scene.room ? "room.size[2]" : "fixtures", height));
   if (scene.wavelength_nm < 700 || scene.wavelength_nm > 1700)
     warnings.add(
         "unusual wavelengths",
         fmt::format("{}: wavelength_nm: {:g} nm is not near-infrared light; 850 to 950 nm are usual; "
                     "correct it",
                     store.store.file, scene.wavelength_nm));
+  if (!scene.room) warn_of_open_building(store, warnings);
   warn_of_materials(store, warnings);
   warn_of_keep_out(store, warnings);
   warn_of_grids(store, warnings);

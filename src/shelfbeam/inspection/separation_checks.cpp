@@ -32,6 +32,8 @@ class LightGroups {
         units_(store.scene.transceivers.size()),
         parent_(labels_ + units_),
         has_partner_(labels_ + units_),
+        is_unknown_(labels_ + units_),
+        is_on_wall_(units_),
         index_(points(store.scene.transceivers)) {
     std::iota(parent_.begin(), parent_.end(), 0U);
     const Vec3 size = store.scene.upper - store.scene.lower;
@@ -44,15 +46,19 @@ class LightGroups {
   }
 
   std::uint32_t unit(std::uint32_t j) const { return static_cast<std::uint32_t>(labels_) + j; }
+  /// Whether the device was examined to the end.
+  bool is_known(std::uint32_t node) const { return !is_unknown_[node]; }
   std::uint32_t group(std::uint32_t node) const {
     while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
     return node;
   }
 
  private:
-  static constexpr std::uint32_t walks_per_device = 32, walks_per_group = 512, bounces = 8;
+  static constexpr std::uint32_t walks_per_device = 16, walks_per_group = 256, bounces = 8;
   static constexpr std::size_t tests = 8;         // units tested per point
-  static constexpr std::size_t max_groups = 200;  // examined again
+  static constexpr std::size_t max_groups = 100;  // examined again
+  // Steps of all walks, about a second. Devices that are left then count as connected.
+  static constexpr std::size_t max_steps = 200'000;
 
   static std::vector<Bounds> points(const std::vector<Transceiver>& units) {
     std::vector<Bounds> points;
@@ -67,6 +73,25 @@ class LightGroups {
     parent_[std::max(a, b)] = std::min(a, b);
   }
   bool is_alone(std::uint32_t node) const { return parent_[node] == node && !has_partner_[node]; }
+
+  bool is_inside_block(std::uint32_t node) const { return store_.blocks.contain(origin(node).position); }
+
+  // A unit exactly on a wall is seen from both sides of it, and therefore joins only one group.
+  bool may_join(std::uint32_t j) {
+    if (is_alone(unit(j))) return true;
+    if (!is_on_wall_[j]) {
+      constexpr double near = 0.005;
+      const Vec3& p = store_.scene.transceivers[j].position;
+      bool touches = false;
+      for (const Vec3& side : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) {
+        const Vec3 start = p + side * near;
+        const auto hit = store_.rays.intersect({start, -side}, -side);
+        touches = touches || (hit && length(hit->point.position - start) < 2 * near);
+      }
+      is_on_wall_[j] = touches;
+    }
+    return !*is_on_wall_[j];
+  }
 
   // The device as the origin of light, or its end.
   SurfacePoint origin(std::uint32_t node) const {
@@ -102,7 +127,7 @@ class LightGroups {
   bool joins_directly(std::uint32_t label) {
     const SurfacePoint from = origin(label);
     return any_near(from.position, [&](std::uint32_t j) {
-      if (!sees(from, j)) return false;
+      if (!may_join(j) || !sees(from, j)) return false;
       join(label, unit(j));
       return true;
     });
@@ -110,9 +135,16 @@ class LightGroups {
 
   // Joins the first unit of another group that a walk sees. Glass is passed straight.
   bool walk_from(std::uint32_t node, std::uint32_t walks) {
+    if (is_inside_block(node)) return false;
+    if (node >= labels_ && !may_join(node - static_cast<std::uint32_t>(labels_))) return false;
+    if (steps_ > max_steps) {
+      is_unknown_[node] = true;
+      return false;
+    }
     for (std::uint32_t walk = 0; walk < walks; ++walk) {
       SurfacePoint at = origin(node);
       for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
+        ++steps_;
         const auto random = philox({node, walk, bounce, 0}, 0x77616c6c73);
         const double u = to_uniform(random[0]), phi = 2 * pi * to_uniform(random[1]), r = std::sqrt(u);
         const Vec3 direction =
@@ -121,7 +153,7 @@ class LightGroups {
         if (!next) break;
         at = *next;
         const auto joins = [&](std::uint32_t j) {
-          if (group(unit(j)) == group(node) || !sees(at, j)) return false;
+          if (group(unit(j)) == group(node) || !may_join(j) || !sees(at, j)) return false;
           join(node, unit(j));
           return true;
         };
@@ -175,7 +207,9 @@ class LightGroups {
   const Inspected& store_;
   std::size_t labels_, units_;
   mutable std::vector<std::uint32_t> parent_;  // union-find; searches shorten the paths
-  std::vector<bool> has_partner_;
+  std::vector<bool> has_partner_, is_unknown_;
+  std::vector<std::optional<bool>> is_on_wall_;  // examined when needed
+  std::size_t steps_ = 0;                        // of all walks
   BoxIndex index_;
   double reach_ = 0;  // m; a square of this half side contains several units
 };
@@ -200,22 +234,27 @@ void warn_of_separated(const Inspected& store, WarningList& warnings) {
   for (std::uint32_t i = 0; i < scene.labels.size(); ++i) {
     const Label& label = scene.labels[i];
     const auto& [labels, units] = members.at(groups.group(i));
-    if ((units > 0 && static_cast<double>(labels) >= few) || store.blocks.contain(label.position)) continue;
-    warnings.add(
-        "labels behind closed walls",
-        fmt::format("{}: label '{}' at {} is separated by closed walls from {}; labels are in one room with "
-                    "the others; correct its position or the walls",
-                    store.sources.labels[i], label.id, position_text(label.position),
-                    units == 0 ? "all transceivers" : "most labels"));
+    if ((units > 0 && static_cast<double>(labels) >= few) || !groups.is_known(i) ||
+        store.blocks.contain(label.position))
+      continue;
+    warnings.add("labels behind closed walls",
+                 fmt::format("{}: label '{}' at {} is separated from {} by closed surfaces, so that no light "
+                             "reaches it; usually some light passes between all parts of a shop; check its "
+                             "position, the walls, and doors of an opaque material",
+                             store.sources.labels[i], label.id, position_text(label.position),
+                             units == 0 ? "all transceivers" : "most labels"));
   }
   for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j) {
     const Transceiver& unit = scene.transceivers[j];
-    if (members.at(groups.group(groups.unit(j))).labels > 0 || store.blocks.contain(unit.position)) continue;
+    if (members.at(groups.group(groups.unit(j))).labels > 0 || !groups.is_known(groups.unit(j)) ||
+        store.blocks.contain(unit.position))
+      continue;
     warnings.add(
         "transceivers behind closed walls",
-        fmt::format("{}: transceiver '{}' at {} is separated by closed walls from all labels; units are "
-                    "mounted where labels are; correct its position, or cover it with 'keep_out'",
-                    store.sources.transceivers[j], unit.id, position_text(unit.position)));
+        fmt::format(
+            "{}: transceiver '{}' at {} is separated from all labels by closed surfaces; usually light "
+            "reaches labels from every candidate; correct its position, or cover it with 'keep_out'",
+            store.sources.transceivers[j], unit.id, position_text(unit.position)));
   }
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -43,12 +44,15 @@ struct Range {
   double mean = 0;  // at the intensity of the same flux spread over a hemisphere
 };
 
+// A unit is usually heard this far, also in a smaller shop, m.
+constexpr double usual_range = 10;
+
 class TypeChecks {
  public:
   TypeChecks(const Inspected& store, WarningList& warnings)
       : file_(store.store.file),
         scene_(store.scene),
-        diagonal_(length(store.scene.upper - store.scene.lower)),
+        farthest_(std::max(usual_range, length(store.scene.upper - store.scene.lower))),
         warnings_(warnings),
         labels_(scene_.label_types.size()),
         units_(scene_.transceiver_types.size()) {
@@ -106,40 +110,39 @@ class TypeChecks {
     const Range range = this->range(type, type.requirement());
     // 1000 times as much signal is about 32 times as much distance.
     const double thousand = std::sqrt(1000.0);
-    const auto is_usual = [&](double distance) { return distance > 1 && distance < 3 * diagonal_; };
+    const auto is_usual = [&](double distance) { return distance > 1 && distance < 3 * farthest_; };
     const bool is_prefix = is_usual(range.peak / thousand) || is_usual(range.peak * thousand);
     const std::string_view remedy =
         is_prefix
-            ? "milliwatts and watts may be confused: thresholds count in W/m^2, flux in W, intensity in W/sr"
+            ? "milliwatts and watts may be confused: thresholds are in W/m^2, flux in W, intensity in W/sr"
             : "check 'threshold', 'safety_factor' and the emission of the transceiver";
-    if (type.range_m > diagonal_)
+    if (type.range_m > farthest_ || (type.range_m > 0 && type.range_m < 1))
       warnings_.add(
-          "requirements that every unit meets",
+          "requirements that every unit or none meets",
           fmt::format(
-              "{}: the label hears at {} m, but the shop has a diagonal of {} m; 3 to 20 m are usual; "
-              "check 'at_m'",
-              at("label_types", type.name, ".threshold"), plain(type.range_m), plain(diagonal_)));
+              "{}: the label hears at {} m; 3 to 20 m are usual, in this shop up to {} m; check 'at_m'",
+              at("label_types", type.name, ".threshold"), plain(type.range_m), plain(farthest_)));
     // A narrow beam may reach farther than the room; its mean then does not.
-    else if (range.peak > diagonal_ && range.mean > diagonal_ / 2)
+    else if (range.peak > farthest_ && range.mean > farthest_ / 2)
       warnings_.add(
-          "requirements that every unit meets",
+          "requirements that every unit or none meets",
           fmt::format(
-              "{}: one '{}' meets the requirement of {} W/m^2 from {} m, but the shop has a diagonal of {} "
-              "m; 3 to 20 m are usual; {}",
+              "{}: a single '{}' meets the requirement of {} W/m^2 from {} m; 3 to 20 m are usual, in "
+              "this shop up to {} m; {}",
               at("label_types", type.name), range.unit, plain(type.requirement()), plain(range.peak),
-              plain(diagonal_), remedy));
+              plain(farthest_), remedy));
     else if (range.peak < 1)
       warnings_.add(
-          "requirements that no unit meets",
+          "requirements that every unit or none meets",
           fmt::format(
-              "{}: no transceiver meets the requirement of {} W/m^2 from 1 m, and '{}' from {} m at most; 3 "
-              "to 20 m are usual; {}",
-              at("label_types", type.name), plain(type.requirement()), range.unit, plain(range.peak),
+              "{}: a single '{}' meets the requirement of {} W/m^2 only up to {} m, and no other unit "
+              "farther; 3 to 20 m are usual; {}",
+              at("label_types", type.name), range.unit, plain(type.requirement()), plain(range.peak),
               remedy));
   }
 
   void check_label(const LabelType& type) {
-    if (type.safety_factor < 1 || type.safety_factor > 20)
+    if (type.safety_factor < 1 || type.safety_factor > 10)
       warnings_.add(
           "unusual safety factors",
           fmt::format("{}: is {}{}; 1 to 4 are usual; correct it",
@@ -161,13 +164,45 @@ class TypeChecks {
               at("label_types", type.name, ".responsivity.cutoff_deg"), plain(power->cutoff * 180 / pi)));
   }
 
+  // The shares of the flux within 4 degrees of the axis and behind the unit.
+  static std::array<double, 2> shares(const Emission& emission) {
+    constexpr int steps = 180, narrow = 4;
+    double all = 0, ahead = 0, behind = 0;
+    for (int degree = 0; degree < steps; ++degree) {
+      const double theta = radians(degree + 0.5), part = mean_intensity(emission, theta) * std::sin(theta);
+      all += part;
+      if (degree < narrow) ahead += part;
+      if (degree >= steps / 2) behind += part;
+    }
+    return {ahead / all, behind / all};
+  }
+
+  void check_directions(const TransceiverType& type) {
+    const auto [ahead, behind] = shares(type.emission);
+    const std::string where = at("transceiver_types", type.name, ".emission");
+    if (ahead > 0.9)
+      warnings_.add(
+          "unusual directions of emission",
+          fmt::format("{}: all light leaves within 4 degrees of the axis; beams of 20 degrees and more are "
+                      "usual; give angles in degrees, not radians",
+                      where));
+    if (behind > 0.5)
+      warnings_.add(
+          "unusual directions of emission",
+          fmt::format(
+              "{}: {:.0f} % of the light leaves backwards, beyond 90 degrees from the axis; less than "
+              "half is usual; reverse the angles of the profile",
+              where, 100 * behind));
+  }
+
   void check_unit(const TransceiverType& type, std::size_t k) {
+    check_directions(type);
     const double flux = power(type.emission);
     if (flux > 100 || flux < 1e-3)
       warnings_.add(
           "unusual flux",
           fmt::format("{}: emits {} W in total; 0.01 to 20 W are usual; check its flux or intensity, "
-                      "which count in W and W/sr",
+                      "which are in W and W/sr",
                       at("transceiver_types", type.name, ".emission"), plain(flux)));
     if (type.radius > 0.3)
       warnings_.add("unusual radii of transceivers",
@@ -193,7 +228,7 @@ class TypeChecks {
       if (low == nullptr || value(types[k]) < value(*low)) low = &types[k];
       if (high == nullptr || value(types[k]) > value(*high)) high = &types[k];
     }
-    if (low == nullptr || value(*high) < 100 * value(*low)) return;
+    if (low == nullptr || value(*high) < 50 * value(*low)) return;
     warnings_.add(subject, fmt::format("{}: has a {} of {} {}, and '{}' one of {} {}; a factor below 10 is "
                                        "usual; check the units of measure of both",
                                        at(section, low->name), subject, plain(value(*low)), unit, high->name,
@@ -210,7 +245,7 @@ class TypeChecks {
 
   const std::string& file_;
   const Scene& scene_;
-  double diagonal_;
+  double farthest_;  // m, up to which a unit may be heard: the diagonal of the shop
   WarningList& warnings_;
   std::vector<std::size_t> labels_, units_;  // by type
 };

@@ -22,7 +22,7 @@ TEST_F(VerifySlow, VerifiesThePlan) {
                     statement = "4 transceivers reach all 390 labels, and 3 are not enough";
   told("new thesis @store --quiet");
   EXPECT_THAT(told("plan " + store + " -o @plan --relative-error 0.05"),
-              StartsWith(statement + ", with 99 % confidence.\nreport: "));
+              StartsWith(statement + ", with 99 % confidence. This "));
   const Json certificate = json("plan/placement.json")["certificate"];
   EXPECT_EQ(certificate["reached"], 390);
   EXPECT_EQ(certificate["count_lower_bound"], 4);

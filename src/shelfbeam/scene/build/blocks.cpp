@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "shelfbeam/material/material.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -12,7 +14,8 @@ namespace {
 std::vector<const Part*> blocks_of(const Scene& scene) {
   std::vector<const Part*> blocks;
   for (const Part& part : scene.parts)
-    if (part.kind != PartKind::mesh) blocks.push_back(&part);
+    if (part.kind != PartKind::mesh && is_opaque(scene.materials[part.material.value].material))
+      blocks.push_back(&part);
   return blocks;
 }
 

@@ -25,7 +25,7 @@ Stretch stretch_within(const Part& block, const Vec3& p, const Vec3& direction, 
 
 Bounds bounds_of(const Part& part);
 
-/// The blocks of a scene: all parts of fixtures except meshes, of which only the hull is a block.
+/// The blocks of a scene: all opaque parts of fixtures except meshes, of which only the hull is a block.
 class Blocks {
  public:
   static constexpr double rounding = 1e-6;  ///< m
