@@ -18,7 +18,7 @@ double read_coordinate(double value, LengthUnit unit, const std::string& where) 
   const double metres = to_metres(value, unit);
   if (!(std::abs(metres) <= farthest))
     throw InputError(where, fmt::format("is at {} {}", value, to_text(unit)),
-                     "it must be within 10 km of the origin");
+                     "it must be within 10 km of the origin; check its unit of length");
   return metres;
 }
 

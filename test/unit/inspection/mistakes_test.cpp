@@ -1,6 +1,7 @@
 #include "unit/inspection/mistakes.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -42,6 +43,18 @@ TEST(Mistakes, AreNoticed) {
   EXPECT_EQ(test::other_mistakes().size(), 18u);
   EXPECT_THAT(unnoticed(test::expected_mistakes()), testing::IsEmpty());
   EXPECT_THAT(unnoticed(test::other_mistakes()), testing::IsEmpty());
+}
+
+// The error of a list outside the room names the probable mistake.
+TEST(Mistakes, OfWholeListsAreNamed) {
+  for (const auto& [name, cause] : {std::pair("labels with x and y exchanged", "x and y look exchanged"),
+                                    std::pair("labels with y and z exchanged", "y and z look exchanged"),
+                                    std::pair("labels in feet", "look like feet"),
+                                    std::pair("labels in centimetres", "look like centimetres")})
+    for (const Mistake& mistake : test::expected_mistakes()) {
+      if (mistake.name != name) continue;
+      EXPECT_THAT(objections(mistake), testing::ElementsAre(testing::HasSubstr(cause))) << name;
+    }
 }
 
 TEST(Mistakes, PlausibleChangesAreAccepted) {

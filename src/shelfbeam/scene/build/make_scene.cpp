@@ -158,15 +158,20 @@ class SceneMaker {
     }
   }
 
-  void expect_in_room(const std::string& id, const Vec3& p, const std::string& where,
-                      const char* what) const {
-    if (const std::string side = beyond_room(scene_, p); !side.empty())
+  // `list`: the listed devices of the same kind, from which a remedy can be concluded.
+  template <class List>
+  void expect_in_room(const std::string& id, const Vec3& p, const std::string& where, const char* what,
+                      const List& list) const {
+    if (const std::string side = beyond_room(scene_, p); !side.empty()) {
+      std::vector<Vec3> listed;
+      for (const auto& item : list) listed.push_back(item.value.position);
       throw InputError(
           where,
           fmt::format(
               "{} {} at ({:.6g}, {:.6g}, {:.6g}) is outside the room of {:.6g} x {:.6g} x {:.6g} m: {}", what,
               in_quotes(id), p.x, p.y, p.z, scene_.room->x, scene_.room->y, scene_.room->z, side),
-          "move it inside, or correct the room's size");
+          remedy_outside(*scene_.room, listed));
+    }
   }
 
   void add_labels() {
@@ -187,7 +192,7 @@ class SceneMaker {
                          fmt::format("has the duplicate label id {}, first used in {}", in_quotes(label.id),
                                      sources_.labels[first->second]),
                          "make ids unique");
-      expect_in_room(label.id, label.position, sources_.labels[i], "label");
+      expect_in_room(label.id, label.position, sources_.labels[i], "label", store_.labels);
     }
   }
 
@@ -197,7 +202,7 @@ class SceneMaker {
       kept_out_ids_.insert(unit.id);
       return;
     }
-    expect_in_room(unit.id, unit.position, where, "transceiver");
+    expect_in_room(unit.id, unit.position, where, "transceiver", store_.transceivers);
     if (!unit_index_.emplace(unit.id, scene_.transceivers.size()).second)
       throw InputError(where, fmt::format("has the duplicate transceiver id {}", in_quotes(unit.id)),
                        "make ids unique");

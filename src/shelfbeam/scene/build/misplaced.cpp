@@ -184,6 +184,36 @@ std::string beyond_room(const Scene& scene, const Vec3& p) {
   return {};
 }
 
+std::string remedy_outside(const Vec3& room, const std::vector<Vec3>& listed) {
+  constexpr double nearly_all = 0.9;
+  const auto count_inside = [&](const auto& change) {
+    return std::count_if(listed.begin(), listed.end(), [&](const Vec3& p) {
+      const Vec3 q = change(p);
+      return q.x >= 0 && q.y >= 0 && q.z >= 0 && q.x <= room.x && q.y <= room.y && q.z <= room.z;
+    });
+  };
+  const auto inside = count_inside([](const Vec3& p) { return p; });
+  const auto helps = [&](const auto& change) {
+    const auto count = count_inside(change);
+    return count > inside && static_cast<double>(count) >= nearly_all * static_cast<double>(listed.size());
+  };
+  const auto exchange = [](const char* axes) {
+    return fmt::format(
+        "{} look exchanged: nearly all positions of the list would then be inside; exchange them", axes);
+  };
+  if (helps([](const Vec3& p) { return Vec3{p.y, p.x, p.z}; })) return exchange("x and y");
+  if (helps([](const Vec3& p) { return Vec3{p.x, p.z, p.y}; })) return exchange("y and z");
+  if (helps([](const Vec3& p) { return Vec3{p.z, p.y, p.x}; })) return exchange("x and z");
+  for (const auto& [unit, metres] : {std::pair("feet", 0.3048), std::pair("inches", 0.0254),
+                                     std::pair("centimetres", 0.01), std::pair("millimetres", 0.001)})
+    if (helps([scale = metres](const Vec3& p) { return p * scale; }))
+      return fmt::format(
+          "the positions of the list look like {}: nearly all would then be inside; convert them, or give "
+          "'units'",
+          unit);
+  return "move it inside, or correct the room's size";
+}
+
 void warn_of_misplaced(const Scene& scene, const DeviceSources& sources, WarningList& warnings) {
   const Blocks blocks(scene);
   warn_of_labels(scene, blocks, sources.labels, warnings);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store/store.hpp"
@@ -11,6 +12,10 @@ namespace shelfbeam {
 /// The side of the room beyond which the point lies, for example "above the ceiling (4.2 m > 4 m)"; empty if
 /// the point is inside the room or there is no room.
 std::string beyond_room(const Scene& scene, const Vec3& p);
+
+/// A remedy for a list with positions outside the room: exchanged coordinates or another unit of length, if
+/// nearly all positions would then be inside; otherwise a general remedy.
+std::string remedy_outside(const Vec3& room, const std::vector<Vec3>& listed);
 
 /// Adds warnings about implausible positions: labels and transceivers inside or partly inside a fixture or
 /// partly outside the room, labels that face a fixture or wall closer than 5 cm and, without a room,
