@@ -62,6 +62,26 @@ TEST(PlanFile, IsReadBack) {
   EXPECT_FALSE(read.curve.is_complete);
 }
 
+TEST(PlanFile, DistinguishesUnverifiedLabels) {
+  const test::TempFolder folder;
+  CertifiedPlan plan = example_plan();
+  plan.warnings = {"store.json: room.size[2]: the shop is 32 m high"};
+  plan.certificate->mark_unverified();
+  std::string text = plan_json(plan, example());
+  EXPECT_NE(text.find("\"reached\": 1"), std::string::npos) << text;
+  CertifiedPlan read = read_plan(folder.write("p.json", text), example());
+  EXPECT_EQ(read.certificate->labels[1].verdict, Verdict::unverified);
+  EXPECT_EQ(read.warnings, plan.warnings);
+
+  plan.certificate->labels[0].verdict = Verdict::undecided;
+  plan.certificate->mark_unverified();
+  text = plan_json(plan, example());
+  EXPECT_NE(text.find("\"reached\": null"), std::string::npos) << text;
+  read = read_plan(folder.write("p.json", text), example());
+  EXPECT_TRUE(read.certificate->none_verified());
+  EXPECT_EQ(plan_json(read, example()), text);
+}
+
 // A reader of the placement alone can read a plan, and a placement alone is a plan without the rest.
 TEST(PlanFile, ExtendsThePlacementFile) {
   const test::TempFolder folder;

@@ -127,9 +127,8 @@ void say_certificates(Sentences& to) {
         static_cast<double>(bound);
     certificate.count_lower_bound = static_cast<std::size_t>(count_bound);
     certificate.open = open;
-    for (const auto verdict : {Verdict::reached, Verdict::missed, Verdict::undecided})
-      certificate.labels.insert(certificate.labels.end(), counts[static_cast<std::size_t>(verdict)],
-                                {verdict});
+    for (std::size_t verdict = 0; verdict < counts.size(); ++verdict)
+      certificate.labels.insert(certificate.labels.end(), counts[verdict], {static_cast<Verdict>(verdict)});
     to.say(certificate_sentence(plan));
   };
   const PlacementProblem redundant{.redundant = true};
@@ -140,6 +139,9 @@ void say_certificates(Sentences& to) {
   say(of_units(4, 4, Status::optimal, redundant), 4, {1200, 0, 0});
   say(of_units(1, 1, Status::optimal, redundant), 4, {1, 0, 0});
   say(of_units(4, 4, Status::optimal), 3, {1, 1, 2}, "it was interrupted");
+  say(of_units(4, 4, Status::optimal), 0, {3, 0, 0, 1}, "it was interrupted");
+  say(of_units(4, 4, Status::optimal), 0, {0, 0, 0, 450}, "it was interrupted");
+  say(nothing, 0, {0, 0, 0, 450}, "it was interrupted");
   const PlacementProblem cost{.combination = weighted};
   say(of_units(4, 1, Status::optimal, cost), 1000, {1200, 0, 0});
   say(of_units(4, 1, Status::optimal, cost), 900, {1200, 0, 0});
