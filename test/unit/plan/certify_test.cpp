@@ -114,7 +114,7 @@ TEST(Certify, ProvesASmallStore) {
 
 // The requirement is equal to the signal of the weakest label under the strongest placement: the label cannot
 // be decided, and the certificate reports it as undecided.
-TEST(Certify, BorderlineLabelIsUndecided) {
+TEST(CertifySlow, BorderlineLabelIsUndecided) {
   test::PlanStore store;
   store.across = 1;
   const double least = min_received(true_matrix(store.scene(), 0.002));

@@ -18,7 +18,7 @@ namespace {
 
 // If one of the labels with the smallest planned margins is far too weak, the others wait for the next round,
 // unless no other selection can follow.
-TEST(LabelRounds, BeginWithTheRiskiestLabels) {
+TEST(LabelRoundsSlow, BeginWithTheRiskiestLabels) {
   test::PlanStore store;
   store.spacing = 0.025;
   SimulationOptions options{EstimatorKind::reuse};

@@ -75,7 +75,7 @@ struct Sphere {
 
 // Each of four changes has a probability of about 1e-4 to be five errors off (64 batches). The control is a
 // change 5 % off.
-TEST(Sensitivity, ChangesAreThoseOfASphere) {
+TEST(SensitivitySlow, ChangesAreThoseOfASphere) {
   const Sphere sphere;
   const Scene scene = sphere.room().scene;
   for (const bool once : {true, false}) {
@@ -170,7 +170,7 @@ TEST(Sensitivity, DifferencesAreMorePreciseThanSignals) {
   }
 }
 
-TEST(Sensitivity, IsTheSameForAnyNumberOfThreads) {
+TEST(SensitivitySlow, IsTheSameForAnyNumberOfThreads) {
   const Scene scene = three_materials();
   for (const SimulationOptions& options : {connections(PathRules::no_limit, 20), reuse()}) {
     const Sensitivity one = of(scene, options, {}, 0.1, 11, 1), three = of(scene, options, {}, 0.1, 11, 3);
@@ -269,7 +269,7 @@ TEST(Sensitivity, WatchesTheLabelsWithTheSmallestMargins) {
 
 // If the light at the high end exceeds that of most labels at the low end, most labels may be the weakest
 // when one material is low. With many materials, only as many labels are watched as time allows.
-TEST(Sensitivity, WatchesAllLabelsThatMayHaveTheSmallestMargin) {
+TEST(SensitivitySlow, WatchesAllLabelsThatMayHaveTheSmallestMargin) {
   constexpr std::size_t labels = 2 * min_watched_labels;
   Scene scene = plan_scene(0.05, 0.95);
   repeat_labels(scene, labels);

@@ -91,8 +91,10 @@ TEST_F(Resume, GivesTheSameBytesWithAnErrorOutOfReach) {
   expect_same_after_every_stop({300, 700});
 }
 
+class ResumeSlow : public Resume {};
+
 // With few items, several batches run at once; the end depends on all entries together.
-TEST_F(Resume, GivesTheSameBytesWithSeveralBatchesAtOnce) {
+TEST_F(ResumeSlow, GivesTheSameBytesWithSeveralBatchesAtOnce) {
   options.strategy = Strategy::particle;
   options.direct = DirectLight::exact;
   options.relative_error = RelativeError{0.03, 0.3};
