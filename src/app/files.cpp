@@ -17,11 +17,14 @@ Store load_store(const std::filesystem::path& path, bool allow_outside, std::siz
   return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory});
 }
 
-void expect_no_warnings(const Scene& scene, const std::filesystem::path& store, bool strict) {
-  if (strict && !scene.warnings.empty())
-    throw InputError(store.string(),
-                     fmt::format("has {}, which count as errors", counted(scene.warnings.size(), "warning")),
-                     "correct the store, or allow warnings", Setting::strictness);
+void expect_no_warnings(const Scene& scene, bool strict) {
+  if (!strict || scene.warnings.empty()) return;
+  const std::size_t others = scene.warnings.size() - 1;
+  throw InputError(
+      "", scene.warnings.front(),
+      others == 0 ? "warnings count as errors"
+                  : fmt::format("there are {}; warnings count as errors", counted(others, "other warning")),
+      Setting::strictness);
 }
 
 SignalTable table_without_signals(const Scene& scene) {

@@ -18,7 +18,7 @@ namespace shelfbeam::app {
 Store load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0);
 
 /// Throws InputError if the scene has warnings and `strict` is set.
-void expect_no_warnings(const Scene& scene, const std::filesystem::path& store, bool strict);
+void expect_no_warnings(const Scene& scene, bool strict);
 
 /// The labels and candidates of a scene as a table without entries.
 SignalTable table_without_signals(const Scene& scene);

@@ -1,5 +1,6 @@
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <map>
 #include <memory>
@@ -38,7 +39,7 @@ void occupy_standard_streams() {
 // Prints one line of limited length, whatever names and paths contain.
 void print_line(std::string_view kind, std::string_view text) {
   const Style style = kind == "stopped" ? Style::warning : Style::error;
-  tell("{} {}\n", styled(style, fmt::format("{}:", kind), stderr), one_line(text));
+  print_message("{} {}\n", styled(style, fmt::format("{}:", kind), stderr), one_line(text));
 }
 
 // The library does not know the names of the flags.
@@ -127,10 +128,24 @@ int run(const CLI::App& app, const ChosenVerb& verb) {
   }
 }
 
+// Memory for the way from a failed allocation to its message: destructors may allocate, too.
+void* memory_reserve = nullptr;
+
+void reserve_memory() {
+  constexpr std::size_t reserve = 8 << 20;
+  memory_reserve = std::malloc(reserve);
+  std::set_new_handler([] {
+    std::free(memory_reserve);
+    memory_reserve = nullptr;
+    throw std::bad_alloc();
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
+  reserve_memory();
   // Writing beyond a file size limit then fails, which is reported like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app;

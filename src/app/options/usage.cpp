@@ -105,6 +105,8 @@ std::optional<std::string> single_dash(const CLI::App& verb, const Words& argume
 // The first argument that the program does not know, and its remedy.
 std::optional<std::string> unknown_argument(const CLI::App& app, const Words& arguments) {
   const CLI::App* verb = chosen_verb(app);
+  if (verb == nullptr && !arguments.empty() && !is_option(arguments.front()))
+    return unknown_verb(app, arguments.front());
   Words unknown = app.remaining();
   if (verb != nullptr) {
     if (auto problem = single_dash(*verb, arguments)) return problem;

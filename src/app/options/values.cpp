@@ -76,7 +76,13 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
 }
 
 CLI::Validator a_path() {
-  return {[](const std::string& text) { return std::string(text.empty() ? "the name is empty" : ""); }, ""};
+  const auto check = [](const std::string& text) {
+    if (text.empty()) return std::string("the name is empty");
+    return text.starts_with("--")
+               ? fmt::format("'{0}' is an option, not a path; for a file of this name, give ./{0}", text)
+               : std::string();
+  };
+  return {check, ""};
 }
 
 CLI::Validator one_of(const std::vector<std::string>& names) {

@@ -43,7 +43,7 @@ void write_error(std::string_view text) noexcept {
 TerminalProgress::TerminalProgress(bool quiet) : active_(!quiet && is_terminal(stderr)) {}
 
 TerminalProgress::~TerminalProgress() {
-  if (!drawn_task_.empty()) tell("\r\033[K");
+  if (!drawn_task_.empty()) print_message("\r\033[K");
 }
 
 void TerminalProgress::report(std::string_view task, double fraction, std::string_view detail) {
@@ -55,7 +55,7 @@ void TerminalProgress::report(std::string_view task, double fraction, std::strin
   drawn_at_ = now;
   drawn_task_ = progress.task;
   // Some terminals wrap a line that fills them.
-  tell("\r\033[K{}", progress_line(progress, terminal_width() - 1));
+  print_message("\r\033[K{}", progress_line(progress, terminal_width() - 1));
 }
 
 const CancelToken& cancel_on_signal() {

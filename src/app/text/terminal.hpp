@@ -39,7 +39,7 @@ void write_error(std::string_view text) noexcept;
 
 /// Formats a message for standard error.
 template <class... T>
-void tell(fmt::format_string<T...> format, T&&... values) {
+void print_message(fmt::format_string<T...> format, T&&... values) {
   write_error(fmt::format(format, std::forward<T>(values)...));
 }
 

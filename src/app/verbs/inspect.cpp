@@ -32,7 +32,7 @@ int run_inspect(const Options& options) {
   } else if (!options.common.quiet) {
     print_summary(scene, options.plan);
   }
-  expect_no_warnings(scene, options.store, options.strict);
+  expect_no_warnings(scene, options.strict);
   return done;
 }
 

@@ -179,7 +179,7 @@ int run_plan(const Options& options) {
   constexpr std::size_t least_report = 100'000;
   expect_room_for_matrix(options.folder, scene, simulation, resolved.size() + least_report);
   print_warnings(options.common, scene, simulation.rules().strategy);
-  expect_no_warnings(scene, options.store, options.strict);
+  expect_no_warnings(scene, options.strict);
   Plan plan;
   {
     TerminalProgress progress(options.common.quiet);
@@ -210,9 +210,11 @@ int run_plan(const Options& options) {
   else if (!options.common.quiet)
     fmt::print("{}", result(options, plan, table, follows_decision(options), is_kept));
   if (options.common.json && !options.common.quiet && is_imprecise(plan))
-    tell("the requested relative error was not reached; without '--json' the program lists the entries\n");
+    print_message(
+        "the requested relative error was not reached; without '--json' the program lists the entries\n");
   if (plan.complete) return is_open(options, plan) ? stopped_early : exit_code(plan.placement.status);
-  if (!options.common.quiet) tell("stopped early: {}\n", remark_on_interruption(options, summary, is_kept));
+  if (!options.common.quiet)
+    print_message("stopped early: {}\n", remark_on_interruption(options, summary, is_kept));
   return stopped_early;
 }
 

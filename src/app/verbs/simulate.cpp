@@ -39,7 +39,7 @@ int run_simulate(const Options& options) {
   expect_room_for_matrix(options.output.has_parent_path() ? options.output.parent_path() : ".", scene,
                          simulation);
   print_warnings(options.common, scene, simulation.rules().strategy);
-  expect_no_warnings(scene, options.store, options.strict);
+  expect_no_warnings(scene, options.strict);
   SimulationSummary summary;
   {
     TerminalProgress progress(options.common.quiet);
@@ -57,7 +57,7 @@ int run_simulate(const Options& options) {
   }
   if (summary.complete) return summary.unmet_error ? stopped_early : done;
   if (!options.common.json && !options.common.quiet)
-    tell(
+    print_message(
         "stopped early: the file contains the samples so far; repeat the command with '--resume' to "
         "continue\n");
   return stopped_early;

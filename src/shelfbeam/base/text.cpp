@@ -86,6 +86,11 @@ constexpr std::size_t longest_word = 100;
 
 std::string nearest(std::string_view word, std::span<const std::string_view> known) {
   if (word.size() > longest_word) return {};
+  const std::string lower = lower_case(word);
+  for (const std::string_view candidate : known)
+    if (lower == lower_case(candidate)) return std::string(candidate);
+  constexpr std::size_t shortest_word = 3;  // any two short words are near each other
+  if (word.size() < shortest_word) return {};
   std::size_t best = std::numeric_limits<std::size_t>::max();
   std::string_view found;
   for (const std::string_view candidate : known) {

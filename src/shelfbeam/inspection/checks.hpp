@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Inspected {
         rays(scene),
         blocks(scene),
         is_mesh(scene.mesh.triangles.size()) {
+    const std::size_t stride = (scene.labels.size() + max_labels - 1) / max_labels;
+    for (std::size_t i = 0; i < scene.labels.size(); i += stride)
+      labels.push_back(static_cast<std::uint32_t>(i));
     for (const Part& part : scene.parts)
       for (std::uint32_t k = 0; k < part.triangle_count; ++k) is_mesh[part.first_triangle + k] = true;
   }
@@ -28,6 +32,9 @@ struct Inspected {
   const DeviceSources& sources;
   RayScene rays;
   Blocks blocks;
+  /// Indices of the labels that are examined: in larger stores every second, third, ... label.
+  static constexpr std::size_t max_labels = 250'000;
+  std::vector<std::uint32_t> labels;
   std::vector<bool> is_mesh;  ///< for each triangle, whether it belongs to a mesh fixture
 
   double floor() const { return scene.room ? 0 : scene.lower.z; }

@@ -99,7 +99,7 @@ class LabelChecks {
       : store_(store), labels_(store.scene.labels), warnings_(warnings), index_(index_of(labels_)) {}
 
   void check() {
-    for (std::size_t i = 0; i < labels_.size(); ++i) {
+    for (const std::uint32_t i : store_.labels) {
       check_neighbours(i);
       check_direction(i);
       if (store_.blocks.contain(labels_[i].position)) continue;  // make_scene warns of it

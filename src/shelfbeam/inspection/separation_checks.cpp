@@ -28,7 +28,7 @@ class LightGroups {
  public:
   explicit LightGroups(const Inspected& store)
       : store_(store),
-        labels_(store.scene.labels.size()),
+        labels_(store.labels.size()),
         units_(store.scene.transceivers.size()),
         parent_(labels_ + units_),
         has_partner_(labels_ + units_),
@@ -95,7 +95,10 @@ class LightGroups {
 
   // The device as the origin of light, or its end.
   SurfacePoint origin(std::uint32_t node) const {
-    if (node < labels_) return {store_.scene.labels[node].position, store_.scene.labels[node].normal};
+    if (node < labels_) {
+      const Label& label = store_.scene.labels[store_.labels[node]];
+      return {label.position, label.normal};
+    }
     const Transceiver& unit = store_.scene.transceivers[node - labels_];
     return {unit.position, unit.axis};
   }
@@ -228,11 +231,11 @@ void warn_of_separated(const Inspected& store, WarningList& warnings) {
     std::size_t labels = 0, units = 0;
   };
   std::map<std::uint32_t, Members> members;
-  for (std::uint32_t i = 0; i < scene.labels.size(); ++i) ++members[groups.group(i)].labels;
+  for (std::uint32_t i = 0; i < store.labels.size(); ++i) ++members[groups.group(i)].labels;
   for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j) ++members[groups.group(groups.unit(j))].units;
-  const double few = small_group * static_cast<double>(scene.labels.size());
-  for (std::uint32_t i = 0; i < scene.labels.size(); ++i) {
-    const Label& label = scene.labels[i];
+  const double few = small_group * static_cast<double>(store.labels.size());
+  for (std::uint32_t i = 0; i < store.labels.size(); ++i) {
+    const Label& label = scene.labels[store.labels[i]];
     const auto& [labels, units] = members.at(groups.group(i));
     if ((units > 0 && static_cast<double>(labels) >= few) || !groups.is_known(i) ||
         store.blocks.contain(label.position))
@@ -241,7 +244,7 @@ void warn_of_separated(const Inspected& store, WarningList& warnings) {
                  fmt::format("{}: label '{}' at {} is separated from {} by closed surfaces, so that no light "
                              "reaches it; usually some light passes between all parts of a shop; check its "
                              "position, the walls, and doors of an opaque material",
-                             store.sources.labels[i], label.id, position_text(label.position),
+                             store.sources.labels[store.labels[i]], label.id, position_text(label.position),
                              units == 0 ? "all transceivers" : "most labels"));
   }
   for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j) {

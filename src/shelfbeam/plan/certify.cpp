@@ -160,10 +160,10 @@ class Certifier {
     if (!placement_.has_selection())
       return open_labels().empty() ? "each label can be reached alone, but conflicts prevent a selection "
                                      "that reaches all labels"
-                                   : "labels are too close to their requirements";
+                                   : rounds_.stop_reason("labels are too close to their requirements");
     if (!certificate_.all_reached()) return verdicts_.obstacle(rounds_);
-    return bound_.obstacle().empty() ? "signals are too close to requirements for a proof"
-                                     : bound_.obstacle();
+    if (!bound_.obstacle().empty()) return bound_.obstacle();
+    return rounds_.stop_reason("signals are too close to requirements for a proof");
   }
 
   // The goal holds, but the search has proven no more than it.

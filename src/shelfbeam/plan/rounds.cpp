@@ -221,7 +221,7 @@ std::vector<std::uint32_t> LabelRounds::doubtful_labels() const {
 }
 
 std::string LabelRounds::obstacle(const Rounds& rounds) const {
-  if (skipped_.others == 0) return "labels are too close to their requirements";
+  if (skipped_.others == 0) return rounds.stop_reason("labels are too close to their requirements");
   const std::string labels = skipped_.near == 0 ? "the rest" : fmt::format("{} of the rest", skipped_.others);
   return fmt::format("deciding {} would take about {:.0f} {}", labels,
                      std::max(1.0, std::ceil(skipped_.cost)), rounds.unit());

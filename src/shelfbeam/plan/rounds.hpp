@@ -40,6 +40,10 @@ class Rounds {
   bool counts_samples() const { return budget_.samples.has_value(); }
   /// In the budget's unit of measure: seconds or samples.
   double spent() const { return counts_samples() ? static_cast<double>(samples_) : seconds(); }
+  /// `reason`, unless the budget is spent.
+  std::string stop_reason(std::string_view reason) const {
+    return left() > 0 ? std::string(reason) : "its budget is spent";
+  }
   double left() const {
     return (counts_samples() ? static_cast<double>(*budget_.samples) : budget_.seconds) - spent();
   }

@@ -56,7 +56,10 @@ fs::path StoreFolder::find(const fs::path& name, const std::string& where, const
   }
   if (fs::is_directory(path, error))
     throw InputError(where, fmt::format("{} is a folder", path_in_quotes(path)), "name a file in it");
-  if (!fs::is_regular_file(path, error))
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error))
+    throw InputError(where, fmt::format("{} is not a regular file", path_in_quotes(path)),
+                     "save its content to a file, and name that");
+  if (!fs::exists(path, error))
     throw InputError(where, fmt::format("the {} {} does not exist", what, path_in_quotes(path)),
                      "paths are relative to the store file");
   return path;

@@ -26,6 +26,11 @@ inline constexpr auto names_of<Verdict> = std::to_array<Named<Verdict>>({{"reach
                                                                          {"not verified yet",
                                                                           Verdict::unverified}});
 
+/// Whether the samples decide the label.
+inline bool is_decided(Verdict verdict) {
+  return verdict == Verdict::reached || verdict == Verdict::missed;
+}
+
 /// The result of independent samples for one label. The signal is that of received_signal: the sum, or the
 /// link planned for the label; with unit failure, after the worst failure.
 struct LabelVerdict {

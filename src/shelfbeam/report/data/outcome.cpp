@@ -109,8 +109,8 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement,
   nothing_fails.redundant = false;
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     LabelOutcome label = label_outcome(matrix, placement, mounts, chosen, i);
-    const bool is_decided = certificate && certificate->labels[i].verdict < Verdict::undecided;
-    label.depends_on_flagged = !is_decided && depends_on_flagged(matrix, placement, chosen, i);
+    const bool has_verdict = certificate && is_decided(certificate->labels[i].verdict);
+    label.depends_on_flagged = !has_verdict && depends_on_flagged(matrix, placement, chosen, i);
     const std::vector<SignalEntry> entries = entries_of(matrix, i);
     if (label.met) ++outcome.met;
     if (label.depends_on_flagged) ++outcome.flagged_labels;

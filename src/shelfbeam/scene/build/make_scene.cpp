@@ -10,8 +10,8 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
-#include "shelfbeam/scene/build/keep_out_index.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_scene.hpp"
@@ -29,9 +29,18 @@ std::size_t scene_bytes(const TransceiverGrid& grid) {
                                   ((grid.max[1] - grid.min[1]) / grid.spacing + 2));
 }
 
+// The areas as flat boxes at height 0; areas include their edges.
+std::vector<Bounds> in_plan(const std::vector<KeepOut>& areas) {
+  constexpr double slack = 1e-9;
+  std::vector<Bounds> boxes;
+  for (const auto& [min, max] : areas)
+    boxes.push_back(Bounds{{min[0], min[1], 0}, {max[0], max[1], 0}}.wider_by(slack));
+  return boxes;
+}
+
 class SceneMaker {
  public:
-  explicit SceneMaker(const Store& store) : store_(store), keep_out_(store.keep_out) {}
+  explicit SceneMaker(const Store& store) : store_(store), keep_out_(in_plan(store.keep_out)) {}
 
   Scene make() {
     try {
@@ -196,9 +205,14 @@ class SceneMaker {
     }
   }
 
+  bool is_kept_out(const Vec3& p) const {
+    const Vec3 q{p.x, p.y, 0};
+    return keep_out_.any({q, q}, [](std::uint32_t) { return true; });
+  }
+
   void add_transceiver(const Transceiver& unit, const std::string& where) {
     if (unit.id.empty()) throw InputError(where, "has a transceiver without an id", "give it an id");
-    if (keep_out_.contains(unit.position)) {
+    if (is_kept_out(unit.position)) {
       kept_out_ids_.insert(unit.id);
       return;
     }
@@ -267,7 +281,7 @@ class SceneMaker {
   }
 
   const Store& store_;
-  const KeepOutIndex keep_out_;
+  const BoxIndex keep_out_;
   Scene scene_;
   DeviceSources sources_;
   WarningList warnings_;

@@ -198,7 +198,9 @@ RayScene::RayScene(const Scene& scene) {
     impl->pane.push_back(pane != nullptr ? std::optional(*pane) : std::nullopt);
   }
   impl->device.reset(rtcNewDevice(nullptr));
-  if (!impl->device) throw std::runtime_error("Embree could not start a device");
+  // With little memory, Embree reports various errors.
+  if (!impl->device && rtcGetDeviceError(nullptr) != RTC_ERROR_UNSUPPORTED_CPU) throw std::bad_alloc();
+  if (!impl->device) throw std::runtime_error("Embree does not support this processor");
   for (std::uint32_t t = 0; t < scene.mesh.triangles.size(); ++t)
     (impl->pane[scene.mesh.materials[t].value] ? impl->panes : impl->opaque).add(scene.mesh, t);
   impl->opaque.scene = build(impl->device.get(), scene.mesh, impl->opaque.triangles);
