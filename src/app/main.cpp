@@ -99,10 +99,11 @@ int out_of_memory(const CLI::App& app) {
       verb->get_options([](const CLI::Option* option) { return option->get_positional(); });
   const std::string input =
       arguments.empty() || arguments.front()->empty() ? "" : arguments.front()->results().front();
-  print_line("error",
-             fmt::format("{}: '{}' requires more memory than this process may use (--memory is {:.3g} "
-                         "GB by default); use a smaller input, or a machine with more memory",
-                         input, verb->get_name(), 1e-9 * static_cast<double>(memory_limit())));
+  print_line(
+      "error",
+      fmt::format("{}: '{}' requires more than {:.3g} GB of memory, which is all that this process may use; "
+                  "use a smaller input, or a machine with more memory",
+                  input, verb->get_name(), 1.25e-9 * static_cast<double>(memory_limit())));
   return wrong_input;
 }
 

@@ -144,6 +144,7 @@ Json detail::placement_object(const Placement& placement, const SignalTable& tab
                {"seconds", number(placement.seconds)},
                {"unreachable", unreachable},
                {"scenarios", scenarios(placement, table)},
+               {"verification", "not verified yet"},
                {"critical", critical(placement, table)}};
   if (!curve.points.empty()) {
     file["curve"] = curve_points(curve.points);
@@ -178,38 +179,17 @@ std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
 
 Placement detail::read_placement(const JsonCursor& file, const SignalTable& table) {
   expect_format_version(file.where(), file["format"].integer(0, max_versions), format_version);
-  file.expect_keys({"format",
-                    "model",
-                    "objective",
-                    "combination",
-                    "share",
-                    "survives_failure",
-                    "selected",
-                    "count",
-                    "count_lower_bound",
-                    "objective_value",
-                    "lower_bound",
-                    "gap",
-                    "unit_costs",
-                    "redundant_share",
-                    "status",
-                    "solver",
-                    "seconds",
-                    "unreachable",
-                    "scenarios",
-                    "critical",
-                    "curve",
-                    "bound_proof",
-                    "ties_settled",
-                    "min_spacing",
-                    "forbidden_pairs",
-                    "labels",
-                    "curve_complete",
-                    "certificate",
-                    "sensitivity",
-                    "warnings",
-                    "complete",
-                    "files"});
+  file.expect_keys({"format",          "model",           "objective",
+                    "combination",     "share",           "survives_failure",
+                    "selected",        "count",           "count_lower_bound",
+                    "objective_value", "lower_bound",     "gap",
+                    "unit_costs",      "redundant_share", "status",
+                    "solver",          "seconds",         "unreachable",
+                    "scenarios",       "critical",        "curve",
+                    "bound_proof",     "ties_settled",    "min_spacing",
+                    "forbidden_pairs", "labels",          "curve_complete",
+                    "certificate",     "sensitivity",     "warnings",
+                    "verification",    "complete",        "files"});
   Placement placement;
   placement.problem.model = file["model"].choice<CommunicationModel>();
   placement.problem.objective = file["objective"].choice<Objective>();

@@ -78,6 +78,7 @@ Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table)
 
 std::string plan_json(const CertifiedPlan& plan, const SignalTable& table) {
   Json file = detail::placement_object(plan.placement, table, plan.curve);
+  if (plan.certificate && !plan.certificate->none_verified()) file["verification"] = "certificate";
   if (plan.certificate) file["certificate"] = to_json(*plan.certificate, table);
   if (plan.sensitivity) file["sensitivity"] = detail::sensitivity_object(*plan.sensitivity, table);
   if (!plan.warnings.empty()) file["warnings"] = plan.warnings;

@@ -66,6 +66,7 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   "seconds": 0.25,
   "unreachable": [],
   "scenarios": [],
+  "verification": "not verified yet",
   "critical": [
     {
       "unit": "T0",
