@@ -58,9 +58,9 @@ struct Character {
 // Control characters, marks and controls of the direction of writing, and invisible characters. The joiners
 // U+200C and U+200D are parts of words in some scripts.
 bool is_printable(std::uint32_t code) {
-  return code >= 0x20 && !(code >= 0x7F && code <= 0x9F) && code != 0x61C && code != 0x200B &&
+  return code >= 0x20 && !(code >= 0x7F && code <= 0x9F) && code != 0xAD && code != 0x61C && code != 0x200B &&
          code != 0x200E && code != 0x200F && !(code >= 0x2028 && code <= 0x202E) &&
-         !(code >= 0x2060 && code <= 0x206F) && code != 0xFEFF;
+         !(code >= 0x2060 && code <= 0x206F) && code != 0xFEFF && !(code >= 0xE0000 && code <= 0xE007F);
 }
 
 Character character_at(std::string_view text, std::size_t i) {
