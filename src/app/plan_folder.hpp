@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "shelfbeam/base/file.hpp"
+
+#include "app/plan_record.hpp"
 
 namespace shelfbeam::app {
 
@@ -18,22 +20,13 @@ inline constexpr auto placement_table_name = "placement.csv";
 inline constexpr auto verification_name = "verification.csv";
 inline constexpr auto report_name = "report.html";
 
-/// The contents of placement.json, with the hashes by which a later run recognises the files of this plan.
-///
-/// `answer` is the object without them. `is_complete`: the run was not interrupted.
-std::string recorded_placement(const std::string& answer, bool is_complete, const AtomicFolder& files);
-
-/// The contents of placement.json with the hashes of rebuilt files; unchanged if it has none (a plan of an
-/// earlier version).
-std::string recorded_again(const std::string& placement, const AtomicFolder& files);
-
 /// The folder of a plan during a run, which no other run can use.
 class PlanFolder {
  public:
   /// Makes the folder. `store`: the resolved store of this run. Throws InputError if another run uses the
   /// folder, if the folder contains a finished plan and `overwrite` is false, and if a file of a plan's names
   /// was not written by an earlier run, or has been changed since; OutputError if a file cannot be written.
-  PlanFolder(std::filesystem::path folder, const std::string& store, bool overwrite);
+  PlanFolder(std::filesystem::path folder, std::string store, bool overwrite);
   /// Removes the folder again if it is new and empty.
   ~PlanFolder();
   PlanFolder(const PlanFolder&) = delete;
@@ -42,7 +35,14 @@ class PlanFolder {
   /// Whether it contains a plan that was not interrupted.
   bool has_finished_plan() const { return has_finished_plan_; }
 
+  /// Replaces the plan in the folder. `hashes`: of all new files except placement.json. Throws OutputError,
+  /// also if the folder contains files that the constructor would refuse.
+  void commit(AtomicFolder& files, const FileHashes& hashes) const;
+
  private:
+  struct Found;
+  Found look() const;
+
   struct Made {
     std::filesystem::path path;
     bool is_new;
@@ -51,6 +51,8 @@ class PlanFolder {
   };
 
   Made folder_;
+  std::string store_;
+  bool overwrite_;
   OutputLock lock_;
   bool has_finished_plan_ = false;
 };

@@ -118,8 +118,9 @@ bool follows_decision(const Options& options) {
   return !options.no_certificate && !flags.samples && !flags.relative_error && !flags.time_s;
 }
 
-void write_plan(const std::filesystem::path& folder, const Scene& scene, const std::string& resolved,
-                const Plan& plan, const std::string& answer, bool safe_csv) {
+// `own`: the folder of this run; null elsewhere, where there are no other files.
+void write_plan(const std::filesystem::path& folder, const PlanFolder* own, const Scene& scene,
+                const std::string& resolved, const Plan& plan, const std::string& answer, bool safe_csv) {
   const SignalMatrix& matrix = plan.simulation.matrix;
   AtomicFolder files(folder);
   files.add(store_name).write(resolved);
@@ -127,21 +128,24 @@ void write_plan(const std::filesystem::path& folder, const Scene& scene, const s
   if (plan.certificate)
     files.add(verification_name).write(verification_csv(*plan.certificate, scene, safe_csv));
   write_report(files, {scene, matrix, plan, safe_csv});
-  const std::string recorded = recorded_placement(answer, plan.complete, files);
-  files.add(placement_name).write(recorded);
-  files.commit({placement_name, verification_name});
+  const FileHashes hashes = hashes_of(files);
+  files.add(placement_name).write(recorded_placement(answer, plan.complete, hashes));
+  if (own)
+    own->commit(files, hashes);
+  else
+    files.commit({});
 }
 
 // A plan that cannot be written to its folder is written elsewhere.
-void save(const Options& options, const Scene& scene, const std::string& resolved, const Plan& plan,
-          const std::string& answer) {
-  const auto write = [&](const std::filesystem::path& folder) {
-    write_plan(folder, scene, resolved, plan, answer, options.safe_csv);
+void save(const Options& options, const PlanFolder& folder, const Scene& scene, const std::string& resolved,
+          const Plan& plan, const std::string& answer) {
+  const auto write = [&](const std::filesystem::path& path, const PlanFolder* own) {
+    write_plan(path, own, scene, resolved, plan, answer, options.safe_csv);
   };
   try {
-    write(options.folder);
+    write(options.folder, &folder);
   } catch (const OutputError& error) {
-    const auto elsewhere = keep_elsewhere(write);
+    const auto elsewhere = keep_elsewhere([&](const std::filesystem::path& path) { write(path, nullptr); });
     std::string kept = elsewhere ? fmt::format("the plan is kept in '{}'", elsewhere->string()) : "";
     if (!plan.simulation.summary.has_checkpoint) {
       if (!elsewhere) throw;
@@ -202,7 +206,7 @@ int run_plan(const Options& options) {
   const std::string answer = plan_json(plan, table);
   // An interrupted run never replaces a finished plan.
   const bool is_kept = !plan.complete && folder.has_finished_plan();
-  if (!is_kept) save(options, scene, resolved, plan, answer);
+  if (!is_kept) save(options, folder, scene, resolved, plan, answer);
   if (plan.complete) remove_checkpoint(simulation.checkpoint.path);
 
   if (options.common.json)

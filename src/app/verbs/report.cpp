@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/plan_folder.hpp"
+#include "app/plan_record.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
@@ -40,7 +42,8 @@ int run_report(const Options& options) {
   AtomicFolder files(options.folder);
   write_report(files, {scene, matrix, plan, options.safe_csv});
   const std::string placement = read_file(options.folder / placement_name);
-  const std::string recorded = recorded_again(placement, files);
+  const std::optional<PlanRecord> record = read_record(options.folder / placement_name);
+  const std::string recorded = record ? recorded_again(placement, *record, hashes_of(files)) : placement;
   if (recorded == placement) {
     files.commit({});
   } else {  // another version writes other bytes

@@ -62,6 +62,14 @@ TEST_F(PlanFolder, FilesThatTheUserChangedAreNeverReplaced) {
     refused(overwriting(), {path(file) + ": ", "was changed since"});
     folder.write(file, before);
   }
+  // Behind or in the record.
+  const std::string placement = bytes("plan/placement.json");
+  for (const std::string& text :
+       {placement + "// mine\n", placement.substr(0, placement.size() - 2) + ", \"mine\": 1 }\n"}) {
+    folder.write("plan/placement.json", text);
+    refused(overwriting(), {path("plan/placement.json") + ": ", "was changed since"});
+  }
+  folder.write("plan/placement.json", placement);
   folder.write("plan/verification.csv", "id,verdict\n");  // not part of this plan
   refused(overwriting(), {path("plan/verification.csv") + ": "});
   fs::remove(folder / "plan/verification.csv");
@@ -78,16 +86,59 @@ TEST_F(PlanFolder, ASignalFileWithoutAPlanIsKept) {
   refused(overwriting(), {path("plan/signal.h5") + ": was not written by an earlier plan"});
 }
 
-// Some of the files, in the order in which they are renamed, and without the last one.
-TEST_F(PlanFolder, FilesOfAKilledPlanAreReplaced) {
-  told("plan @store.json -o @plan --samples 64 --quiet");
-  fs::rename(folder / "plan", folder / "whole");
+// Without a record nothing shows whether the user has edited a file.
+TEST_F(PlanFolder, FilesWithoutARecordAreNeverReplaced) {
+  told("plan @store.json -o @whole --samples 64 --quiet");
   fs::create_directory(folder / "plan");
-  for (const char* name :
-       {"store.json", "signal.h5", "verification.csv", "labels.csv", "placement.csv", "report.html"})
-    folder.write(std::string("plan/") + name, bytes(std::string("whole/") + name));
+  for (const char* name : {"signal.h5", "verification.csv", "labels.csv", "placement.csv", "report.html"}) {
+    const std::string file = std::string("plan/") + name;
+    folder.write(file, bytes(std::string("whole/") + name));
+    for (const std::string& line : {std::string(plan), overwriting()})
+      refused(line, {path(file) + ": was not written by an earlier plan"});
+    fs::remove(folder / file);
+  }
+  folder.write("plan/store.json", bytes("whole/store.json"));  // would not change
+  told(plan);
+}
+
+TEST_F(PlanFolder, LinksAreNeverReplaced) {
+  told(plan);
+  fs::rename(folder / "plan/labels.csv", folder / "shared.csv");
+  for (const char* target : {"../shared.csv", "../missing.csv"}) {
+    fs::create_symlink(target, folder / "plan/labels.csv");
+    const test::Outcome outcome = test::shelfbeam(test::words(folder, overwriting()));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("plan/labels.csv: was not written by"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(fs::is_symlink(folder / "plan/labels.csv"));
+    fs::remove(folder / "plan/labels.csv");
+  }
+  told(overwriting());
+}
+
+TEST_F(PlanFolder, APlanOfAnEarlierVersionIsReplacedOnRequest) {
+  const fs::path old = fs::path(SHELFBEAM_SOURCE_DIR) / "test/system/compatibility/0.2.0/plan";
+  fs::copy(old, folder / "plan");
+  refused(plan, {path("plan") + ": contains a finished plan", "(--overwrite)"});
+  told(overwriting());
+  EXPECT_EQ(json("plan/placement.json")["complete"], true);
+}
+
+// A journal of a run that was killed while it renamed its files.
+TEST_F(PlanFolder, FilesOfAKilledPlanAreReplaced) {
+  told(plan);
+  std::string journal;
+  const Json record = json("plan/placement.json")["files"];
+  for (const auto& [name, hash] : record.items()) journal += name + " " + hash.get<std::string>() + "\n";
+  fs::remove(folder / "plan/placement.json");
+  refused(plan, {"was not written by"});
+  folder.write("plan/.plan.shelfbeam-record", journal);
+  const std::string labels = bytes("plan/labels.csv");
+  append_to("plan/labels.csv");
+  refused(plan, {"plan/labels.csv: was not written by"});
+  folder.write("plan/labels.csv", labels);
   told(plan);
   EXPECT_EQ(json("plan/placement.json")["complete"], true);
+  EXPECT_FALSE(fs::exists(folder / "plan/.plan.shelfbeam-record"));
 }
 
 TEST_F(PlanFolder, AnInterruptedRunKeepsAFinishedPlan) {

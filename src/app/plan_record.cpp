@@ -1,0 +1,130 @@
+#include "app/plan_record.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/provenance.hpp"
+
+#include "app/plan_folder.hpp"
+
+namespace shelfbeam::app {
+namespace fs = std::filesystem;
+
+namespace {
+
+// Named like a temporary file, though not like one of a file of the plan, which the next run would remove.
+constexpr auto journal_name = ".plan.shelfbeam-record";
+
+// The answer ends with it.
+constexpr std::string_view answer_end = "\n}\n";
+
+// Two runs with the same result differ in these numbers only.
+std::string without_times(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    std::size_t begin = std::string_view::npos;
+    for (const std::string_view mark : {"\"seconds\": ", "<dt>Time</dt><dd>"})
+      if (const auto found = text.find(mark); found < begin) begin = found + mark.size();
+    result += text.substr(0, begin);
+    text.remove_prefix(std::min(begin, text.size()));
+    text.remove_prefix(std::min(text.find_first_of(",\n<"), text.size()));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string PlanRecord::text() const {
+  std::string text = fmt::format(",\n  \"complete\": {},\n  \"files\": {{", is_complete);
+  const char* separator = "\n";
+  for (const auto& [name, hash] : hashes) {
+    text += fmt::format("{}    \"{}\": \"{}\"", separator, name, hash);
+    separator = ",\n";
+  }
+  return text + "\n  }\n}\n";
+}
+
+std::optional<PlanRecord> read_record(const fs::path& placement) {
+  const JsonCursor json = JsonCursor::parse_file(placement);
+  if (!json.find("complete") && !json.find("files")) return std::nullopt;
+  PlanRecord record{json["complete"].boolean(), {}};
+  for (const auto& [name, hash] : json["files"].members()) record.hashes[name] = hash.text();
+  return record;
+}
+
+std::string recorded_placement(const std::string& answer, bool is_complete, const FileHashes& files) {
+  const std::string_view begin = std::string_view(answer).substr(0, answer.size() - answer_end.size());
+  PlanRecord record{is_complete, files};
+  record.hashes[placement_name] = content_hash(without_times(begin));
+  return std::string(begin) + record.text();
+}
+
+std::string recorded_again(const std::string& placement, PlanRecord record, const FileHashes& files) {
+  const std::string old = record.text();
+  if (!placement.ends_with(old)) return placement;
+  for (const auto& [name, hash] : files) record.hashes[name] = hash;
+  return placement.substr(0, placement.size() - old.size()) + record.text();
+}
+
+std::string hash_of(const fs::path& file, std::string_view name) {
+  if (name == signal_name) {
+    std::ifstream content(file, std::ios::binary);
+    return content_hash(content);
+  }
+  std::string text = read_file(file);
+  if (name == placement_name) {
+    const std::optional<PlanRecord> record = read_record(file);
+    const std::string end = record ? record->text() : "";
+    // Otherwise the record was changed: the whole file has another hash than its part.
+    if (text.ends_with(end)) text.resize(text.size() - end.size());
+    return content_hash(without_times(text));
+  }
+  return content_hash(name == report_name ? without_times(text) : text);
+}
+
+FileHashes hashes_of(const AtomicFolder& files) {
+  FileHashes hashes;
+  for (const AtomicFile& file : files.files()) {
+    const std::string name = file.target().filename().string();
+    hashes[name] = hash_of(file.temporary(), name);
+  }
+  return hashes;
+}
+
+PlanJournal::PlanJournal(fs::path folder) : folder_(std::move(folder)) {
+  const fs::path file = folder_ / journal_name;
+  if (!fs::is_regular_file(fs::symlink_status(file))) return;
+  std::istringstream text(read_file(file));
+  for (std::string name, hash; text >> name >> hash;) files_.emplace(name, hash);
+}
+
+void PlanJournal::commit(AtomicFolder& files, const FileHashes& older, const FileHashes& newer,
+                         const std::vector<std::string>& outdated) const {
+  std::string text;
+  for (const FileHashes* hashes : {&older, &newer})
+    for (const auto& [name, hash] : *hashes) text += fmt::format("{} {}\n", name, hash);
+  const fs::path journal = folder_ / journal_name, placement = folder_ / placement_name;
+  try {
+    write_file(journal, text);
+  } catch (const OutputError& error) {
+    if (older.empty()) throw;
+    throw OutputError(error, "the older files of the plan are unchanged", Setting::none);
+  }
+  std::error_code none;
+  try {
+    files.commit(outdated);
+  } catch (...) {
+    // Without placement.json, the old files were not all restored.
+    if (!older.contains(placement_name) || fs::exists(placement, none)) fs::remove(journal, none);
+    throw;
+  }
+  fs::remove(journal, none);
+}
+
+}  // namespace shelfbeam::app
