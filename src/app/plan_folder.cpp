@@ -1,6 +1,8 @@
 #include "app/plan_folder.hpp"
 
 #include <array>
+#include <exception>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr auto finished_plan = "contains a finished plan, which is not replaced";
+constexpr auto finished_plan_since = "contains a finished plan since the run has started; it is not replaced";
 constexpr auto foreign_file = "was not written by an earlier plan in this folder, or was changed since";
 constexpr std::array names{store_name,           signal_name, verification_name, labels_name,
                            placement_table_name, report_name, placement_name};
@@ -98,7 +101,18 @@ PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite)
 }
 
 void PlanFolder::commit(AtomicFolder& files, const FileHashes& hashes) const {
-  PlanJournal(folder_.path).commit(files, look().hashes, hashes, {placement_name, verification_name});
+  // The work may have taken hours, in which the user may have opened, edited or added files.
+  const fs::path& path = folder_.path;
+  Found found;
+  try {
+    found = look();
+  } catch (const std::exception& unreadable) {
+    throw OutputError("", unreadable.what());
+  }
+  if (found.has_finished_plan && (!overwrite_ || !has_finished_plan_))
+    throw OutputError(path.string(), finished_plan_since);
+  if (found.foreign) throw OutputError((path / *found.foreign).string(), foreign_file);
+  PlanJournal(path).commit(files, found.hashes, hashes, {placement_name, verification_name});
 }
 
 PlanFolder::~PlanFolder() = default;

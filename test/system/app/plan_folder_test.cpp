@@ -171,6 +171,40 @@ TEST_F(PlanFolder, AnInterruptedPlanMayBeReplaced) {
   EXPECT_EQ(json("plan/placement.json")["complete"], true);
 }
 
+// A file that the user saves, or a plan that is copied there, while the simulation runs.
+TEST_F(PlanFolder, FilesThatAppearDuringTheRunAreNeverReplaced) {
+  told("plan @store.json -o @other --samples 64 --no-certificate --quiet");
+  const std::string longer =
+      "plan @store.json -o @plan --samples 4000000 --no-certificate --checkpoint-interval 0 --threads 1 "
+      "--overwrite ";
+  for (const bool whole : {false, true}) {
+    fs::remove_all(folder / "plan");
+    test::Process process(test::command(test::words(folder, longer)));
+    process.wait_for_changes(path("plan/signal.h5.checkpoint"), 3);
+    if (whole)
+      fs::copy(folder / "other", folder / "plan");
+    else
+      folder.write("plan/labels.csv", "mine");
+    process.send(SIGINT);
+    const test::Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.exit_code, 2);
+    const std::string problem = whole ? path("plan") + ": contains a finished plan since"
+                                      : path("plan/labels.csv") + ": was not written by";
+    EXPECT_NE(outcome.err.find(problem), std::string::npos) << outcome.err;
+    const std::string mark = "the plan is kept in '";
+    const std::size_t begin = outcome.err.find(mark);
+    ASSERT_NE(begin, std::string::npos) << outcome.err;
+    const std::string rest = outcome.err.substr(begin + mark.size());
+    const fs::path kept = rest.substr(0, rest.find('\''));
+    EXPECT_EQ(names(kept), names(folder / "other"));
+    fs::remove_all(kept);
+    auto found = contents(folder / "plan");
+    EXPECT_EQ(found.erase("signal.h5.checkpoint"), 1U);
+    EXPECT_TRUE(found == (whole ? contents(folder / "other")
+                                : std::map<std::string, std::string>{{"labels.csv", "mine"}}));
+  }
+}
+
 TEST_F(PlanFolder, AnOutputInUseIsRefused) {
   for (const std::string line : {"plan @store.json -o @plan ", "simulate @store.json -o @signal.h5 "}) {
     test::Process process(
