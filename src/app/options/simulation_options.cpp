@@ -49,7 +49,9 @@ SimulationOptions SimulationFlags::options(std::uint64_t seed, const std::filesy
     if (by_length) options.by_length = {*by_length, lengths.value_or(default_lengths)};
   }
   options.memory = memory == 0 ? memory_limit() : memory;
-  options.checkpoint = {checkpoint_path(output), resume, checkpoint_interval_s};
+  options.checkpoint.path = checkpoint_path(output);
+  options.checkpoint.resume = resume;
+  options.checkpoint.interval_s = checkpoint_interval_s;
   return options;
 }
 

@@ -156,15 +156,17 @@ void save(const Options& options, const PlanFolder& folder, const Scene& scene, 
   }
 }
 
-std::string remark_on_interruption(const Options& options, const SimulationSummary& summary, bool is_kept) {
-  const std::string repeat = "repeat the command with '--resume' to continue";
-  if (is_kept)
-    return fmt::format("the finished plan in {} is unchanged; {}", options.folder.string(),
-                       summary.has_checkpoint ? repeat : "there is no checkpoint yet, so start again");
+// `elsewhere`: the folder of the interrupted plan if it could not be continued otherwise.
+std::string remark_on_interruption(const Options& options, const SimulationSummary& summary, bool is_kept,
+                                   const std::optional<std::filesystem::path>& elsewhere) {
+  std::string next = summary.has_checkpoint ? "repeat the command with '--resume' to continue"
+                                            : "there is no checkpoint, so start again";
+  if (elsewhere) next = fmt::format("the interrupted plan is in '{}'; {}", elsewhere->string(), next);
+  if (is_kept) return fmt::format("the finished plan in {} is unchanged; {}", options.folder.string(), next);
   return fmt::format("{}; {}",
                      summary.complete ? "the simulation is complete, the later steps are not"
                                       : "the plan uses the samples so far",
-                     repeat);
+                     next);
 }
 
 int run_plan(const Options& options) {
@@ -178,6 +180,7 @@ int run_plan(const Options& options) {
   options.requirements.apply(nothing, options.store.string());
   SimulationOptions simulation =
       options.simulation.options(options.common.seed, options.folder / signal_name);
+  simulation.checkpoint.at_end = true;
   if (follows_decision(options)) simulation.samples = decision_samples;
   const PlanFolder folder(options.folder, resolved, options.overwrite);
   constexpr std::size_t least_report = 100'000;
@@ -206,7 +209,13 @@ int run_plan(const Options& options) {
   const std::string answer = plan_json(plan, table);
   // An interrupted run never replaces a finished plan.
   const bool is_kept = !plan.complete && folder.has_finished_plan();
-  if (!is_kept) save(options, folder, scene, resolved, plan, answer);
+  std::optional<std::filesystem::path> elsewhere;
+  if (!is_kept)
+    save(options, folder, scene, resolved, plan, answer);
+  else if (!summary.has_checkpoint)  // the samples would be lost
+    elsewhere = keep_elsewhere([&](const std::filesystem::path& path) {
+      write_plan(path, nullptr, scene, resolved, plan, answer, options.safe_csv);
+    });
   if (plan.complete) remove_checkpoint(simulation.checkpoint.path);
 
   if (options.common.json)
@@ -217,8 +226,8 @@ int run_plan(const Options& options) {
     print_message(
         "the requested relative error was not reached; without '--json' the program lists the entries\n");
   if (plan.complete) return is_open(options, plan) ? stopped_early : exit_code(plan.placement.status);
-  if (!options.common.quiet)
-    print_message("stopped early: {}\n", remark_on_interruption(options, summary, is_kept));
+  if (!options.common.quiet || elsewhere)
+    print_message("stopped early: {}\n", remark_on_interruption(options, summary, is_kept, elsewhere));
   return stopped_early;
 }
 

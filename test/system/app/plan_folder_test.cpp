@@ -159,6 +159,28 @@ TEST_F(PlanFolder, AnInterruptedRunKeepsAFinishedPlan) {
   EXPECT_TRUE(after == before);
 }
 
+// The only checkpoint is that of the complete simulation.
+TEST_F(PlanFolder, AnInterruptionAfterTheSimulationKeepsItsCheckpoint) {
+  const std::string longer =
+      "plan @store.json -o @plan --samples 16000 --no-certificate --sensitivity --threads 1 ";
+  for (const std::string more : {"", "--overwrite "}) {
+    fs::remove_all(folder / "plan");
+    if (!more.empty()) told(plan);
+    test::Process process(test::command(test::words(folder, longer + more)));
+    process.wait_for_changes(path("plan/signal.h5.checkpoint"), 1);
+    process.send(SIGINT);
+    const test::Outcome outcome = process.wait();
+    ASSERT_EQ(outcome.exit_code, 3) << outcome.err;
+    const std::string state = more.empty() ? "the simulation is complete, the later steps are not"
+                                           : "the finished plan in " + path("plan") + " is unchanged";
+    EXPECT_EQ(outcome.err, "stopped early: " + state + "; repeat the command with '--resume' to continue\n");
+    ASSERT_TRUE(fs::exists(folder / "plan/signal.h5.checkpoint"));
+    const std::string out = test::shelfbeam(test::words(folder, longer + more + "--resume")).out;
+    EXPECT_NE(out.find("continued from the checkpoint"), std::string::npos) << out;
+    EXPECT_FALSE(fs::exists(folder / "plan/signal.h5.checkpoint"));
+  }
+}
+
 TEST_F(PlanFolder, AnInterruptedPlanMayBeReplaced) {
   const std::string longer =
       "plan @store.json -o @plan --samples 4000000 --no-certificate --checkpoint-interval 0 --threads 1 ";

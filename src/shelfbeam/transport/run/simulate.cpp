@@ -94,6 +94,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
     };
     try {
       const bool complete = scheduler.run();
+      if (complete && options.checkpoint.at_end) scheduler.try_to_save();
       if (scheduler.fewest_batches() < 2)
         throw scheduler.has_checkpoint()
             ? Interrupted(std::string(too_early) + "; resuming continues from its checkpoint",

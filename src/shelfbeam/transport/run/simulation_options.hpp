@@ -47,6 +47,7 @@ struct CheckpointOptions {
   /// Minimum time between two checkpoints, which also take at most about 5 % of the run time. 0: a checkpoint
   /// after every round of batches, whatever time it takes.
   double interval_s = 10;
+  bool at_end = false;  ///< try to save the complete simulation, too: later steps may be interrupted
 };
 
 /// Number of batches over which the uniform estimator distributes a given number of samples evenly.
