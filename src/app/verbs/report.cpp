@@ -30,7 +30,42 @@ struct Options {
   bool safe_csv = false;
 };
 
+// The files that this run replaces, and placement.json, must be those of the plan.
+FileHashes expect_unchanged(const std::filesystem::path& folder, const PlanRecord& record,
+                            const PlanJournal& journal) {
+  FileHashes found;
+  for (const char* name : {placement_name, labels_name, placement_table_name, report_name}) {
+    const std::filesystem::path file = folder / name;
+    const auto status = std::filesystem::symlink_status(file);
+    if (!std::filesystem::exists(status)) continue;
+    const auto known = record.hashes.find(name);
+    if (std::filesystem::is_regular_file(status)) {
+      const std::string& hash = found[name] = hash_of(file, name);
+      if ((known != record.hashes.end() && known->second == hash) || journal.contains(name, hash)) continue;
+    }
+    throw InputError(file.string(), "was changed since the plan was written",
+                     name == placement_name ? "restore it, or run 'shelfbeam plan' again"
+                                            : "move it to another place, and it is written again");
+  }
+  return found;
+}
+
+void replace(const std::filesystem::path& folder, AtomicFolder& files) {
+  const std::optional<PlanRecord> record = read_record(folder / placement_name);
+  if (!record) return files.commit({});  // a plan of version 0.2.0 or earlier
+  const PlanJournal journal(folder);
+  FileHashes old = expect_unchanged(folder, *record, journal);
+  FileHashes hashes = hashes_of(files);
+  const std::string placement = read_file(folder / placement_name);
+  const std::string recorded = recorded_again(placement, *record, hashes);
+  if (recorded != placement) files.add(placement_name).write(recorded);  // another version writes other bytes
+  journal.commit(files, old, hashes, {});
+}
+
 int run_report(const Options& options) {
+  std::optional<OutputLock> lock;
+  if (std::filesystem::is_directory(options.folder))
+    lock.emplace(options.folder / signal_name, options.folder.string());
   const Scene scene = make_scene(load_store(options.folder / store_name));
   const SignalMatrix matrix = read_signal_file(options.folder / signal_name);
   // The hash is of the bytes that `plan` wrote; this version might write the same store differently.
@@ -41,15 +76,7 @@ int run_report(const Options& options) {
   const CertifiedPlan plan = read_plan(options.folder / placement_name, table);
   AtomicFolder files(options.folder);
   write_report(files, {scene, matrix, plan, options.safe_csv});
-  const std::string placement = read_file(options.folder / placement_name);
-  const std::optional<PlanRecord> record = read_record(options.folder / placement_name);
-  const std::string recorded = record ? recorded_again(placement, *record, hashes_of(files)) : placement;
-  if (recorded == placement) {
-    files.commit({});
-  } else {  // another version writes other bytes
-    files.add(placement_name).write(recorded);
-    files.commit({placement_name});
-  }
+  replace(options.folder, files);
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)
     print_json({{"report", report}});

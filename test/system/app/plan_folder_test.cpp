@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -73,10 +75,36 @@ TEST_F(PlanFolder, FilesThatTheUserChangedAreNeverReplaced) {
   folder.write("plan/verification.csv", "id,verdict\n");  // not part of this plan
   refused(overwriting(), {path("plan/verification.csv") + ": "});
   fs::remove(folder / "plan/verification.csv");
-  // `report` rebuilds what it is asked to rebuild.
-  append_to("plan/placement.csv");
+  told(overwriting());
+}
+
+TEST_F(PlanFolder, ReportReplacesUnchangedFilesOnly) {
+  told(plan);
+  for (const char* name : {"labels.csv", "placement.csv", "report.html", "placement.json"}) {
+    const std::string file = std::string("plan/") + name, before = bytes(file);
+    append_to(file);
+    refused("report @plan", {path(file) + ": was changed since the plan was written"});
+    folder.write(file, before);
+  }
+  fs::remove(folder / "plan/labels.csv");
   told("report @plan");
   told(overwriting());
+}
+
+TEST_F(PlanFolder, ReportRefusesAnInvalidRecord) {
+  told(plan);
+  const std::string file = path("plan/placement.json");
+  const Json placement = json("plan/placement.json");
+  for (const auto& [files, where] : std::vector<std::pair<Json, std::string>>{
+           {7, ": files"}, {{{"x", 3}}, ": files.x"}, {nullptr, ": "}, {{{"x", "y"}}, ": was changed"}}) {
+    Json changed = placement;
+    changed["files"] = files;
+    if (files.is_null()) changed.erase("files");
+    folder.write("plan/placement.json", changed.dump(2) + "\n");
+    refused("report @plan", {file + where});
+  }
+  folder.write("plan/placement.json", "// mine\n" + placement.dump(2) + "\n");
+  refused("report @plan", {file + ": was changed"});
 }
 
 // `simulate` may have taken hours for this file.
