@@ -74,13 +74,22 @@ PlanFolder::Found PlanFolder::look() const {
   return found;
 }
 
-PlanFolder::Made::Made(fs::path folder) : path(std::move(folder)), is_new(!fs::exists(path)) {
-  make_output_folder(path);
+PlanFolder::Made::Made(fs::path folder) : path(std::move(folder)) {
+  std::error_code unknown;
+  for (fs::path level = path; !level.empty() && !fs::exists(level, unknown) && !unknown;
+       level = level.parent_path())
+    levels.push_back(level);
+  try {
+    make_output_folder(path);
+  } catch (const OutputError&) {
+    remove();
+    throw;
+  }
 }
 
-PlanFolder::Made::~Made() {
+void PlanFolder::Made::remove() const {
   std::error_code not_empty;
-  if (is_new) fs::remove(path, not_empty);
+  for (const fs::path& level : levels) fs::remove(level, not_empty);
 }
 
 PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite)

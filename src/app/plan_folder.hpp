@@ -27,7 +27,7 @@ class PlanFolder {
   /// folder, if the folder contains a finished plan and `overwrite` is false, and if a file of a plan's names
   /// was not written by an earlier run, or has been changed since; OutputError if a file cannot be written.
   PlanFolder(std::filesystem::path folder, std::string store, bool overwrite);
-  /// Removes the folder again if it is new and empty.
+  /// Removes the folder and those above it again if they are new and empty.
   ~PlanFolder();
   PlanFolder(const PlanFolder&) = delete;
   PlanFolder& operator=(const PlanFolder&) = delete;
@@ -45,9 +45,10 @@ class PlanFolder {
 
   struct Made {
     std::filesystem::path path;
-    bool is_new;
+    std::vector<std::filesystem::path> levels;  ///< that did not exist, the lowest first
     explicit Made(std::filesystem::path folder);
-    ~Made();
+    ~Made() { remove(); }
+    void remove() const;
   };
 
   Made folder_;

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 using test::contents;
 using test::Json;
 using test::names;
+using test::small_store;
 
 class PlanFolder : public test::ProgramTest {
  protected:
@@ -105,6 +106,19 @@ TEST_F(PlanFolder, ReportRefusesAnInvalidRecord) {
   }
   folder.write("plan/placement.json", "// mine\n" + placement.dump(2) + "\n");
   refused("report @plan", {file + ": was changed"});
+}
+
+TEST_F(PlanFolder, ARefusedPlanLeavesNoNewFolders) {
+  Json store = small_store();
+  store["label_types"]["standard"]["threshold"] = -1;
+  folder.write("wrong.json", store.dump());
+  for (const std::string& name :
+       {std::string("n1/n2/n3"), std::string("n1/n2/n3/"), "n1/n2/" + std::string(300, 'x')})
+    for (const char* file : {"@wrong.json", "@store.json --memory 1K"})
+      refused(std::string("plan ") + file + " -o @" + name, {});
+  refused("plan @store.json -o @n1/n2/" + std::string(300, 'x'), {"File name too long"});
+  folder.write("old/notes.txt", "mine");
+  refused("plan @store.json -o @old/n2/n3 --memory 1K", {"memory"});
 }
 
 // `simulate` may have taken hours for this file.
