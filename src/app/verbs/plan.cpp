@@ -203,6 +203,10 @@ int run_plan(const Options& options) {
     plan_options.curve = options.curve;
     if (options.sensitivity) plan_options.sensitivity = {options.reflectance_error, confidence};
     plan = make_plan(scene, plan_options, control);
+    // The report may travel; it names the files of the store without the folder.
+    const std::string home = options.store.parent_path().string() + "/";
+    for (std::string& warning : plan.warnings)
+      if (warning.starts_with(home)) warning.erase(0, home.size());
   }
   const SimulationSummary& summary = plan.simulation.summary;
   const SignalTable table = table_of(options, plan.simulation.matrix);

@@ -109,10 +109,11 @@ class LabelChecks {
              "its shelf "
              "or wall; turn its normal");
       else if (!has_support(store_, labels_[i]) && !has_back_to_back(i))
-        warn("labels in mid-air", i,
-             "has no surface within 0.3 m behind it; a label is mounted on a shelf, a wall or a rail; "
-             "correct its "
-             "position or its normal");
+        warn(
+            "labels in mid-air", i,
+            "has no surface within 0.3 m behind it; a label is usually mounted on a shelf, a wall or a rail; "
+            "correct its "
+            "position or its normal");
       check_free_space(i);
     }
   }
