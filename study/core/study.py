@@ -31,6 +31,7 @@ class Effort:
     solver_samples: tuple  # for which the solvers are timed
     backends: tuple
     seeds: int  # runs with the fewest samples
+    budget: float  # s per certificate
 
 
 FULL = Effort(
@@ -42,8 +43,9 @@ FULL = Effort(
     paper.SAMPLES,
     ("highs", "cbc"),
     10,
+    600,
 )
-QUICK = Effort((5000, 25000), (2500,), 5000, 20, (0, 0.05), (5000,), ("highs",), 2)
+QUICK = Effort((5000, 25000), (2500,), 5000, 10, (0, 0.05), (5000,), ("highs",), 2, 30)
 
 
 def read_store(path):

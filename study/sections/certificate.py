@@ -40,9 +40,8 @@ def section(study):
     rows = []
     for model in ("cooperative", "non-cooperative"):
         name = f"plan-{model}"
-        folder = study.program.run(
-            name, ["plan", STORE, "--model", model, "--confidence", CONFIDENCE], [STORE], accepted=(0, 1, 3)
-        )
+        options = ["--model", model, "--confidence", CONFIDENCE, "--budget", f"{study.effort.budget:g}"]
+        folder = study.program.run(name, ["plan", STORE, *options], [STORE], accepted=(0, 1, 3))
         with open(folder / "placement.json", encoding="utf-8") as file:
             answer = json.load(file)
         record = study.program.record(name)

@@ -25,7 +25,7 @@ from study.core.hypothesis import pair_test
 from study.core.mirror import distance_to_mirror_image, partners
 from study.core.program import Failure, Program
 from study.core.signals import read_signals, write_variant
-from study.core.study import STORE, read_store
+from study.core.study import QUICK, STORE, read_store
 from study.draw import matrix_picture
 from study.draw.charts import histogram
 from study.draw.store_map import CLASSES, StoreMap, class_floor, signal_class
@@ -226,6 +226,7 @@ END"""
 
     def study(self, folder, script):
         class Study:
+            effort = QUICK
             program = Program(fake_program(folder, script), f"{folder}/work")
 
         return Study()

@@ -1,5 +1,6 @@
 #include "shelfbeam/plan/io/plan_file.hpp"
 
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -61,11 +62,14 @@ Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table)
     if (const auto list = verdict == Verdict::unverified ? cursor.find(key) : cursor[key])
       for (const JsonCursor& element : list->elements())
         certificate.labels[position(element, known, "label")].verdict = verdict;
-  certificate.count_lower_bound = static_cast<std::size_t>(cursor["count_lower_bound"].non_negative());
+  const auto count = [&](const char* key) {
+    return static_cast<std::uint32_t>(cursor[key].integer(0, std::numeric_limits<std::uint32_t>::max()));
+  };
+  certificate.count_lower_bound = count("count_lower_bound");
   // Plans of version 0.2.0 and earlier have no bound on the cost.
   if (const auto cost = cursor.find("cost_lower_bound")) certificate.cost_lower_bound = cost->non_negative();
-  certificate.bound_labels = static_cast<std::size_t>(cursor["bound_labels"].non_negative());
-  certificate.rounds = static_cast<std::uint32_t>(cursor["rounds"].non_negative());
+  certificate.bound_labels = count("bound_labels");
+  certificate.rounds = count("rounds");
   certificate.seconds = cursor["seconds"].non_negative();
   certificate.open = cursor["open"].text();
   const JsonCursor stated = cursor["reached"];
