@@ -59,8 +59,8 @@ CLI::Option* add_safe_csv(CLI::App& verb, bool& safe_csv) {
 
 void expect_room_for_matrix(const std::filesystem::path& folder, const Scene& scene,
                             const SimulationOptions& options, std::size_t others) {
-  // Three floats and a flag per entry, and two floats per layer.
-  const double each = 13 + 8 * static_cast<double>(options.layers());
+  // Matrix: three floats and a flag per entry, and two floats per layer. Checkpoint: doubles instead.
+  const double each = (13 + 24) + (8 + 16) * static_cast<double>(options.layers());
   const double bytes =
       each * static_cast<double>(scene.labels.size()) * static_cast<double>(scene.transceivers.size());
   // A simulation that exceeds the memory is refused for that reason.

@@ -31,7 +31,8 @@ void add_strict_option(CLI::App& verb, bool& strict);
 /// --safe-csv.
 CLI::Option* add_safe_csv(CLI::App& verb, bool& safe_csv);
 
-/// Throws OutputError if the disk has no room for the signal file of a simulation and `others` bytes.
+/// Throws OutputError if the disk has no room for the signal file and the checkpoint of a simulation, and for
+/// `others` bytes.
 void expect_room_for_matrix(const std::filesystem::path& folder, const Scene& scene,
                             const SimulationOptions& options, std::size_t others = 0);
 

@@ -49,7 +49,9 @@ std::string progress_line(const Progress& progress, std::size_t width) {
   std::string end;
   if (!has_share)
     end = " " + duration_text(progress.seconds);
-  else if (end = fmt::format(" {:3.0f} %", 100 * fraction); progress.seconds_left >= 0)
+  // 100 % only when nothing is left.
+  else if (end = fmt::format(" {:3.0f} %", std::floor(100 * fraction + 1e-9));
+           fraction < 1 && progress.seconds_left >= 0)
     end += fmt::format("  {} left", duration_text(progress.seconds_left));
   if (end.size() >= width) end.clear();
   std::string line = fitted(progress.task, width - end.size());

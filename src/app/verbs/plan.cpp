@@ -183,8 +183,9 @@ int run_plan(const Options& options) {
   simulation.checkpoint.at_end = true;
   if (follows_decision(options)) simulation.samples = decision_samples;
   const PlanFolder folder(options.folder, resolved, options.overwrite);
-  constexpr std::size_t least_report = 100'000;
-  expect_room_for_matrix(options.folder, scene, simulation, resolved.size() + least_report);
+  // The report and the tables take at least as much again as the resolved store.
+  constexpr std::size_t least_report = 600'000;
+  expect_room_for_matrix(options.folder, scene, simulation, 2 * resolved.size() + least_report);
   print_warnings(options.common, scene, simulation.rules().strategy);
   expect_no_warnings(scene, options.strict);
   Plan plan;

@@ -41,7 +41,7 @@ TEST(ProgressLine, FitsEveryWidth) {
   const std::string long_detail(300, 'x');
   const std::vector<Progress> states{
       {"simulating", 0.4, 70, 100, "2.31 million rays/s, error 3.2 %"},
-      {"sensitivity", 1, 5000, 4800, "geprüfter Stahl, weiß lackiert"},
+      {"sensitivity", 0.999, 5000, 4800, "geprüfter Stahl, weiß lackiert"},
       {"verifying", 0, 0, -1, "round 12, 40000 labels, 1024 batches"},
       {"proving", -1, 7200, -1, long_detail},
       {"placing", -1, 12, -1, "5 units, at least 4; tree search 棚板棚板棚板"},
@@ -79,6 +79,8 @@ TEST(ProgressLine, KeepsTheMostImportantParts) {
   EXPECT_EQ(progress_line(state, 40), "simulating [###.....]  40 %  2 min left");
   EXPECT_EQ(progress_line(state, 30), "simulating  40 %  2 min left");
   EXPECT_EQ(progress_line(state, 24), "simula  40 %  2 min left");
+  EXPECT_EQ(progress_line({"simulating", 0.999, 70, 0.4, ""}, 30), "simulating  99 %  1 s left");
+  EXPECT_EQ(progress_line({"simulating", 1, 70, 0, ""}, 30), "simulating 100 %");
 }
 
 TEST(Duration, IsInHumanUnits) {
