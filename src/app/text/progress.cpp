@@ -47,12 +47,13 @@ std::string progress_line(const Progress& progress, std::size_t width) {
   const bool has_share = progress.fraction >= 0;
   const double fraction = std::min(1.0, progress.fraction);
   std::string end;
-  if (!has_share)
+  if (has_share) {
+    end = fmt::format(" {:3.0f} %", std::floor(100 * fraction + 1e-9));  // 100 % only when nothing is left
+    if (fraction < 1 && progress.seconds_left >= 0)
+      end += fmt::format("  {} left", duration_text(progress.seconds_left));
+  } else {
     end = " " + duration_text(progress.seconds);
-  // 100 % only when nothing is left.
-  else if (end = fmt::format(" {:3.0f} %", std::floor(100 * fraction + 1e-9));
-           fraction < 1 && progress.seconds_left >= 0)
-    end += fmt::format("  {} left", duration_text(progress.seconds_left));
+  }
   if (end.size() >= width) end.clear();
   std::string line = fitted(progress.task, width - end.size());
   std::size_t left = width - end.size() - width_of(line);

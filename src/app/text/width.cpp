@@ -25,7 +25,7 @@ bool contains(const std::array<Range, Count>& ranges, char32_t code) {
 }
 
 struct Character {
-  std::string_view bytes;  ///< "?" for what a terminal cannot show
+  std::string_view bytes;  ///< "?" for bytes that a terminal cannot show
   std::size_t columns;
 };
 

@@ -105,15 +105,12 @@ class LabelChecks {
       if (store_.blocks.contain(labels_[i].position)) continue;  // make_scene warns of it
       if (is_turned_sideways(store_, labels_[i]))
         warn("labels that are turned sideways", i,
-             "is turned along the surface beside it, which is not behind it; a label usually faces away from "
-             "its shelf "
-             "or wall; turn its normal");
+             "is turned along the surface beside it, which is not behind it; a label usually faces away "
+             "from its shelf or wall; turn its normal");
       else if (!has_support(store_, labels_[i]) && !has_back_to_back(i))
-        warn(
-            "labels in mid-air", i,
-            "has no surface within 0.3 m behind it; a label is usually mounted on a shelf, a wall or a rail; "
-            "correct its "
-            "position or its normal");
+        warn("labels in mid-air", i,
+             "has no surface within 0.3 m behind it; a label is usually mounted on a shelf, a wall or a "
+             "rail; correct its position or its normal");
       check_free_space(i);
     }
   }
@@ -138,9 +135,8 @@ class LabelChecks {
     const auto faces_alike = [&](const Label& other) { return dot(other.normal, labels_[i].normal) > 0.5; };
     if (const auto other = earlier(labels_, index_, i, nearest, faces_alike))
       warn("labels at one place", i,
-           fmt::format("is {:.2g} mm from label '{}'; labels are usually at least 3 cm apart; remove one of "
-                       "them, or correct "
-                       "its position",
+           fmt::format("is {:.2g} mm from label '{}'; labels are usually at least 3 cm apart; remove one "
+                       "of them, or correct its position",
                        1000 * length(labels_[*other].position - labels_[i].position), labels_[*other].id));
   }
 
@@ -219,8 +215,7 @@ class UnitChecks {
     if (const auto other = earlier(units_, index_, j, same_place, is_twin))
       warn("candidates that are listed twice", j,
            fmt::format("has the place, type, axis and roll of '{}'; usually each candidate is listed once; "
-                       "remove one of "
-                       "them, or correct its position",
+                       "remove one of them, or correct its position",
                        units_[*other].id));
   }
 
@@ -232,16 +227,13 @@ class UnitChecks {
     const auto before = opaque_before(store_, from, unit.axis, is_up ? below_ceiling : nearest);
     if (before && before->metres <= nearest)
       warn("transceivers aimed at a surface", j,
-           fmt::format("is aimed at a surface of '{}', {:.2g} cm in front of it; units are usually aimed at "
-                       "the shelves; "
-                       "correct 'axis' or the position",
+           fmt::format("is aimed at a surface of '{}', {:.2g} cm in front of it; units are usually aimed "
+                       "at the shelves; correct 'axis' or the position",
                        before->material->name, 100 * before->metres));
     else if (before)
       warn("transceivers aimed at the ceiling", j,
-           "is aimed up at the ceiling; units are usually aimed at the shelves; correct 'axis', which is [0, "
-           "0, -1] "
-           "for "
-           "straight down");
+           "is aimed up at the ceiling; units are usually aimed at the shelves; correct 'axis', which is "
+           "[0, 0, -1] for straight down");
   }
 
   // Units that are aimed down belong on a ceiling.

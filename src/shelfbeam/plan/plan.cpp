@@ -53,9 +53,8 @@ std::string margin_warning(const SignalTable& table, const Placement& placement)
   const double out_of_reach = share * static_cast<double>(placement.unreachable.size());
   if (out_of_reach >= 100 * nearly_all)
     return fmt::format(
-        "label_types: no selection reaches {:.0f} % of the labels; a few are usual; check thresholds, safety "
-        "factors "
-        "and the emission of the transceivers",
+        "label_types: no selection reaches {:.0f} % of the labels; a few are usual; check thresholds, "
+        "safety factors and the emission of the transceivers",
         out_of_reach);
   std::vector<bool> chosen(table.columns());
   for (const std::uint32_t j : placement.selected) chosen[j] = true;

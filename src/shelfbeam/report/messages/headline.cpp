@@ -105,8 +105,7 @@ void lead_with_certificate(const CertifiedPlan& plan, Headline& headline) {
 std::string sampling_remark(const ReportData& data) {
   std::string text =
       "Not verified yet: this statement applies to the simulated signals; their sampling error is not part "
-      "of "
-      "the proof.";
+      "of the proof.";
   const SamplingSummary& s = data.sampling;
   if (!s.has_errors)
     text += " The matrix contains no standard errors.";

@@ -65,8 +65,7 @@ std::string uncertified_objective(const PlacementProblem& problem) {
 
 constexpr std::string_view scope_sentence =
     " This confidence covers the sampling error of the simulation only; materials, stock and mounting are "
-    "taken as in "
-    "the store file.";
+    "taken as in the store file.";
 
 std::string reached_sentence(const Placement& placement, const Certificate& certificate) {
   if (certificate.none_verified())

@@ -69,8 +69,9 @@ std::string answer_section(const ReportData& data) {
   const bool has_certificate = data.input.plan.certificate.has_value();
   std::string verdict = has_certificate ? certified[tone] : verdicts[tone];
   // Other samples could change the matrix, so that "Solved" alone would promise too much.
-  if (line.tone == Headline::Tone::yes && data.uncertain > 0 && !has_certificate)
-    verdict += fmt::format(", {} uncertain", counted(data.uncertain, "label"));
+  if (line.tone == Headline::Tone::yes && !has_certificate)
+    verdict += data.uncertain > 0 ? fmt::format(", {} uncertain", counted(data.uncertain, "label"))
+                                  : ", not verified yet";
   const std::string& name = data.input.scene.name;
   std::string html = fmt::format(
       "<header class=\"{}\">\n<p class=\"kicker\">Transceiver placement <span "

@@ -100,12 +100,11 @@ std::string labels(const ReportData& data, const std::vector<std::uint32_t>& row
 std::string notes(const ReportData& data, const Sensitivity& sensitivity) {
   std::string text =
       "Each row sets one material to the low and to the high end of its range; all others stay as in the "
-      "store file. The material with the smallest margin at its low end comes first. Margins are "
-      "simulated for the chosen units with independent samples. The signal change at the label with the "
-      "smallest margin "
-      "is in percent of its requirement, with its standard error; the mean signal change is the average "
-      "over the labels. The rows are estimates: the confidence applies only to the two simulations with all "
-      "reflectances at the low end and with all at the high end.";
+      "store file. The material with the smallest margin at its low end comes first. Margins are simulated "
+      "for the chosen units with independent samples. The signal change at the label with the smallest "
+      "margin is in percent of its requirement, with its standard error; the mean signal change is the "
+      "average over the labels. The rows are estimates: the confidence applies only to the two simulations "
+      "with all reflectances at the low end and with all at the high end.";
   if (sensitivity.watched < data.outcome.labels.size())
     text += fmt::format(" All rows consider only the {} labels with the smallest margins at the low ends.",
                         grouped(sensitivity.watched));
