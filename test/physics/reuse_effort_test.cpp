@@ -17,10 +17,10 @@ namespace {
 
 // A scene with diffuse and glossy surfaces, a mirror, a pane and a glass block. The cache omits signals below
 // 0.5 % of the requirement, and treats units of each type separately.
-Scene store(double requirement_factor = 1, bool with_glass = true) {
+Scene store(double requirement_factor = 1) {
   test::StrategyStore store;
   store.add_glossy();
-  if (with_glass) store.add_glass();
+  store.add_glass();
   Scene scene = store.scene();
   for (LabelType& type : scene.label_types) type.threshold *= requirement_factor;
   return scene;
@@ -32,41 +32,6 @@ void expect_same(const SignalMatrix& found, const SignalMatrix& reference, const
   const test::Comparison entries = test::compare(found, reference);
   EXPECT_TRUE(entries.agrees(0.001)) << name;
   EXPECT_FALSE(entries.with_references_times(1.1).agrees(0.001)) << name;
-}
-
-void check_efforts(std::uint32_t factor) {
-  // Few batches do not sample the rare light by way of mirrors.
-  const Scene scene = store(1, factor > 1);
-  const World world(scene);
-  UnitGroups units(world);
-  ASSERT_GT(BrightSpots(world, units, 1, {.min_cap_distance = 3}).size(), 0U);
-  const SignalMatrix reference = test::reuse(scene, 8 * factor, 1000);
-  const ReuseEffort least{.lookups = 8,
-                          .points = 1,
-                          .stake = 0.3,
-                          .gather_rays = 3,
-                          .later_gather_rays = 2,
-                          .group = 1,
-                          .survival = 0.5};
-  std::vector<std::pair<const char*, ReuseEffort>> efforts{
-      {"few gathering rays", {.gather_rays = 1, .later_gather_rays = 1}},
-      {"no groups", {.group = 1}},
-      {"tiny groups", {.group = 3}},
-      {"large groups", {.group = 128}},
-      {"long paths", {.survival = 0.94}},
-      {"one point", {.points = 1}},
-      {"many points", {.points = 7}},
-      {"few shadow rays", {.stake = 0.5}},
-      {"few lookups", {.lookups = 2}},
-      {"large spots", {.spots = {.min_cap_distance = 3}}},
-      {"spots of old", {.spots = {.min_cap_distance = 4, .near_distance = 0, .for_vertices = false}}},
-      {"spots close by", {.spots = {.min_cap_distance = 3, .near_distance = 3}}},
-      {"little of all", least}};
-  // Even many batches contain none of the long paths that so short walks represent.
-  if (factor > 1) efforts.push_back({"shorter paths", {.survival = 0.3}});
-  std::uint64_t seed = 1;
-  for (const auto& [name, effort] : efforts)
-    expect_same(test::reuse(scene, factor, ++seed, effort), reference, name);
 }
 
 // Varies the cache from empty to complete. Light far below the requirement may be sampled so rarely that only
@@ -86,10 +51,60 @@ std::vector<std::size_t> check_caches(std::uint32_t factor, const std::vector<do
   return kept;
 }
 
-// Clusters of single labels, or without neighbours.
-void check_clusters(std::uint32_t factor) {
+// With much higher requirements, few batches do not contain the rare rays that represent all light.
+TEST(ReuseEffort, MeansDoNotDependOnTheCache) {
+  const auto kept = check_caches(1, {20, 1, 1e-4});
+  EXPECT_LT(kept.front(), kept.back());
+}
+
+TEST(ReuseEffortSlow, MeansDoNotDependOnTheDistributionOfWork) {
   const Scene scene = store();
-  const SignalMatrix reference = test::reuse(scene, 8 * factor, 1000);
+  const World world(scene);
+  UnitGroups units(world);
+  ASSERT_GT(BrightSpots(world, units, 1, {.min_cap_distance = 3}).size(), 0U);
+  const SignalMatrix reference = test::reuse(scene, 64, 1000);
+  const ReuseEffort least{.lookups = 8,
+                          .points = 1,
+                          .stake = 0.3,
+                          .gather_rays = 3,
+                          .later_gather_rays = 2,
+                          .group = 1,
+                          .survival = 0.5};
+  const std::vector<std::pair<const char*, ReuseEffort>> efforts{
+      {"few gathering rays", {.gather_rays = 1, .later_gather_rays = 1}},
+      {"no groups", {.group = 1}},
+      {"tiny groups", {.group = 3}},
+      {"large groups", {.group = 128}},
+      {"long paths", {.survival = 0.94}},
+      {"one point", {.points = 1}},
+      {"many points", {.points = 7}},
+      {"few shadow rays", {.stake = 0.5}},
+      {"few lookups", {.lookups = 2}},
+      {"large spots", {.spots = {.min_cap_distance = 3}}},
+      {"spots of old", {.spots = {.min_cap_distance = 4, .near_distance = 0, .for_vertices = false}}},
+      {"spots close by", {.spots = {.min_cap_distance = 3, .near_distance = 3}}},
+      {"little of all", least},
+      {"shorter paths", {.survival = 0.3}}};
+  std::uint64_t seed = 1;
+  for (const auto& [name, effort] : efforts)
+    expect_same(test::reuse(scene, 8, ++seed, effort), reference, name);
+}
+
+TEST(ReuseEffortSlow, MeansDoNotDependOnTheCache) {
+  const auto kept = check_caches(10, {1e6, 100, 30, 10, 1, 1e-4});
+  EXPECT_LT(kept.front(), kept.back() * 3 / 4);
+}
+
+// All units are far too weak for the requirement, so all of them are sampled at random. Some of their light
+// comes in only one batch of fifty, with skewed errors, so this test takes 9,600 batches.
+TEST(ReuseEffortSlow, MeansDoNotDependOnTheRequirement) {
+  expect_same(test::reuse(store(1e6), 300, 6), test::reuse(store(), 100, 1000), "nothing in reach");
+}
+
+// Clusters of single labels, or without neighbours.
+TEST(ReuseEffortSlow, MeansDoNotDependOnTheClusters) {
+  const Scene scene = store();
+  const SignalMatrix reference = test::reuse(scene, 80, 1000);
   const std::size_t m = scene.labels.size();
   for (const std::size_t parts : {std::size_t{2}, m}) {
     SignalMatrix found = reference;
@@ -97,7 +112,7 @@ void check_clusters(std::uint32_t factor) {
       Scene some = scene;
       some.labels.clear();
       for (std::size_t i = part; i < m; i += parts) some.labels.push_back(scene.labels[i]);
-      const SignalMatrix those = test::reuse(some, factor * (parts == m ? 4 : 1), 3);
+      const SignalMatrix those = test::reuse(some, parts == m ? 40 : 10, 3);
       for (std::size_t k = 0; k < those.rows(); ++k)
         for (std::size_t j = 0; j < those.columns(); ++j) {
           found.mean[found.at(part + k * parts, j)] = those.mean[those.at(k, j)];
@@ -106,34 +121,6 @@ void check_clusters(std::uint32_t factor) {
     }
     expect_same(found, reference, std::to_string(parts) + " parts");
   }
-}
-
-TEST(ReuseEffort, MeansDoNotDependOnTheDistributionOfWork) {
-  check_efforts(1);
-}
-// With much higher requirements, few batches do not contain the rare rays that represent all light.
-TEST(ReuseEffort, MeansDoNotDependOnTheCache) {
-  const auto kept = check_caches(1, {20, 1, 1e-4});
-  EXPECT_LT(kept.front(), kept.back());
-}
-TEST(ReuseEffort, MeansDoNotDependOnTheClusters) {
-  check_clusters(1);
-}
-
-TEST(ReuseEffortSlow, MeansDoNotDependOnTheDistributionOfWork) {
-  check_efforts(8);
-}
-TEST(ReuseEffortSlow, MeansDoNotDependOnTheCache) {
-  const auto kept = check_caches(10, {1e6, 100, 30, 10, 1, 1e-4});
-  EXPECT_LT(kept.front(), kept.back() * 3 / 4);
-}
-// All units are far too weak for the requirement, so all of them are sampled at random. Some of their light
-// comes in only one batch of fifty, with skewed errors, so this test takes 9,600 batches.
-TEST(ReuseEffortSlow, MeansDoNotDependOnTheRequirement) {
-  expect_same(test::reuse(store(1e6), 300, 6), test::reuse(store(), 100, 1000), "nothing in reach");
-}
-TEST(ReuseEffortSlow, MeansDoNotDependOnTheClusters) {
-  check_clusters(10);
 }
 
 }  // namespace

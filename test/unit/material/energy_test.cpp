@@ -22,7 +22,7 @@ double integral_of_eval(const Material& material, const Vec3& wo) {
 // Two quadratures that share only the inputs of `eval`: over directions here, over facets in `albedo`. They
 // agree to 5e-4, and to 2e-3 for rough glass (`albedo` does not split at the edges of total reflection). The
 // control is a kernel that is 1 % too bright, where this is twice the tolerance.
-TEST(Energy, OfAllDirectionsIsTheAlbedo) {
+TEST(EnergySlow, OfAllDirectionsIsTheAlbedo) {
   int controls = 0;
   for (const auto& [name, material, wrong] : test::rough_cases())
     for (const Vec3& wo : test::directions_for(material)) {

@@ -58,7 +58,7 @@ TEST(LabelRoundsSlow, BeginWithTheRiskiestLabels) {
 // The margin of the best two units is near zero, which the budget cannot decide. The matrix is 4 % too low
 // and asks for three, which are verified at once. If new samples then suggest two, the plan returns to the
 // three.
-TEST(Rounds, EndWithASelectionThatReachesAllLabels) {
+TEST(RoundsSlow, EndWithASelectionThatReachesAllLabels) {
   test::PlanStore store;
   SimulationOptions simulation{EstimatorKind::reuse};
   simulation.seed = 1234567;

@@ -93,7 +93,7 @@ TEST(PathLengths, OfSingleBouncesAreThoseOfTheIntegral) {
 // (probability 5e-6 at 62 degrees of freedom) are allowed in each of about 300 comparisons. Steps with less
 // than 5 % of the signal are omitted, because walks find too few discs there. The sum over all steps is the
 // signal within single precision.
-TEST(PathLengths, AgreeBetweenStrategiesAndAddUp) {
+TEST(PathLengthsSlow, AgreeBetweenStrategiesAndAddUp) {
   test::SmallStore store;
   store.peaks = {1, 1};
   Scene scene = store.scene();

@@ -168,7 +168,7 @@ SignalTable two_points() {
 
 // There is no start and no preprocessing: infeasibility rests on the solver alone, also near the rule's edge.
 // Half of the tables have options. Optima are proven within a relative gap of 1e-6.
-TEST(PlacementMip, EqualsEnumerationWithoutAStart) {
+TEST(PlacementMipSlow, EqualsEnumerationWithoutAStart) {
   for (const milp::Backend& backend : milp::backends()) {
     test::RandomTables plain(43), with_options(44, {.mounts = true});
     int infeasible = 0, optimal = 0, stopped = 0;

@@ -83,7 +83,7 @@ TEST(RadianceCache, ApproximatesTheIrradiance) {
 
 // The rounds compute 1 - 0.95^7, less than a third, of the final light of white walls; rays that the cells
 // lose cost a fifth. The control is a room with an albedo of 0.9, whose walls have half as much.
-TEST(RadianceCache, ExtrapolatesTheBouncesBetweenWhiteWalls) {
+TEST(RadianceCacheSlow, ExtrapolatesTheBouncesBetweenWhiteWalls) {
   const Prepared room(0.95);
   EXPECT_LT(room.deviation(0.95).first, 0.3);
   EXPECT_GT(room.deviation(0.9).first, 0.3);
