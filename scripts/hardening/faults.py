@@ -29,7 +29,7 @@ def at_operation(verb, shim, number, error, lasts):
         count = folder.parent / "count"
         count.unlink(missing_ok=True)
         environment = {"LD_PRELOAD": shim, "FAULT_AT": str(number()), "FAULT_ERRNO": str(error),
-                       "FAULT_LASTS": str(lasts), "FAULT_COUNT": str(count)}
+                       "FAULT_LASTS": str(10**9 if lasts else 0), "FAULT_COUNT": str(count)}
         outcome = Outcome(start(verb.command(), folder, environment))
         struck = outcome.code == -signal.SIGKILL or int(count.read_text()) >= int(environment["FAULT_AT"])
         return outcome if struck else None

@@ -4,7 +4,7 @@
 //   FAULT_COUNT=FILE  write the number of operations to FILE when the program ends
 //   FAULT_AT=N        inject the fault at the N-th operation
 //   FAULT_ERRNO=E     the operation fails with error E; with 0 the program is killed before the operation
-//   FAULT_LASTS=1     every later operation fails, too
+//   FAULT_LASTS=K     the next K operations fail, too
 //   FAULT_OF=NAME     count and fail only operations of this name, such as rename
 //   CLOCK_JUMPS=C     the wall clock (C = 1), or both clocks (C = 2), jump by up to ten years at each reading
 
@@ -37,7 +37,7 @@ static int fails(const char* name, int is_removal) {
   const char* only = getenv("FAULT_OF");
   if (only != NULL && strcmp(only, name) != 0) return 0;
   const long now = atomic_fetch_add(&operations, 1) + 1, at = setting("FAULT_AT");
-  if (at < 0 || now < at || (now > at && setting("FAULT_LASTS") != 1)) return 0;
+  if (at < 0 || now < at || now > at + (setting("FAULT_LASTS") > 0 ? setting("FAULT_LASTS") : 0)) return 0;
   const long error = setting("FAULT_ERRNO");
   if (error == 0) kill(getpid(), SIGKILL);
   if (is_removal) return 0;

@@ -13,8 +13,9 @@
 
 namespace shelfbeam::app {
 
-Store load_store(const std::filesystem::path& path, bool allow_outside, std::size_t memory) {
-  return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory});
+Store load_store(const std::filesystem::path& path, bool allow_outside, std::size_t memory,
+                 const std::filesystem::path& output) {
+  return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory, output});
 }
 
 void expect_no_warnings(const Scene& scene, bool strict) {

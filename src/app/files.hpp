@@ -14,8 +14,9 @@
 namespace shelfbeam::app {
 
 /// Reads a store file and the files that it names; these must be in its folder unless `allow_outside`.
-/// `memory`: limit in bytes, 0 for memory_limit().
-Store load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0);
+/// `memory`: limit in bytes, 0 for memory_limit(). `output`: a file that the run will write.
+Store load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0,
+                 const std::filesystem::path& output = {});
 
 /// Throws InputError if the scene has warnings and `strict` is set.
 void expect_no_warnings(const Scene& scene, bool strict);

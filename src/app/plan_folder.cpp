@@ -17,10 +17,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr auto finished_plan = "contains a finished plan, which is not replaced";
-constexpr auto finished_plan_since = "contains a finished plan since the run has started; it is not replaced";
-constexpr auto foreign_file = "was not written by an earlier plan in this folder, or was changed since";
-constexpr std::array names{store_name,           signal_name, verification_name, labels_name,
-                           placement_table_name, report_name, placement_name};
+constexpr auto finished_plan_since = "has received a finished plan since the run started; it is not replaced";
+constexpr auto foreign_file = "was not written by an earlier run in this folder, or was changed since";
+// The first is blamed first: without it, no other is known.
+constexpr std::array names{placement_name, store_name,           signal_name, verification_name,
+                           labels_name,    placement_table_name, report_name};
 
 // Plans of version 0.2.0 and earlier have no record. `place` writes such a file, too, but without the others.
 bool is_old_plan(const fs::path& folder) {
@@ -49,6 +50,7 @@ PlanFolder::Found PlanFolder::look() const {
   std::optional<PlanRecord> record;
   bool is_plan = false;
   if (fs::is_regular_file(fs::symlink_status(folder / placement_name))) {
+    input_size(folder / placement_name, max_text_file);
     try {
       record = read_record(folder / placement_name);
       is_plan = record || is_old_plan(folder);
@@ -61,12 +63,13 @@ PlanFolder::Found PlanFolder::look() const {
     const fs::path file = folder / name;
     // A link to a file of a plan is not a file of a plan.
     if (!fs::is_regular_file(fs::symlink_status(file)) || (name == placement_name && !is_plan)) return false;
+    const bool is_old = is_plan && !record;
+    const bool is_recorded = record && record->hashes.contains(name);
+    // Other files of the user may be large, and are not read.
+    if (!is_old && !is_recorded && !journal.contains(name) && name != store_name) return false;
     const std::string& hash = found.hashes[name] = hash_of(file, name);
-    if (is_plan && !record) return true;
-    if (name == store_name && read_file(file) == store_) return true;
-    if (journal.contains(name, hash)) return true;
-    const auto known = record ? record->hashes.find(name) : FileHashes::iterator();
-    return record && known != record->hashes.end() && known->second == hash;
+    return is_old || (is_recorded && record->hashes.at(name) == hash) || journal.contains(name, hash) ||
+           (name == store_name && read_file(file) == store_);
   };
   for (const char* name : names)
     if (!found.foreign && fs::exists(fs::symlink_status(folder / name)) && !is_ours(name))
@@ -88,8 +91,9 @@ PlanFolder::Made::Made(fs::path folder) : path(std::move(folder)) {
 }
 
 void PlanFolder::Made::remove() const {
-  std::error_code not_empty;
-  for (const fs::path& level : levels) fs::remove(level, not_empty);
+  std::error_code reason;
+  for (const fs::path& level : levels)
+    if (!fs::remove(level, reason) && fs::exists(level, reason)) break;
 }
 
 PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite)
@@ -101,7 +105,7 @@ PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite)
   const Found found = look();
   has_finished_plan_ = found.has_finished_plan;
   if (has_finished_plan_ && !overwrite_)
-    throw InputError(path.string(), finished_plan, "choose another folder, or allow to replace the plan",
+    throw InputError(path.string(), finished_plan, "choose another folder, or allow the plan to be replaced",
                      Setting::overwriting);
   if (found.foreign)
     throw InputError((path / *found.foreign).string(), foreign_file,

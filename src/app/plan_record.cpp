@@ -1,6 +1,7 @@
 #include "app/plan_record.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -9,6 +10,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
 #include "app/plan_folder.hpp"
@@ -74,6 +76,7 @@ std::string recorded_again(const std::string& placement, PlanRecord record, cons
 
 std::string hash_of(const fs::path& file, std::string_view name) {
   if (name == signal_name) {
+    input_size(file, memory_limit());
     std::ifstream content(file, std::ios::binary);
     return content_hash(content);
   }
@@ -99,9 +102,19 @@ FileHashes hashes_of(const AtomicFolder& files) {
 
 PlanJournal::PlanJournal(fs::path folder) : folder_(std::move(folder)) {
   const fs::path file = folder_ / journal_name;
-  if (!fs::is_regular_file(fs::symlink_status(file))) return;
-  std::istringstream text(read_file(file));
+  const fs::file_status status = fs::symlink_status(file);
+  if (!fs::exists(status)) return;
+  constexpr std::uint64_t most = 1 << 16;
+  std::istringstream text(fs::is_regular_file(status) ? read_file(file, most) : "");
   for (std::string name, hash; text >> name >> hash;) files_.emplace(name, hash);
+  const auto is_foreign = [](const auto& entry) { return entry.second.size() != content_hash("").size(); };
+  if (files_.empty() || std::any_of(files_.begin(), files_.end(), is_foreign))
+    throw InputError(file.string(), "was not written by an earlier run in this folder", "move it elsewhere");
+}
+
+bool PlanJournal::contains(const std::string& name) const {
+  const auto found = files_.lower_bound({name, ""});
+  return found != files_.end() && found->first == name;
 }
 
 void PlanJournal::commit(AtomicFolder& files, const FileHashes& older, const FileHashes& newer,

@@ -46,8 +46,9 @@ FileHashes hashes_of(const AtomicFolder& files);
 /// file of the folder if the run is killed, so that the next run recognises both.
 class PlanJournal {
  public:
-  /// Reads the journal of a killed run, if there is one.
+  /// Reads the journal of a killed run, if there is one. Throws InputError for any other file of its name.
   explicit PlanJournal(std::filesystem::path folder);
+  bool contains(const std::string& name) const;
   bool contains(const std::string& name, const std::string& hash) const {
     return files_.contains({name, hash});
   }

@@ -158,10 +158,9 @@ std::string with_short_values(std::string text, const Words& arguments) {
   for (const std::string& word : arguments) {
     const std::string value = word.substr(word.starts_with("--") ? word.find('=') + 1 : 0);
     if (value.size() <= longest) continue;
-    std::size_t end = shown;
-    while (end > 0 && (static_cast<unsigned char>(value[end]) & 0xC0U) == 0x80) --end;
+    const std::string start = shortened(value, shown);
     for (std::size_t at = text.find(value); at != std::string::npos; at = text.find(value, at))
-      text.replace(at, value.size(), value.substr(0, end) + "...");
+      text.replace(at, value.size(), start);
   }
   return text;
 }

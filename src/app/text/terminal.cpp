@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -19,9 +20,18 @@ namespace {
 
 CancelToken signal_token;
 
+// `timeout` signals the process and then its group, so a second signal counts only after a second.
 void on_signal(int number) {
-  signal_token.request();
-  std::signal(number, SIG_DFL);
+  static timespec first = {};
+  timespec now = {};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  if (!signal_token.requested()) {
+    first = now;
+    signal_token.request();
+  } else if (now.tv_sec > first.tv_sec + 1 || (now.tv_sec > first.tv_sec && now.tv_nsec >= first.tv_nsec)) {
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+  }
 }
 
 // The columns of the terminal, which change when its window does.
@@ -35,9 +45,17 @@ std::size_t terminal_width() {
 
 }  // namespace
 
+// A reader of the messages that has ended must not end the run.
 void write_error(std::string_view text) noexcept {
+  sigset_t pipe, before;
+  sigemptyset(&pipe);
+  sigaddset(&pipe, SIGPIPE);
+  ::pthread_sigmask(SIG_BLOCK, &pipe, &before);
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
+  constexpr timespec none = {};
+  ::sigtimedwait(&pipe, nullptr, &none);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 TerminalProgress::TerminalProgress(bool quiet) : active_(!quiet && is_terminal(stderr)) {}

@@ -25,7 +25,7 @@ struct Options {
 
 int run_inspect(const Options& options) {
   protect_input(options.plan, options.store);
-  const Scene scene = make_inspected_scene(load_store(options.store, options.allow_outside));
+  const Scene scene = make_inspected_scene(load_store(options.store, options.allow_outside, 0, options.plan));
   if (!options.plan.empty()) write_file(options.plan, floor_plan_svg(scene));
   if (options.common.json) {
     print_json(summary_json(scene));

@@ -57,7 +57,7 @@ void protect_store(const std::filesystem::path& folder, const std::filesystem::p
   std::error_code missing;
   const auto home = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   if (std::filesystem::equivalent(folder, home, missing) && read_file(file) != resolved)
-    throw InputError(folder.string(), "is the folder of the store file, which would be overwritten",
+    throw InputError(folder.string(), "is the folder of the store file; a plan needs a folder of its own",
                      "choose another folder for the plan");
 }
 
@@ -147,12 +147,14 @@ void save(const Options& options, const PlanFolder& folder, const Scene& scene, 
   } catch (const OutputError& error) {
     const auto elsewhere = keep_elsewhere([&](const std::filesystem::path& path) { write(path, nullptr); });
     std::string kept = elsewhere ? fmt::format("the plan is kept in '{}'", elsewhere->string()) : "";
-    if (!plan.simulation.summary.has_checkpoint) {
+    const SimulationSummary& summary = plan.simulation.summary;
+    if (!summary.has_checkpoint) {
       if (!elsewhere) throw;
       throw OutputError(error, kept, Setting::none);
     }
     if (elsewhere) kept += "; ";
-    throw OutputError(error, kept + checkpoint_remains, Setting::resumption);
+    kept += summary.has_all_in_checkpoint ? checkpoint_remains : older_checkpoint;
+    throw OutputError(error, kept, Setting::resumption);
   }
 }
 
@@ -164,7 +166,7 @@ std::string remark_on_interruption(const Options& options, const SimulationSumma
   if (elsewhere) next = fmt::format("the interrupted plan is in '{}'; {}", elsewhere->string(), next);
   if (is_kept) return fmt::format("the finished plan in {} is unchanged; {}", options.folder.string(), next);
   return fmt::format("{}; {}",
-                     summary.complete ? "the simulation is complete, the later steps are not"
+                     summary.complete ? "the simulation is complete, but the later steps are not"
                                       : "the plan uses the samples so far",
                      next);
 }
@@ -205,7 +207,7 @@ int run_plan(const Options& options) {
     if (options.sensitivity) plan_options.sensitivity = {options.reflectance_error, confidence};
     plan = make_plan(scene, plan_options, control);
     // The report may travel; it names the files of the store without the folder.
-    const std::string home = options.store.parent_path().string() + "/";
+    const std::string home = (options.store.parent_path() / "").string();
     for (std::string& warning : plan.warnings)
       if (warning.starts_with(home)) warning.erase(0, home.size());
   }
@@ -217,7 +219,7 @@ int run_plan(const Options& options) {
   std::optional<std::filesystem::path> elsewhere;
   if (!is_kept)
     save(options, folder, scene, resolved, plan, answer);
-  else if (!summary.has_checkpoint)  // the samples would be lost
+  else if (!summary.has_all_in_checkpoint)  // samples would be lost
     elsewhere = keep_elsewhere([&](const std::filesystem::path& path) {
       write_plan(path, nullptr, scene, resolved, plan, answer, options.safe_csv);
     });

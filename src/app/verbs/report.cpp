@@ -45,7 +45,7 @@ FileHashes expect_unchanged(const std::filesystem::path& folder, const PlanRecor
     }
     throw InputError(file.string(), "was changed since the plan was written",
                      name == placement_name ? "restore it, or run 'shelfbeam plan' again"
-                                            : "move it to another place, and it is written again");
+                                            : "move it elsewhere; it will then be rebuilt");
   }
   return found;
 }

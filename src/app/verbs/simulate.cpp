@@ -31,8 +31,8 @@ struct Options {
 int run_simulate(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   protect_input(options.output, options.store);
-  const Scene scene =
-      make_inspected_scene(load_store(options.store, options.allow_outside, options.simulation.memory));
+  const Scene scene = make_inspected_scene(
+      load_store(options.store, options.allow_outside, options.simulation.memory, options.output));
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   const OutputLock lock(options.output, options.output.string());
   expect_writable(options.output);

@@ -53,12 +53,13 @@ bool is_json(const std::filesystem::path& path) {
 
 Installation load_installation(const Options& options) {
   const std::filesystem::path& units = options.placement;
-  const Store store = load_store(options.store, options.allow_outside, options.simulation.memory);
+  const Store store =
+      load_store(options.store, options.allow_outside, options.simulation.memory, options.output);
   if (!is_json(units)) return {scene_with_units(store, units), {}};
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));
   if (!placement.has_selection() || placement.selected.empty())
-    throw InputError(units.string(), "has no selection", "verify a placement that has a selection");
+    throw InputError(units.string(), "selects no transceivers", "choose another placement");
   std::vector<std::uint32_t> labels(scene.labels.size());
   std::iota(labels.begin(), labels.end(), 0U);
   return {sub_scene(scene, labels, placement.selected), placement.problem};

@@ -39,6 +39,7 @@ bool lock(int descriptor, int command, short type = F_WRLCK) {
   return ::fcntl(descriptor, command, &whole) == 0;
 }
 
+constexpr auto other_name = "choose another name";
 constexpr std::string_view random_part = "XXXXXX";
 
 std::string temporary_prefix(const fs::path& target) {
@@ -107,10 +108,17 @@ class BackupFile {
 
   bool restore() {
     if (kept_.empty()) return ::unlink(target_.c_str()) == 0 || errno == ENOENT;
-    return ::rename(kept_.c_str(), target_.c_str()) == 0 || ::link(kept_.c_str(), target_.c_str()) == 0;
+    return is_in_place() || ::rename(kept_.c_str(), target_.c_str()) == 0 ||
+           ::link(kept_.c_str(), target_.c_str()) == 0;
   }
 
  private:
+  // A folder or file that refused the replacement would refuse the same file again.
+  bool is_in_place() const {
+    struct stat old = {}, now = {};
+    return ::fstat(descriptor_, &old) == 0 && ::lstat(target_.c_str(), &now) == 0 &&
+           old.st_dev == now.st_dev && old.st_ino == now.st_ino;
+  }
   void release() {
     if (!kept_.empty()) ::unlink(kept_.c_str());
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -131,12 +139,12 @@ std::string system_reason() {
   return std::generic_category().message(errno);
 }
 
-void cannot_write(const fs::path& path, const std::string& why) {
+void cannot_write(const fs::path& path, const std::string& why, const std::string& suggestion) {
   std::error_code unknown;
   const bool is_old = fs::is_regular_file(path, unknown);
   throw OutputError(path.string(),
                     fmt::format("cannot be written ({}){}", why, is_old ? " and is unchanged" : ""),
-                    "choose an existing, writable folder with enough disk space");
+                    suggestion);
 }
 
 std::uint64_t input_size(const fs::path& path, std::uint64_t max_bytes) {
@@ -189,25 +197,31 @@ void remove_abandoned(const fs::path& target) {
 }
 
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
-  if (!is_folder(folder_of(target_))) cannot_write(target_, "the folder does not exist");
-  if (is_folder(target_)) cannot_write(target_, "it is a folder");
+  if (!is_folder(folder_of(target_)))
+    cannot_write(target_, "the folder does not exist", "create the folder, or choose another");
+  if (is_folder(target_)) cannot_write(target_, "it is a folder", other_name);
   // A rename over a device or a pipe would replace it by a regular file.
   std::error_code missing;
   if (fs::exists(target_, missing) && !fs::is_regular_file(target_, missing))
-    cannot_write(target_, "it is not a regular file");
+    cannot_write(target_, "it is not a regular file", other_name);
   remove_abandoned(target_);
   const fs::path pattern = folder_of(target_) / (temporary_prefix(target_) + std::string(random_part));
   // Between creation and locking, another writer may remove the file as abandoned.
   for (;;) {
     std::string name = pattern.string();
-    descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+    const int unique = ::mkostemp(name.data(), O_CLOEXEC);
+    if (unique < 0) cannot_write(target_, system_reason());
+    ::close(unique);
+    ::unlink(name.c_str());
+    // Other than `mkostemp`, this respects the user's mask of permissions.
+    descriptor_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno == EEXIST) continue;
     if (descriptor_ < 0) cannot_write(target_, system_reason());
     temporary_ = name;
     lock(descriptor_, F_OFD_SETLKW);
     if (!is_unlinked(descriptor_)) break;
     ::close(descriptor_);
   }
-  ::fchmod(descriptor_, 0644);
 }
 
 AtomicFile::~AtomicFile() {
@@ -277,14 +291,23 @@ OutputLock::OutputLock(const fs::path& output, const std::string& name)
     : path_(folder_of(output) / (temporary_prefix(output) + std::string(lock_part))) {
   for (;;) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
-    if (descriptor_ < 0) cannot_write(name, system_reason());
-    const bool is_locked = lock(descriptor_, F_OFD_SETLK);
-    if (!is_locked && (errno == EAGAIN || errno == EACCES)) {
+    const int reason = errno;
+    // Another user's lock can only be read.
+    const bool is_foreign = descriptor_ < 0 && reason == EACCES;
+    if (is_foreign) descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    const bool is_locked = descriptor_ >= 0 && lock(descriptor_, F_OFD_SETLK, is_foreign ? F_RDLCK : F_WRLCK);
+    if (descriptor_ >= 0 && !is_locked && (errno == EAGAIN || errno == EACCES)) {
       const std::string owner = owner_in(descriptor_);
       ::close(descriptor_);
       throw InputError(name, fmt::format("is in use by another run of shelfbeam{}", owner),
                        "wait until it ends, or choose another output");
     }
+    if (is_foreign && descriptor_ >= 0) {
+      ::close(descriptor_);
+      cannot_write(path_, "another user's run left it", "delete it, or choose another output");
+    }
+    errno = reason;
+    if (descriptor_ < 0) cannot_write(name, system_reason());
     // The previous owner removes the file when it ends.
     if (!is_locked || !is_unlinked(descriptor_)) break;
     ::close(descriptor_);
@@ -326,8 +349,9 @@ std::optional<fs::path> keep_elsewhere(const std::function<void(const fs::path&)
 void make_output_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error || !is_folder(folder)) cannot_write(folder, error ? error.message() : "it is a file");
-  if (::access(folder.c_str(), W_OK) != 0) cannot_write(folder, system_reason());
+  if (error || !is_folder(folder))
+    cannot_write(folder, error ? error.message() : "it is a file", "choose another folder");
+  if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0) cannot_write(folder, system_reason());
 }
 
 }  // namespace shelfbeam

@@ -110,13 +110,16 @@ void expect_room(const std::filesystem::path& folder, double bytes);
 std::optional<std::filesystem::path> keep_elsewhere(
     const std::function<void(const std::filesystem::path&)>& write);
 
-/// Creates the folder and its parents. Throws OutputError if the folder cannot be created or is not writable.
+/// Creates the folder and its parents. Throws OutputError if the folder cannot be created, read or written
+/// to.
 void make_output_folder(const std::filesystem::path& folder);
 
 /// The system's message for `errno`.
 std::string system_reason();
 
 /// Throws OutputError. The message mentions an older file at `path`, which stays unchanged.
-[[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& why);
+[[noreturn]] void cannot_write(
+    const std::filesystem::path& path, const std::string& why,
+    const std::string& suggestion = "choose an existing, writable folder with enough disk space");
 
 }  // namespace shelfbeam

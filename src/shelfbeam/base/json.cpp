@@ -161,22 +161,6 @@ Node parse_strictly(std::string_view text, const std::string& name) {
 
 }  // namespace
 
-double to_metres(double length, LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::mm:
-      return length / 1000;
-    case LengthUnit::cm:
-      return length / 100;
-    case LengthUnit::ft:
-      return length * 381 / 1250;
-    case LengthUnit::in:
-      return length * 127 / 5000;
-    case LengthUnit::m:
-      break;
-  }
-  return length;
-}
-
 JsonCursor::JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path,
                        LengthUnit unit)
     : document_(std::move(document)), node_(node), path_(std::move(path)), unit_(unit) {}

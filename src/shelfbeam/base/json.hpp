@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -13,22 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "shelfbeam/base/length_unit.hpp"
 #include "shelfbeam/base/names.hpp"
 
 namespace shelfbeam {
-
-/// The unit of the lengths in a file.
-enum class LengthUnit { m, mm, cm, ft, in };
-template <>
-inline constexpr auto names_of<LengthUnit> = std::to_array<Named<LengthUnit>>({{"m", LengthUnit::m},
-                                                                               {"mm", LengthUnit::mm},
-                                                                               {"cm", LengthUnit::cm},
-                                                                               {"ft", LengthUnit::ft},
-                                                                               {"in", LengthUnit::in}});
-
-/// A length in metres. A length in mm or cm becomes the double nearest to the length in metres if `length` is
-/// exact, and 1 ft is exactly 0.3048 m.
-double to_metres(double length, LengthUnit unit);
 
 /// A position in a JSON document that is read strictly. Every access states the expected type and range; any
 /// other value throws InputError with the file and the JSON path ("store.json: fixtures[3].labels.spacing").

@@ -14,6 +14,8 @@ struct StoreLimits {
   bool allow_outside = false;
   /// Memory limit in bytes for labels, candidates and surfaces, estimated before they are allocated.
   std::size_t memory = std::numeric_limits<std::size_t>::max();
+  /// A file that the store must not name, because it will be overwritten.
+  std::filesystem::path output = {};
 };
 
 /// The scene of a store file (docs/formats/store.md) and of the files that it names. Throws InputError with

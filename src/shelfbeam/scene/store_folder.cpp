@@ -62,6 +62,10 @@ fs::path StoreFolder::find(const fs::path& name, const std::string& where, const
   if (!fs::exists(path, error))
     throw InputError(where, fmt::format("the {} {} does not exist", what, path_in_quotes(path)),
                      "paths are relative to the store file");
+  if (!trust_.output.empty() && fs::equivalent(path, trust_.output, error))
+    throw InputError(where,
+                     fmt::format("{} is also the output and would be overwritten", path_in_quotes(path)),
+                     "choose another name for the output");
   return path;
 }
 

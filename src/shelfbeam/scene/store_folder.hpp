@@ -20,7 +20,8 @@ class StoreFolder {
   std::size_t memory() const { return std::max(trust_.memory, min_memory); }
 
   /// The path of a file named relative to the folder. Throws InputError at the JSON position if the file does
-  /// not exist, is a folder, or lies outside this folder: by "..", an absolute path or a symbolic link.
+  /// not exist, is a folder, is StoreLimits::output, or lies outside this folder: by "..", an absolute path
+  /// or a symbolic link.
   std::filesystem::path find(const JsonCursor& name) const;
   /// The same for any name; `where` is its location and `what` the kind of file ("mesh"), for messages.
   std::filesystem::path find(const std::filesystem::path& name, const std::string& where,

@@ -121,7 +121,8 @@ TEST_F(CommandLine, WrongUseIsOneError) {
       {{"plan", store, "-o", out, "--model", "coperative"},
        "--model: unknown value 'coperative'; did you mean 'cooperative'?"},
       {{"plan", store, "-o", out, "--samples", std::string(500, '7')},
-       "--samples: '" + std::string(40, '7') + "...' is not a whole number from 64 to"},
+       "--samples: '" + std::string(26, '7') + "..." + std::string(13, '7') +
+           "' is not a whole number from 64 to"},
       {{"inspect", ""}, "STORE: "},
       {{"inspect", store, "--frobnicate"}, "'--frobnicate'; see 'shelfbeam inspect --help'"},
       {{"inspect", store, "extra"}, "unexpected argument 'extra'"},

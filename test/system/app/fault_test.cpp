@@ -47,13 +47,16 @@ class Fault : public testing::Test {
   }
 
   // Runs the program, which fails (or, if `error` is 0, is killed) when it renames a file for the n-th time.
-  test::Outcome with_fault_at_renaming(int n, int error, const std::vector<std::string>& arguments) {
+  // The next `more` renamings fail, too.
+  test::Outcome with_fault_at_renaming(int n, int error, const std::vector<std::string>& arguments,
+                                       int more = 0) {
     std::vector<std::string> all{"/usr/bin/env",
                                  "LD_PRELOAD=" SHELFBEAM_FAULT_SHIM,
                                  "FAULT_OF=rename",
                                  "FAULT_AT=" + std::to_string(n),
                                  "FAULT_ERRNO=" + std::to_string(error),
                                  "TMPDIR=" + path("tmp")};
+    all.insert(all.begin() + 1, "FAULT_LASTS=" + std::to_string(more));
     for (const std::string& word : test::command(arguments)) all.push_back(word);
     return test::run(all);
   }
@@ -93,6 +96,23 @@ TEST_F(Fault, BeyondAFileSizeLimitTheOldPlanStays) {
   EXPECT_EQ(found.erase("plan/signal.h5.checkpoint"), 1U);
   EXPECT_TRUE(found == before);
   expect_silent({"report", path("plan")});
+}
+
+// A folder that permits no renaming permits no restoration by renaming either.
+TEST_F(Fault, AnUnchangedPlanNeedsNoRestoration) {
+  if (!test::memory_can_be_limited) GTEST_SKIP() << "faults cannot be preloaded before this sanitizer";
+  std::vector<std::string> plan{"plan", path("store.json"), "-o",     path("plan"), "--samples",
+                                "64",   "--no-certificate", "--quiet"};
+  expect_silent(plan);
+  const auto before = contents(folder / "plan");
+  plan.insert(plan.end(), {"--overwrite", "--seed", "2"});
+  for (const int n : {2, 3}) {  // the journal, the first file of the plan
+    const test::Outcome outcome = with_fault_at_renaming(n, EIO, plan, 100);
+    EXPECT_EQ(outcome.exit_code, 2);
+    auto after = contents(folder / "plan");
+    EXPECT_EQ(after.erase("signal.h5.checkpoint"), 1U);
+    EXPECT_TRUE(after == before) << n;
+  }
 }
 
 // If any renaming fails, the old plan stays. If the program is killed at any renaming, each file is the old
@@ -187,8 +207,7 @@ TEST_F(Fault, SignalsThatCannotBeWrittenAreKeptElsewhere) {
                                             path("signal.h5"), "--samples",        "160"};
   expect_silent(simulation);
   fs::rename(folder / "signal.h5", folder / "whole.h5");
-  fs::create_directory(folder / "signal.h5.checkpoint");
-  const test::Outcome outcome = with_fault_at_renaming(1, ENOSPC, simulation);
+  const test::Outcome outcome = with_fault_at_renaming(1, ENOSPC, simulation, 1);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("; the simulated signals are kept in '" + (kept() / "signal.h5").string() + "'"),
             std::string::npos)

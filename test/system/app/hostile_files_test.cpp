@@ -146,6 +146,9 @@ TEST_F(HostileFiles, FilesThatAreTooLarge) {
   const TempFolder folder;
   for (const char* name : {"a.stl", "a.npy", "a.csv", "a.h5", "a.json"})
     std::filesystem::resize_file(folder.write(name, ""), std::uintmax_t{200} << 30);
+  const std::filesystem::path signal =
+      folder.write("b.h5", "shelfbeam signal file, XXH3-128 of what follows this line: ");
+  std::filesystem::resize_file(signal, std::uintmax_t{200} << 30);
   folder.write("store.json", mesh_store("a.stl"));
   const auto refuse = [&](const std::string& verb, const std::string& file, const std::string& name) {
     expect_refused(verb + " " + (folder / file).string(),
@@ -153,7 +156,7 @@ TEST_F(HostileFiles, FilesThatAreTooLarge) {
   };
   refuse("inspect", "store.json", "a.stl");
   refuse("inspect", "a.json", "a.json");
-  for (const std::string name : {"a.npy", "a.csv", "a.h5"}) refuse("place --threshold 1", name, name);
+  for (const std::string name : {"a.npy", "a.csv", "a.h5", "b.h5"}) refuse("place --threshold 1", name, name);
 }
 
 TEST_F(HostileFiles, FilesThatAreNotRegular) {

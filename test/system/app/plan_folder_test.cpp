@@ -46,7 +46,13 @@ TEST_F(PlanFolder, FilesOfTheUserAreNeverReplaced) {
   for (const char* name : {"labels.csv", "placement.csv", "verification.csv", "report.html", "signal.h5",
                            "store.json", "placement.json"}) {
     folder.write(std::string("plan/") + name, "mine");
-    refused(overwriting(), {path("plan") + "/" + name + ": was not written by an earlier plan"});
+    refused(overwriting(), {path("plan") + "/" + name + ": was not written by an earlier run"});
+    fs::remove_all(folder / "plan");
+  }
+  for (const char* name : {".plan.shelfbeam-record", "signal.h5.checkpoint"}) {
+    folder.write(std::string("plan/") + name, "mine");
+    refused(overwriting(), {path("plan") + "/" + name + ": "});
+    EXPECT_EQ(bytes(std::string("plan/") + name), "mine");
     fs::remove_all(folder / "plan");
   }
   folder.write("plan/notes.txt", "mine");
@@ -125,7 +131,7 @@ TEST_F(PlanFolder, ARefusedPlanLeavesNoNewFolders) {
 TEST_F(PlanFolder, ASignalFileWithoutAPlanIsKept) {
   fs::create_directory(folder / "plan");
   told("simulate @store.json -o @plan/signal.h5 --samples 64");
-  refused(overwriting(), {path("plan/signal.h5") + ": was not written by an earlier plan"});
+  refused(overwriting(), {path("plan/signal.h5") + ": was not written by an earlier run"});
 }
 
 // Without a record nothing shows whether the user has edited a file.
@@ -136,7 +142,7 @@ TEST_F(PlanFolder, FilesWithoutARecordAreNeverReplaced) {
     const std::string file = std::string("plan/") + name;
     folder.write(file, bytes(std::string("whole/") + name));
     for (const std::string& line : {std::string(plan), overwriting()})
-      refused(line, {path(file) + ": was not written by an earlier plan"});
+      refused(line, {path(file) + ": was not written by an earlier run"});
     fs::remove(folder / file);
   }
   folder.write("plan/store.json", bytes("whole/store.json"));  // would not change
@@ -213,7 +219,7 @@ TEST_F(PlanFolder, AnInterruptionAfterTheSimulationKeepsItsCheckpoint) {
     process.send(SIGINT);
     const test::Outcome outcome = process.wait();
     ASSERT_EQ(outcome.exit_code, 3) << outcome.err;
-    const std::string state = more.empty() ? "the simulation is complete, the later steps are not"
+    const std::string state = more.empty() ? "the simulation is complete, but the later steps are not"
                                            : "the finished plan in " + path("plan") + " is unchanged";
     EXPECT_EQ(outcome.err, "stopped early: " + state + "; repeat the command with '--resume' to continue\n");
     ASSERT_TRUE(fs::exists(folder / "plan/signal.h5.checkpoint"));
@@ -252,7 +258,7 @@ TEST_F(PlanFolder, FilesThatAppearDuringTheRunAreNeverReplaced) {
     process.send(SIGINT);
     const test::Outcome outcome = process.wait();
     EXPECT_EQ(outcome.exit_code, 2);
-    const std::string problem = whole ? path("plan") + ": contains a finished plan since"
+    const std::string problem = whole ? path("plan") + ": has received a finished plan since"
                                       : path("plan/labels.csv") + ": was not written by";
     EXPECT_NE(outcome.err.find(problem), std::string::npos) << outcome.err;
     const std::string mark = "the plan is kept in '";
@@ -280,8 +286,12 @@ TEST_F(PlanFolder, AnOutputInUseIsRefused) {
     process.wait_for_changes(lock, 1);
     for (std::string pid; pid.empty() && !process.has_ended();) pid = read_file(lock);
     const std::string pid = read_file(lock).substr(0, read_file(lock).find('\n'));
-    refused(line + "--samples 64",
-            {output + ": is in use by another run of shelfbeam (process " + pid + ")"});
+    // Meanwhile, the first process may still add and remove files.
+    const test::Outcome second = test::shelfbeam(test::words(folder, line + "--samples 64"));
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_NE(second.err.find(output + ": is in use by another run of shelfbeam (process " + pid + ")"),
+              std::string::npos)
+        << second.err;
     process.send(SIGKILL);
     process.wait();
     // The kernel has removed the lock, though not its file.

@@ -1,6 +1,7 @@
 // Tests of closed and full standard streams, and of pipes that are closed early.
 
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,14 @@ TEST_F(Streams, MessagesThatCannotBeWrittenKeepTheExitCode) {
     EXPECT_EQ(redirected(redirection, "simulate @store.json -o @signal.h5 --samples 64 --quiet").exit_code,
               0);
   }
+}
+
+TEST_F(Streams, MessagesThatNobodyReadsKeepTheExitCode) {
+  std::vector<std::string> all{"/bin/sh", "-c",
+                               "exec 3>&1; { sleep 0.3; \"$0\" \"$@\" 2>&1 >&3; echo $? >&3; } | true"};
+  for (const std::string& word : test::command(test::words(folder, "inspect @missing.json")))
+    all.push_back(word);
+  EXPECT_EQ(test::run(all).out, "2\n");
 }
 
 TEST_F(Streams, ResultsThatCannotBePrintedAreAnError) {

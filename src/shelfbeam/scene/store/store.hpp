@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/base/ids.hpp"
-#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/length_unit.hpp"
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/fixture/fixture.hpp"

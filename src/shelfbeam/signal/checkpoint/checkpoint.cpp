@@ -17,6 +17,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint_records.hpp"
+#include "shelfbeam/signal/text_file.hpp"
 
 namespace shelfbeam {
 namespace fs = std::filesystem;
@@ -27,7 +28,8 @@ using detail::state_size;
 
 namespace {
 
-constexpr std::string_view checkpoint_line = "shelfbeam checkpoint 1\n";
+constexpr std::string_view any_version = "shelfbeam checkpoint ",
+                           checkpoint_line = "shelfbeam checkpoint 1\n";
 
 std::string to_text(const CheckpointIdentity& identity) {
   std::string text;
@@ -49,7 +51,15 @@ std::string value_of(std::string_view text, const std::string& name) {
 }  // namespace
 
 CheckpointFile::CheckpointFile(fs::path path, CheckpointIdentity identity, std::uint32_t items)
-    : path_(std::move(path)), identity_(std::move(identity)), saved_(items) {}
+    : path_(std::move(path)), identity_(std::move(identity)), saved_(items) {
+  std::error_code unknown;
+  const fs::file_status found = fs::symlink_status(path_, unknown);
+  if (!fs::exists(found)) return;
+  if (!fs::is_regular_file(found) ||
+      !detail::read_first_bytes(path_, any_version.size()).starts_with(any_version))
+    throw InputError(path_.string(), "is not a checkpoint, though its name is that of one",
+                     "move it elsewhere, or choose another output");
+}
 
 CheckpointFile::~CheckpointFile() = default;
 

@@ -32,7 +32,7 @@ struct CheckpointState {
 /// the file that was created last.
 class CheckpointFile {
  public:
-  /// Does not access the file.
+  /// Throws InputError if a file of this name is not a checkpoint of any version.
   CheckpointFile(std::filesystem::path path, CheckpointIdentity identity, std::uint32_t items);
   ~CheckpointFile();
 

@@ -237,6 +237,7 @@ struct Hdf5Reader::File {
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : file_(std::make_unique<File>()) {
   file_->name = path.string();
+  input_size(path, memory_limit());
   if (has_file_checksum(path))
     verify_file_checksum(path);
   else if (const std::string head = read_first_bytes(path, 9); head.size() == 9 && head[8] < 2)

@@ -27,8 +27,6 @@ constexpr std::size_t named_entries = 10;
 
 // The name of the signal file if it is kept elsewhere.
 constexpr auto kept_name = "signal.h5";
-constexpr auto older_checkpoint = "resuming continues from an older checkpoint";
-
 constexpr auto too_early = "the simulation was stopped before it completed two batches of samples";
 
 void find_unmet(const RelativeError& wanted, const detail::BatchScheduler& scheduler,
@@ -94,7 +92,8 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
     };
     try {
       const bool complete = scheduler.run();
-      if (complete && options.checkpoint.at_end) scheduler.try_to_save();
+      const bool is_saved =
+          complete ? options.checkpoint.at_end && scheduler.try_to_save() : scheduler.has_checkpoint();
       if (scheduler.fewest_batches() < 2)
         throw scheduler.has_checkpoint()
             ? Interrupted(std::string(too_early) + "; resuming continues from its checkpoint",
@@ -104,6 +103,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       SignalMatrix head = head_of(rows);
       summary = summarise(head, scheduler);
       summary.complete = complete;
+      summary.has_all_in_checkpoint = is_saved;
       if (complete && options.relative_error) find_unmet(*options.relative_error, scheduler, summary);
       if (options.has_fixed_samples()) summary.requested_samples = options.samples;
       use(std::move(head), rows);

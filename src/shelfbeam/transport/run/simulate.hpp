@@ -13,6 +13,8 @@ namespace shelfbeam {
 /// Advice if an output could not be written after a simulation with a checkpoint (Setting::resumption).
 inline constexpr auto checkpoint_remains =
     "the checkpoint contains the simulated batches, and resuming continues from there";
+/// The same if it does not contain all of them.
+inline constexpr auto older_checkpoint = "resuming continues from an older checkpoint";
 
 class PreparedScene;
 

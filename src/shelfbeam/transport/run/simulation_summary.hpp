@@ -33,13 +33,14 @@ struct SimulationSummary {
   std::uint64_t min_samples = 0, max_samples = 0;  ///< first rays per label, over all labels
   std::optional<std::uint64_t> requested_samples;  ///< SimulationOptions::samples, if they end the simulation
   std::uint32_t min_batches = 0, max_batches = 0;
-  std::uint64_t batches = 0;          ///< of all items
-  std::uint64_t resumed_batches = 0;  ///< of these, batches from the checkpoint
-  bool has_checkpoint = false;        ///< whether this run saved a checkpoint or continued from one
-  std::uint64_t rays = 0;             ///< traced in this run, not before it was resumed
-  ShadowRays shadow_rays;             ///< of these rays; all 0 without connections of walks from labels
-  double seconds = 0;                 ///< of this run
-  double seconds_to_halve = 0;        ///< predicted further time to halve the errors
+  std::uint64_t batches = 0;           ///< of all items
+  std::uint64_t resumed_batches = 0;   ///< of these, batches from the checkpoint
+  bool has_checkpoint = false;         ///< whether this run saved a checkpoint or continued from one
+  bool has_all_in_checkpoint = false;  ///< whether it contains all batches
+  std::uint64_t rays = 0;              ///< traced in this run, not before it was resumed
+  ShadowRays shadow_rays;              ///< of these rays; all 0 without connections of walks from labels
+  double seconds = 0;                  ///< of this run
+  double seconds_to_halve = 0;         ///< predicted further time to halve the errors
   /// If the required relative error is out of reach (RelativeError::max_samples): this error, the number of
   /// entries that exceed it, the number of these that still would after max_samples, and the worst entries.
   std::optional<double> unmet_error;

@@ -130,6 +130,12 @@ struct TriangleSet {
   }
 };
 
+// Embree aborts the process when a scene is released for which the memory did not suffice.
+[[noreturn]] void give_up(EmbreeScene scene) {
+  static_cast<void>(scene.release());
+  throw std::bad_alloc();
+}
+
 EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const std::vector<Triangle>& chosen) {
   EmbreeScene scene(rtcNewScene(device));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
@@ -141,14 +147,15 @@ EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const std::vector<
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
+  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), chosen.size()));
+  if (vertices == nullptr || indices == nullptr) give_up(std::move(scene));
   for (const Vec3& vertex : mesh.vertices) {
     const Float3 v = to_float(vertex);
     *vertices++ = v.x;
     *vertices++ = v.y;
     *vertices++ = v.z;
   }
-  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), chosen.size()));
   for (const Triangle& triangle : chosen)
     for (const std::uint32_t corner : mesh.triangles[triangle.number]) *indices++ = corner;
   rtcCommitGeometry(geometry);
@@ -156,7 +163,8 @@ EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const std::vector<
   rtcReleaseGeometry(geometry);
   rtcCommitScene(scene.get());
   const RTCError error = rtcGetDeviceError(device);
-  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  // A failed allocation is often reported as an unknown error.
+  if (error == RTC_ERROR_OUT_OF_MEMORY || error == RTC_ERROR_UNKNOWN) give_up(std::move(scene));
   if (error != RTC_ERROR_NONE)
     throw std::runtime_error(
         fmt::format("Embree could not build the scene (error {})", static_cast<int>(error)));
