@@ -52,7 +52,7 @@ inline void print_json(const nlohmann::ordered_json& json) {
 std::string one_line(std::string_view message);
 
 /// After Ctrl-C, SIGTERM or the loss of the terminal, the running work ends with the results so far. A second
-/// Ctrl-C ends the program.
+/// Ctrl-C, at least a second later, ends the program.
 const CancelToken& cancel_on_signal();
 
 /// Prints rows in aligned columns: the first `left` columns left-aligned, the others right-aligned. The first
