@@ -38,6 +38,7 @@ constexpr std::optional<Enum> from_text(std::string_view name) {
 template <class Enum>
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
+  names.reserve(names_of<Enum>.size());
   for (const auto& entry : names_of<Enum>) names.emplace_back(entry.name);
   return names;
 }
