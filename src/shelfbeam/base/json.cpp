@@ -92,7 +92,7 @@ class KeyWatcher {
   bool number_unsigned(Node::number_unsigned_t) { return value(); }
   bool number_float(Node::number_float_t, const std::string&) { return value(); }
   bool string(std::string& text) {
-    bytes_ += sizeof text + text.size();
+    bytes_ += sizeof(std::string) + text.size();
     return value();
   }
   bool binary(Node::binary_t&) { return value(); }

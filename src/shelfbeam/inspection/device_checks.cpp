@@ -20,6 +20,7 @@ namespace {
 template <class Devices>
 BoxIndex index_of(const Devices& devices) {
   std::vector<Bounds> points;
+  points.reserve(devices.size());
   for (const auto& device : devices) points.push_back({device.position, device.position});
   return BoxIndex(std::move(points));
 }
