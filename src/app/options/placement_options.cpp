@@ -157,8 +157,11 @@ void add_problem_options(CLI::App& verb, PlacementProblem& problem) {
                            "--weighted", [&problem] { problem.combination = Combination::weighted; },
                            "Minimise the sum of the units' costs and the objective")
                        ->group(group::placement);
-  verb.add_flag("--lexicographic")
-      ->description("Minimise the number of transceivers first, then the objective (default)")
+  problem.combination = Combination::automatic;
+  verb.add_flag_callback(
+          "--lexicographic", [&problem] { problem.combination = Combination::lexicographic; },
+          "Minimise the number of transceivers first, then the objective (default unless the candidates' "
+          "costs differ: then the new spend first, then the number)")
       ->group(group::placement)
       ->excludes(weighted);
   verb.add_option(

@@ -47,12 +47,13 @@ void export_matrix(const Options& options) {
 }
 
 void export_model(const Options& options) {
-  const PlacementProblem& problem = options.problem;
+  const SignalTable table = options.input.table(options.problem);
+  const PlacementProblem problem = resolved(options.problem, table);
   if (problem.objective != Objective::count && problem.combination == Combination::lexicographic)
     throw InputError(fmt::format("--objective {}", to_text(problem.objective)),
                      "is a secondary objective, but a model file contains only one objective, the count",
                      "add --weighted for one sum, or remove --objective");
-  const milp::Model model = placement_model(options.input.table(problem), problem);
+  const milp::Model model = placement_model(table, problem);
   if (options.output.extension() == ".lp")
     milp::write_lp(model, options.output);
   else

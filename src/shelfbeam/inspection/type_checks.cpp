@@ -212,7 +212,7 @@ class TypeChecks {
     if (type.cost == 0 && std::any_of(scene_.transceivers.begin(), scene_.transceivers.end(), is_new))
       warnings_.add(
           "units that cost nothing",
-          fmt::format("{}: is 0, so a plan by cost has any number of them; a price above 0 is usual; "
+          fmt::format("{}: is 0, so a plan may have many of them; a price above 0 is usual; "
                       "give a price",
                       at("transceiver_types", type.name, ".cost")));
   }

@@ -15,6 +15,7 @@
 #include "shelfbeam/placement/placement_search.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
+#include "shelfbeam/placement/problem/spend.hpp"
 
 namespace shelfbeam {
 
@@ -76,6 +77,30 @@ Placement greedy_placement(const SignalTable& table, const PlacementProblem& pro
   return placement;
 }
 
+/// Minimises the sum of prices that puts the new spend first and the count second (SpendOrder).
+Placement place_by_spend(const SignalTable& table, const PlacementProblem& problem,
+                         const PlaceOptions& options, const RunControl& control) {
+  PlacementProblem sum = problem;
+  sum.combination = Combination::weighted;
+  double known = infinite;
+  for (const auto& selected : {greedy_selection(SpendOrder(table, known).priced(table), sum), options.start})
+    if (!selected.empty() && check_selection(table, problem, selected).met())
+      known = std::min(known, price_of(table, selected).to_spend);
+  const SpendOrder order(table, known);
+  Placement placement = place(order.priced(table), sum, options, control);
+  placement.problem = problem;
+  placement.price.reset();
+  if (placement.status == Status::infeasible) return placement;
+  if (placement.has_selection()) {
+    placement.price = price_of(table, placement.selected);
+    placement.objective_value = placement.price->to_spend;
+  }
+  placement.lower_bound = placement.status == Status::optimal
+                              ? placement.objective_value
+                              : std::min(order.spend_bound(placement.lower_bound), placement.objective_value);
+  return placement;
+}
+
 }  // namespace
 
 double Placement::gap() const {
@@ -84,8 +109,10 @@ double Placement::gap() const {
   return objective_value > lower_bound ? (objective_value - lower_bound) / objective_value : 0;
 }
 
-Placement place(const SignalTable& table, const PlacementProblem& problem, const PlaceOptions& options,
+Placement place(const SignalTable& table, const PlacementProblem& asked, const PlaceOptions& options,
                 const RunControl& control) {
+  const PlacementProblem problem = resolved(asked, table);
+  if (problem.combination == Combination::spend) return place_by_spend(table, problem, options, control);
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -128,6 +155,7 @@ Placement place(const SignalTable& table, const PlacementProblem& problem, const
         placement.bound_proof = BoundProof::solver;
     }
   }
+  if (placement.has_selection() && has_prices(table)) placement.price = price_of(table, placement.selected);
   placement.min_spacing = table.min_spacing;
   placement.forbidden_pairs = table.conflicts.size();
   placement.seconds = elapsed();

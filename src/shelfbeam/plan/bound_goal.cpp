@@ -2,33 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "shelfbeam/placement/mip/export_model.hpp"
+#include "shelfbeam/placement/problem/spend.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-// Prices that are whole numbers of hundredths share a step; larger ones would not be exact.
-constexpr double hundredths = 100, max_price = 1e12;
 // Differences of costs below this share are rounding.
 constexpr double relative_rounding = 1e-9;
 // Token prices add up to this share of the step.
 constexpr double share_of_tokens = 0.25;
-
-double step_of(const std::vector<double>& prices) {
-  std::int64_t step = 0;
-  for (const double price : prices) {
-    const double scaled = price * hundredths;
-    if (!(scaled < max_price) || std::abs(scaled - std::round(scaled)) > relative_rounding * scaled) return 0;
-    step = std::gcd(step, static_cast<std::int64_t>(std::round(scaled)));
-  }
-  return static_cast<double>(step) / hundredths;
-}
 
 }  // namespace
 
@@ -39,11 +28,10 @@ BoundGoal bound_goal(const SignalTable& table, const Placement& placement) {
   goal.price.assign(table.columns(), 1.0);
   if (has_known_prices(placement.problem)) {
     goal.problem.combination = Combination::weighted;
-    goal.price = objective_coefficients(table, placement.problem);
-    for (std::size_t j = 0; j < goal.price.size(); ++j) goal.price[j] += table.transceivers[j].cost;
+    goal.price = first_objective(table, placement.problem);
     goal.is_count =
         std::all_of(goal.price.begin(), goal.price.end(), [](double price) { return price == 1; });
-    goal.step = step_of(goal.price);
+    goal.step = price_step(goal.price);
   }
   // Where the weighted sum depends on signals, no bound says something about it.
   if (placement.problem.combination == Combination::lexicographic || has_known_prices(placement.problem))

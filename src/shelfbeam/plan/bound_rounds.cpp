@@ -37,8 +37,7 @@ bool has_refuted_entry(const SignalTable& planned, const SignalTable& fresh, Com
 
 void BoundRounds::aim(const SignalTable& table, const Placement& placement) {
   goal_ = bound_goal(table, placement);
-  value_ = goal_.problem.combination == Combination::weighted ? placement.objective_value
-                                                              : static_cast<double>(placement.count());
+  value_ = minimises_cost(goal_.problem) ? placement.objective_value : static_cast<double>(placement.count());
   raise(trivial_bound(goal_, table), 0);
 }
 
@@ -50,7 +49,7 @@ void BoundRounds::raise(double bound, std::size_t labels) {
   bound = std::min(bound, goal_.value);
   if (!(bound > proven())) return;
   if (goal_.is_count) certificate_.count_lower_bound = static_cast<std::size_t>(bound);
-  if (goal_.problem.combination == Combination::weighted) certificate_.cost_lower_bound = bound;
+  if (minimises_cost(goal_.problem)) certificate_.cost_lower_bound = bound;
   certificate_.bound_labels = labels;
   if (holds()) obstacle_.clear();
 }

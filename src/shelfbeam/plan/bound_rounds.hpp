@@ -41,7 +41,7 @@ class BoundRounds {
 
   /// Sets the goal: the bound of a placement with a selection on its table.
   void aim(const SignalTable& table, const Placement& placement);
-  bool holds() const { return proven() >= goal_.value; }
+  bool holds() const { return proven() >= goal_.value * (1 - 1e-9); }
   /// The goal is the count or the cost of the placement itself, or nothing is to be proven.
   bool is_tight() const { return goal_.value == 0 || goal_.value >= value_ * (1 - 1e-9); }
 

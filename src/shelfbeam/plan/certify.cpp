@@ -41,8 +41,8 @@ void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t
 
 // The certified quantity: the sum of prices where these are minimised, and otherwise the count.
 double cost_of(const Placement& placement) {
-  return placement.problem.combination == Combination::weighted ? placement.objective_value
-                                                                : static_cast<double>(placement.count());
+  return minimises_cost(placement.problem) ? placement.objective_value
+                                           : static_cast<double>(placement.count());
 }
 
 bool is_better(const Placement& one, const Placement& other) {
@@ -326,7 +326,7 @@ class Certifier {
     certificate_.labels = std::move(kept_->labels);
     // The bound is that of any selection, and one of this cost reaches all labels.
     certificate_.count_lower_bound = std::min(certificate_.count_lower_bound, placement_.count());
-    if (placement_.problem.combination == Combination::weighted)
+    if (minimises_cost(placement_.problem))
       certificate_.cost_lower_bound = std::min(certificate_.cost_lower_bound, placement_.objective_value);
     if (is_proven(placement_))
       certificate_.open.clear();
@@ -337,7 +337,7 @@ class Certifier {
 
   // Whether no selection costs less, which needs no search if this one reaches all labels.
   bool is_proven(const Placement& placement) const {
-    const double bound = placement.problem.combination == Combination::weighted
+    const double bound = minimises_cost(placement.problem)
                              ? certificate_.cost_lower_bound
                              : static_cast<double>(certificate_.count_lower_bound);
     return bound >= cost_of(placement) * (1 - rounding);

@@ -10,6 +10,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/random.hpp"
+#include "shelfbeam/placement/alternatives/alternatives.hpp"
 #include "shelfbeam/placement/coverage/coverage_curve.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/sensitivity.hpp"
@@ -104,6 +105,8 @@ Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl&
   if (options.curve && plan.placement.has_selection())
     plan.curve = add_curve(plan.placement, table(plan.simulation.matrix), options.place.time_limit_s, control,
                            plan.certificate.has_value());
+  if (options.alternatives && plan.simulation.summary.complete)
+    plan.alternatives = alternatives_to(plan.placement, table(plan.simulation.matrix), control);
   if (options.sensitivity && plan.simulation.summary.complete && plan.placement.has_selection())
     plan.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);
   plan.warnings = scene.warnings;

@@ -24,6 +24,7 @@ struct PlanOptions {
   std::optional<double> confidence = 0.99;  ///< of the certificate; nullopt: no certificate
   RoundBudget budget = {};                  ///< of the certificate
   bool curve = false;                       ///< compute the coverage curve, too
+  bool alternatives = false;                ///< compare with other selections, too
   std::optional<SensitivityOptions> sensitivity = {};
 };
 

@@ -72,6 +72,16 @@ double read_amount(const JsonCursor& cursor) {
   return cursor.number(0, largest_amount);
 }
 
+std::string read_currency(const JsonCursor& cursor) {
+  constexpr std::ptrdiff_t max_characters = 8;
+  std::string currency = cursor.text();
+  expect_printable(currency, cursor.where());
+  const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  if (currency.empty() || std::count_if(currency.begin(), currency.end(), starts_character) > max_characters)
+    cursor.fail(fmt::format("is {}", in_quotes(currency)), "use a code such as \"EUR\"");
+  return currency;
+}
+
 std::vector<double> read_amounts(const JsonCursor& row, std::size_t angles) {
   std::vector<double> values;
   for (const JsonCursor& value : row.elements()) values.push_back(read_amount(value));

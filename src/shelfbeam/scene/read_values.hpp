@@ -39,6 +39,8 @@ inline constexpr double min_quantity = 1e-12, largest_amount = 1e9;
 double read_quantity(const JsonCursor& cursor);
 /// A cost or an intensity: 0 to 1e9.
 double read_amount(const JsonCursor& cursor);
+/// The currency of costs, such as "EUR": 1 to 8 printable characters.
+std::string read_currency(const JsonCursor& cursor);
 /// A row with one amount per angle.
 std::vector<double> read_amounts(const JsonCursor& row, std::size_t angles);
 

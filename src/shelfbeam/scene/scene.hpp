@@ -81,6 +81,7 @@ struct Scene {
   std::string store_hash;
   std::string name;
   double wavelength_nm = 940;
+  std::string currency;      ///< of the costs of transceivers; empty: not given
   std::optional<Vec3> room;  ///< size, m; axis-aligned, with a corner at the origin
   Vec3 lower, upper;         ///< bounds of all triangles
   std::vector<NamedMaterial> materials;

@@ -61,6 +61,7 @@ struct SignalMatrix {
   std::vector<SignalLayer> by_length;
   double length_step = 0;  ///< m
   double wavelength_nm = 940;
+  std::string currency;  ///< of the costs of transceivers; empty: not given
   Provenance provenance;
 
   std::size_t rows() const { return labels.size(); }

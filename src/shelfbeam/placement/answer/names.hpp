@@ -25,8 +25,10 @@ inline constexpr auto names_of<Objective> = [] {
 }();
 
 template <>
-inline constexpr auto names_of<Combination> = std::to_array<Named<Combination>>(
-    {{"lexicographic", Combination::lexicographic}, {"weighted", Combination::weighted}});
+inline constexpr auto names_of<Combination> =
+    std::to_array<Named<Combination>>({{"lexicographic", Combination::lexicographic},
+                                       {"weighted", Combination::weighted},
+                                       {"spend", Combination::spend}});
 
 template <>
 inline constexpr auto names_of<Status> = std::to_array<Named<Status>>({{"optimal", Status::optimal},

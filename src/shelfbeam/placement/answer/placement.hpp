@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/placement/problem/spend.hpp"
 
 namespace shelfbeam {
 
@@ -43,7 +45,8 @@ struct Placement {
   Status status = Status::stopped;
   std::vector<std::uint32_t> selected;
   double count_lower_bound = 0;  ///< proven: every feasible selection has at least this many units
-  double objective_value = 0;    ///< count; second objective (lexicographic); or whole sum (weighted)
+  /// Count; second objective (lexicographic); whole sum (weighted); or new spend (spend).
+  double objective_value = 0;
   /// Proven lower bound on objective_value. Lexicographic: on the second objective among selections of the
   /// minimum count; before that count is proven, the cost of the cheapest count_lower_bound units.
   double lower_bound = 0;
@@ -51,6 +54,7 @@ struct Placement {
   /// Tie rule: among all selections T of this value (within 1e-12 of it), `selected` has the largest minimum
   /// margin, max_T min_i S_i / (gamma_i tau_i), then the fewest units, then the ids that come first in order.
   bool ties_settled = false;
+  std::optional<Price> price = {};  ///< of `selected`; nothing if the table has no prices (has_prices)
   bool unit_costs = false;          ///< no costs were given for the objective, so each link or signal costs 1
   double min_spacing = 0;           ///< m; SignalTable::min_spacing
   std::size_t forbidden_pairs = 0;  ///< number of SignalTable::conflicts

@@ -108,6 +108,7 @@ void reconcile_bounds(Placement& placement, CoverageCurve& curve, const SignalTa
     placement.objective_value = only_counts ? static_cast<double>(placement.count())
                                             : check_selection(table, problem, curve.selected).objective;
     placement.ties_settled = false;
+    if (placement.price) placement.price = price_of(table, curve.selected);
     std::erase_if(curve.points, [&](const CurvePoint& point) { return point.units > placement.count(); });
   }
   for (const CurvePoint& point : curve.points) {

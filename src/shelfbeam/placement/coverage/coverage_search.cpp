@@ -1,5 +1,10 @@
 #include "shelfbeam/placement/coverage/coverage_search.hpp"
 
+#include <algorithm>
+#include <random>
+
+#include "shelfbeam/math/random.hpp"
+
 namespace shelfbeam::detail {
 
 CoverageSearch::CoverageSearch(const SignalTable& table, const PlacementProblem& problem)
@@ -171,6 +176,39 @@ void CoverageSearch::improve(std::size_t max_units, std::size_t work, const RunC
     if (!drop()) return;
     if (reached_ < reached) return start(before);
   }
+}
+
+void CoverageSearch::improve_repeatedly(std::size_t max_units, std::size_t work, const RunControl& control,
+                                        std::chrono::steady_clock::time_point until) {
+  constexpr std::size_t work_of_repetitions = 200'000'000;  // about a second
+  constexpr std::uint64_t repetitions = 200;
+  std::size_t end = work_ + work;
+  improve(max_units, work, control, until);
+  end = std::min(end, work_ + work_of_repetitions);
+  for (std::uint64_t repetition = 1; repetition <= repetitions; ++repetition) {
+    if (reached_ == shares_.size() || work_ >= end || control.cancelled() ||
+        std::chrono::steady_clock::now() >= until)
+      return;
+    const std::vector<std::uint32_t> before = selected();
+    const std::size_t reached = reached_;
+    const double lacks = lacks_;
+    remove_some(repetition);
+    improve(max_units, end - work_, control, until);
+    if (reached_ < reached || (reached_ == reached && lacks_ > lacks)) start(before);
+  }
+}
+
+void CoverageSearch::remove_some(std::uint64_t repetition) {
+  constexpr std::uint64_t own_key = 0x636f766572;
+  constexpr std::size_t units = 2;
+  std::mt19937_64 random(mix_key(own_key, repetition));
+  for (std::size_t k = 0; k < units; ++k) {
+    std::vector<std::uint32_t> free;
+    for (const std::uint32_t j : selected())
+      if (!table_.transceivers[j].installed) free.push_back(j);
+    if (!free.empty()) choose(free[random() % free.size()], false);
+  }
+  look();
 }
 
 std::vector<std::uint32_t> CoverageSearch::selected() const {

@@ -28,6 +28,11 @@ class CoverageSearch {
   void improve(std::size_t max_units, std::size_t work, const RunControl& control,
                std::chrono::steady_clock::time_point until);
 
+  /// `improve`, then again and again after the removal of a few random units, as long as the limits allow;
+  /// keeps the best selection. Random numbers are keyed by the repetition.
+  void improve_repeatedly(std::size_t max_units, std::size_t work, const RunControl& control,
+                          std::chrono::steady_clock::time_point until);
+
   std::vector<std::uint32_t> selected() const;
   std::size_t count() const { return count_; }
 
@@ -52,6 +57,7 @@ class CoverageSearch {
   Gains gains(std::optional<std::uint32_t> without);
   std::optional<Choice> best(const Gains& gains, std::optional<std::uint32_t> without, Aim aim) const;
   bool exchange(std::uint32_t out);
+  void remove_some(std::uint64_t repetition);
   double share(std::size_t label, const SignalEntry& entry) const {
     return share_of(entry.signal, requirement_[label], problem_);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,6 +25,13 @@ using Clock = std::chrono::steady_clock;
 // Work in entries examined, so that results do not depend on the machine: about ten seconds each.
 constexpr std::size_t search_work = 2'000'000'000;
 constexpr std::size_t bound_work = 4'000'000'000;
+
+// A step looks at all entries once.
+std::size_t work_of(const PlaceOptions& options, const SignalTable& table) {
+  const std::size_t most = std::numeric_limits<std::size_t>::max() / (table.entries.size() + 1);
+  return options.step_limit ? std::min<std::size_t>(*options.step_limit, most) * (table.entries.size() + 1)
+                            : std::numeric_limits<std::size_t>::max();
+}
 
 /// Accepts a selection that is better than the incumbent.
 void offer(MaxCoverage& reach, const SignalTable& table, const std::vector<std::uint32_t>& selected) {
@@ -49,6 +57,7 @@ MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& 
 
   MaxCoverage reach;
   reach.problem = problem;
+  reach.problem.combination = Combination::lexicographic;
   reach.at_most = units;
   reach.solver = "greedy";
   for (std::uint32_t j = 0; j < table.columns(); ++j)
@@ -69,7 +78,7 @@ MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& 
       bound_end((uses_solver ? 0.5 : 1) * limit_s), end(limit_s);
 
   detail::CoverageSearch search(table, problem);
-  search.improve(units, search_work, control, search_end.end());
+  search.improve_repeatedly(units, std::min(search_work, work_of(options, table)), control, search_end.end());
   offer(reach, table, search.selected());
 
   CoverageBound bound(table, problem, units);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -30,6 +31,14 @@ using detail::Positions;
 using detail::positions;
 
 constexpr int format_version = 1;
+// All keys, those of a plan included.
+const std::initializer_list<std::string_view> keys = {
+    "format",          "model",           "objective", "combination", "share",          "survives_failure",
+    "min_spacing",     "forbidden_pairs", "labels",    "selected",    "count",          "count_lower_bound",
+    "objective_value", "lower_bound",     "gap",       "bound_proof", "ties_settled",   "unit_costs",
+    "redundant_share", "status",          "solver",    "seconds",     "unreachable",    "scenarios",
+    "critical",        "verification",    "price",     "curve",       "curve_complete", "certificate",
+    "alternatives",    "sensitivity",     "warnings",  "complete",    "files"};
 constexpr std::int64_t max_units = std::numeric_limits<std::uint32_t>::max();
 
 // Integers without ".0", as readers expect of counts.
@@ -146,6 +155,7 @@ Json detail::placement_object(const Placement& placement, const SignalTable& tab
                {"scenarios", scenarios(placement, table)},
                {"verification", "not verified yet"},
                {"critical", critical(placement, table)}};
+  if (placement.price) file["price"] = detail::price_object(placement.price);
   if (!curve.points.empty()) {
     file["curve"] = curve_points(curve.points);
     file["curve_complete"] = curve.is_complete;
@@ -158,38 +168,29 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
 }
 
 std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
-  const Json file = {{"format", format_version},
-                     {"model", to_text(reach.problem.model)},
-                     {"survives_failure", reach.problem.redundant},
-                     {"at_most", reach.at_most},
-                     {"selected", ids_of(table.transceivers, reach.selected)},
-                     {"count", reach.selected.size()},
-                     {"labels", table.rows()},
-                     {"reached", reach.reached},
-                     {"reached_upper_bound", reach.upper_bound},
-                     {"gap", number(reach.gap())},
-                     {"bound_proof", to_text(reach.bound_proof)},
-                     {"status", to_text(reach.status)},
-                     {"too_large", reach.too_large},
-                     {"solver", reach.solver},
-                     {"seconds", number(reach.seconds)},
-                     {"missed", first_ids(reach.missed, table)}};
+  Json file = {{"format", format_version},
+               {"model", to_text(reach.problem.model)},
+               {"survives_failure", reach.problem.redundant},
+               {"at_most", reach.at_most},
+               {"selected", ids_of(table.transceivers, reach.selected)},
+               {"count", reach.selected.size()},
+               {"labels", table.rows()},
+               {"reached", reach.reached},
+               {"reached_upper_bound", reach.upper_bound},
+               {"gap", number(reach.gap())},
+               {"bound_proof", to_text(reach.bound_proof)},
+               {"status", to_text(reach.status)},
+               {"too_large", reach.too_large},
+               {"solver", reach.solver},
+               {"seconds", number(reach.seconds)},
+               {"missed", first_ids(reach.missed, table)}};
+  if (has_prices(table)) file["price"] = detail::price_object(price_of(table, reach.selected));
   return detail::file_text(file);
 }
 
 Placement detail::read_placement(const JsonCursor& file, const SignalTable& table) {
   expect_format_version(file.where(), file["format"].integer(0, max_versions), format_version);
-  file.expect_keys({"format",          "model",           "objective",
-                    "combination",     "share",           "survives_failure",
-                    "selected",        "count",           "count_lower_bound",
-                    "objective_value", "lower_bound",     "gap",
-                    "unit_costs",      "redundant_share", "status",
-                    "solver",          "seconds",         "unreachable",
-                    "scenarios",       "critical",        "curve",
-                    "bound_proof",     "ties_settled",    "min_spacing",
-                    "forbidden_pairs", "labels",          "curve_complete",
-                    "certificate",     "sensitivity",     "warnings",
-                    "verification",    "complete",        "files"});
+  file.expect_keys(keys);
   Placement placement;
   placement.problem.model = file["model"].choice<CommunicationModel>();
   placement.problem.objective = file["objective"].choice<Objective>();
@@ -211,6 +212,7 @@ Placement detail::read_placement(const JsonCursor& file, const SignalTable& tabl
   placement.lower_bound = number_or_infinity(file["lower_bound"]);
   if (const auto found = file.find("bound_proof")) placement.bound_proof = found->choice<BoundProof>();
   if (const auto found = file.find("ties_settled")) placement.ties_settled = found->boolean();
+  if (const auto found = file.find("price")) placement.price = detail::read_price(*found);
   if (const auto found = file.find("unit_costs")) placement.unit_costs = found->boolean();
   placement.status = file["status"].choice<Status>();
   placement.solver = file["solver"].text();

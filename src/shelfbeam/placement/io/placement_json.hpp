@@ -13,6 +13,7 @@
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/placement/answer/alternatives.hpp"
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 
@@ -60,6 +61,13 @@ Json placement_object(const Placement& placement, const SignalTable& table, cons
 Placement read_placement(const JsonCursor& file, const SignalTable& table);
 /// The curve without `selected`; without points if the file has no curve.
 CoverageCurve read_curve(const JsonCursor& file, const SignalTable& table);
+
+/// Prices; null without.
+Json price_object(const std::optional<Price>& price);
+std::optional<Price> read_price(const JsonCursor& json);
+
+Json alternatives_object(const Alternatives& alternatives, const SignalTable& table);
+Alternatives read_alternatives(const JsonCursor& json, const SignalTable& table);
 
 /// The text of a file.
 inline std::string file_text(const Json& json) {

@@ -9,7 +9,9 @@ namespace shelfbeam {
 std::vector<double> first_objective(const SignalTable& table, const PlacementProblem& problem) {
   if (problem.combination == Combination::lexicographic) return std::vector<double>(table.columns(), 1.0);
   std::vector<double> cost = objective_coefficients(table, problem);
-  for (std::size_t j = 0; j < cost.size(); ++j) cost[j] += table.transceivers[j].cost;
+  const bool is_spend = problem.combination == Combination::spend;
+  for (std::size_t j = 0; j < cost.size(); ++j)
+    cost[j] += is_spend ? price_to_spend(table.transceivers[j]) : table.transceivers[j].cost;
   return cost;
 }
 

@@ -49,8 +49,10 @@ constexpr const ObjectiveWords& words_of(Objective objective) {
 }
 
 enum class Combination {
+  automatic,      ///< spend or lexicographic, which `resolved` decides from the costs (spend.hpp)
   lexicographic,  ///< minimum count first, then the objective among selections of that count (3.4)
-  weighted        ///< sum c_j^T T_j + objective, one sum (3.3), (3.10), (3.14)
+  weighted,       ///< sum c_j^T T_j + objective, one sum (3.3), (3.10), (3.14)
+  spend           ///< minimum sum of c_j^T over the units not yet installed, then minimum count
 };
 
 /// A label is reached if S >= gamma tau (1 - met_tolerance). Solvers, checker, report and l_ij apply this
@@ -76,9 +78,19 @@ constexpr bool depends_on_signals(const PlacementProblem& problem) {
          !(problem.objective == Objective::links && problem.model == CommunicationModel::cooperative);
 }
 
-/// The weighted objective of a selection is a sum of prices of its units that do not depend on signals.
+/// A sum of costs comes first, not the count.
+constexpr bool minimises_cost(const PlacementProblem& problem) {
+  return problem.combination == Combination::weighted || problem.combination == Combination::spend;
+}
+
+/// The minimised cost of a selection is a sum of prices of its units that do not depend on signals.
 constexpr bool has_known_prices(const PlacementProblem& problem) {
-  return problem.combination == Combination::weighted && !depends_on_signals(problem);
+  return minimises_cost(problem) && !depends_on_signals(problem);
+}
+
+/// The part of a unit in the new spend: installed units are free.
+inline double price_to_spend(const SignalTable::Transceiver& unit) {
+  return unit.installed ? 0 : unit.cost;
 }
 
 /// gamma tau: for the sum of signals (cooperative) or for one unit alone (non-cooperative).

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/placement/answer/alternatives.hpp"
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
@@ -14,6 +15,7 @@ namespace shelfbeam {
 /// A placement with the further results of a plan; the content of placement.json.
 struct CertifiedPlan {
   Placement placement;
+  Alternatives alternatives = {};               ///< empty unless requested
   CoverageCurve curve = {};                     ///< without points unless requested
   std::optional<Certificate> certificate = {};  ///< from independent samples
   std::optional<Sensitivity> sensitivity = {};  ///< to reflectances

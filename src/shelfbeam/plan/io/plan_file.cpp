@@ -84,6 +84,8 @@ std::string plan_json(const CertifiedPlan& plan, const SignalTable& table) {
   Json file = detail::placement_object(plan.placement, table, plan.curve);
   if (plan.certificate && !plan.certificate->none_verified()) file["verification"] = "certificate";
   if (plan.certificate) file["certificate"] = to_json(*plan.certificate, table);
+  if (!plan.alternatives.empty())
+    file["alternatives"] = detail::alternatives_object(plan.alternatives, table);
   if (plan.sensitivity) file["sensitivity"] = detail::sensitivity_object(*plan.sensitivity, table);
   if (!plan.warnings.empty()) file["warnings"] = plan.warnings;
   return detail::file_text(file);
@@ -99,6 +101,8 @@ CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& ta
   plan.placement = detail::read_placement(file, table);
   plan.curve = detail::read_curve(file, table);
   if (const auto found = file.find("certificate")) plan.certificate = read_certificate(*found, table);
+  if (const auto found = file.find("alternatives"))
+    plan.alternatives = detail::read_alternatives(*found, table);
   if (const auto found = file.find("sensitivity")) plan.sensitivity = detail::read_sensitivity(*found, table);
   // Plans of version 0.2.0 and earlier have no warnings.
   if (const auto found = file.find("warnings"))

@@ -58,6 +58,7 @@ class SceneMaker {
   Scene made() {
     scene_.name = store_.name;
     scene_.wavelength_nm = store_.wavelength_nm;
+    scene_.currency = store_.currency;
     scene_.materials = store_.materials;
     scene_.label_types = store_.label_types;
     scene_.transceiver_types = store_.transceiver_types;

@@ -116,6 +116,7 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   json["format"] = store_format_version;
   json["name"] = store.name;
   json["wavelength_nm"] = store.wavelength_nm;
+  if (!store.currency.empty()) json["currency"] = store.currency;
   if (store.room) json["room"] = resolved(*store.room, store.materials);
   for (const auto& [name, material, range] : store.materials) {
     Json& written = json["materials"][name] = resolved(material);

@@ -49,6 +49,7 @@ struct Store {
   LengthUnit unit = LengthUnit::m;  ///< of its CSV files; all lengths below are in m
   std::string name;
   double wavelength_nm = 940;
+  std::string currency;  ///< of the costs of transceivers; empty: not given
   std::optional<Room> room;
   std::vector<NamedMaterial> materials;
   std::vector<LabelType> label_types;

@@ -47,7 +47,7 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   const JsonCursor root = file.with_unit(units ? units->choice<LengthUnit>() : LengthUnit::m);
   if (const auto format = root.find("format"))
     expect_format_version(root.where(), format->integer(0, max_versions), store_format_version);
-  root.expect_keys({"$schema", "format", "units", "name", "wavelength_nm", "room", "materials", "label_types",
+  root.expect_keys({"$schema", "format", "units", "currency", "name", "wavelength_nm", "room", "materials", "label_types",
                     "transceiver_types", "fixtures", "labels", "transceivers"});
   const StoreFolder folder(path, trust);
   Store store;
@@ -60,6 +60,7 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
     expect_printable(store.name, title->where());
   }
   if (const auto wavelength = root.find("wavelength_nm")) store.wavelength_nm = wavelength->number(100, 1e5);
+  if (const auto currency = root.find("currency")) store.currency = read_currency(*currency);
   read_materials(root["materials"], store);
   read_transceiver_types(root["transceiver_types"], folder, store);
   read_label_types(root["label_types"], store);

@@ -49,6 +49,11 @@ std::vector<std::uint32_t> columns_of(const NamedTable& scenario, const NamedTab
     expect_same(unit, first.table.transceivers[found->second], scenario, first.file);
     result.push_back(found->second);
   }
+  if (scenario.table.currency != first.table.currency)
+    throw InputError(scenario.file,
+                     fmt::format("has prices in {}, but '{}' in {}", in_quotes(scenario.table.currency),
+                                 first.file, in_quotes(first.table.currency)),
+                     same_store);
   if (result.size() == first.table.columns()) return result;
   const std::unordered_set<std::uint32_t> there(result.begin(), result.end());
   for (std::uint32_t j = 0; j < first.table.columns(); ++j)
@@ -87,6 +92,7 @@ SignalTable stack_tables(std::vector<NamedTable> tables) {
                          "give each scenario its own file name");
   SignalTable all;
   all.transceivers = tables.front().table.transceivers;
+  all.currency = tables.front().table.currency;
   all.row_begin = {0};
   for (NamedTable& scenario : tables) {
     const std::vector<std::uint32_t> column = columns_of(scenario, tables.front());

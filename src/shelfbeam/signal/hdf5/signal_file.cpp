@@ -62,6 +62,7 @@ class MatrixWriter {
     file_.attribute("seed", provenance.seed);
     file_.attribute("estimator", provenance.estimator);
     file_.attribute("wavelength_nm", matrix_.wavelength_nm);
+    if (!matrix_.currency.empty()) file_.attribute("currency", matrix_.currency);
 
     entries("/mean", Quantity::mean);
     entries("/standard_error", Quantity::standard_error);
@@ -173,6 +174,7 @@ class MatrixReader {
     matrix.provenance = {file_.text_attribute("program_version"), file_.text_attribute("store_hash"),
                          file_.attribute<std::uint64_t>("seed"), file_.text_attribute("estimator")};
     matrix.wavelength_nm = file_.attribute<double>("wavelength_nm");
+    if (file_.has_attribute("currency")) matrix.currency = file_.text_attribute("currency");
 
     const std::size_t m = file_.length("/labels/id"), n = file_.length("/transceivers/id");
     if (m == 0 || n == 0) throw InputError(name_, "has no labels or no transceivers", "simulate it again");

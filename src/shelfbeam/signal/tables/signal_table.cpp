@@ -90,6 +90,7 @@ SignalTable make_signal_table(const SignalMatrix& matrix, const std::string& nam
   table.transceivers.reserve(matrix.columns());
   for (const TransceiverColumn& unit : matrix.transceivers)
     table.transceivers.push_back({unit.id, unit.cost, unit.installed, unit.position});
+  table.currency = matrix.currency;
   table.mounts = shared_mounts(matrix);
   expect_one_installed(table, name);
 

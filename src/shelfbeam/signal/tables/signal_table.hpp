@@ -42,6 +42,7 @@ struct SignalTable {
 
   std::vector<Label> labels;
   std::vector<Transceiver> transceivers;
+  std::string currency;  ///< of the costs of transceivers; empty: not given
   /// Groups of columns that are options of one mounting point, of which at most one can be chosen: at least
   /// two each, ascending, without duplicates. Every other column has its own mounting point.
   std::vector<std::vector<std::uint32_t>> mounts;

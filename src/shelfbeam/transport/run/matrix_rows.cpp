@@ -116,6 +116,7 @@ SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint6
     matrix.transceivers.back().id = surface.id;
   }
   matrix.wavelength_nm = scene.wavelength_nm;
+  matrix.currency = scene.currency;
   matrix.provenance = {std::string(program_version()), hash, seed, estimator};
   return matrix;
 }
