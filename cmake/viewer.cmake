@@ -1,4 +1,4 @@
-# The 3-D view of reports: bundles src/viewer and three.js in one script, which is embedded in the library.
+# The 3-D view of reports: bundles src/viewer, its texts and three.js in one script, which is embedded in the library.
 #
 #   shelfbeam_viewer(<out.cpp>)   writes the source to compile; its script is empty without Node.js or its packages
 #
@@ -49,7 +49,7 @@ function(shelfbeam_viewer out)
   set(script ${PROJECT_BINARY_DIR}/viewer/viewer.js)
   if(SHELFBEAM_VIEWER_PACKAGES)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${viewer}/*.ts ${viewer}/*.css)
-    list(APPEND sources ${PROJECT_BINARY_DIR}/viewer/installed.txt)
+    list(APPEND sources ${root}/src/shelfbeam/report/text/english.json ${PROJECT_BINARY_DIR}/viewer/installed.txt)
     set(make_script ${CMAKE_COMMAND} -E env NODE_PATH=${SHELFBEAM_VIEWER_PACKAGES}
       ${SHELFBEAM_NODE} ${SHELFBEAM_VIEWER_PACKAGES}/esbuild/bin/esbuild ${viewer}/main.ts --bundle --minify --format=iife
       --target=es2022 --charset=utf8 --loader:.css=text --legal-comments=inline --log-level=warning --outfile=${script})

@@ -71,6 +71,8 @@ void expect_room_for_matrix(const std::filesystem::path& folder, const Scene& sc
 void write_report(AtomicFolder& files, const ReportInput& input) {
   files.add(labels_name).write(labels_csv(input));
   files.add(placement_table_name).write(placement_csv(input));
+  files.add(mounting_table_name).write(mounting_csv(input));
+  files.add(mounting_drawing_name).write(mounting_dxf(input));
   files.add(report_name).write(report_html(input));
 }
 

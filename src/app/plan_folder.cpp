@@ -20,8 +20,9 @@ constexpr auto finished_plan = "contains a finished plan, which is not replaced"
 constexpr auto finished_plan_since = "has received a finished plan since the run started; it is not replaced";
 constexpr auto foreign_file = "was not written by an earlier run in this folder, or was changed since";
 // The first is blamed first: without it, no other is known.
-constexpr std::array names{placement_name, store_name,           signal_name, verification_name,
-                           labels_name,    placement_table_name, report_name};
+constexpr std::array names{placement_name, store_name,           signal_name,         verification_name,
+                           labels_name,    placement_table_name, mounting_table_name, mounting_drawing_name,
+                           report_name};
 
 // Plans of version 0.2.0 and earlier have no record. `place` writes such a file, too, but without the others.
 bool is_old_plan(const fs::path& folder) {

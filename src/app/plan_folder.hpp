@@ -17,6 +17,8 @@ inline constexpr auto placement_name = "placement.json";
 inline constexpr auto store_name = "store.json";
 inline constexpr auto labels_name = "labels.csv";
 inline constexpr auto placement_table_name = "placement.csv";
+inline constexpr auto mounting_table_name = "mounting.csv";
+inline constexpr auto mounting_drawing_name = "mounting.dxf";
 inline constexpr auto verification_name = "verification.csv";
 inline constexpr auto report_name = "report.html";
 

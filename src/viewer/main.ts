@@ -1,6 +1,7 @@
 // The entry point of the 3-D view of a report: reads the data of the page and creates the view.
 
 import { readSignals, readStore } from "./data/store";
+import { say, text } from "./data/text";
 import { View } from "./view";
 import style from "./viewer.css";
 
@@ -12,9 +13,9 @@ declare global {
 }
 
 async function start(root: HTMLElement): Promise<View> {
-  const text = (id: string) => document.getElementById(id)?.textContent ?? "";
-  const store = await readStore(text("viewer-store"));
-  const signals = await readSignals(text("viewer-signals"), store);
+  const contentOf = (id: string) => document.getElementById(id)?.textContent ?? "";
+  const store = await readStore(contentOf("viewer-store"));
+  const signals = await readSignals(contentOf("viewer-signals"), store);
   const sheet = document.createElement("style");
   sheet.textContent = style;
   document.head.append(sheet);
@@ -24,13 +25,13 @@ async function start(root: HTMLElement): Promise<View> {
 const root = document.getElementById("viewer-root");
 if (root) {
   const note = root.firstElementChild;
-  if (note) note.textContent = "Loading the 3-D view …";
+  if (note) note.textContent = text.start.loading;
   window.shelfbeamViewer = start(root);
   window.shelfbeamViewer.catch((error: unknown) => {
     root.dataset.failed = String(error);
-    const text = document.createElement("p");
-    text.className = "note";
-    text.textContent = `The 3-D view cannot be shown in this browser (${String(error)}). The plans and tables below contain the same results.`;
-    root.replaceChildren(text);
+    const reason = document.createElement("p");
+    reason.className = "note";
+    reason.textContent = say(text.start.failed, String(error));
+    root.replaceChildren(reason);
   });
 }

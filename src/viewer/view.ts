@@ -1,7 +1,7 @@
 // The 3-D view: picture, controls and their connections.
 
 import { Card } from "./panel/card";
-import { modeNames, modesOf, type Mode } from "./scene/classes";
+import { modesOf, type Mode } from "./scene/classes";
 import { button, Choice, element } from "./panel/dom";
 import { counted, decibels, grouped, percentage, significant } from "./data/format";
 import { LabelList, UnitList } from "./panel/lists";
@@ -13,6 +13,7 @@ import { Picture, type ClassCounts } from "./scene/picture";
 import { Stage } from "./scene/stage";
 import { changedUnits, fromHash, initialState, toHash, type Selection } from "./data/state";
 import { verdicts, type Signals, type Store } from "./data/store";
+import { partsOf, plural, say, text } from "./data/text";
 
 const slowestHover = 60; // ms per frame
 
@@ -40,27 +41,26 @@ export class View {
   constructor(root: HTMLElement, store: Store, signals: Signals) {
     this.root = root;
     this.model = new Model(store, signals);
-    this.canvas.setAttribute(
-      "aria-label",
-      "The store in 3-D. Arrow keys turn the view, Shift and arrow keys move it, plus and minus zoom, 0 shows the " +
-        "whole store. Labels and units can also be chosen in the lists.",
-    );
+    this.canvas.setAttribute("aria-label", text.picture.description);
     this.names = new Names(store);
     this.frame.append(this.canvas, this.names.root, this.tip);
-    this.dimension = new Choice("v3-dimension", "View", [["space", "3-D"], ["plan", "Plan"]], (value) =>
-      this.setPlan(value === "plan"),
+    this.dimension = new Choice(
+      "v3-dimension",
+      text.tools.view,
+      [["space", text.tools.space], ["plan", text.tools.plan]],
+      (value) => this.setPlan(value === "plan"),
     );
     this.colour = new Choice(
       "v3-colour",
-      "Colour",
-      modesOf(store).map((mode) => [mode, modeNames[mode]]),
+      text.tools.colour,
+      modesOf(store).map((mode) => [mode, text.tools.colours[mode]]),
       (mode) => {
         this.model.state.mode = mode;
         if (this.model.state.selection?.kind === "unit") this.model.state.selection = null;
         this.model.changed();
       },
     );
-    this.reset = button("Reset", () => this.restore(null), { title: "Restore the plan, the requirements, the levels and the view" });
+    this.reset = button(text.tools.reset, () => this.restore(null), { title: text.tools.reset_title });
     const card = new Card(this.model, (selection) => this.lookAt(selection));
     const [levels, thresholds] = [new Levels(this.model), new Thresholds(this.model)];
     const units = new UnitList(this.model);
@@ -73,7 +73,12 @@ export class View {
       labels.root.hidden = shown !== "labels";
       (shown === "units" ? units : labels).update();
     };
-    const lists = new Choice("v3-lists", "Choose from", [["units", "Units"], ["labels", "Labels"]], showList);
+    const lists = new Choice(
+      "v3-lists",
+      text.lists.choose,
+      [["units", text.lists.units.name], ["labels", text.lists.labels.name]],
+      showList,
+    );
     lists.show("units");
     labels.root.hidden = true;
     this.parts = [card, levels, thresholds, units, labels];
@@ -90,10 +95,10 @@ export class View {
           element(
             "div",
             { class: "v3-row" },
-            button("Whole store", () => this.stage.showAll()),
+            button(text.tools.whole, () => this.stage.showAll()),
             this.reset,
-            button("Copy link", () => void this.copyLink(), { title: "Copy a link to this view" }),
-            document.fullscreenEnabled ? button("Full screen", () => void this.toggleFullScreen()) : null,
+            button(text.tools.link, () => void this.copyLink(), { title: text.tools.link_title }),
+            document.fullscreenEnabled ? button(text.tools.full_screen, () => void this.toggleFullScreen()) : null,
             this.copied,
           ),
         ),
@@ -105,7 +110,7 @@ export class View {
             "div",
             { class: "v3-side" },
             card.root,
-            element("section", { class: "v3-box", "aria-label": "Units and labels" }, lists.root, units.root, labels.root),
+            element("section", { class: "v3-box", "aria-label": text.lists.title }, lists.root, units.root, labels.root),
           ),
           element("div", { class: "v3-pair" }, thresholds.root, levels.root),
         ),
@@ -155,9 +160,9 @@ export class View {
     location.hash = this.link();
     try {
       await navigator.clipboard.writeText(location.href);
-      this.copied.textContent = "Link copied";
+      this.copied.textContent = text.tools.link_copied;
     } catch {
-      this.copied.textContent = "The link is in the address bar";
+      this.copied.textContent = text.tools.link_shown;
     }
     setTimeout(() => (this.copied.textContent = ""), 4000);
   }
@@ -186,12 +191,8 @@ export class View {
     this.showAnswer();
     this.showLegend(this.picture.update());
     for (const part of this.parts) part.update();
-    const touch = matchMedia("(pointer: coarse)").matches;
-    this.hint.textContent = state.plan
-      ? `${touch ? "Use two fingers to move and zoom." : "Drag to move, scroll to zoom after a click."} Labels of one shelf are drawn side by side, the lowest level nearest to the shelf.`
-      : touch
-        ? "Swipe sideways to turn; use two fingers to move and zoom. Tap a label or a unit."
-        : "Drag to turn, right button to move, scroll to zoom after a click. Click a label or a unit.";
+    const hints = state.plan ? text.picture.plan : text.picture.space;
+    this.hint.textContent = matchMedia("(pointer: coarse)").matches ? hints.touch : hints.mouse;
     this.stage.draw();
   }
 
@@ -200,39 +201,46 @@ export class View {
     const { added, removed } = changedUnits(store, state);
     const all = store.labels.ids.length;
     const units = this.model.unitsOn().length;
-    this.answer.replaceChildren(
-      element("strong", { text: `${grouped(coverage.reached)} of ${grouped(all)}`, "data-fact": "reached" }),
-      ` labels reached with ${counted(units, "unit")}`,
-    );
+    const share = say(text.numbers.share, grouped(coverage.reached), grouped(all));
+    const reached = element("strong", { text: share, "data-fact": "reached" });
+    this.answer.replaceChildren(...partsOf(plural(text.answer.reached, units), grouped(units), reached));
     this.answer.classList.toggle("short", coverage.reached < all);
-    const planned = `${grouped(this.model.plannedReached)} with ${counted(store.units.selected.length, "unit")}`;
     const name = (unit: number) => store.units.ids[unit];
-    const some = (list: number[]) =>
-      list.slice(0, 4).map(name).join(", ") + (list.length > 4 ? ` and ${list.length - 4} more` : "");
+    const some = (list: number[]) => {
+      const first = list.slice(0, 4).map(name).join(", ");
+      return list.length > 4 ? say(text.answer.some, first, list.length - 4) : first;
+    };
     const parts: string[] = [];
-    if (added.length) parts.push(`switched on: ${some(added)}`);
-    if (removed.length) parts.push(`switched off: ${some(removed)}`);
-    if (!this.model.hasPlannedThresholds()) parts.push("changed requirements");
-    this.changes.textContent = parts.length
-      ? `Changed from the plan (${planned}): ${parts.join("; ")}.${store.certificate ? " The certificate does not cover these changes." : ""}`
-      : store.units.selected.length
-        ? `This is the original plan.${this.certified()}`
-        : "There is no plan. Switch on candidates to see their effect.";
+    if (added.length) parts.push(say(text.answer.added, some(added)));
+    if (removed.length) parts.push(say(text.answer.removed, some(removed)));
+    if (!this.model.hasPlannedThresholds()) parts.push(text.answer.requirements);
+    const planned = store.units.selected.length;
+    const sentences = parts.length
+      ? [
+          counted(text.answer.changed, planned, grouped(this.model.plannedReached), parts.join("; ")),
+          ...(store.certificate ? [text.answer.not_certified] : []),
+        ]
+      : planned
+        ? [text.answer.original, ...this.certified()]
+        : [text.answer.no_plan];
+    this.changes.textContent = sentences.join(" ");
   }
 
   /** The verdicts of the certificate, for the line above the picture. */
-  private certified(): string {
+  private certified(): string[] {
     const { certificate, label } = this.model.store;
-    if (!certificate) return "";
+    if (!certificate) return [];
     const counts = verdicts.map((_, verdict) => label.verdict.reduce((sum, of) => sum + (of === verdict ? 1 : 0), 0));
-    const words = verdicts.flatMap((name, k) => (k === 0 || counts[k] > 0 ? [`${grouped(counts[k])} ${name}`] : []));
-    return ` With independent samples and ${percentage(certificate.confidence)} confidence: ${words.join(", ")}.`;
+    const words = verdicts.flatMap((verdict, k) =>
+      k === 0 || counts[k] > 0 ? [say(text.answer.verdicts[verdict], grouped(counts[k]))] : [],
+    );
+    return [say(text.answer.certified, percentage(certificate.confidence), words.join(", "))];
   }
 
   private showLegend({ classes, counts }: ClassCounts): void {
     const { state, store } = this.model;
-    const key = (mark: string, text: string) =>
-      element("li", {}, Object.assign(element("span", { class: "v3-key" }), { innerHTML: mark }), text);
+    const key = (mark: string, name: string) =>
+      element("li", {}, Object.assign(element("span", { class: "v3-key" }), { innerHTML: mark }), name);
     const outlined = (path: string, colour: string) =>
       `<svg viewBox="-10 -10 20 20"><path d="${path}" style="fill:var(${colour});stroke:var(--strong);stroke-width:1.6"/></svg>`;
     const marks = {
@@ -242,25 +250,30 @@ export class View {
     };
     // Classes with other shapes than discs are listed only if they occur.
     const items = classes.flatMap(({ name, colour, shape = "disc" }, k) =>
-      shape !== "disc" && counts[k] === 0 ? [] : [key(marks[shape](colour), `${name}: ${grouped(counts[k])}`)],
+      shape !== "disc" && counts[k] === 0
+        ? []
+        : [key(marks[shape](colour), say(text.legend.class, name, grouped(counts[k])))],
     );
     if (!classes.some(({ shape }) => shape) && this.model.coverage.reached < store.labels.ids.length)
-      items.push(key(marks.triangle("--floor"), "triangle: not reached"));
+      items.push(key(marks.triangle("--floor"), text.legend.not_reached));
     if (state.selection?.kind === "label") {
       const line = (colour: string, dash: string) =>
         `<svg viewBox="-10 -10 20 20"><path d="M-9 0H9" style="stroke:var(${colour});stroke-width:3;stroke-dasharray:${dash}"/></svg>`;
       const shares = this.model.contributions(state.selection.index).map(({ directShare }) => directShare);
       if (shares.some((share) => share !== null))
-        items.push(key(line("--direct", "none"), "direct share"), key(line("--reflected", "5 3"), "reflected share"));
-      if (shares.includes(null)) items.push(key(line("--edge", "none"), "share not stored in this page"));
+        items.push(
+          key(line("--direct", "none"), text.legend.direct),
+          key(line("--reflected", "5 3"), text.legend.reflected),
+        );
+      if (shares.includes(null)) items.push(key(line("--edge", "none"), text.legend.not_stored));
     }
     items.push(
-      key(`<svg viewBox="-10 -10 20 20"><circle r="8" style="fill:var(--unit)"/></svg>`, "unit that is on"),
-      key(`<svg viewBox="-10 -10 20 20"><path d="M-4 0h8M0-4v8" style="stroke:var(--cand);stroke-width:1.6"/></svg>`, "candidate"),
+      key(`<svg viewBox="-10 -10 20 20"><circle r="8" style="fill:var(--unit)"/></svg>`, text.legend.unit),
+      key(`<svg viewBox="-10 -10 20 20"><path d="M-4 0h8M0-4v8" style="stroke:var(--cand);stroke-width:1.6"/></svg>`, text.legend.candidate),
     );
     const title =
       state.selection?.kind === "unit"
-        ? `Signal from ${store.units.ids[state.selection.index]} as a share of the requirement:`
+        ? say(text.legend.reach, store.units.ids[state.selection.index])
         : this.model.classes.title;
     this.legend.replaceChildren(element("li", {}, element("strong", { text: title })), ...items);
   }
@@ -272,7 +285,12 @@ export class View {
     this.canvas.dataset.drawCalls = String(drawCalls);
     if (frameTime === null) return;
     this.canvas.dataset.frameTime = frameTime.toFixed(1);
-    this.figures.textContent = `${counted(labels, "label")} drawn in ${counted(this.model.state.levels.filter(Boolean).length, "level")}, ${significant(frameTime, 2)}\u00a0ms per frame.`;
+    this.figures.textContent = say(
+      text.picture.drawn,
+      counted(text.picture.labels, labels),
+      counted(text.picture.levels, this.model.state.levels.filter(Boolean).length),
+      `${significant(frameTime, 2)}\u00a0ms`,
+    );
   }
 
   // --- pointer and keys ---
@@ -349,8 +367,13 @@ export class View {
     const { factor, name } = store.unit;
     this.tip.textContent =
       mark.kind === "label"
-        ? `${store.labels.ids[mark.index]}: ${significant(coverage.signal[mark.index] / factor)}\u00a0${name}, ${decibels(coverage.margin(mark.index))}`
-        : `${store.units.ids[mark.index]}: reaches ${counted(coverage.reach[mark.index], "label")} alone`;
+        ? say(
+            text.picture.label,
+            store.labels.ids[mark.index],
+            `${significant(coverage.signal[mark.index] / factor)}\u00a0${name}`,
+            decibels(coverage.margin(mark.index)),
+          )
+        : counted(text.picture.unit, coverage.reach[mark.index], store.units.ids[mark.index]);
     const box = this.frame.getBoundingClientRect();
     const x = event.clientX - box.left;
     this.tip.style.left = `${Math.min(x + 12, box.width - this.tip.offsetWidth - 4)}px`;

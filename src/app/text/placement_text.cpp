@@ -82,6 +82,12 @@ std::string solved(const Placement& placement, const SignalTable& table) {
       fmt::format("{} {} ({}); {}.\n", units_reach(placement.count()), all_labels(table.rows()),
                   model_of(placement.problem), terminal_bound(placement));
   text += chosen(placement.selected, table);
+  if (const std::string price = price_sentence(placement); !price.empty())
+    text += fmt::format("  {}\n", price);
+  const bool has_choice =
+      resolved({.combination = Combination::automatic}, table).combination == Combination::spend;
+  if (has_choice && placement.problem.combination == Combination::lexicographic)
+    text += "  prices differ but play no part in this order of aims\n";
   if (!table.mounts.empty())
     text += fmt::format("  from {} at {}\n", counted(table.columns(), "candidate"),
                         counted(table.mounting_points(), "mounting point"));
@@ -96,6 +102,14 @@ std::string solved(const Placement& placement, const SignalTable& table) {
                       margin.smallest_margin);
   }
   return text + single_unit_labels(placement, table);
+}
+
+std::vector<std::string> added_to(const std::vector<std::uint32_t>& before,
+                                  const std::vector<std::uint32_t>& after, const SignalTable& table) {
+  std::vector<std::string> ids;
+  for (const std::uint32_t j : after)
+    if (!std::binary_search(before.begin(), before.end(), j)) ids.push_back(table.transceivers[j].id);
+  return ids;
 }
 
 /// In percent; 100 without labels.
@@ -135,6 +149,11 @@ std::string describe(const MaxCoverage& reach, const SignalTable& table) {
           fmt::format(" than {}, {:.1f} %", grouped(reach.upper_bound), percentage(reach.upper_bound, table));
   }
   text += ".\n" + chosen(reach.selected, table);
+  if (has_prices(table)) {
+    const Price price = price_of(table, reach.selected);
+    text += fmt::format("  price: {} of new units, {} in total; prices play no part in this choice\n",
+                        money(price.to_spend, price), money(price.total, price));
+  }
   text += fmt::format("  {}: reached {}, upper bound {}, gap {:.1f} %; {:.2f} s, solver {}\n",
                       to_text(reach.status), reach.reached, reach.upper_bound, 100 * reach.gap(),
                       reach.seconds, reach.solver);
@@ -150,7 +169,30 @@ std::string describe(const CoverageCurve& curve, const SignalTable& table) {
   for (const CurvePoint& point : curve.points)
     text += fmt::format("  {:5}                  {:7.1f} % {:7.1f} %\n", point.units,
                         percentage(point.at_least, table), percentage(point.at_most, table));
-  if (!curve.is_complete) text += fmt::format("  the curve {}\n", stopped_early_note);
+  if (!curve.is_complete) text += "  the curve was stopped early; more time may narrow its bounds\n";
+  return text;
+}
+
+std::string describe(const Alternatives& alternatives, const Placement& placement, const SignalTable& table) {
+  if (alternatives.empty()) return {};
+  std::string text = "  alternatives on the simulated signals:\n";
+  const auto add = [&](const std::string& choice, const Alternative& one, const std::string& effect) {
+    text += fmt::format("    {}: {}{}; {}\n", choice, counted(one.selected.size(), "transceiver"),
+                        one.price ? ", new spend " + money(one.price->to_spend, one.price) : "", effect);
+  };
+  if (const auto& one = alternatives.one_fewer)
+    add("one fewer", *one,
+        fmt::format("{} lost{}", counted(table.rows() - one->reached, "label"),
+                    one->is_proven ? "" : fmt::format(" (at least {})", table.rows() - one->max_reached)));
+  if (const auto& one = alternatives.one_more)
+    add(fmt::format("one more ({})", fmt::join(added_to(placement.selected, one->selected, table), ", ")),
+        *one,
+        fmt::format(
+            "the weakest label receives {:.3g} times its requirement, {} of {} labels survive any failure",
+            one->smallest_margin, grouped(one->secure), grouped(table.rows())));
+  if (const auto& one = alternatives.survives_failure)
+    add("every failure survived", *one, one->is_proven ? "proven minimum" : "not proven to be the minimum");
+  if (alternatives.cannot_survive) text += "    every failure survived: not possible with these candidates\n";
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "shelfbeam/placement/answer/alternatives.hpp"
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/coverage/max_coverage.hpp"
@@ -13,6 +14,8 @@ namespace shelfbeam::app {
 
 std::string describe(const Placement& placement, const SignalTable& table);
 std::string describe(const MaxCoverage& reach, const SignalTable& table);
+/// One line per alternative; empty without any.
+std::string describe(const Alternatives& alternatives, const Placement& placement, const SignalTable& table);
 /// Empty without points.
 std::string describe(const CoverageCurve& curve, const SignalTable& table);
 

@@ -61,16 +61,18 @@ void protect_store(const std::filesystem::path& folder, const std::filesystem::p
                      "choose another folder for the plan");
 }
 
-// Curve and sensitivity.
+// Alternatives, curve and sensitivity.
 std::string additions(const Options& options, const Plan& plan, const SignalTable& table) {
   const Placement& placement = plan.placement;
-  std::string text = describe(plan.curve, table);
+  std::string text = describe(plan.alternatives, placement, table) + describe(plan.curve, table);
   if (options.curve && !placement.has_selection())
     text +=
         fmt::format("  {}; 'place {} --at-most K' reports the number of labels that K transceivers reach\n",
                     no_curve, (options.folder / signal_name).string());
   if (plan.sensitivity)
     text += fmt::format("sensitivity: {}\n", sensitivity_sentence(*plan.sensitivity, table.rows()));
+  else if (!options.sensitivity && placement.has_selection())
+    text += "  darker or lighter surfaces were not examined; '--sensitivity' examines them\n";
   else if (options.sensitivity)
     text += fmt::format("  no sensitivity {}\n", placement.has_selection()
                                                      ? "yet: the run was stopped before its simulation"
@@ -204,6 +206,7 @@ int run_plan(const Options& options) {
     plan_options.confidence = options.no_certificate ? std::nullopt : std::optional(confidence);
     plan_options.budget.seconds = options.certificate.budget_s;
     plan_options.curve = options.curve;
+    plan_options.alternatives = true;
     if (options.sensitivity) plan_options.sensitivity = {options.reflectance_error, confidence};
     plan = make_plan(scene, plan_options, control);
     // The report may travel; it names the files of the store without the folder.

@@ -34,7 +34,8 @@ struct Options {
 FileHashes expect_unchanged(const std::filesystem::path& folder, const PlanRecord& record,
                             const PlanJournal& journal) {
   FileHashes found;
-  for (const char* name : {placement_name, labels_name, placement_table_name, report_name}) {
+  for (const char* name : {placement_name, labels_name, placement_table_name, mounting_table_name,
+                           mounting_drawing_name, report_name}) {
     const std::filesystem::path file = folder / name;
     const auto status = std::filesystem::symlink_status(file);
     if (!std::filesystem::exists(status)) continue;

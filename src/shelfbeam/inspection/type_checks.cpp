@@ -210,11 +210,10 @@ class TypeChecks {
                                 at("transceiver_types", type.name, ".radius"), plain(type.radius)));
     const auto is_new = [&](const Transceiver& unit) { return unit.type.value == k && !unit.installed; };
     if (type.cost == 0 && std::any_of(scene_.transceivers.begin(), scene_.transceivers.end(), is_new))
-      warnings_.add(
-          "units that cost nothing",
-          fmt::format("{}: is 0, so a plan may have many of them; a price above 0 is usual; "
-                      "give a price",
-                      at("transceiver_types", type.name, ".cost")));
+      warnings_.add("units that cost nothing",
+                    fmt::format("{}: is 0, so a plan may have many of them; a price above 0 is usual; "
+                                "give a price",
+                                at("transceiver_types", type.name, ".cost")));
   }
 
   // The smallest and the largest value of the used types.

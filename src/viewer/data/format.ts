@@ -1,11 +1,14 @@
 // Numbers as the rest of the report writes them (report/data/text_format.cpp).
 
+import { plural, say, text, type Plural } from "./text";
+
 export function grouped(count: number): string {
   return count.toFixed(0).replace(/\B(?=(\d{3})+$)/g, ",");
 }
 
-export function counted(count: number, singular: string, plural = `${singular}s`): string {
-  return count === 1 ? `1 ${singular}` : `${grouped(count)} ${plural}`;
+/** The text for a count, which is its {0}. */
+export function counted(texts: Plural, count: number, ...values: string[]): string {
+  return say(plural(texts, count), grouped(count), ...values);
 }
 
 export function fixed(value: number, decimals: number): string {
@@ -24,9 +27,9 @@ export function significant(value: number, digits = 3): string {
 }
 
 export function decibels(value: number): string {
-  if (!Number.isFinite(value)) return value < 0 ? "no signal" : "no requirement";
-  const text = fixed(value, Math.abs(value) < 0.095 ? 2 : 1);
-  return `${value > 0 && text !== "0.00" ? "+" : ""}${text}\u00a0dB`;
+  if (!Number.isFinite(value)) return value < 0 ? text.numbers.no_signal : text.numbers.no_requirement;
+  const digits = fixed(value, Math.abs(value) < 0.095 ? 2 : 1);
+  return `${value > 0 && digits !== "0.00" ? "+" : ""}${digits}\u00a0dB`;
 }
 
 export function percent(share: number, decimals = 1): string {

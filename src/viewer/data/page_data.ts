@@ -1,5 +1,7 @@
 // Reads the format of report/viewer/page_data.cpp.
 
+import { say, text } from "./text";
+
 type Numbers = Uint8Array | Uint16Array | Uint32Array | Float32Array | Float64Array;
 
 interface Header<About> {
@@ -15,7 +17,7 @@ export class PageData<About> {
 
   get<Kind extends Numbers>(name: string, kind: new (length: number) => Kind): Kind {
     const values = this.arrays.get(name);
-    if (!(values instanceof kind)) throw new Error(`the page has no data '${name}'`);
+    if (!(values instanceof kind)) throw new Error(say(text.start.no_data, name));
     return values;
   }
 

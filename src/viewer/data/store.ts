@@ -3,7 +3,7 @@
 import { readPageData } from "./page_data";
 
 /** The verdicts of a certificate, numbered as in plan/answer/certificate.hpp. */
-export const verdicts = ["reached", "missed", "undecided", "not verified yet"] as const;
+export const verdicts = ["reached", "missed", "undecided", "unverified"] as const;
 
 export interface StoreAbout {
   lower: number[];
@@ -14,7 +14,8 @@ export interface StoreAbout {
   unit: { factor: number; name: string };
   margins: { from: number; name: string }[];
   signals: number[];
-  levels: { heights: string; labels: number }[];
+  /** `from` and `to`: heights in m, as text. */
+  levels: { from: string; to: string; labels: number }[];
   fixtures: { id: string; at: number[] }[];
   labels: { ids: string[]; kinds: { type: string; requirement: number }[] };
   /** The certificate of the original plan; null without one. */

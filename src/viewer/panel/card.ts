@@ -5,6 +5,7 @@ import { element, button } from "./dom";
 import { counted, decibels, fixed, grouped, percent, significant } from "../data/format";
 import type { Contribution, Model } from "../data/model";
 import type { Selection } from "../data/state";
+import { partsOf, say, text } from "../data/text";
 
 const mostRows = 12;
 
@@ -34,8 +35,8 @@ export class Card {
       "header",
       {},
       element("div", {}, element("small", { text: kind }), element("h3", { text: id })),
-      button("Show", () => selection && this.show(selection), { class: "v3-small", "aria-label": `Look at ${id}` }),
-      button("×", () => this.model.select(null), { class: "v3-small", "aria-label": "Close", "data-key": "close" }),
+      button(text.card.show, () => selection && this.show(selection), { class: "v3-small", "aria-label": say(text.card.look, id) }),
+      button("×", () => this.model.select(null), { class: "v3-small", "aria-label": text.card.close, "data-key": "close" }),
     );
   }
 
@@ -59,29 +60,29 @@ export class Card {
     const found = this.model.contributions(label);
     const rows = found.slice(0, mostRows).map((link, k) => this.row(link, k));
     const rest = found.slice(mostRows).reduce((sum, { mean }) => sum + mean, 0);
+    const margin = element("strong", { text: decibels(coverage.margin(label)), "data-fact": "margin" });
     this.root.replaceChildren(
       this.head(store.labels.kinds[store.label.kind[label]].type, store.labels.ids[label]),
       element(
         "p",
         { class: coverage.met[label] ? "v3-met" : "v3-unmet" },
-        element("strong", { text: decibels(coverage.margin(label)), "data-fact": "margin" }),
-        coverage.met[label] ? " above the requirement" : " – not reached",
+        ...partsOf(coverage.met[label] ? text.card.above : text.card.not_reached, margin),
       ),
       this.facts([
         ...this.certified(label),
-        [store.redundant ? "Signal without strongest unit" : "Signal", `${this.signal(signal)}\u00a0${name}`, "signal"],
-        ["Requirement", `${this.signal(coverage.requirement(label))}\u00a0${name}`, "requirement"],
-        ["Reached alone by", counted(coverage.serving[label], "unit"), "serving"],
-        ["Level", String(store.label.level[label] + 1)],
-        ["Position", place],
+        [store.redundant ? text.card.signal_redundant : text.card.signal, `${this.signal(signal)}\u00a0${name}`, "signal"],
+        [text.card.requirement, `${this.signal(coverage.requirement(label))}\u00a0${name}`, "requirement"],
+        [text.card.serving, counted(text.numbers.units, coverage.serving[label]), "serving"],
+        [text.card.level, String(store.label.level[label] + 1)],
+        [text.card.position, place],
       ]),
       found.length
         ? this.table(rows, name)
-        : element("p", { class: "v3-note", text: "This label receives no signal from the units that are on." }),
+        : element("p", { class: "v3-note", text: text.card.nothing }),
       found.length > mostRows
         ? element("p", {
             class: "v3-note",
-            text: `${grouped(found.length - mostRows)} more units contribute ${this.signal(rest)}\u00a0${name} in total.`,
+            text: say(text.card.rest, grouped(found.length - mostRows), `${this.signal(rest)}\u00a0${name}`),
           })
         : "",
     );
@@ -89,14 +90,15 @@ export class Card {
 
   private certified(label: number): [string, string, string?][] {
     if (!this.model.store.certificate) return [];
-    return [["Verdict", this.model.verdict(label) ?? "for the original plan only", "verdict"]];
+    const verdict = this.model.verdict(label);
+    return [[text.card.verdict, verdict === null ? text.card.original_only : text.verdicts[verdict], "verdict"]];
   }
 
   private table(rows: HTMLElement[], unit: string): HTMLElement {
     const { signals } = this.model;
-    const head = element("tr", {}, element("th", { text: "Unit" }), element("th", { text: unit, class: "n" }));
-    if (signals.error.length) head.append(element("th", { text: "± error", class: "n", title: "standard error" }));
-    if (signals.directShare.length) head.append(element("th", { text: "direct", title: "share that arrives without reflection" }));
+    const head = element("tr", {}, element("th", { text: text.card.unit }), element("th", { text: unit, class: "n" }));
+    if (signals.error.length) head.append(element("th", { text: text.card.error, class: "n", title: text.card.error_title }));
+    if (signals.directShare.length) head.append(element("th", { text: text.card.direct, title: text.card.direct_title }));
     return element("table", {}, element("thead", {}, head), element("tbody", {}, ...rows));
   }
 
@@ -146,22 +148,27 @@ export class Card {
     }
     const on = state.on[unit] !== 0;
     const number = this.model.numberOf(unit);
-    const kind = `${number === undefined ? "Candidate" : `Unit ${number} of the plan`}, ${store.units.types[unit]}`;
+    const type = store.units.types[unit];
+    const kind = number === undefined ? say(text.card.candidate, type) : say(text.card.planned, number, type);
     const facts: [string, string, string?][] = [
-      ["Reaches alone", counted(coverage.reach[unit], "label"), "alone"],
-      ["Farthest reached", farthest > 0 ? `${fixed(farthest, 1)}\u00a0m` : "–"],
-      ["10 to 100 % of requirement at", counted(classes[2], "label")],
-      ["1 to 10 % of requirement at", counted(classes[1], "label")],
-      ["Position", place],
+      [text.card.alone, counted(text.numbers.labels, coverage.reach[unit]), "alone"],
+      [text.card.farthest, farthest > 0 ? `${fixed(farthest, 1)}\u00a0m` : "–"],
+      [text.card.high, counted(text.numbers.labels, classes[2])],
+      [text.card.low, counted(text.numbers.labels, classes[1])],
+      [text.card.position, place],
     ];
     if (!store.redundant || !on)
-      facts.unshift([on ? "Needed by" : "Would add", counted(coverage.decides[unit], "label"), "decides"]);
+      facts.unshift([
+        on ? text.card.needed_by : text.card.would_add,
+        counted(text.numbers.labels, coverage.decides[unit]),
+        "decides",
+      ]);
     this.root.replaceChildren(
       this.head(kind, store.units.ids[unit]),
       element(
         "p",
         {},
-        button(on ? "Switch off" : "Switch on", () => this.model.switchUnit(unit, !on), {
+        button(on ? text.card.switch_off : text.card.switch_on, () => this.model.switchUnit(unit, !on), {
           class: "v3-primary",
           "data-key": "switch",
         }),

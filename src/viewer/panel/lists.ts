@@ -3,6 +3,7 @@
 import { button, element, replaceChildren } from "./dom";
 import { counted, decibels, grouped } from "../data/format";
 import type { Model } from "../data/model";
+import { say, text } from "../data/text";
 
 const mostRows = 60;
 
@@ -14,13 +15,13 @@ abstract class SearchList {
 
   constructor(
     protected readonly model: Model,
-    kind: string,
+    search: string,
     lead: string,
   ) {
     this.search = element("input", {
       type: "search",
-      placeholder: `Search ${kind} by id`,
-      "aria-label": `Search ${kind} by id`,
+      placeholder: search,
+      "aria-label": search,
       on: { input: () => this.update() },
     });
     this.root.append(element("p", { class: "v3-note", text: lead }), this.search, this.list, this.note);
@@ -50,20 +51,16 @@ abstract class SearchList {
     );
     this.note.textContent =
       found.length === 0
-        ? "No id matches."
+        ? text.lists.none
         : found.length > mostRows
-          ? `${grouped(found.length - mostRows)} more: search to find them.`
+          ? say(text.lists.more, grouped(found.length - mostRows))
           : "";
   }
 }
 
 export class UnitList extends SearchList {
   constructor(model: Model) {
-    super(
-      model,
-      "units",
-      "Switch any candidate on or off to update all numbers. Planned units come first, then the candidates that reach the most labels alone.",
-    );
+    super(model, text.lists.units.search, text.lists.units.lead);
   }
 
   protected order(): number[] {
@@ -82,19 +79,20 @@ export class UnitList extends SearchList {
     const { coverage, state, store } = this.model;
     const on = state.on[unit] !== 0;
     const number = this.model.numberOf(unit);
-    const decides = coverage.decides[unit];
-    const effect = store.redundant && on ? "" : on ? `, needed by ${grouped(decides)}` : `, would add ${grouped(decides)}`;
+    const effect = on ? text.lists.units.needed : text.lists.units.adds;
+    const texts = store.redundant && on ? text.lists.units.reach : effect;
+    const note = counted(texts, coverage.reach[unit], grouped(coverage.decides[unit]));
     const box = element("input", {
       type: "checkbox",
       "data-key": `on${unit}`,
-      "aria-label": `${this.id(unit)} is on`,
+      "aria-label": say(text.lists.units.on, this.id(unit)),
       on: { change: (event) => this.model.switchUnit(unit, (event.target as HTMLInputElement).checked) },
     });
     box.checked = on;
-    const text = number === undefined ? (on ? "+" : "·") : String(number);
-    const badge = element("span", { class: on ? "v3-badge" : "v3-badge off", text });
+    const mark = number === undefined ? (on ? "+" : "·") : String(number);
+    const badge = element("span", { class: on ? "v3-badge" : "v3-badge off", text: mark });
     const select = () => this.model.select({ kind: "unit", index: unit });
-    return this.entry("unit", unit, [box, badge], select, `${counted(coverage.reach[unit], "label")} alone${effect}`);
+    return this.entry("unit", unit, [box, badge], select, note);
   }
 }
 
@@ -103,7 +101,7 @@ export class LabelList extends SearchList {
     model: Model,
     private readonly show: (label: number) => void,
   ) {
-    super(model, "labels", "Choose a label to see the units whose signals it receives. The smallest margin comes first.");
+    super(model, text.lists.labels.search, text.lists.labels.lead);
   }
 
   protected order(): number[] {
@@ -119,7 +117,8 @@ export class LabelList extends SearchList {
   protected row(label: number): HTMLElement {
     const { coverage } = this.model;
     const dot = element("span", { class: coverage.met[label] ? "v3-dot" : "v3-dot unmet", "aria-hidden": "true" });
-    const note = decibels(coverage.margin(label)) + (coverage.met[label] ? "" : ", not reached");
+    const margin = decibels(coverage.margin(label));
+    const note = coverage.met[label] ? margin : say(text.lists.labels.not_reached, margin);
     return this.entry("label", label, [dot], () => this.show(label), note);
   }
 }

@@ -3,9 +3,10 @@
 import { button, element } from "./dom";
 import { decibels, grouped, percent } from "../data/format";
 import type { Model } from "../data/model";
+import { say, text } from "../data/text";
 
 export class Levels {
-  readonly root = element("section", { class: "v3-box" }, element("h3", { text: "Shelf levels" }));
+  readonly root = element("section", { class: "v3-box" }, element("h3", { text: text.levels.title }));
   private readonly boxes: HTMLInputElement[] = [];
   private readonly shares: HTMLElement[] = [];
   private readonly goods: HTMLInputElement;
@@ -20,17 +21,19 @@ export class Levels {
         on: { change: () => this.set((shown, k) => (k === level ? box.checked : shown)) },
       });
       const share = element("small", { "data-level": level + 1 });
+      const { from, to } = store.levels[level];
+      const heights = from === to ? from : say(text.levels.heights, from, to);
       this.boxes[level] = box;
       this.shares[level] = share;
       list.append(
         element(
           "li",
           {},
-          element("label", {}, box, element("span", {}, element("strong", { text: String(level + 1) }), ` ${store.levels[level].heights.replace("labels at ", "")}`, share)),
+          element("label", {}, box, element("span", {}, element("strong", { text: String(level + 1) }), ` ${heights}\u00a0m`, share)),
           store.levels.length > 1
-            ? button("only", () => this.set((_, k) => k === level), {
+            ? button(text.levels.only, () => this.set((_, k) => k === level), {
                 class: "v3-small",
-                "aria-label": `Show level ${level + 1} only`,
+                "aria-label": say(text.levels.only_title, level + 1),
               })
             : null,
         ),
@@ -50,8 +53,8 @@ export class Levels {
       element(
         "div",
         { class: "v3-row" },
-        store.levels.length > 1 ? button("All levels", () => this.set(() => true), { class: "v3-small" }) : null,
-        store.part.look.includes(2) ? element("label", {}, this.goods, "Goods") : null,
+        store.levels.length > 1 ? button(text.levels.all, () => this.set(() => true), { class: "v3-small" }) : null,
+        store.part.look.includes(2) ? element("label", {}, this.goods, text.levels.goods) : null,
       ),
     );
   }
@@ -67,7 +70,7 @@ export class Levels {
     this.boxes.forEach((box, level) => {
       box.checked = state.levels[level];
       const { met, all } = this.model.share((label) => store.label.level[label] === level);
-      this.shares[level].textContent = `${grouped(met)} of ${grouped(all)}`;
+      this.shares[level].textContent = say(text.numbers.share, grouped(met), grouped(all));
     });
   }
 }
@@ -82,7 +85,7 @@ interface Row {
 }
 
 export class Thresholds {
-  readonly root = element("section", { class: "v3-box" }, element("h3", { text: "Requirements" }));
+  readonly root = element("section", { class: "v3-box" }, element("h3", { text: text.requirements.title }));
   private readonly rows: Row[] = [];
 
   constructor(private readonly model: Model) {
@@ -102,7 +105,7 @@ export class Thresholds {
       type: "number",
       min: 0,
       step: "any",
-      "aria-label": `Requirement of ${type} labels, ${name}`,
+      "aria-label": say(text.requirements.number, type, name),
       on: { change: () => (number.value === "" ? this.update() : set(Number(number.value) * factor)) },
     });
     const slider = element("input", {
@@ -110,7 +113,7 @@ export class Thresholds {
       min: -mostDecibels,
       max: mostDecibels,
       step: 0.1,
-      "aria-label": `Requirement of ${type} labels relative to the plan, dB`,
+      "aria-label": say(text.requirements.slider, type),
       on: {
         input: () => set(Number(slider.value) === 0 ? planned : planned * 10 ** (Number(slider.value) / 10)),
       },
@@ -135,10 +138,10 @@ export class Thresholds {
       number.value = String(Number((value / store.unit.factor).toPrecision(6)));
       const shift = 10 * Math.log10(value / planned);
       slider.value = String(shift);
-      slider.setAttribute("aria-valuetext", value === planned ? "as planned" : decibels(shift));
-      change.textContent = value === planned ? "as planned" : `${decibels(shift)} relative to the plan`;
+      slider.setAttribute("aria-valuetext", value === planned ? text.requirements.as_planned : decibels(shift));
+      change.textContent = value === planned ? text.requirements.as_planned : say(text.requirements.changed, decibels(shift));
       const { met, all } = this.model.share((label) => store.label.kind[label] === kind);
-      share.textContent = `${percent(all ? met / all : 1)} reached (${grouped(met)} of ${grouped(all)})`;
+      share.textContent = say(text.requirements.reached, percent(all ? met / all : 1), grouped(met), grouped(all));
     });
   }
 }

@@ -3,13 +3,14 @@
 import type { Coverage } from "./coverage";
 import { percentage, plain } from "../data/format";
 import { verdicts, type Store } from "../data/store";
+import { say, text } from "../data/text";
 
-export const modeNames = { margin: "Margin", signal: "Signal", serving: "Serving units", certificate: "Certificate" };
-export type Mode = keyof typeof modeNames;
+const modes = ["margin", "signal", "serving", "certificate"] as const;
+export type Mode = (typeof modes)[number];
 
 /** The modes for which the store has data. */
 export function modesOf(store: Store): Mode[] {
-  return (Object.keys(modeNames) as Mode[]).filter((mode) => mode !== "certificate" || store.certificate);
+  return modes.filter((mode) => mode !== "certificate" || store.certificate);
 }
 
 export interface LabelClass {
@@ -27,12 +28,10 @@ export interface Classes {
   of: (label: number) => number;
 }
 
-const failed = (store: Store) => (store.redundant ? " without the strongest unit" : "");
-
 function marginClasses(store: Store, coverage: Coverage): Classes {
   const { margins } = store;
   return {
-    title: `Margin${failed(store)}:`,
+    title: store.redundant ? text.legend.margin_redundant : text.legend.margin,
     list: margins.map(({ name }, k) => ({ name, colour: `--m${k}`, shape: k < 2 ? "triangle" : "disc" })),
     of: (label) => {
       const margin = coverage.margin(label);
@@ -45,14 +44,15 @@ function marginClasses(store: Store, coverage: Coverage): Classes {
 
 function signalClasses(store: Store, coverage: Coverage): Classes {
   const { signals: edges, unit } = store;
-  const text = (edge: number) => plain(edge / unit.factor);
-  const list: LabelClass[] = [{ name: "none", colour: "--floor" }];
+  const amount = (edge: number) => plain(edge / unit.factor);
+  const list: LabelClass[] = [{ name: text.legend.no_signal, colour: "--floor" }];
   for (let k = 0; k + 1 < edges.length; ++k) {
-    const upper = `${text(edges[k + 1])}\u00a0${unit.name}`;
-    list.push({ name: k === 0 ? `below ${upper}` : `${text(edges[k])} to ${upper}`, colour: `--g${k}` });
+    const upper = `${amount(edges[k + 1])}\u00a0${unit.name}`;
+    const name = k === 0 ? say(text.legend.below, upper) : say(text.legend.between, amount(edges[k]), upper);
+    list.push({ name, colour: `--g${k}` });
   }
   return {
-    title: `Signal${failed(store)}:`,
+    title: store.redundant ? text.legend.signal_redundant : text.legend.signal,
     list,
     of: (label) => {
       const signal = coverage.signal[label];
@@ -66,9 +66,9 @@ function signalClasses(store: Store, coverage: Coverage): Classes {
 
 function servingClasses(coverage: Coverage): Classes {
   const colours = ["--m2", "--m3", "--m4", "--m5", "--m6"];
-  const names = ["none", "1", "2", "3", "4 or more"];
+  const names = [text.legend.no_unit, "1", "2", "3", say(text.legend.or_more, 4)];
   return {
-    title: "Units that reach a label alone:",
+    title: text.legend.serving,
     list: colours.map((colour, k) => ({ name: names[k], colour })),
     of: (label) => Math.min(coverage.serving[label], colours.length - 1),
   };
@@ -78,19 +78,18 @@ function servingClasses(coverage: Coverage): Classes {
 function certificateClasses(store: Store, isAsPlanned: boolean): Classes {
   if (!store.certificate || !isAsPlanned)
     return {
-      title: "The certificate covers only the original plan:",
-      list: [{ name: "no verdict", colour: "--floor" }],
+      title: text.legend.not_certified,
+      list: [{ name: text.legend.no_verdict, colour: "--floor" }],
       of: () => 0,
     };
-  const [reached, missed, undecided, unverified] = verdicts;
   return {
-    title: `With independent samples and ${percentage(store.certificate.confidence)} confidence:`,
+    title: say(text.legend.certified, percentage(store.certificate.confidence)),
     list: [
-      { name: reached, colour: "--m5", shape: "disc" },
-      { name: missed, colour: "--m0", shape: "triangle" },
-      { name: undecided, colour: "--m2", shape: "square" },
-      ...(store.label.verdict.includes(verdicts.indexOf(unverified))
-        ? [{ name: unverified, colour: "--floor", shape: "square" as const }]
+      { name: text.verdicts.reached, colour: "--m5", shape: "disc" },
+      { name: text.verdicts.missed, colour: "--m0", shape: "triangle" },
+      { name: text.verdicts.undecided, colour: "--m2", shape: "square" },
+      ...(store.label.verdict.includes(verdicts.indexOf("unverified"))
+        ? [{ name: text.verdicts.unverified, colour: "--floor", shape: "square" as const }]
         : []),
     ],
     of: (label) => store.label.verdict[label],
@@ -105,10 +104,10 @@ export function classesOf(store: Store, coverage: Coverage, mode: Mode, isAsPlan
 
 /** The signal of a label from one unit, as a share of its requirement. */
 export const reachClasses: LabelClass[] = [
-  { name: "below 1 %", colour: "--m3", shape: "disc" },
-  { name: "1 to 10 %", colour: "--m4", shape: "disc" },
-  { name: "10 to 100 %", colour: "--m5", shape: "disc" },
-  { name: "reached alone", colour: "--m6", shape: "disc" },
+  { name: text.legend.reach_classes.least, colour: "--m3", shape: "disc" },
+  { name: text.legend.reach_classes.low, colour: "--m4", shape: "disc" },
+  { name: text.legend.reach_classes.high, colour: "--m5", shape: "disc" },
+  { name: text.legend.reach_classes.alone, colour: "--m6", shape: "disc" },
 ];
 
 export function reachClass(share: number, alone: boolean): number {

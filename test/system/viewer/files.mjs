@@ -35,12 +35,18 @@ export function readNpy(path) {
 
 export const readJson = (path) => JSON.parse(readFileSync(path, "utf8"));
 
+/** The rows of placement.csv by the number of the unit, which mounting.csv lists. */
+export function readChosen(folder) {
+  const rows = readCsv(join(folder, "placement.csv"));
+  return readCsv(join(folder, "mounting.csv")).map(({ id }) => rows.find((row) => row.id === id));
+}
+
 /** The files of `plan` in a folder, and the matrices that `export` makes from its signal.h5. */
 export function readPlan(folder) {
   return {
     folder,
     labels: readCsv(join(folder, "labels.csv")),
-    chosen: readCsv(join(folder, "placement.csv")),
+    chosen: readChosen(folder),
     placement: readJson(join(folder, "placement.json")),
     mean: readNpy(join(folder, "mean.npy")),
     error: readNpy(join(folder, "standard-error.npy")),

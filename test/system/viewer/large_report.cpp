@@ -57,6 +57,7 @@ int main(int count, char** arguments) {
   write_file(folder / "report.html", html);
   write_file(folder / "labels.csv", labels_csv(input));
   write_file(folder / "placement.csv", placement_csv(input));
+  write_file(folder / "mounting.csv", mounting_csv(input));
   fmt::print("{{\"labels\":{},\"candidates\":{},\"units\":{},\"reached\":{},\"bytes\":{}}}\n", matrix.rows(),
              matrix.columns(), placement.count(), outcome_of(matrix, placement).met, html.size());
 }

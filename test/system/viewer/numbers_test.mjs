@@ -41,14 +41,16 @@ function coverageIs(shown, { labels, chosen, placement }) {
     check(Math.abs(shown.margin[label] - Number(row.margin_db)) < 1e-6, `margin of ${row.id}`);
     equal(shown.serving[label], row.serving.split(";").filter(Boolean).length, `serving units of ${row.id}`);
   });
-  const selected = placement?.selected ?? chosen.map(({ id }) => id);
-  equal(shown.chosen.map(({ id }) => id), selected, "chosen units");
+  const ids = chosen.map(({ id }) => id);
+  equal(shown.chosen.map(({ id }) => id), ids, "chosen units");
+  if (placement) equal([...ids].sort(), [...placement.selected].sort(), "selected units");
   chosen.forEach((row, k) => {
     const { reach, decides } = shown.chosen[k];
     equal(reach, Number(row.reaches_alone), `labels that ${row.id} reaches alone`);
     if (placement?.survives_failure) return;
     equal(decides, Number(row.needed_by), `labels that need ${row.id}`);
-    if (placement) equal(decides, placement.critical[k].count, `critical count of ${row.id}`);
+    const critical = placement?.critical.find(({ unit }) => unit === row.id);
+    if (placement) equal(decides, critical.count, `critical count of ${row.id}`);
   });
 }
 

@@ -4,7 +4,7 @@ import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-import { readCsv, readJson, readPlan } from "./files.mjs";
+import { readChosen, readCsv, readJson, readPlan } from "./files.mjs";
 
 const run = (program, ...words) => execFileSync(program, words, { stdio: ["ignore", "pipe", "inherit"] }).toString();
 
@@ -84,6 +84,5 @@ export function makeLargePlan(shelfbeam, largeReport, work) {
   const folder = join(work, "large");
   mkdirSync(folder);
   const made = JSON.parse(run(largeReport, makeStore(shelfbeam, work, "hypermarket"), folder));
-  const [labels, chosen] = ["labels.csv", "placement.csv"].map((name) => readCsv(join(folder, name)));
-  return { folder, labels, chosen, made };
+  return { folder, labels: readCsv(join(folder, "labels.csv")), chosen: readChosen(folder), made };
 }

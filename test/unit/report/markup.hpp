@@ -56,7 +56,7 @@ inline std::string without_scripts(std::string_view html) {
 }
 
 inline Markup read_markup(std::string_view html) {
-  static const std::set<std::string, std::less<>> endless{"meta", "br", "hr", "img", "link"};
+  static const std::set<std::string, std::less<>> endless{"meta", "br", "hr", "img", "link", "input"};
   Markup result;
   std::vector<std::string> open;
   std::size_t at = 0;

@@ -45,6 +45,16 @@ inline Store empty_store(const std::string& name, const Vec3& size) {
   return store;
 }
 
+/// A label and a unit, which every scene has.
+inline void add_devices(Store& store, const Vec3& label, const Vec3& unit) {
+  store.labels.push_back({Label{"L", label, {0, -1, 0}, LabelTypeId{0}}, "labels[0]"});
+  Transceiver one;
+  one.id = "T";
+  one.position = unit;
+  one.type = TransceiverTypeId{0};
+  store.transceivers.push_back({one, "transceivers.list[0]"});
+}
+
 /// About 25 x 18 m, 800 labels, 300 candidates.
 inline Store supermarket() {
   Store store = empty_store("Corner grocery", {25, 18, 4});

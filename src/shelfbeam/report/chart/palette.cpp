@@ -7,6 +7,7 @@
 
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/scale.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -33,6 +34,10 @@ double class_share(std::size_t k, const SignalScale& scale) {
 }
 
 }  // namespace
+
+std::string_view MarginClass::name() const {
+  return words(key);
+}
 
 std::size_t margin_class(double margin_db, bool met) {
   std::size_t k = margin_classes.size() - 1;

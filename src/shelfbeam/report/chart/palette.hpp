@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shelfbeam/report/chart/svg.hpp"
@@ -13,16 +14,18 @@ namespace shelfbeam {
 /// are visible without colour.
 struct MarginClass {
   double from;  ///< dB
-  const char* name;
+  const char* key;
+
+  std::string_view name() const;
 };
 
-inline constexpr std::array<MarginClass, 7> margin_classes{{{-1e300, "more than 3 dB short"},
-                                                            {-3, "up to 3 dB short"},
-                                                            {0, "0 to 1 dB"},
-                                                            {1, "1 to 3 dB"},
-                                                            {3, "3 to 6 dB"},
-                                                            {6, "6 to 10 dB"},
-                                                            {10, "above 10 dB"}}};
+inline constexpr std::array<MarginClass, 7> margin_classes{{{-1e300, "margin.class.far_short"},
+                                                            {-3, "margin.class.short"},
+                                                            {0, "margin.class.to_1"},
+                                                            {1, "margin.class.to_3"},
+                                                            {3, "margin.class.to_6"},
+                                                            {6, "margin.class.to_10"},
+                                                            {10, "margin.class.above_10"}}};
 
 /// `met` selects the side of 0 dB for margins within the tolerance.
 std::size_t margin_class(double margin_db, bool met);

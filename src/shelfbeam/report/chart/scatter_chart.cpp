@@ -10,6 +10,7 @@
 #include "shelfbeam/report/chart/svg.hpp"
 #include "shelfbeam/report/data/scale.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -22,12 +23,12 @@ constexpr std::size_t many = 2000;     // with more dots, nearly coincident dots
 struct Kind {
   ScatterChart::Mark mark;
   const char* shape;
-  const char* meaning;
+  const char* key;
 };
 constexpr std::array<Kind, 3> kinds{
-    {{ScatterChart::Mark::usual, "<circle class=\"m5\" r=\"4\"/>", "fitted"},
-     {ScatterChart::Mark::faint, "<circle class=\"gz\" r=\"4\"/>", "too faint to be fitted"},
-     {ScatterChart::Mark::outlier, "<path class=\"m1\" d=\"M0 -7L6 4H-6Z\"/>", "outlier"}}};
+    {{ScatterChart::Mark::usual, "<circle class=\"m5\" r=\"4\"/>", "scatter.fitted"},
+     {ScatterChart::Mark::faint, "<circle class=\"gz\" r=\"4\"/>", "scatter.faint"},
+     {ScatterChart::Mark::outlier, "<path class=\"m1\" d=\"M0 -7L6 4H-6Z\"/>", "scatter.outlier"}}};
 
 std::string symbol(ScatterChart::Mark mark) {
   return fmt::format("s{}", static_cast<int>(mark));
@@ -121,7 +122,7 @@ std::string scatter_legend(const ScatterChart& chart) {
                                     [&](const ScatterChart::Dot& dot) { return dot.mark == kind.mark; });
     if (occurs)
       items += fmt::format("<li><svg class=\"key\" viewBox=\"-10 -10 20 20\">{}</svg>{}</li>\n", kind.shape,
-                           kind.meaning);
+                           escape(words(kind.key)));
   }
   return "<ul class=\"legend\">\n" + items + "</ul>\n";
 }

@@ -116,15 +116,19 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement,
     if (label.depends_on_flagged) ++outcome.flagged_labels;
     if (label.reached_by.size() > 1) ++outcome.redundant;
     if (label.met && is_met(label.direct, label.requirement)) ++outcome.met_by_direct_light;
+    bool depends_on_one = false;
     for (UnitOutcome& unit : outcome.units) {
       if (is_met(static_cast<double>(matrix.mean[matrix.at(i, unit.column)]), label.requirement))
         ++unit.reaches_alone;
       if (label.strongest == unit.column) ++unit.strongest_for;
       chosen[unit.column] = false;
-      if (label.met && !is_met(received_signal(entries, chosen, nothing_fails), label.requirement))
+      if (label.met && !is_met(received_signal(entries, chosen, nothing_fails), label.requirement)) {
         ++unit.needed_by;
+        depends_on_one = true;
+      }
       chosen[unit.column] = true;
     }
+    if (label.met && !depends_on_one) ++outcome.secure;
     outcome.labels.push_back(std::move(label));
   }
   outcome.by_margin.resize(matrix.rows());

@@ -44,6 +44,7 @@ struct Outcome {
   std::vector<UnitOutcome> units;             ///< in the order of Placement::selected
   std::vector<std::uint32_t> by_margin;       ///< labels, smallest margin first
   std::size_t met = 0;                        ///< labels that are met
+  std::size_t secure = 0;                     ///< labels that stay met if any one chosen unit fails
   std::size_t met_by_direct_light = 0;        ///< labels that direct light alone would meet
   std::size_t flagged_labels = 0;             ///< labels that rest on flagged entries
   std::size_t redundant = 0;                  ///< labels that two or more chosen units each reach (Table 3.1)

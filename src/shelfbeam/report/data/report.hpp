@@ -29,4 +29,11 @@ std::string labels_csv(const ReportInput& input);
 /// placement.csv: one row per chosen unit with the columns of the transceiver CSV and numbers of labels.
 std::string placement_csv(const ReportInput& input);
 
+/// mounting.csv: one row per chosen unit in walking order, with its distances to walls or fixtures.
+std::string mounting_csv(const ReportInput& input);
+
+/// mounting.dxf: the chosen units as numbered blocks on a layer of their own, and the outlines of room and
+/// fixtures on another, in m.
+std::string mounting_dxf(const ReportInput& input);
+
 }  // namespace shelfbeam

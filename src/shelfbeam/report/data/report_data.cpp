@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/data/walking_order.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -28,16 +31,23 @@ ReportData::ReportData(const ReportInput& report_input)
   std::vector<double> heights;
   for (const LabelRow& label : input.matrix.labels) heights.push_back(label.position.z);
   levels = shelf_levels(heights);
+  std::vector<Vec3> positions;
+  for (const UnitOutcome& one : outcome.units) positions.push_back(transceiver(one.column).position);
+  std::vector<UnitOutcome> in_order;
+  for (const std::size_t k : walking_order(positions)) in_order.push_back(outcome.units[k]);
+  outcome.units = std::move(in_order);
 }
 
 std::size_t ReportData::unit_number(std::uint32_t column) const {
-  const auto& selected = input.plan.placement.selected;
-  return static_cast<std::size_t>(std::find(selected.begin(), selected.end(), column) - selected.begin()) + 1;
+  const auto is_it = [&](const UnitOutcome& one) { return one.column == column; };
+  return static_cast<std::size_t>(std::find_if(outcome.units.begin(), outcome.units.end(), is_it) -
+                                  outcome.units.begin()) +
+         1;
 }
 
 std::string ShelfLevel::heights() const {
   const std::string from = fixed(low, 2), to = fixed(high, 2);
-  return from == to ? "labels at " + from + "\u00A0m" : "labels at " + from + " to " + to + "\u00A0m";
+  return from == to ? say("coverage.one_height", from) : say("coverage.heights", from, to);
 }
 
 std::vector<ShelfLevel> shelf_levels(std::span<const double> heights) {

@@ -33,7 +33,7 @@ struct ReportData {
   explicit ReportData(const ReportInput& report_input);
 
   const ReportInput& input;
-  Outcome outcome;
+  Outcome outcome;  ///< units in walking order
   SamplingSummary sampling;
   std::size_t uncertain;  ///< labels whose verdict sampling error could change
   std::size_t mounting_points;
@@ -60,7 +60,7 @@ struct ReportData {
   const TransceiverColumn& transceiver(std::uint32_t column) const {
     return input.matrix.transceivers[column];
   }
-  /// The number of a chosen unit in the table and on the plans, from 1.
+  /// The number of a chosen unit in tables and on drawings: its place in walking order, from 1.
   std::size_t unit_number(std::uint32_t column) const;
 };
 

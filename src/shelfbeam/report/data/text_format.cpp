@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/report/text/catalogue.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -70,7 +72,7 @@ std::string significant(double value, int digits) {
 }
 
 std::string decibels(double value, int decimals) {
-  if (std::isinf(value)) return value < 0 ? "no signal" : "no requirement";
+  if (std::isinf(value)) return say(value < 0 ? "margin.no_signal" : "margin.no_requirement");
   // Two decimals for a small margin, which would otherwise read as 0.0 dB.
   const std::string text = fixed(value, std::abs(value) < 0.095 ? std::max(decimals, 2) : decimals);
   return (value > 0 && text != "0.00" ? "+" : "") + text + "\u00A0dB";

@@ -6,6 +6,7 @@
 
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -91,11 +92,10 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   const double end_left = left + outline.u.size() * scale + gap;
   const auto end_x = [&](double v) { return end_left + (v - outline.v.low) * scale; };
 
-  canvas.text({left, top + 16}, fmt::format("{}, side view", fixture.id), "title");
+  canvas.text({left, top + 16}, say("drawing.elevation.title", fixture.id), "title");
   canvas.text({left, top + 38},
-              fmt::format("the fixture with the most labels ({}): {} m long, {} m deep, {} m high",
-                          grouped(labels.size()), fixed(outline.u.size(), 2), fixed(outline.v.size(), 2),
-                          fixed(fixture.height, 2)),
+              say("drawing.elevation.size", grouped(labels.size()), fixed(outline.u.size(), 2),
+                  fixed(outline.v.size(), 2), fixed(fixture.height, 2)),
               "sub");
   const auto draw = [&](const std::vector<Seen>& parts, const auto& x) {
     for (const Seen& seen : parts) {
@@ -119,9 +119,10 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   }
   canvas.line({left - 12, ground}, {left + outline.u.size() * scale + 12, ground}, "ground");
   canvas.line({end_left - 12, ground}, {end_left + outline.v.size() * scale + 12, ground}, "ground");
-  canvas.text({end_left + outline.v.size() * scale / 2, ground + 21}, "end view", "t mid");
+  canvas.text({end_left + outline.v.size() * scale / 2, ground + 21}, words("drawing.elevation.end"),
+              "t mid");
   canvas.text({left + outline.u.size() * scale / 2, ground + 21},
-              fmt::format("{} m", fixed(outline.u.size(), 2)), "t mid");
+              say("drawing.metres", fixed(outline.u.size(), 2)), "t mid");
 
   // Heights of the labels between the two views, height of the fixture on the left.
   std::sort(heights.begin(), heights.end());
@@ -132,7 +133,7 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   for (const double z : heights) {
     canvas.line({right_edge + 3, up(z)}, {right_edge + 10, up(z)}, "tick");
     if (last - up(z) < 14) continue;
-    canvas.text({right_edge + 14, up(z) + 4}, fixed(z, 2) + " m", "t");
+    canvas.text({right_edge + 14, up(z) + 4}, say("drawing.metres", fixed(z, 2)), "t");
     last = up(z);
   }
   for (const double z : {0.0, fixture.height}) {

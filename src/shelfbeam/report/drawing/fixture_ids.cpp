@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -71,6 +72,8 @@ std::vector<Rectangle> obstacles_of(const PlanView& view, const Scene& scene) {
   return result;
 }
 
+constexpr double mark_radius = 15;  // of a unit
+
 struct IdPosition {
   Rectangle text;
   bool is_far = false;
@@ -106,6 +109,26 @@ IdPosition free_position(const std::vector<Rectangle>& obstacles, const Rectangl
   return found == positions.end() ? positions.front() : *found;
 }
 
+// The place for an id on its fixture, nearest to the middle, that no mark covers.
+Point clear_centre(const Extent& e, double width, double size, std::span<const Point> marks) {
+  constexpr double step = 0.05;
+  const double radians = e.angle_deg * std::numbers::pi / 180;
+  const Point along{std::cos(radians), std::sin(radians)};
+  const double room = std::max(0.0, (e.along - width) / 2);
+  for (double share = 0; share <= 1; share += step)
+    for (const double sign : {1.0, -1.0}) {
+      const double shift = sign * share * room;
+      const Point at{e.centre.x + shift * along.x, e.centre.y + shift * along.y};
+      const auto covers = [&](const Point& mark) {
+        const double u = (mark.x - at.x) * along.x + (mark.y - at.y) * along.y;
+        const double v = (mark.y - at.y) * along.x - (mark.x - at.x) * along.y;
+        return std::abs(u) < width / 2 + mark_radius && std::abs(v) < size / 2 + mark_radius;
+      };
+      if (std::none_of(marks.begin(), marks.end(), covers)) return at;
+    }
+  return e.centre;
+}
+
 void draw_leader(SvgCanvas& canvas, const Rectangle& text, const Rectangle& own) {
   const Point from = own.centre();
   canvas.line(
@@ -116,9 +139,13 @@ void draw_leader(SvgCanvas& canvas, const Rectangle& text, const Rectangle& own)
 
 }  // namespace
 
-void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene,
+                      std::span<const Point> marks) {
   const double largest = 24, smallest = 9 * view.mark_share(), outside = 11 * view.mark_share();  // units
   std::vector<Rectangle> obstacles = obstacles_of(view, scene);
+  for (const Point& mark : marks)
+    obstacles.push_back(
+        {mark.x - mark_radius, mark.y - mark_radius, mark.x + mark_radius, mark.y + mark_radius});
   for (std::size_t k = 0; k < scene.fixtures.size(); ++k) {
     const FixtureOutline& fixture = scene.fixtures[k];
     if (fixture.footprint.size() < 3) continue;
@@ -129,7 +156,8 @@ void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scen
     canvas.raw(fmt::format("<g style=\"font-size:min(var(--fid,14px),{}px)\">", coordinate(size)));
     if (inside) {
       const double down = 0.35 * size, radians = e.angle_deg * std::numbers::pi / 180;
-      canvas.text({e.centre.x - down * std::sin(radians), e.centre.y + down * std::cos(radians)}, fixture.id,
+      const Point centre = clear_centre(e, text_width(fixture.id, size), size, marks);
+      canvas.text({centre.x - down * std::sin(radians), centre.y + down * std::cos(radians)}, fixture.id,
                   "fid mid", e.angle_deg);
     } else {
       const Rectangle own = obstacles[k];

@@ -7,9 +7,11 @@
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/drawing/plan_view.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -17,16 +19,24 @@ namespace {
 
 // Meshes are drawn as silhouettes, other fixtures as their upright prisms.
 void draw_parts(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  const std::vector<Look> looks = looks_of(scene);
   for (const std::uint32_t k : parts_seen_from_above(scene)) {
     const Part& part = scene.parts[k];
+    if (part.fixture < looks.size() && looks[part.fixture] != Look::solid) continue;
     if (const std::string silhouette = mesh_silhouette(view, scene, part); !silhouette.empty())
       canvas.path(silhouette, part_class(part));
     else
       canvas.polygon(view.outline(part.footprint), part_class(part));
   }
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f)
-    if (scene.fixtures[f].footprint.size() > 2 && mesh_silhouette(view, scene, f).empty())
-      canvas.polygon(view.outline(scene.fixtures[f].footprint), "outline");
+    if (scene.fixtures[f].footprint.size() > 2) {
+      const std::string section = mesh_section(view, scene, f);
+      if (!section.empty()) canvas.path(section, "outline");
+      const bool is_drawn = looks[f] == Look::solid && !mesh_silhouette(view, scene, f).empty();
+      if (looks[f] == Look::overhead || (section.empty() && !is_drawn))
+        canvas.polygon(view.outline(scene.fixtures[f].footprint),
+                       looks[f] == Look::overhead ? "outline over" : "outline");
+    }
 }
 
 // A dot at the label and a tick in its facing direction; labels above one another share one mark.
@@ -68,12 +78,11 @@ std::string counts(const Scene& scene) {
                                        [](const Transceiver& t) { return t.installed; });
   const std::size_t points = distinct_positions(positions_of(scene.transceivers)).count;
   const Vec3 size = scene.room ? *scene.room : scene.upper - scene.lower;
-  std::string text =
-      fmt::format("{} × {} × {} m · {} · {} · {}", plain(size.x), plain(size.y), plain(size.z),
-                  counted(scene.fixtures.size(), "fixture"), counted(scene.labels.size(), "label"),
-                  counted(scene.transceivers.size(), "candidate transceiver"));
-  if (points < scene.transceivers.size()) text += " at " + counted(points, "mounting point");
-  if (installed > 0) text += fmt::format(" ({} installed)", installed);
+  std::string text = say("drawing.counts", plain(size.x), plain(size.y), plain(size.z),
+                         counted(scene.fixtures.size(), "fixture"), counted(scene.labels.size(), "label"),
+                         counted(scene.transceivers.size(), "candidate transceiver"));
+  if (points < scene.transceivers.size()) text = say_count("drawing.at_points", points, text);
+  if (installed > 0) text = say("drawing.of_which_installed", text, installed);
   return text;
 }
 
@@ -84,24 +93,25 @@ void draw_key(SvgCanvas& canvas, const Scene& scene, double y) {
   canvas.path(fmt::format("M{} {}v-8", x, y), "label");
   canvas.raw(
       fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.2\" class=\"dot\"/>\n", coordinate(x), coordinate(y)));
-  canvas.text({x + 9, y + 1}, "label, facing this way", "t");
+  canvas.text({x + 9, y + 1}, words("drawing.key.label"), "t");
   x += 180;
   canvas.path(fmt::format("M{} {}h8m-4 -4v8", x - 4, y - 4), "cand");
   const bool leans = std::any_of(scene.transceivers.begin(), scene.transceivers.end(),
                                  [](const Transceiver& t) { return !aim_line({}, t.axis).empty(); });
   if (leans) canvas.path(aim_line({x, y - 4}, {1, 0, 0}), "aim");
   canvas.text({x + (leans ? 24 : 10), y + 1},
-              leans ? "candidate transceiver, tilted this way" : "candidate transceiver", "t");
+              words(leans ? "drawing.key.tilted_candidate" : "drawing.key.candidate"), "t");
   if (!installed) return;
   x += leans ? 312 : 180;
   canvas.rect({x - 6, y - 10}, 12, 12, "old");
-  canvas.text({x + 12, y + 1}, "installed", "t");
+  canvas.text({x + 12, y + 1}, words("drawing.key.installed"), "t");
 }
 
 }  // namespace
 
 std::string floor_plan_svg(const Scene& scene) {
   constexpr double heading = 84, margin = 24;
+  const std::string title = scene.name.empty() ? say("summary.store") : scene.name;
   const PlanView view(scene, heading);
   SvgCanvas canvas;
   view.draw_floor(canvas);
@@ -110,7 +120,7 @@ std::string floor_plan_svg(const Scene& scene) {
   draw_transceivers(canvas, view, scene);
   draw_fixture_ids(canvas, view, scene);
   view.draw_axes(canvas);
-  canvas.text({margin, 34}, scene.name.empty() ? "Store" : scene.name, "title");
+  canvas.text({margin, 34}, title, "title");
   canvas.text({margin, 60}, counts(scene), "sub");
   draw_key(canvas, scene, view.height() - 17);
 
@@ -124,7 +134,7 @@ std::string floor_plan_svg(const Scene& scene) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
       "<title>{2}</title>\n<style>{3}</style>\n<rect class=\"paper\" width=\"{0}\" "
       "height=\"{1}\"/>\n{4}</svg>\n",
-      w, h, escape(scene.name.empty() ? "Store" : scene.name), drawing_style(), canvas.body());
+      w, h, escape(title), drawing_style(), canvas.body());
 }
 
 }  // namespace shelfbeam

@@ -7,13 +7,16 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/distinct_positions.hpp"
+#include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
 constexpr double unit_radius = 13;
+const std::string free_points = "<use href=\"#free-layer\"/>\n";
 
 std::size_t find_fullest(const std::vector<ShelfLevel>& levels) {
   const auto fewer = [](const ShelfLevel& a, const ShelfLevel& b) {
@@ -88,17 +91,25 @@ std::string Maps::definitions() const {
       unit_radius, 2 * unit_radius));
   canvas.raw("<g id=\"unit-aim\"><path class=\"k aim\" d=\"M-10 0h20\"/></g>\n");
   canvas.raw("<g id=\"cross\"><path class=\"cand\" d=\"M-7 0h14m-7 -7v14\"/></g>\n");
+  canvas.raw("<g id=\"overhead\"><path class=\"fx-o\" d=\"M-11 -8h22v16h-22z\"/></g>\n");
   canvas.raw("<g id=\"worst\"><circle class=\"k worst\" r=\"12\"/></g>\n");
 
   canvas.raw("<g id=\"store-layer\">\n");
   view_.draw_floor(canvas);
   draw_fixtures(canvas, view_, data_.input.scene);
+  std::vector<Point> marks;
+  if (data_.has_selection())
+    for (const UnitOutcome& unit : data_.outcome.units) {
+      const Vec3& p = data_.transceiver(unit.column).position;
+      marks.push_back(view_.at(p.x, p.y));
+    }
+  draw_fixture_ids(canvas, view_, data_.input.scene, marks);
+  view_.draw_axes(canvas);
+  canvas.raw("</g>\n<g id=\"free-layer\">\n");
   std::vector<bool> chosen(data_.input.matrix.columns(), false);
   if (data_.has_selection())
     for (const std::uint32_t j : data_.input.plan.placement.selected) chosen[j] = true;
   draw_free_points(canvas, view_, positions_of(data_.input.matrix.transceivers), chosen);
-  draw_fixture_ids(canvas, view_, data_.input.scene);
-  view_.draw_axes(canvas);
   canvas.raw("</g>\n<g id=\"unit-layer\">\n");
   if (data_.has_selection())
     for (std::size_t k = 0; k < data_.outcome.units.size(); ++k) {
@@ -107,7 +118,7 @@ std::string Maps::definitions() const {
       if (const std::string nose = nose_of(unit); !nose.empty())
         canvas.raw(fmt::format("<g transform=\"translate({} {})\">{}</g>\n", coordinate(at.x),
                                coordinate(at.y), nose));
-      canvas.use(unit_symbol(unit), at, fmt::format("Unit {}: {}", k + 1, unit.id));
+      canvas.use(unit_symbol(unit), at, say("drawing.unit", k + 1, unit.id));
       canvas.text(at, fmt::format("{}", k + 1), "num");
     }
   canvas.raw("</g>\n</defs></svg>\n");
@@ -120,6 +131,11 @@ std::string Maps::picture(const std::string& marks, const std::string& css_class
          inline_svg(view_.width(), view_.height(), css_class, description,
                     "<use href=\"#store-layer\"/>\n" + marks + "<use href=\"#unit-layer\"/>\n") +
          "</div>\n";
+}
+
+std::string Maps::overview(const std::string& description) const {
+  return fmt::format("<figure class=\"overview\">\n{}<ul class=\"legend\">{}</ul>\n</figure>\n",
+                     picture("", "m", description), unit_legend(false));
 }
 
 std::string Maps::margin_map(std::size_t level_index) const {
@@ -143,9 +159,9 @@ std::string Maps::margin_map(std::size_t level_index) const {
     if (data_.has_selection() && label == data_.outcome.by_margin.front()) canvas.use("worst", at[k]);
   }
   const std::string title =
-      fmt::format("Level {}: {} ({})", level_index + 1, level.heights(), grouped(level.labels.size()));
+      say("drawing.level", level_index + 1, level.heights(), grouped(level.labels.size()));
   return fmt::format("<figure class=\"plan\"><figcaption>{}</figcaption>\n{}{}</figure>\n", escape(title),
-                     picture(canvas.body(), "m", "Floor plan. " + title + ", coloured by margin"),
+                     picture(free_points + canvas.body(), "m", say("drawing.by_margin", title)),
                      margin_legend(level));
 }
 
@@ -164,11 +180,13 @@ std::string Maps::signal_maps(std::size_t level_index) const {
   };
   std::string html = "<div class=\"pair\">\n";
   const std::array<std::pair<const char*, double LabelOutcome::*>, 2> parts{
-      {{"Direct light only", &LabelOutcome::direct}, {"With all reflections", &LabelOutcome::signal}}};
-  for (const auto& [title, part] : parts)
+      {{"direct", &LabelOutcome::direct}, {"all", &LabelOutcome::signal}}};
+  for (const auto& [key, part] : parts) {
+    const std::string title = say(fmt::format("drawing.light.{}", key));
     html += fmt::format(
         "<figure><figcaption>{}</figcaption>\n{}</figure>\n", title,
-        picture(marks(part), "m half", fmt::format("Floor plan, {}: {}", title, level.heights())));
+        picture(free_points + marks(part), "m half", say("drawing.by_signal", title, level.heights())));
+  }
   return html + "</div>\n" + signal_legend();
 }
 
@@ -178,18 +196,18 @@ std::string Maps::margin_legend(const ShelfLevel& level) const {
   std::string html = "<ul class=\"legend\">";
   for (std::size_t k = 0; k < margin_classes.size(); ++k)
     if (k > 1 || counts[k] > 0)
-      html += key(fmt::format("m{}", k), fmt::format("{}: {}", margin_classes[k].name, grouped(counts[k])));
+      html += key(fmt::format("m{}", k), fmt::format("{}: {}", margin_classes[k].name(), grouped(counts[k])));
   const auto hollow = static_cast<std::size_t>(
       std::count_if(level.labels.begin(), level.labels.end(),
                     [&](std::uint32_t label) { return data_.outcome.labels[label].depends_on_flagged; }));
-  if (hollow > 0) html += key("hollow-key", "error not reliable: " + grouped(hollow));
+  if (hollow > 0) html += key("hollow-key", say("drawing.legend.unreliable", grouped(hollow)));
   if (data_.has_selection() &&
       std::binary_search(level.labels.begin(), level.labels.end(), data_.outcome.by_margin.front()))
-    html += key("worst", "smallest margin");
-  return html + unit_legend() + "</ul>\n";
+    html += key("worst", say("drawing.legend.worst"));
+  return html + unit_legend(true) + "</ul>\n";
 }
 
-std::string Maps::unit_legend() const {
+std::string Maps::unit_legend(bool has_candidates) const {
   std::string html;
   bool fresh = false, old = false, leans = false;
   if (data_.has_selection())
@@ -197,24 +215,29 @@ std::string Maps::unit_legend() const {
       (data_.transceiver(unit.column).installed ? old : fresh) = true;
       leans |= !nose_of(data_.transceiver(unit.column)).empty();
     }
-  if (fresh) html += key("unit", "chosen unit");
-  if (old) html += key("unit-old", "chosen unit, already installed");
-  if (leans) html += key("unit-aim", "tilted this way");
-  html += key("cross", data_.has_selection() ? "candidate, not chosen" : "candidate");
+  if (fresh) html += key("unit", say("drawing.legend.unit"));
+  if (old) html += key("unit-old", say("drawing.legend.installed"));
+  if (leans) html += key("unit-aim", say("drawing.legend.aim"));
+  const std::vector<Look> looks = looks_of(data_.input.scene);
+  if (std::find(looks.begin(), looks.end(), Look::overhead) != looks.end())
+    html += key("overhead", say("drawing.legend.overhead"));
+  if (has_candidates)
+    html +=
+        key("cross", say(data_.has_selection() ? "drawing.legend.not_chosen" : "drawing.legend.candidate"));
   if (data_.input.plan.placement.problem.redundant)
-    html += "<li>signals without each label's strongest unit</li>";
+    html += fmt::format("<li>{}</li>", escape(words("drawing.legend.without_strongest")));
   return html;
 }
 
 std::string Maps::signal_legend() const {
-  std::string html = "<ul class=\"legend\">" + key("gz", "none");
+  std::string html = "<ul class=\"legend\">" + key("gz", say("drawing.legend.none"));
   for (std::size_t k = 0; k < scale_.classes(); ++k) {
     const std::string upper = data_.unit.round_number(scale_.edges[k + 1]) + "\u00A0" + data_.unit.name;
-    html += key(
-        fmt::format("g{}", k),
-        k == 0 ? "below " + upper : fmt::format("{} to {}", data_.unit.round_number(scale_.edges[k]), upper));
+    html += key(fmt::format("g{}", k),
+                k == 0 ? say("drawing.legend.below", upper)
+                       : say("drawing.legend.range", data_.unit.round_number(scale_.edges[k]), upper));
   }
-  return html + unit_legend() + "</ul>\n";
+  return html + unit_legend(true) + "</ul>\n";
 }
 
 }  // namespace shelfbeam

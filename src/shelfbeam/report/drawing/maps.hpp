@@ -16,6 +16,8 @@ class Maps {
 
   /// A hidden <svg> that must precede the plans.
   std::string definitions() const;
+  /// The shop with its numbered units, as a <figure>.
+  std::string overview(const std::string& description) const;
   /// Labels of one level coloured by margin, as a <figure>; without a selection, by their maximum signal.
   std::string margin_map(std::size_t level) const;
   /// Direct and total signal of one level side by side in the same colour scale.
@@ -32,7 +34,7 @@ class Maps {
                       const std::string& description) const;
   std::string margin_legend(const ShelfLevel& level) const;
   std::string signal_legend() const;
-  std::string unit_legend() const;
+  std::string unit_legend(bool has_candidates) const;
 
   const ReportData& data_;
   PlanView view_;

@@ -80,7 +80,7 @@ text{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","Lib
 .c0{fill:#c98f6b}.c1{fill:#8fae8b}.c2{fill:#d8bf7a}.c3{fill:#8ba3bf}.c4{fill:#bf8f9c}.c5{fill:#b7a58c}.c6{fill:#9a9fb8}
 .tub{fill:#e3eef4;stroke:#6f8794;stroke-width:.8}.solid{fill:#9aa3ab;stroke:#59636c}.mesh{fill:#c3cad1;stroke:#59636c;stroke-width:1.6;stroke-linejoin:round;paint-order:stroke}
 .casing{fill:#87919a;fill-opacity:.15;stroke:#59636c;stroke-width:.7}.door{fill:none;stroke:#6fa8cf;stroke-width:1.2}
-.outline{fill:none;stroke:#4b555e;stroke-width:1.2}
+.outline{fill:none;stroke:#4b555e;stroke-width:1.2}.over{stroke-dasharray:9 5}
 .halo{stroke:#fff;stroke-width:3.5px;stroke-opacity:.85;paint-order:stroke;stroke-linejoin:round}
 .fid{font-size:inherit;font-weight:700;stroke:#fff;stroke-width:.22em;stroke-opacity:.8;paint-order:stroke;stroke-linejoin:round}
 .label{stroke:#0a4d91;stroke-width:1.4;fill:none}.dot{fill:#0a4d91}

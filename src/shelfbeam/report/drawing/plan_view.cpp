@@ -5,6 +5,7 @@
 
 #include "shelfbeam/report/data/scale.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -69,8 +70,8 @@ void PlanView::draw_axes(SvgCanvas& canvas) const {
   const double half = bar * scale_ / 2;
   canvas.rect(start, half, 7, "bar-full");
   canvas.rect({start.x + half, start.y}, half, 7, "bar-empty");
-  canvas.text({start.x + 2 * half + 10, start.y + 9}, metres(bar) + "\u00A0m", "t");
-  canvas.text({width_ - right, start.y + 9}, "axes in metres", "t end");
+  canvas.text({start.x + 2 * half + 10, start.y + 9}, say("drawing.scale", metres(bar)), "t");
+  canvas.text({width_ - right, start.y + 9}, words("drawing.axes"), "t end");
 }
 
 }  // namespace shelfbeam

@@ -9,7 +9,9 @@
 
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -26,15 +28,23 @@ const char* fixture_class(const FixtureOutline& fixture) {
 }  // namespace
 
 void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
-  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
+  const std::vector<Look> looks = looks_of(scene);
+  for (const std::uint32_t f : fixtures_by_height(scene)) {
     const FixtureOutline& fixture = scene.fixtures[f];
-    if (fixture.footprint.size() < 3) continue;
-    const std::string title =
-        fmt::format("{} ({}, {} m high)", fixture.id, fixture.type, fixed(fixture.height, 2));
-    if (const std::string silhouette = mesh_silhouette(view, scene, f); !silhouette.empty())
+    const std::string title = say("drawing.fixture", fixture.id, fixture.type, fixed(fixture.height, 2));
+    if (looks[f] == Look::overhead) {
+      canvas.polygon(view.outline(fixture.footprint), "fx-o", title);
+      continue;
+    }
+    const bool covers = looks[f] == Look::covering;
+    const std::string section = mesh_section(view, scene, f);
+    const std::string silhouette = covers ? std::string() : mesh_silhouette(view, scene, f);
+    if (!silhouette.empty())
       canvas.path(silhouette, fixture_class(fixture), title);
-    else
-      canvas.polygon(view.outline(fixture.footprint), fixture_class(fixture), title);
+    else if (section.empty())
+      canvas.polygon(view.outline(fixture.footprint),
+                     fixture_class(fixture) + std::string(covers ? " fx-c" : ""), title);
+    if (!section.empty()) canvas.path(section, "fx-s", title);
   }
 }
 

@@ -30,7 +30,9 @@ std::vector<Point> label_mark_positions(const PlanView& view, std::span<const Ve
                                         std::span<const Vec3> normals, double radius);
 
 /// The ids of the fixtures, along their long sides. The id of a small fixture is drawn beside it, clear of
-/// other fixtures, ids and label marks; without free space nearby, farther away with a leader line.
-void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
+/// other fixtures, ids and label marks; without free space nearby, farther away with a leader line. Ids on
+/// fixtures avoid `marks`, those of units.
+void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene,
+                      std::span<const Point> marks = {});
 
 }  // namespace shelfbeam

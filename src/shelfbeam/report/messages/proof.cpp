@@ -2,95 +2,93 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
 constexpr double rounding_of_costs = 1e-9;
-constexpr std::string_view no_cheaper_selection = "it is proven that no selection costs less";
-
 std::string objective_text(const PlacementProblem& problem) {
-  const ObjectiveWords& words = words_of(problem.objective);
-  return words.has_share
-             ? fmt::format("{} (at least {} of the requirement)", words.sum, percent(problem.share, 0))
-             : std::string(words.sum);
+  return say(fmt::format("objective.sum.{}", to_text(problem.objective)), percent(problem.share, 0));
 }
 
 std::string joint_confidence(double confidence) {
-  return fmt::format("with {:.6g} % confidence", 100 * confidence);
+  return say("certificate.confidence", fmt::format("{:.6g}", 100 * confidence));
 }
 
 // " 3 labels are missed."
-std::string other_labels(const Certificate& certificate, Verdict verdict) {
+std::string other_labels(std::string_view key, const Certificate& certificate, Verdict verdict) {
   const std::size_t count = certificate.count(verdict);
-  return count == 0 ? "" : fmt::format(" {} {}.", counted(count, "label is", "labels are"), to_text(verdict));
+  return count == 0 ? "" : " " + say_count(key, count);
 }
 
-// "3 are not enough", for a proven count of 4.
-std::string fewer_are_not_enough(std::size_t count) {
-  if (count <= 1) return "fewer are not enough";
-  return fmt::format("{} {} not enough", grouped(count - 1), count == 2 ? "is" : "are");
+// A text that 3 are not enough, for a proven count of 4.
+std::string fewer_are_not_enough(std::string_view key, std::size_t count) {
+  return count <= 1 ? say(fmt::format("{}.any", key)) : say_count(key, count - 1);
 }
 
 // ", and 3 are not enough", or the certified lower bound on the count or the cost.
 std::string certified_bound(const Placement& placement, const Certificate& certificate) {
   if (has_known_prices(placement.problem)) {
     const double cost = placement.objective_value, bound = std::min(certificate.cost_lower_bound, cost);
-    const std::string total = fmt::format(" at a total cost of {}", plain(cost));
+    // `verify` knows no prices.
+    const std::string spend =
+        placement.price ? say("certificate.spend", money(placement.price->to_spend, placement.price)) : "";
+    std::string total =
+        placement.problem.combination == Combination::spend ? spend : say("certificate.cost", plain(cost));
     if (bound <= 0) return total;
-    return total + (bound < cost * (1 - rounding_of_costs)
-                        ? fmt::format(", and reaching all labels costs at least {}", plain(bound))
-                        : ", and no cheaper selection reaches all labels");
+    return total +
+           (bound < cost * (1 - rounding_of_costs)
+                ? say("certificate.costs_at_least",
+                      at_least(bound, placement.problem.combination == Combination::spend ? placement.price
+                                                                                          : std::nullopt))
+                : say("certificate.no_cheaper"));
   }
   const std::size_t count = placement.count(), bound = std::min(certificate.count_lower_bound, count);
   if (bound == 0) return {};
-  if (bound < count) return fmt::format(", and at least {} {} needed", bound, bound == 1 ? "is" : "are");
-  return fmt::format(", and {}", fewer_are_not_enough(count));
+  if (bound < count) return say(bound == 1 ? "certificate.at_least.one" : "certificate.at_least.many", bound);
+  return fewer_are_not_enough("certificate.fewer", count);
 }
 
 std::string uncertified_objective(const PlacementProblem& problem) {
   if (!depends_on_signals(problem)) return {};
-  return fmt::format(" The certificate does not cover the {}: it depends on simulated signals.",
-                     problem.combination == Combination::weighted
-                         ? "total cost"
-                         : fmt::format("secondary objective ({})", objective_text(problem)));
+  return " " + (problem.combination == Combination::weighted
+                    ? say("certificate.without_cost")
+                    : say("certificate.without_objective", objective_text(problem)));
 }
-
-constexpr std::string_view scope_sentence =
-    " This confidence covers the sampling error of the simulation only; materials, stock and mounting are "
-    "taken as in the store file.";
 
 std::string reached_sentence(const Placement& placement, const Certificate& certificate) {
   if (certificate.none_verified())
-    return fmt::format("{} {}{} on the simulated signals, which is not verified yet.",
-                       units_reach(placement.count()), all_labels(certificate.labels.size()),
-                       failure_clause(placement.problem));
-  return fmt::format("{} {}{}{}, {}.", units_reach(placement.count()),
-                     labels_reached(certificate.count(Verdict::reached), certificate.labels.size()),
-                     failure_clause(placement.problem), certified_bound(placement, certificate),
-                     joint_confidence(certificate.confidence)) +
-         other_labels(certificate, Verdict::missed) + other_labels(certificate, Verdict::undecided) +
-         other_labels(certificate, Verdict::unverified) + uncertified_objective(placement.problem) +
-         std::string(scope_sentence);
+    return say("certificate.not_yet", units_reach(placement.count()), all_labels(certificate.labels.size()),
+               failure_clause(placement.problem));
+  return say("certificate.reached", units_reach(placement.count()),
+             labels_reached(certificate.count(Verdict::reached), certificate.labels.size()),
+             failure_clause(placement.problem), certified_bound(placement, certificate),
+             joint_confidence(certificate.confidence)) +
+         other_labels("certificate.missed", certificate, Verdict::missed) +
+         other_labels("certificate.undecided", certificate, Verdict::undecided) +
+         other_labels("certificate.unverified", certificate, Verdict::unverified) +
+         uncertified_objective(placement.problem) + " " + say("certificate.scope");
 }
 
 // Without a selection, only missed labels have a meaning: none of the candidates reaches them.
 std::string out_of_reach_sentence(const Certificate& certificate) {
   const std::size_t labels = certificate.labels.size(), missed = certificate.count(Verdict::missed);
-  if (certificate.none_verified())
-    return fmt::format("No selection reaches {} on the simulated signals, which is not verified yet.",
-                       all_labels(labels));
-  if (missed == 0)
-    return fmt::format("It is undecided whether any selection reaches {}.", all_labels(labels));
-  return fmt::format("{}, {}: at least {} cannot be reached.{}", no_selection_reaches(labels),
-                     joint_confidence(certificate.confidence), grouped(missed), scope_sentence);
+  if (certificate.none_verified()) return say("certificate.none_not_yet", all_labels(labels));
+  if (missed == 0) return say("certificate.none_undecided", all_labels(labels));
+  return fmt::format(
+      "{} {}",
+      say("certificate.none", all_labels(labels), joint_confidence(certificate.confidence), grouped(missed)),
+      words("certificate.scope"));
 }
 
 }  // namespace
@@ -110,83 +108,109 @@ bool count_is_proven(const Placement& placement) {
 }
 
 bool cost_is_proven(const Placement& placement) {
-  return placement.status == Status::optimal && placement.problem.combination == Combination::weighted;
+  return minimises_cost(placement.problem) &&
+         (placement.status == Status::optimal ||
+          (placement.has_selection() &&
+           placement.lower_bound >= placement.objective_value * (1 - rounding_of_costs)));
+}
+
+std::string money(double amount, const std::optional<Price>& price) {
+  constexpr double hundredths = 100, rounding = 1e-6, max_exact = 1e15;
+  const double scaled = std::round(hundredths * amount);
+  std::string text;
+  if (!(scaled < max_exact) || std::abs(hundredths * amount - scaled) > rounding * std::max(1.0, scaled)) {
+    text = plain(amount);
+  } else {
+    const auto cents = static_cast<std::uint64_t>(scaled);
+    text =
+        cents % 100 == 0 ? grouped(cents / 100) : fmt::format("{}.{:02}", grouped(cents / 100), cents % 100);
+  }
+  return price && !price->currency.empty() ? text + " " + price->currency : text;
+}
+
+std::string at_least(double bound, const std::optional<Price>& price) {
+  constexpr double hundredths = 100;
+  const double rounded = std::floor(hundredths * bound * (1 + rounding_of_costs)) / hundredths;
+  return money(rounded > 0 ? rounded : bound * (1 - 1e-6), price);
+}
+
+std::string price_sentence(const Placement& placement) {
+  if (!placement.price) return {};
+  const Price& price = *placement.price;
+  const std::string total = money(price.total, price);
+  if (price.to_spend == price.total) return say("proof.price", total);
+  return say("proof.price_both", money(price.to_spend, price), total);
 }
 
 std::string units_needed(std::size_t count_bound) {
-  return fmt::format("at least {} {} needed", counted(count_bound, "transceiver"),
-                     count_bound == 1 ? "is" : "are");
+  return say_count("proof.needed", count_bound);
 }
+
+namespace {
+
+std::string spend_bound_text(const Placement& placement) {
+  if (placement.status == Status::optimal) return say("proof.no_cheaper_or_fewer");
+  if (cost_is_proven(placement)) return say("proof.no_cheaper");
+  return say("proof.costs", at_least(placement.lower_bound, placement.price));
+}
+
+}  // namespace
 
 std::string terminal_bound(const Placement& placement) {
   const std::size_t count_bound = proven_count(placement);
-  if (count_bound < placement.count() && cost_is_proven(placement)) return std::string(no_cheaper_selection);
-  return count_bound >= placement.count() ? "it is proven that " + fewer_are_not_enough(placement.count())
+  if (placement.problem.combination == Combination::spend) return spend_bound_text(placement);
+  if (count_bound < placement.count() && cost_is_proven(placement)) return say("proof.no_cheaper");
+  return count_bound >= placement.count() ? fewer_are_not_enough("proof.fewer", placement.count())
                                           : units_needed(count_bound);
 }
 
 std::string page_bound(const Placement& placement) {
-  if (count_is_proven(placement)) return fmt::format("; {}.", terminal_bound(placement));
-  if (cost_is_proven(placement)) return fmt::format("; {}.", no_cheaper_selection);
+  if (placement.problem.combination == Combination::spend || count_is_proven(placement))
+    return say("proof.bound", terminal_bound(placement));
+  if (cost_is_proven(placement)) return say("proof.bound", words("proof.no_cheaper"));
   const std::size_t count_bound = proven_count(placement);
-  if (count_bound == 0) return "; no lower bound on the count is proven.";
-  return fmt::format("; it is proven that at least {} {} needed (gap {}).", grouped(count_bound),
-                     count_bound == 1 ? "is" : "are", percent(count_gap(placement)));
+  return count_bound == 0 ? say("proof.no_bound")
+                          : say_count("proof.gap", count_bound, percent(count_gap(placement)));
 }
 
 std::string_view bound_proof_text(BoundProof proof) {
-  constexpr const char* words[] = {
-      "counting without a search", "linear programming bound, recomputed from the matrix",
-      "exhaustive search, log checked", "exhaustive search, log too long to check",
-      "MIP solver, not verified independently"};
-  return words[static_cast<std::size_t>(proof)];
+  return words(fmt::format("proof.method.{}", to_text(proof)));
 }
 
 std::string proof_sentence(const Placement& placement) {
   if (placement.status == Status::infeasible || proven_count(placement) == 0) return {};
-  return fmt::format("Method of proof: {}.{}", bound_proof_text(placement.bound_proof),
-                     placement.ties_settled
-                         ? " Among equally good selections, this one has the largest minimum margin."
-                         : "");
+  const std::string method = say("proof.by", bound_proof_text(placement.bound_proof));
+  return placement.ties_settled ? fmt::format("{} {}", method, words("proof.ties")) : method;
 }
 
 std::string objective_name(const PlacementProblem& problem) {
   if (problem.combination == Combination::weighted)
-    return problem.objective == Objective::count
-               ? "lowest cost of transceivers"
-               : "lowest cost of transceivers and " + objective_text(problem);
-  if (problem.objective == Objective::count) return "fewest transceivers";
-  return fmt::format("fewest transceivers, then {} {}", words_of(problem.objective).fewest,
-                     objective_text(problem));
+    return problem.objective == Objective::count ? say("objective.name.cost")
+                                                 : say("objective.name.cost_and", objective_text(problem));
+  if (problem.combination == Combination::spend) return say("objective.name.spend");
+  return say(fmt::format("objective.name.{}", to_text(problem.objective)), percent(problem.share, 0));
 }
 
 std::string objective_sentence(const Placement& placement) {
   const PlacementProblem& problem = placement.problem;
-  if (problem.objective == Objective::count && problem.combination == Combination::lexicographic) return {};
+  if (problem.objective == Objective::count && problem.combination != Combination::weighted) return {};
   if (problem.combination == Combination::lexicographic &&
       (placement.status == Status::feasible || !count_is_proven(placement)))
-    return fmt::format(
-        "The secondary objective ({}) is not optimised: the number of transceivers comes first.",
-        objective_text(problem));
-  const std::string value = plain(placement.objective_value);
-  const std::string bound = plain(placement.lower_bound);
-  const bool proven = placement.status == Status::optimal;
-  std::string text;
-  if (problem.combination == Combination::weighted)
-    text = fmt::format("The total cost is {}{}", value, proven ? ", the proven minimum" : "");
-  else
-    text = fmt::format("The secondary objective ({}) is {}{}", objective_text(problem), value,
-                       proven ? ", the proven minimum for this number of transceivers" : "");
-  if (placement.status == Status::stopped)
-    text += fmt::format("; the proven lower bound is {} (gap {})", bound, percent(placement.gap()));
-  text += placement.unit_costs ? ". Without given costs, each link or signal counts as 1." : ".";
-  return text;
+    return say("objective.not_optimised", objective_text(problem));
+  const bool is_weighted = problem.combination == Combination::weighted;
+  const char* const state = placement.status == Status::optimal   ? "proven"
+                            : placement.status == Status::stopped ? "stopped"
+                                                                  : "plain";
+  const std::string key =
+      is_weighted ? fmt::format("objective.total.{}", state) : fmt::format("objective.secondary.{}", state);
+  const std::string text =
+      say(key, is_weighted ? "" : objective_text(problem), plain(placement.objective_value),
+          plain(placement.lower_bound), percent(placement.gap()));
+  return placement.unit_costs ? fmt::format("{} {}", text, words("objective.unit_costs")) : text;
 }
 
 std::string_view status_name(Status status) {
-  constexpr const char* names[] = {"optimal (proven)", "feasible (not proven optimal)", "infeasible (proven)",
-                                   "stopped early"};
-  return names[static_cast<std::size_t>(status)];
+  return words(fmt::format("proof.status.{}", to_text(status)));
 }
 
 std::string certificate_sentence(const CertifiedPlan& plan) {
@@ -194,25 +218,20 @@ std::string certificate_sentence(const CertifiedPlan& plan) {
   const Certificate& certificate = *plan.certificate;
   return (plan.placement.has_selection() ? reached_sentence(plan.placement, certificate)
                                          : out_of_reach_sentence(certificate)) +
-         (certificate.open.empty() ? "" : fmt::format(" Verification ended because {}.", certificate.open));
+         (certificate.open.empty() ? "" : " " + say("certificate.ended", certificate.open));
 }
 
 std::string sensitivity_sentence(const Sensitivity& sensitivity, std::size_t labels) {
   const std::size_t missed = sensitivity.low.missed.size(), open = sensitivity.low.undecided.size();
-  std::string text =
-      fmt::format("{} of {} labels are reached ", grouped(labels - missed - open), grouped(labels));
-  text += missed + open == 0
-              ? "for all reflectances within their ranges"
-              : fmt::format("with all reflectances at the low end of their ranges ({} missed, {} undecided)",
-                            grouped(missed), grouped(open));
-  text += fmt::format(", {}; the smallest signal is {:.3g} to {:.3g} times the requirement",
-                      joint_confidence(sensitivity.confidence), sensitivity.low.min_margin.ratio,
-                      sensitivity.high.min_margin.ratio);
+  std::string largest;
   if (!sensitivity.materials.empty() &&
       sensitivity.materials.front().at_lower.min_margin.ratio < sensitivity.as_given.ratio)
-    text +=
-        fmt::format("; '{}' is estimated to have the largest effect", sensitivity.materials.front().material);
-  return text + ".";
+    largest = say("sensitivity.largest", sensitivity.materials.front().material);
+  return say(missed + open == 0 ? "sensitivity.all" : "sensitivity.not_all", grouped(labels - missed - open),
+             grouped(labels), joint_confidence(sensitivity.confidence),
+             fmt::format("{:.3g}", sensitivity.low.min_margin.ratio),
+             fmt::format("{:.3g}", sensitivity.high.min_margin.ratio), largest, grouped(missed),
+             grouped(open));
 }
 
 }  // namespace shelfbeam

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,8 +21,18 @@ double count_gap(const Placement& placement);
 /// The count equals its proven lower bound.
 bool count_is_proven(const Placement& placement);
 
-/// The weighted sum equals its proven lower bound.
+/// The minimised cost equals its proven lower bound.
 bool cost_is_proven(const Placement& placement);
+
+/// "1,800 EUR", "1,799.50": with two decimals unless whole (six digits if these are not enough), and the
+/// currency if there is one.
+std::string money(double amount, const std::optional<Price>& price);
+
+/// The same for a lower bound, rounded down.
+std::string at_least(double bound, const std::optional<Price>& price);
+
+/// "Price of the units: 1,800 EUR." Empty without prices.
+std::string price_sentence(const Placement& placement);
 
 /// "at least 1 transceiver is needed"
 std::string units_needed(std::size_t count_bound);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -10,108 +11,92 @@ namespace {
 
 std::string conflicts_clause(const Placement& placement) {
   if (placement.min_spacing > 0)
-    return fmt::format("units must be at least {:.6g} m apart", placement.min_spacing);
-  return placement.forbidden_pairs > 0 ? "some candidates must not be chosen together" : "";
+    return say("reach.conflict.spacing", fmt::format("{:.6g}", placement.min_spacing));
+  return placement.forbidden_pairs > 0 ? say("reach.conflict.pairs") : std::string();
 }
 
 }  // namespace
 
 std::string units_reach(std::size_t units) {
-  return counted(units, "transceiver") + (units == 1 ? " reaches" : " reach");
+  return say_count("reach.units", units);
 }
 
 std::string all_labels(std::size_t labels) {
-  return labels == 1 ? "the only label" : "all " + counted(labels, "label");
+  return say_count("reach.all", labels);
 }
 
 std::string labels_reached(std::size_t reached, std::size_t labels) {
   if (reached == labels) return all_labels(labels);
-  return fmt::format("{} of {}", grouped(reached), counted(labels, "label"));
+  return say_count("reach.some", labels, grouped(reached));
 }
 
 std::string no_selection_reaches(std::size_t labels) {
-  return "No selection reaches " + all_labels(labels);
+  return say("reach.none", all_labels(labels));
 }
 
 std::string_view failure_clause(const PlacementProblem& problem) {
-  return problem.redundant ? ", even if any one unit fails" : "";
+  return problem.redundant ? words("reach.failure") : "";
 }
 
 std::string_view method_without_result(const Placement& placement) {
-  if (placement.solver == "greedy") return "The greedy method";
-  return placement.solver == "search" ? "The search" : "";
+  if (placement.solver == "greedy") return words("reach.greedy");
+  return placement.solver == "search" ? words("reach.search") : "";
 }
 
 std::string conflict_sentence(const Placement& placement) {
   const std::string forbidden = conflicts_clause(placement);
   if (forbidden.empty()) return {};
-  const std::size_t pairs = placement.forbidden_pairs;
-  return fmt::format("{} {} excluded{}", counted(pairs, "pair of candidates", "pairs of candidates"),
-                     pairs == 1 ? "is" : "are", placement.min_spacing > 0 ? ": " + forbidden : "");
+  return say_count(placement.min_spacing > 0 ? "reach.excluded_because" : "reach.excluded",
+                   placement.forbidden_pairs, forbidden);
 }
 
 std::string conflict_reason(const Placement& placement, bool has_options) {
-  const std::string options = has_options ? "each mounting point takes only one unit" : "";
-  const std::string forbidden = conflicts_clause(placement);
-  return options + (options.empty() || forbidden.empty() ? "" : " and ") + forbidden;
+  std::string forbidden = conflicts_clause(placement);
+  if (!has_options) return forbidden;
+  std::string options = say("reach.conflict.options");
+  return forbidden.empty() ? options : say("reach.conflict.both", options, forbidden);
 }
 
 std::string not_all_together(std::string_view conflict_reason) {
-  return fmt::format("can be reached, but not all of them together, because {}", conflict_reason);
+  return say("reach.conflict.together", conflict_reason);
 }
 
 std::string_view no_signal_reason(const PlacementProblem& problem, bool is_heard) {
-  if (!is_heard) return "no light arrives; check whether the label lies inside an object or faces into one";
-  if (problem.redundant) return "light arrives from only one mounting point, and the unit there may fail";
-  return "light arrives only from candidates that an installed unit excludes";
+  if (!is_heard) return words("reach.no_signal.dark");
+  return words(problem.redundant ? "reach.no_signal.single" : "reach.no_signal.excluded");
 }
 
 std::string dark_labels(std::size_t labels) {
-  if (labels == 1)
-    return "No light reaches one of these labels: check whether it lies inside an object or faces into one.";
-  return fmt::format(
-      "No light reaches {} of these labels: check whether they lie inside an object or face into one.",
-      grouped(labels));
+  return say_count("reach.dark", labels);
 }
 
 std::string terminal_out_of_reach(const Placement& placement, bool has_options) {
   const PlacementProblem& problem = placement.problem;
-  const std::string lost = grouped(placement.unreachable.size()) + " cannot be reached";
+  const std::string lost = grouped(placement.unreachable.size());
   if (problem.model == CommunicationModel::non_cooperative)
-    return lost + (problem.redundant ? " by two units" : " even by the best candidate");
-  return fmt::format(
-      "{} even by {}{}", lost,
-      has_options ? "the best options of all mounting points together" : "all candidates together",
-      problem.redundant ? " if the strongest unit fails" : "");
+    return say(problem.redundant ? "reach.lost.two" : "reach.lost.best", lost);
+  if (problem.redundant)
+    return say(has_options ? "reach.lost.options_failure" : "reach.lost.candidates_failure", lost);
+  return say(has_options ? "reach.lost.options" : "reach.lost.candidates", lost);
 }
 
 std::string page_out_of_reach(const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
   const PlacementProblem& problem = placement.problem;
   const std::size_t candidates = data.input.matrix.columns();
-  std::string even;
+  const std::string lost = grouped(placement.unreachable.size());
+  const std::string labels = say_count("noun.label", data.outcome.labels.size());
   if (problem.model == CommunicationModel::non_cooperative)
-    even = problem.redundant ? " by two units, of which one may fail"
-                             : fmt::format(", even by the best of {}", counted(candidates, "candidate"));
-  else if (data.has_options())
-    even = fmt::format(", even with the best option of {} switched on",
-                       data.mounting_points == 1
-                           ? "the only mounting point"
-                           : fmt::format("each of the {} mounting points", grouped(data.mounting_points)));
-  else
-    even = candidates == 1 ? ", even with the only candidate switched on"
-                           : fmt::format(", even with all {} candidates switched on", grouped(candidates));
-  return fmt::format("{} of {} cannot be reached{}", grouped(placement.unreachable.size()),
-                     counted(data.outcome.labels.size(), "label"), even);
+    return problem.redundant ? say("reach.lost_of.two", lost, labels)
+                             : say_count("reach.lost_of.best", candidates, lost, labels);
+  if (data.has_options()) return say_count("reach.lost_of.options", data.mounting_points, lost, labels);
+  return say_count("reach.lost_of.candidates", candidates, lost, labels);
 }
 
 std::string_view maximum_signal_condition(const ReportData& data) {
   if (data.input.plan.placement.problem.redundant)
-    return data.has_options()
-               ? "if the best option of every mounting point were switched on and the strongest unit failed"
-               : "if every candidate were switched on and the strongest failed";
-  return data.has_options() ? "if the best option of every mounting point were switched on"
-                            : "if every candidate were switched on";
+    return words(data.has_options() ? "reach.if.options_failure" : "reach.if.candidates_failure");
+  return words(data.has_options() ? "reach.if.options" : "reach.if.candidates");
 }
 
 }  // namespace shelfbeam

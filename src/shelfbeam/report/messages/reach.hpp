@@ -30,9 +30,6 @@ std::string_view failure_clause(const PlacementProblem& problem);
 /// reason.
 std::string_view method_without_result(const Placement& placement);
 
-/// Continues "the curve ..." and "The search ...".
-inline constexpr std::string_view stopped_early_note = "was stopped early; more time may narrow its bounds";
-
 // Reasons why labels cannot be reached. Where a mounting point has several candidates, they are its options.
 
 /// "12 pairs of candidates are excluded: units must be at least 2 m apart"; empty without conflicts.

@@ -3,24 +3,23 @@
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
 std::string report_html(const ReportInput& input) {
   const ReportData data(input);
   const Maps maps(data);
-  const std::string name = input.scene.name.empty() ? "Store" : input.scene.name;
-  const std::string body = answer_section(data) + key_figures(data) + unreachable_section(data) +
-                           viewer_section(data, viewer_script()) + margin_section(data, maps) +
-                           reflection_section(data, maps) + sensitivity_section(data) +
-                           distribution_section(data) + unit_section(data) + curve_section(data) +
-                           weakest_section(data) + facts_section(data);
-  return html_page(
-      name + " – transceiver placement",
-      fmt::format("{}<main>\n{}<footer>Signals are simulated for the store as described; they are "
-                  "not measured.</footer>\n</main>\n",
-                  maps.definitions(), body),
-      maps.colours(false), maps.colours(true));
+  const std::string name = input.scene.name.empty() ? say("summary.store") : input.scene.name;
+  const std::string body = summary_section(data, maps) + mounting_section(data, maps) +
+                           warning_section(data) + unreachable_section(data) + margin_section(data, maps) +
+                           viewer_section(data, viewer_script()) + weakest_section(data) +
+                           unit_section(data) + curve_section(data) + sensitivity_section(data) +
+                           reflection_section(data, maps) + distribution_section(data) + facts_section(data);
+  return html_page(say("page.title", name),
+                   fmt::format("{}<main>\n{}<footer>{}</footer>\n</main>\n", maps.definitions(), body,
+                               escape(words("page.footer"))),
+                   maps.colours(false), maps.colours(true));
 }
 
 }  // namespace shelfbeam

@@ -10,8 +10,11 @@ namespace shelfbeam {
 
 // The sections of the page, in its order. Each returns HTML, or an empty string if it does not apply.
 
-std::string answer_section(const ReportData& data);
-std::string key_figures(const ReportData& data);
+/// The first page, for a manager.
+std::string summary_section(const ReportData& data, const Maps& maps);
+/// The second page, for a fitter; empty without a selection.
+std::string mounting_section(const ReportData& data, const Maps& maps);
+std::string warning_section(const ReportData& data);
 /// Labels that no selection reaches, with requirement and maximum signal.
 std::string unreachable_section(const ReportData& data);
 /// The bundle of src/viewer; empty in a build without Node.js or its packages.

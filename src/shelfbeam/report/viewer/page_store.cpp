@@ -99,13 +99,16 @@ Json add_units(PageData& page, const ReportData& data) {
   }
   page.add("unit_position", position);
   page.add("unit_axis", axis);
-  Json needed_by = Json::array();
-  for (const UnitOutcome& unit : data.outcome.units) needed_by.push_back(unit.needed_by);
+  Json selected = Json::array(), needed_by = Json::array();
+  for (const UnitOutcome& unit : data.outcome.units) {
+    selected.push_back(unit.column);
+    needed_by.push_back(unit.needed_by);
+  }
   return {{"ids", ids},
           {"types", types},
           {"installed", installed},
           {"mounts", shared_mounts(data.input.matrix)},
-          {"selected", data.input.plan.placement.selected},
+          {"selected", selected},
           {"neededBy", needed_by}};
 }
 
@@ -123,14 +126,15 @@ Json add_certificate(PageData& page, const ReportData& data) {
 Json levels_of(const ReportData& data) {
   Json levels = Json::array();
   for (const ShelfLevel& level : data.levels)
-    levels.push_back({{"heights", level.heights()}, {"labels", level.labels.size()}});
+    levels.push_back(
+        {{"from", fixed(level.low, 2)}, {"to", fixed(level.high, 2)}, {"labels", level.labels.size()}});
   return levels;
 }
 
 Json margins() {
   Json classes = Json::array();
   for (const MarginClass& margin : margin_classes)
-    classes.push_back({{"from", margin.from}, {"name", margin.name}});
+    classes.push_back({{"from", margin.from}, {"name", margin.name()}});
   return classes;
 }
 

@@ -47,8 +47,8 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   const JsonCursor root = file.with_unit(units ? units->choice<LengthUnit>() : LengthUnit::m);
   if (const auto format = root.find("format"))
     expect_format_version(root.where(), format->integer(0, max_versions), store_format_version);
-  root.expect_keys({"$schema", "format", "units", "currency", "name", "wavelength_nm", "room", "materials", "label_types",
-                    "transceiver_types", "fixtures", "labels", "transceivers"});
+  root.expect_keys({"$schema", "format", "units", "currency", "name", "wavelength_nm", "room", "materials",
+                    "label_types", "transceiver_types", "fixtures", "labels", "transceivers"});
   const StoreFolder folder(path, trust);
   Store store;
   store.file = name;

@@ -93,6 +93,31 @@ void say_bounds(Sentences& to) {
   }
 }
 
+void say_prices(Sentences& to) {
+  to.heading("prices");
+  const PlacementProblem spend{.combination = Combination::spend};
+  Placement proven = of_units(4, 2, Status::optimal, spend), stopped = of_units(4, 2, Status::stopped, spend);
+  proven.price = Price{"EUR", 2040, 1000};
+  Placement count_open = stopped;
+  count_open.lower_bound = count_open.objective_value;
+  for (const Placement& placement : {proven, stopped, count_open})
+    to.say(terminal_bound(placement), page_bound(placement));
+  to.say(objective_name(spend), price_sentence(proven), "x" + price_sentence(stopped));
+  proven.price->to_spend = 2040;
+  to.say(price_sentence(proven), money(1799.5, std::nullopt), money(1234567, Price{"kr"}));
+  for (const double bound : {0.0, 900.0, 1000.0}) {
+    CertifiedPlan plan{proven};
+    plan.placement.price->to_spend = 1000;
+    Certificate& certificate = plan.certificate.emplace();
+    certificate.labels.resize(12);
+    for (LabelVerdict& label : certificate.labels) label.verdict = Verdict::reached;
+    certificate.cost_lower_bound = bound;
+    to.say(certificate_sentence(plan));
+    plan.placement.price.reset();
+    if (bound == 0) to.say(certificate_sentence(plan));
+  }
+}
+
 void say_what_is_out_of_reach(Sentences& to) {
   to.heading("unreachable");
   for (const bool redundant : {false, true}) {
@@ -222,6 +247,7 @@ TEST(Messages, EqualTheSnapshot) {
   Sentences said;
   say_selections(said);
   say_bounds(said);
+  say_prices(said);
   say_what_is_out_of_reach(said);
   say_certificates(said);
   say_headlines(said);
@@ -248,7 +274,7 @@ TEST(Headline, CountsLabelsWithinSamplingError) {
   error = static_cast<float>(0.505 * (label.signal - label.requirement));
   EXPECT_EQ(uncertain_labels(s.matrix, outcome), 1U);
   EXPECT_TRUE(is_close(s));
-  EXPECT_TRUE(test::pieces(report_html(s.input)).contains("Solved, 1 label uncertain"));
+  EXPECT_TRUE(test::pieces(report_html(s.input)).contains("Not verified yet, 1 label uncertain"));
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/report/drawing/plan_view.hpp"
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+/// How a fixture is drawn in plan, so that it hides nothing.
+enum class Look {
+  solid,     ///< stands on the floor
+  covering,  ///< surrounds other fixtures or much of the floor: transparent
+  overhead   ///< above head height, such as a lowered ceiling: its outline only
+};
+
+inline constexpr double head_height = 1.9;  ///< m
+
+/// Per fixture.
+std::vector<Look> looks_of(const Scene& scene);
+
+/// Fixtures that have an outline, in the order in which they are drawn: by their tops, lowest first.
+std::vector<std::uint32_t> fixtures_by_height(const Scene& scene);
+
+/// The horizontal section through the meshes of a fixture, 1.2 m above the floor or, if they do not extend to
+/// that height, halfway up: SVG path data of lines, such as the two faces of a wall. Empty without meshes.
+std::string mesh_section(const PlanView& view, const Scene& scene, std::uint32_t fixture);
+
+}  // namespace shelfbeam

@@ -1,0 +1,238 @@
+#include "shelfbeam/report/messages/summary.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using Tone = Headline::Tone;
+
+constexpr double close_share = 0.25;  ///< of its signal that a label with little reserve can lose
+
+std::string verdict_of(const ReportData& data, Tone tone) {
+  constexpr const char* tones[] = {"yes", "open", "no"};
+  const char* const key = tones[static_cast<std::size_t>(tone)];
+  if (data.input.plan.certificate) return say(fmt::format("verdict.certified.{}", key));
+  if (tone == Tone::yes && data.uncertain > 0)
+    return say_count("verdict.uncertified.uncertain", data.uncertain);
+  return say(fmt::format("verdict.uncertified.{}", key));
+}
+
+// "label A1", "labels A1 to A3": the first few ranges of ids.
+std::string named(const ReportData& data, const std::vector<std::uint32_t>& rows) {
+  constexpr std::size_t max_ranges = 4;
+  std::vector<std::string> ids;
+  for (const std::uint32_t row : rows) ids.push_back(data.label(row).id);
+  std::vector<std::string> ranges = id_ranges(ids);
+  const bool is_cut = ranges.size() > max_ranges;
+  ranges.resize(std::min(ranges.size(), max_ranges));
+  const std::string list = fmt::format("{}", fmt::join(ranges, ", "));
+  return is_cut ? say("summary.and_others", list) : list;
+}
+
+// On one line.
+std::string joined(std::string text) {
+  for (std::size_t at = 0; (at = text.find(' ', at)) != std::string::npos;) text.replace(at, 1, "\u00A0");
+  return text;
+}
+
+class Writer {
+ public:
+  explicit Writer(const ReportData& data)
+      : data_(data),
+        plan_(data.input.plan),
+        placement_(plan_.placement),
+        verified_(plan_.certificate && !plan_.certificate->none_verified()) {}
+
+  Summary with_selection() {
+    summary_.answer = answer();
+    add_price();
+    add_proof();
+    summary_.remarks.push_back(confirmation());
+    add_achievements();
+    add_risks();
+    return std::move(summary_);
+  }
+
+ private:
+  std::size_t labels() const { return data_.outcome.labels.size(); }
+  std::size_t reached() const {
+    return verified_ ? plan_.certificate->count(Verdict::reached) : data_.outcome.met;
+  }
+  std::vector<std::uint32_t> with(Verdict verdict) const {
+    std::vector<std::uint32_t> rows;
+    for (std::uint32_t i = 0; i < labels(); ++i)
+      if (verified_ ? plan_.certificate->labels[i].verdict == verdict
+                    : verdict == Verdict::missed && !data_.outcome.labels[i].met)
+        rows.push_back(i);
+    return rows;
+  }
+
+  std::string answer() const {
+    const std::size_t fresh = new_units(), installed = placement_.count() - fresh;
+    std::string mount = fresh == 0 ? say_count("summary.answer.nothing", installed)
+                                   : say_count("summary.answer.mount", fresh);
+    if (fresh > 0 && installed > 0) mount = say_count("summary.answer.beside", installed, mount);
+    const std::string failure = placement_.problem.redundant ? say("summary.answer.even_if") : std::string();
+    if (reached() < labels())
+      return say(verified_ ? "summary.answer.confirmed" : "summary.answer.reaches", mount, grouped(reached()),
+                 counted(labels(), "label"), failure);
+    return say(labels() == 1 ? "summary.answer.reaches_all.one" : "summary.answer.reaches_all.many", mount,
+               grouped(labels()), failure);
+  }
+
+  std::size_t new_units() const {
+    return static_cast<std::size_t>(
+        std::count_if(placement_.selected.begin(), placement_.selected.end(),
+                      [&](std::uint32_t column) { return !data_.transceiver(column).installed; }));
+  }
+
+  void add_price() {
+    const std::size_t fresh = new_units();
+    if (!placement_.price || fresh == 0) return;
+    const Price& price = *placement_.price;
+    const std::string spend = joined(money(price.to_spend, price));
+    summary_.remarks.push_back(fresh == placement_.count() ? say_count("summary.price", fresh, spend)
+                                                           : say_count("summary.price_both", fresh, spend,
+                                                                       joined(money(price.total, price))));
+  }
+
+  // Nothing is proven, and nothing has to be, if all units are there already.
+  void add_proof() {
+    if (data_.outcome.met < labels() || new_units() == 0 || !with(Verdict::missed).empty()) return;
+    const std::string text = minimises_cost(placement_.problem) ? proof_of_cost() : proof_of_count();
+    if (!text.empty()) summary_.remarks.push_back(text);
+  }
+
+  std::string proof_of_count() const {
+    const bool is_mixed = new_units() < placement_.count();
+    if (count_is_proven(placement_))
+      return say(is_confirmed(false)
+                     ? is_mixed ? "summary.bound.confirmed_fewer_new" : "summary.bound.confirmed_fewer"
+                 : is_mixed ? "summary.bound.fewer_new"
+                            : "summary.bound.fewer");
+    if (placement_.status == Status::feasible) return say("summary.bound.greedy");
+    const std::size_t bound = proven_count(placement_);
+    return bound == 0 ? "" : say("summary.bound.some_fewer", grouped(bound));
+  }
+
+  // The cost of `--weighted` includes installed units, and may include links or signals.
+  std::string proof_of_cost() const {
+    const bool is_spend = placement_.problem.combination == Combination::spend;
+    if (cost_is_proven(placement_))
+      return say(!is_spend            ? "summary.bound.sum"
+                 : is_confirmed(true) ? "summary.bound.confirmed_cheaper"
+                                      : "summary.bound.cheaper");
+    if (placement_.status == Status::feasible) return say("summary.bound.greedy");
+    if (!(placement_.lower_bound > 0)) return {};
+    return is_spend
+               ? say("summary.bound.some_cheaper", joined(at_least(placement_.lower_bound, placement_.price)))
+               : say("summary.bound.some_sum", at_least(placement_.lower_bound, std::nullopt));
+  }
+
+  // The independent samples prove the same bound.
+  bool is_confirmed(bool by_cost) const {
+    if (!plan_.certificate) return false;
+    constexpr double rounding = 1e-9;
+    return by_cost ? plan_.certificate->cost_lower_bound >= placement_.objective_value * (1 - rounding)
+                   : plan_.certificate->count_lower_bound >= placement_.count();
+  }
+
+  std::string confirmation() const {
+    if (!verified_) return say("summary.unchecked");
+    const std::string certainty = fmt::format("{:.6g}\u00A0%", 100 * plan_.certificate->confidence);
+    return plan_.certificate->all_reached()
+               ? say("summary.checked", certainty)
+               : say("summary.checked_open", grouped(reached()), counted(labels(), "label"), certainty);
+  }
+
+  void add_achievements() {
+    if (labels() == 0) return;
+    const std::uint32_t weakest = data_.outcome.by_margin.front();
+    const LabelOutcome& label = data_.outcome.labels[weakest];
+    const double ratio = label.requirement > 0 ? label.signal / label.requirement : 0;
+    if (label.met)
+      summary_.achieves.push_back(
+          say("summary.achieves.weakest", data_.label(weakest).id, significant(ratio)));
+    else
+      summary_.achieves.push_back(
+          say("summary.achieves.weakest_short", data_.label(weakest).id, percent(ratio, 0)));
+    const std::size_t secure = data_.outcome.secure, single = data_.outcome.met - secure;
+    if (single == 0 && secure == labels())
+      summary_.achieves.push_back(say_count("summary.achieves.secure_all", labels()));
+    else if (single > 0)
+      summary_.achieves.push_back(say_count("summary.achieves.secure", single, grouped(secure)));
+  }
+
+  void risk(std::string_view key, const std::vector<std::uint32_t>& rows) {
+    if (!rows.empty()) summary_.risks.push_back(say_count(key, rows.size(), named(data_, rows)));
+  }
+  void risk(std::string_view key, std::size_t count) {
+    if (count > 0) summary_.risks.push_back(say_count(key, count));
+  }
+
+  void add_risks() {
+    risk("summary.risks.missed", with(Verdict::missed));
+    risk("summary.risks.undecided", with(Verdict::undecided));
+    if (verified_) risk("summary.risks.unverified", plan_.certificate->count(Verdict::unverified));
+    const auto is_close = [](const LabelOutcome& label) {
+      return label.met && label.signal * (1 - close_share) < label.requirement;
+    };
+    risk("summary.risks.close", static_cast<std::size_t>(std::count_if(
+                                    data_.outcome.labels.begin(), data_.outcome.labels.end(), is_close)));
+    const auto& units = data_.outcome.units;
+    const auto most = std::max_element(
+        units.begin(), units.end(),
+        [](const UnitOutcome& a, const UnitOutcome& b) { return a.needed_by < b.needed_by; });
+    if (most != units.end() && most->needed_by > 0)
+      summary_.risks.push_back(
+          say_count("summary.risks.unit", most->needed_by, data_.unit_number(most->column)));
+    add_materials();
+    if (placement_.status == Status::stopped)
+      summary_.risks.push_back(say("summary.risks.stopped", significant(placement_.seconds, 2) + "\u00A0s"));
+    risk("summary.risks.flagged", data_.outcome.flagged_labels);
+    risk("summary.risks.warnings", plan_.warnings.size());
+  }
+
+  void add_materials() {
+    if (!plan_.sensitivity) {
+      summary_.risks.push_back(say("summary.risks.not_examined"));
+      return;
+    }
+    const std::size_t lost = plan_.sensitivity->low.missed.size() + plan_.sensitivity->low.undecided.size();
+    summary_.risks.push_back(lost == 0 ? say("summary.risks.darker_holds")
+                                       : say_count("summary.risks.darker", lost));
+  }
+
+  const ReportData& data_;
+  const CertifiedPlan& plan_;
+  const Placement& placement_;
+  bool verified_;
+  Summary summary_;
+};
+
+}  // namespace
+
+Summary summary_of(const ReportData& data) {
+  Headline line = headline(data);
+  Summary summary;
+  if (data.has_selection()) {
+    summary = Writer(data).with_selection();
+  } else {
+    summary.answer = std::move(line.answer);
+    summary.remarks = std::move(line.remarks);
+  }
+  summary.tone = line.tone;
+  summary.verdict = verdict_of(data, line.tone);
+  return summary;
+}
+
+}  // namespace shelfbeam

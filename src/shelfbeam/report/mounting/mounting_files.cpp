@@ -1,0 +1,159 @@
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/csv.hpp"
+#include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/mounting/mounting_sheet.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr const char* units_layer = "SHELFBEAM_UNITS";
+constexpr const char* installed_layer = "SHELFBEAM_INSTALLED";  // units that need no mounting
+constexpr const char* store_layer = "SHELFBEAM_STORE";
+constexpr const char* block = "SHELFBEAM_UNIT";
+constexpr double radius = 0.15, text_height = 0.2, line_height = 0.3;  // m
+
+/// A drawing in the exchange format of AutoCAD release 12, which every reader knows: pairs of a group code
+/// and a value, a line each.
+class Dxf {
+ public:
+  template <class Value>
+  Dxf& put(int code, const Value& value) {
+    text_ += fmt::format("{}\n{}\n", code, value);
+    return *this;
+  }
+  Dxf& put(int code, double value) {
+    text_ += fmt::format("{}\n{:.6f}\n", code, value);
+    return *this;
+  }
+  Dxf& at(double x, double y, double z = 0, int corner = 0) {
+    return put(10 + corner, x).put(20 + corner, y).put(30 + corner, z);
+  }
+  Dxf& begin(const char* name) { return put(0, "SECTION").put(2, name); }
+  Dxf& end() { return put(0, "ENDSEC"); }
+  const std::string& text() { return put(0, "EOF").text_; }
+
+ private:
+  std::string text_;
+};
+
+void add_layers(Dxf& dxf) {
+  constexpr int black = 7, grey = 8;
+  dxf.begin("TABLES").put(0, "TABLE").put(2, "LAYER").put(70, 3);
+  for (const auto& [name, colour] :
+       {std::pair(units_layer, black), std::pair(installed_layer, black), std::pair(store_layer, grey)})
+    dxf.put(0, "LAYER").put(2, name).put(70, 0).put(62, colour).put(6, "CONTINUOUS");
+  dxf.put(0, "ENDTAB").end();
+}
+
+// Release 12 has no Unicode; control characters would end a value.
+std::string dxf_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) result += c >= ' ' && c < 0x7F ? c : '?';
+  return result;
+}
+
+struct Attribute {
+  const char *tag, *prompt;
+  std::string value;
+  bool is_hidden;
+};
+
+std::vector<Attribute> attributes_of(const MountedUnit& unit) {
+  return {
+      {"NUMBER", "Number on the mounting sheet", fmt::format("{}", unit.number), false},
+      {"ID", "Id of the unit", dxf_text(unit.id), true},
+      {"TYPE", "Type of the unit", dxf_text(unit.type), true},
+      {"HEIGHT", "Height above the floor in cm", fmt::format("{}", height_cm(unit)), true},
+      {"TILT", "Tilt from straight down in degrees", fmt::format("{:.1f}", unit.tilt_deg), true},
+      {"TOWARDS", "Direction of the tilt in plan in degrees", fmt::format("{:.1f}", unit.towards_deg), true}};
+}
+
+void add_block(Dxf& dxf) {
+  dxf.begin("BLOCKS");
+  dxf.put(0, "BLOCK").put(8, units_layer).put(2, block).put(70, 2).at(0, 0).put(3, block);
+  dxf.put(0, "CIRCLE").put(8, units_layer).at(0, 0).put(40, radius);
+  dxf.put(0, "LINE").put(8, units_layer).at(-radius, 0).at(radius, 0, 0, 1);
+  dxf.put(0, "LINE").put(8, units_layer).at(0, -radius).at(0, radius, 0, 1);
+  double y = radius;
+  for (const Attribute& attribute : attributes_of({})) {
+    dxf.put(0, "ATTDEF").put(8, units_layer).at(1.2 * radius, y).put(40, text_height).put(1, "");
+    dxf.put(3, attribute.prompt).put(2, attribute.tag).put(70, attribute.is_hidden ? 1 : 0);
+    y -= line_height;
+  }
+  dxf.put(0, "ENDBLK").put(8, units_layer).end();
+}
+
+void add_outline(Dxf& dxf, std::span<const Vec2> corners) {
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto &a = corners[k], &b = corners[(k + 1) % corners.size()];
+    dxf.put(0, "LINE").put(8, store_layer).at(a[0], a[1]).at(b[0], b[1], 0, 1);
+  }
+}
+
+void add_unit(Dxf& dxf, const MountedUnit& unit) {
+  const Vec3& p = unit.position;
+  const char* const layer = unit.installed ? installed_layer : units_layer;
+  dxf.put(0, "INSERT").put(8, layer).put(66, 1).put(2, block).at(p.x, p.y, p.z);
+  double y = p.y + radius;
+  for (const Attribute& attribute : attributes_of(unit)) {
+    dxf.put(0, "ATTRIB").put(8, layer).at(p.x + 1.2 * radius, y, p.z).put(40, text_height);
+    dxf.put(1, attribute.value).put(2, attribute.tag).put(70, attribute.is_hidden ? 1 : 0);
+    y -= line_height;
+  }
+  dxf.put(0, "SEQEND").put(8, layer);
+}
+
+}  // namespace
+
+std::string mounting_csv(const ReportInput& input) {
+  const ReportData data(input);
+  const auto text = [&](std::string_view field) { return csv_field(field, input.safe_csv); };
+  std::string csv =
+      "number,id,type,installed,distance_1_cm,from_1,distance_2_cm,from_2,height_cm,tilt_deg,towards_deg,"
+      "roll_deg\n";
+  for (const MountedUnit& unit : mounting_sheet(data)) {
+    const auto& [first, second] = unit.references;
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", unit.number, text(unit.id), text(unit.type),
+                       unit.installed ? 1 : 0, centimetres(first.distance), text(name_of(first)),
+                       centimetres(second.distance), text(name_of(second)), height_cm(unit),
+                       csv_number(std::round(10 * unit.tilt_deg) / 10),
+                       csv_number(std::round(10 * unit.towards_deg) / 10), csv_number(unit.roll_deg));
+  }
+  return csv;
+}
+
+std::string mounting_dxf(const ReportInput& input) {
+  const ReportData data(input);
+  const Scene& scene = input.scene;
+  Dxf dxf;
+  dxf.begin("HEADER")
+      .put(9, "$ACADVER")
+      .put(1, "AC1009")
+      .put(9, "$EXTMIN")
+      .at(scene.lower.x, scene.lower.y, scene.lower.z);
+  dxf.put(9, "$EXTMAX").at(scene.upper.x, scene.upper.y, scene.upper.z).end();
+  add_layers(dxf);
+  add_block(dxf);
+  dxf.begin("ENTITIES");
+  if (scene.room) {
+    const double x = scene.room->x, y = scene.room->y;
+    add_outline(dxf, std::array<Vec2, 4>{{{0, 0}, {x, 0}, {x, y}, {0, y}}});
+  }
+  for (const FixtureOutline& fixture : scene.fixtures) add_outline(dxf, fixture.footprint);
+  for (const MountedUnit& unit : mounting_sheet(data)) add_unit(dxf, unit);
+  dxf.end();
+  return dxf.text();
+}
+
+}  // namespace shelfbeam

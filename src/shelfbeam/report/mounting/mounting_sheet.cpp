@@ -1,0 +1,79 @@
+#include "shelfbeam/report/mounting/mounting_sheet.hpp"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+}  // namespace
+
+std::vector<MountedUnit> mounting_sheet(const ReportData& data) {
+  std::map<std::string_view, double> roll_deg;
+  for (const Transceiver& unit : data.input.scene.transceivers) roll_deg.emplace(unit.id, unit.roll_deg);
+  std::vector<MountedUnit> sheet;
+  if (!data.has_selection()) return sheet;
+  for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
+    const TransceiverColumn& of = data.transceiver(data.outcome.units[k].column);
+    MountedUnit unit{k + 1,        of.id,       of.type,
+                     of.installed, of.position, references_of(data.input.scene, of.position)};
+    const double level = std::hypot(of.axis.x, of.axis.y);
+    unit.tilt_deg = std::atan2(level, -of.axis.z) / degree;
+    if (level > 1e-9) unit.towards_deg = std::fmod(std::atan2(of.axis.y, of.axis.x) / degree + 360, 360);
+    unit.roll_deg = roll_deg[of.id];
+    sheet.push_back(std::move(unit));
+  }
+  return sheet;
+}
+
+long centimetres(double metres) {
+  return std::lround(100 * metres);
+}
+
+std::string name_of(const Reference& reference) {
+  const std::string_view side = to_text(reference.side);
+  switch (reference.kind) {
+    case Reference::Kind::wall:
+      return say("mounting.wall", side);
+    case Reference::Kind::fixture:
+      return reference.fixture;
+    case Reference::Kind::end:
+      return say("mounting.end", side, reference.fixture);
+    case Reference::Kind::origin:
+      break;
+  }
+  return say("mounting.origin");
+}
+
+std::string_view to_text(Side side) {
+  constexpr const char* keys[] = {"left", "right", "bottom", "top"};
+  return words(fmt::format("mounting.side.{}", keys[static_cast<std::size_t>(side)]));
+}
+
+std::string direction_of(const MountedUnit& unit) {
+  constexpr double eighth = 45;  // degrees
+  std::string text;
+  if (unit.tilt_deg < min_tilt_deg)
+    text = say("mounting.down");
+  else if (unit.tilt_deg > 180 - min_tilt_deg)
+    text = say("mounting.up");
+  else {
+    const long nearest = std::lround(unit.towards_deg / eighth);
+    const std::string_view side = words(fmt::format("mounting.towards.{}", nearest % 8));
+    const bool is_exact = std::abs(unit.towards_deg - eighth * static_cast<double>(nearest)) < 1;
+    text = is_exact ? say("mounting.tilted", fixed(unit.tilt_deg, 0), side)
+                    : say("mounting.tilted_to", fixed(unit.tilt_deg, 0), side, fixed(unit.towards_deg, 0));
+  }
+  return unit.roll_deg == 0 ? text : say("mounting.turned", text, plain(unit.roll_deg));
+}
+
+}  // namespace shelfbeam

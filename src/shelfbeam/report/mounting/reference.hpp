@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+/// A direction on the drawing, whose x axis points to the right and whose y axis points up.
+enum class Side { left, right, bottom, top };
+
+/// The distance in plan from a unit to something that a fitter can measure from.
+struct Reference {
+  enum class Kind {
+    wall,     ///< of the room
+    fixture,  ///< the near face of a fixture beside the unit
+    end,      ///< a side of a fixture below the unit
+    origin    ///< the axis of the drawing, if there is nothing else
+  };
+
+  Side side = Side::left;  ///< the direction from the unit to the reference
+  Kind kind = Kind::origin;
+  std::string fixture;  ///< its id
+  double distance = 0;  ///< m
+};
+
+/// The references along x and along y. The nearest surface at the height of the unit, which a laser at the
+/// unit meets, or, if that is more than `far_surface` away, the nearest face of a fixture in plan.
+std::array<Reference, 2> references_of(const Scene& scene, const Vec3& unit);
+
+inline constexpr double far_surface = 8;  ///< m
+
+}  // namespace shelfbeam

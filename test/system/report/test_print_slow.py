@@ -1,0 +1,138 @@
+"""Tests the printed report and the drawing for a fitter, with independent readers: Chromium, Poppler and ezdxf."""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["SHELFBEAM"]
+UNITS = 60
+
+
+def run(*command):
+    return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True).stdout
+
+
+def has(program):
+    """True in continuous integration, too: there a test without its program fails instead of being skipped."""
+    return "CI" in os.environ or shutil.which(program)
+
+
+def plan_of(folder, store, units=None):
+    """A plan, and a copy of it with other units: without the record of its files, `report` accepts the change."""
+    run(PROGRAM, "plan", store, "-o", folder, "--no-certificate", "--samples", "200", "--quiet")
+    if units is None:
+        return folder
+    path = folder / "placement.json"
+    placement = json.loads(path.read_text(encoding="utf-8"))
+    for key in ("complete", "files", "alternatives"):
+        placement.pop(key, None)
+    placement.update(selected=units, count=len(units), status="stopped", count_lower_bound=1)
+    path.write_text(json.dumps(placement), encoding="utf-8")
+    run(PROGRAM, "report", folder, "--quiet")
+    return folder
+
+
+def pages_of(folder, paper):
+    """The text of each printed page, as laid out."""
+    report = folder / "report.html"
+    page = folder / f"{paper}.html"
+    rule = f"<style>@page{{size:{paper};margin:12mm}}</style></head>"
+    page.write_text(report.read_text(encoding="utf-8").replace("</head>", rule, 1), encoding="utf-8")
+    pdf = folder / f"{paper}.pdf"
+    run("chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
+        f"--print-to-pdf={pdf}", page.as_uri())
+    return run("pdftotext", "-layout", pdf, "-").split("\f")
+
+
+class Prints(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if not (has("chromium") and has("pdftotext")):
+            raise unittest.SkipTest("chromium or pdftotext is missing")
+        cls.work = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.work.cleanup)
+        work = pathlib.Path(cls.work.name)
+        run(PROGRAM, "new", "grocery", work / "store", "--quiet")
+        store = work / "store/store.json"
+        cls.few = plan_of(work / "few", store)
+        with (cls.few / "placement.csv").open(encoding="utf-8") as file:
+            cls.placement = list(csv.DictReader(file))
+        ids = re.findall(r'"id": "(G1-[^"]+)"', (cls.few / "store.json").read_text(encoding="utf-8"))
+        cls.many = plan_of(work / "many", store, sorted(ids, key=ids.index)[:: len(ids) // UNITS][:UNITS])
+
+    def rows(self, folder):
+        with (folder / "mounting.csv").open(encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def expect_row(self, text, row):
+        """A line of the sheet with the number of the unit and both its distances."""
+        pattern = rf"^\s*{row['number']}\s+{row['distance_1_cm']} cm .+\s{row['distance_2_cm']} cm .+{row['id']}"
+        self.assertRegex(text, re.compile(pattern, re.MULTILINE))
+
+    def test_first_page_is_for_the_manager_and_second_for_the_fitter(self):
+        for paper in ("A4", "Letter"):
+            for folder in (self.few, self.many):
+                pages = pages_of(folder, paper)
+                self.assertIn("What could go wrong", pages[0], paper)
+                self.assertNotIn("Mounting sheet", pages[0], paper)
+                self.assertRegex(pages[1].strip(), "^Mounting sheet", paper)
+
+    def test_units_stand_beside_their_distances(self):
+        text = pages_of(self.few, "A4")[1]
+        for row in self.rows(self.few):
+            self.expect_row(text, row)
+        wrong = dict(self.rows(self.few)[2], distance_1_cm="98765")
+        with self.assertRaises(AssertionError):
+            self.expect_row(text, wrong)
+
+    def test_sixty_units_take_two_pages(self):
+        rows = self.rows(self.many)
+        self.assertEqual(len(rows), UNITS)
+        for paper in ("A4", "Letter"):
+            pages = pages_of(self.many, paper)
+            sheet = pages[1] + pages[2]
+            for row in rows:
+                self.expect_row(sheet, row)
+            self.assertIn("Coverage by shelf level", pages[3], paper)
+
+    def test_numbers_are_those_of_the_sheet(self):
+        by_id = {row["id"]: row for row in self.rows(self.few)}
+        for unit in self.placement:
+            row = by_id[unit["id"]]
+            self.assertEqual(int(row["height_cm"]), round(100 * float(unit["z"])))
+            if row["from_1"] == "wall at the left":
+                self.assertEqual(int(row["distance_1_cm"]), round(100 * float(unit["x"])))
+        self.assertEqual(sorted(int(row["number"]) for row in by_id.values()), list(range(1, len(by_id) + 1)))
+
+    def test_drawing_has_a_numbered_block_for_every_unit(self):
+        try:
+            import ezdxf
+        except ImportError:
+            if "CI" in os.environ:
+                raise
+            self.skipTest("ezdxf is missing")
+        for folder in (self.few, self.many):
+            with (folder / "placement.csv").open(encoding="utf-8") as file:
+                at = {unit["id"]: tuple(float(unit[axis]) for axis in "xyz") for unit in csv.DictReader(file)}
+            drawing = ezdxf.readfile(folder / "mounting.dxf")
+            self.assertEqual(drawing.audit().errors, [])
+            blocks = list(drawing.modelspace().query("INSERT"))
+            self.assertEqual(len(blocks), len(at))
+            numbers = {}
+            for block in blocks:
+                self.assertEqual(block.dxf.layer, "SHELFBEAM_UNITS")
+                texts = {attribute.dxf.tag: attribute.dxf.text for attribute in block.attribs}
+                numbers[texts["ID"]] = texts["NUMBER"]
+                for found, wanted in zip(block.dxf.insert, at[texts["ID"]]):
+                    self.assertAlmostEqual(found, wanted, places=5)
+            self.assertEqual(numbers, {row["id"]: row["number"] for row in self.rows(folder)})
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,127 @@
+#include "shelfbeam/report/messages/summary.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "unit/report/supermarket_report.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::Supermarket;
+
+std::string all_of(const Summary& summary) {
+  std::string text = summary.verdict + "\n" + summary.answer;
+  for (const auto& list : {summary.remarks, summary.achieves, summary.risks})
+    for (const std::string& sentence : list) text += "\n" + sentence;
+  return text;
+}
+
+bool contains(const Supermarket& s, const std::string& piece) {
+  return all_of(summary_of(ReportData(s.input))).find(piece) != std::string::npos;
+}
+
+// Words that a manager need not know.
+TEST(Summary, HasNoTermsOfStatistics) {
+  Supermarket s;
+  for (const bool has_certificate : {false, true}) {
+    if (has_certificate) test::certify(s);
+    const std::string text = all_of(summary_of(ReportData(s.input)));
+    for (const char* word :
+         {"confidence", "sampling", "standard error", "bound", "gap", "certificate", "median", "quantile",
+          "decibel", " dB", "matrix", "cooperative", "lexicographic", "optimal"})
+      EXPECT_EQ(text.find(word), std::string::npos) << word << " in:\n" << text;
+  }
+  // The control: the statement for experts has them.
+  EXPECT_NE(headline(ReportData(s.input)).answer.find("confidence"), std::string::npos);
+}
+
+TEST(Summary, CountsNewAndInstalledUnits) {
+  Supermarket s;
+  const std::string all = std::to_string(s.placement.count());
+  EXPECT_TRUE(contains(s, "Mount " + all + " new transceivers: all 926 labels receive enough signal."));
+  s.matrix.transceivers[s.placement.selected[0]].installed = true;
+  EXPECT_TRUE(contains(s, "Mount " + std::to_string(s.placement.count() - 1) +
+                              " new transceivers beside the one already installed: all 926"));
+  s.matrix.transceivers[s.placement.selected[1]].installed = true;
+  EXPECT_TRUE(contains(s, "new transceivers beside the 2 already installed: all 926"));
+  for (const std::uint32_t j : s.placement.selected) s.matrix.transceivers[j].installed = true;
+  EXPECT_TRUE(contains(s, "The " + all + " installed transceivers are enough: all 926"));
+}
+
+TEST(Summary, StatesPriceProofAndVerification) {
+  Supermarket s;
+  EXPECT_TRUE(contains(s, "Not verified yet: the result rests on one simulation"));
+  EXPECT_FALSE(contains(s, "cost"));
+  s.placement.price = Price{"EUR", 2040, 1800.5};
+  EXPECT_TRUE(contains(s, "The new transceivers cost 1,800.50\u00A0EUR."));
+  s.matrix.transceivers[s.placement.selected[0]].installed = true;
+  EXPECT_TRUE(contains(s,
+                       "The new transceivers cost 1,800.50\u00A0EUR; including those already installed, the "
+                       "price is 2,040\u00A0EUR."));
+  s.matrix.transceivers[s.placement.selected[0]].installed = false;
+  s.placement.count_lower_bound = static_cast<double>(s.placement.count());
+  EXPECT_TRUE(contains(s, "Fewer are not enough: this is proven for the simulated signals."));
+  test::certify(s);
+  EXPECT_TRUE(
+      contains(s, "A second, independent simulation confirms 888 of 926 labels with 95\u00A0% certainty"));
+  for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::reached;
+  EXPECT_TRUE(contains(s, "A second, independent simulation confirms this with 95\u00A0% certainty."));
+  s.plan.certificate->count_lower_bound = s.placement.count();
+  EXPECT_TRUE(contains(s, "Fewer are not enough.\n"));
+  for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::unverified;
+  EXPECT_TRUE(contains(s, "Not verified yet"));
+  EXPECT_FALSE(contains(s, "0 of 926"));
+}
+
+TEST(Summary, ProvesNoMoreThanTheSearch) {
+  Supermarket s;
+  s.placement.status = Status::stopped;
+  s.placement.lower_bound = 290.0099;
+  s.placement.objective_value = 400;
+  s.placement.price = Price{"EUR", 400, 200};
+  s.placement.problem.combination = Combination::weighted;
+  EXPECT_TRUE(contains(s, "the total cost is at least 290; whether 290 is"))
+      << "installed units are part of it";
+  s.placement.problem.combination = Combination::spend;
+  EXPECT_TRUE(contains(s, "at least 290\u00A0EUR must be spent; whether 290\u00A0EUR is")) << "rounded down";
+  for (const std::uint32_t j : s.placement.selected) s.matrix.transceivers[j].installed = true;
+  EXPECT_FALSE(contains(s, "proven")) << "nothing is bought";
+  EXPECT_FALSE(contains(s, "EUR"));
+}
+
+TEST(Summary, NamesTheRisks) {
+  Supermarket s;
+  EXPECT_TRUE(contains(s, "darker than in the store file were not examined"));
+  EXPECT_TRUE(contains(s, "the largest loss from any one unit"));
+  s.plan.sensitivity.emplace().low.missed = {3, 4};
+  EXPECT_TRUE(contains(s, "as dark as their materials may be, 2 labels are lost or uncertain"));
+  s.plan.warnings = {"x"};
+  EXPECT_TRUE(contains(s, "1 questionable value, listed below"));
+  test::certify(s);
+  EXPECT_TRUE(contains(s, "19 labels do not receive enough signal: "));
+}
+
+TEST(Summary, CountsLabelsThatOneUnitServes) {
+  const Supermarket s;
+  const ReportData data(s.input);
+  std::size_t single = 0;
+  for (std::uint32_t i = 0; i < data.outcome.labels.size(); ++i) {
+    std::vector<double> signals;
+    for (const std::uint32_t j : s.placement.selected)
+      signals.push_back(static_cast<double>(s.matrix.mean[s.matrix.at(i, j)]));
+    double sum = 0;
+    for (const double signal : signals) sum += signal;
+    const double without_strongest = sum - *std::max_element(signals.begin(), signals.end());
+    if (data.outcome.labels[i].met && without_strongest < data.outcome.labels[i].requirement * (1 - 1e-9))
+      ++single;
+  }
+  EXPECT_GT(single, 0U);
+  EXPECT_EQ(data.outcome.met - data.outcome.secure, single);
+  EXPECT_TRUE(contains(s, std::to_string(single) + " labels depend on a single transceiver"));
+}
+
+}  // namespace
+}  // namespace shelfbeam
