@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "shelfbeam/placement/coverage/max_coverage.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/label_shares.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 
 namespace shelfbeam {
@@ -44,32 +44,15 @@ std::optional<Alternative> one_fewer(const Placement& placement, const SignalTab
   return result;
 }
 
-// S_i of a row if one more signal arrives.
-class Received {
- public:
-  Received(std::span<const SignalEntry> row, const std::vector<bool>& chosen, const PlacementProblem& problem)
-      : problem_(problem) {
-    for (const SignalEntry& entry : row)
-      if (chosen[entry.transceiver]) add(entry.signal);
-  }
-  double with(double signal) const {
-    Received more = *this;
-    more.add(signal);
-    if (problem_.model == CommunicationModel::cooperative)
-      return problem_.redundant ? more.sum_ - more.largest_ : more.sum_;
-    return problem_.redundant ? more.second_ : more.largest_;
-  }
-
- private:
-  void add(double signal) {
-    sum_ += signal;
-    second_ = std::max(second_, std::min(signal, largest_));
-    largest_ = std::max(largest_, signal);
-  }
-
-  const PlacementProblem& problem_;
-  double sum_ = 0, largest_ = 0, second_ = 0;
-};
+// The margin of a label with one more signal, to rank candidates: sums may round differently from those of
+// received_signal. `shares` are signals over the requirement.
+double margin_with(detail::LabelShares shares, std::uint32_t column, double share,
+                   const PlacementProblem& problem) {
+  shares.add(column, share);
+  if (problem.model == CommunicationModel::cooperative)
+    return problem.redundant ? shares.sum - shares.largest : shares.sum;
+  return problem.redundant ? shares.second : shares.largest;
+}
 
 std::optional<Alternative> one_more(const Placement& placement, const SignalTable& table) {
   const PlacementProblem& problem = placement.problem;
@@ -80,14 +63,17 @@ std::optional<Alternative> one_more(const Placement& placement, const SignalTabl
     mounts.for_each_conflict(j, [&](std::uint32_t other) { blocked[other] = true; });
   }
   std::vector<double> smallest(table.columns(), std::numeric_limits<double>::infinity());
-  std::vector<double> signal(table.columns());
+  std::vector<double> share(table.columns());
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    const Received received(table.row(i), chosen, problem);
-    std::fill(signal.begin(), signal.end(), 0.0);
-    for (const SignalEntry& entry : table.row(i)) signal[entry.transceiver] = entry.signal;
     const double requirement = requirement_of(table.labels[i], problem.model);
-    for (std::size_t j = 0; j < signal.size(); ++j)
-      smallest[j] = std::min(smallest[j], received.with(signal[j]) / requirement);
+    detail::LabelShares received;
+    std::fill(share.begin(), share.end(), 0.0);
+    for (const SignalEntry& entry : table.row(i)) {
+      share[entry.transceiver] = entry.signal / requirement;
+      if (chosen[entry.transceiver]) received.add(entry.transceiver, share[entry.transceiver]);
+    }
+    for (std::uint32_t j = 0; j < share.size(); ++j)
+      smallest[j] = std::min(smallest[j], margin_with(received, j, share[j], problem));
   }
   std::optional<std::uint32_t> best;
   for (std::uint32_t j = 0; j < table.columns(); ++j)

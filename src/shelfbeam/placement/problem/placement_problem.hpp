@@ -24,22 +24,19 @@ enum class Objective {
   signal            ///< sum delta_i M_ij T_j (3.10, 3.14)
 };
 
-/// Names of an objective on the command line, in files and in sentences.
+/// Names of an objective on the command line and in files.
 struct ObjectiveWords {
   Objective value;
-  std::string_view name;               ///< on the command line and in files
-  std::string_view help;               ///< the summed quantity
-  std::string_view sum;                ///< "the least sum over links"
-  std::string_view fewest = "fewest";  ///< "fewest transceivers, then fewest links"
-  bool has_share = false;              ///< PlacementProblem::share applies
+  std::string_view name;
+  std::string_view help;   ///< the summed quantity
+  bool has_share = false;  ///< PlacementProblem::share applies
 };
 inline constexpr std::array objective_words = {
-    ObjectiveWords{Objective::count, "count", "none (default)", "transceivers"},
-    ObjectiveWords{Objective::links, "links", "cost of all links", "links"},
+    ObjectiveWords{Objective::count, "count", "none (default)"},
+    ObjectiveWords{Objective::links, "links", "cost of all links"},
     ObjectiveWords{Objective::effective_links, "effective-links",
-                   "cost of the links with at least a given share of the requirement", "effective links",
-                   "fewest", true},
-    ObjectiveWords{Objective::signal, "signal", "cost of all signals", "signal", "lowest"}};
+                   "cost of the links with at least a given share of the requirement", true},
+    ObjectiveWords{Objective::signal, "signal", "cost of all signals"}};
 
 /// Precondition: `objective_words` contains the objective.
 constexpr const ObjectiveWords& words_of(Objective objective) {

@@ -31,11 +31,16 @@ ReportData::ReportData(const ReportInput& report_input)
   std::vector<double> heights;
   for (const LabelRow& label : input.matrix.labels) heights.push_back(label.position.z);
   levels = shelf_levels(heights);
-  std::vector<Vec3> positions;
-  for (const UnitOutcome& one : outcome.units) positions.push_back(transceiver(one.column).position);
   std::vector<UnitOutcome> in_order;
-  for (const std::size_t k : walking_order(positions)) in_order.push_back(outcome.units[k]);
+  for (const std::size_t k : walking_order_of(input)) in_order.push_back(outcome.units[k]);
   outcome.units = std::move(in_order);
+}
+
+std::vector<std::size_t> walking_order_of(const ReportInput& input) {
+  std::vector<Vec3> positions;
+  for (const std::uint32_t column : input.plan.placement.selected)
+    positions.push_back(input.matrix.transceivers[column].position);
+  return walking_order(positions);
 }
 
 std::size_t ReportData::unit_number(std::uint32_t column) const {

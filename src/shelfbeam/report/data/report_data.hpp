@@ -28,6 +28,9 @@ inline constexpr double level_band = 0.25;
 /// Levels from the lowest label up. A label belongs to a level if it is at most level_band above its lowest.
 std::vector<ShelfLevel> shelf_levels(std::span<const double> heights);
 
+/// The chosen units in walking order, as indices into Placement::selected.
+std::vector<std::size_t> walking_order_of(const ReportInput& input);
+
 /// The data that several sections of a report share.
 struct ReportData {
   explicit ReportData(const ReportInput& report_input);

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include <fmt/format.h>
+
+#include "shelfbeam/math/box_index.hpp"
 
 namespace shelfbeam {
 
@@ -15,26 +16,27 @@ constexpr double section_height = 1.2;            // m
 constexpr std::uint32_t max_triangles = 200'000;  // per part, in a section
 constexpr double large_share = 0.3;               // of the floor
 
-struct Bounds {
-  Span x, y;
+// In plan: z is 0.
+Bounds bounds_of(const FixtureOutline& fixture) {
+  Bounds bounds;
+  for (const auto& [x, y] : fixture.footprint) bounds.include(Vec3{x, y, 0});
+  return bounds;
+}
 
-  explicit Bounds(std::span<const Vec2> polygon) {
-    for (const auto& [px, py] : polygon) {
-      x.add(px);
-      y.add(py);
-    }
-  }
-  double area() const { return x.size() * y.size(); }
-  bool contains(const Bounds& other) const {
-    return x.low <= other.x.low && other.x.high <= x.high && y.low <= other.y.low && other.y.high <= y.high;
-  }
-};
+bool contains(const Bounds& outer, const Bounds& inner) {
+  return outer.low.x <= inner.low.x && inner.high.x <= outer.high.x && outer.low.y <= inner.low.y &&
+         inner.high.y <= outer.high.y;
+}
 
-double bottom_of(const Scene& scene, std::uint32_t fixture) {
-  double bottom = std::numeric_limits<double>::infinity();
+// The lowest point of every fixture.
+std::vector<double> bottoms_of(const Scene& scene) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  std::vector<double> bottoms(scene.fixtures.size(), unknown);
   for (const Part& part : scene.parts)
-    if (part.fixture == fixture && part.kind != PartKind::shell) bottom = std::min(bottom, part.bottom);
-  return std::isfinite(bottom) ? bottom : 0;
+    if (part.fixture < bottoms.size() && part.kind != PartKind::shell)
+      bottoms[part.fixture] = std::min(bottoms[part.fixture], part.bottom);
+  std::replace(bottoms.begin(), bottoms.end(), unknown, 0.0);
+  return bottoms;
 }
 
 // The line in which a plane of constant height cuts a triangle, as path data.
@@ -55,22 +57,22 @@ std::string cut(const PlanView& view, const std::array<Vec3, 3>& corners, double
 
 std::vector<Look> looks_of(const Scene& scene) {
   const Vec3 size = scene.room ? *scene.room : scene.upper - scene.lower;
+  const std::vector<double> bottoms = bottoms_of(scene);
+  std::vector<Bounds> bounds;
+  for (const FixtureOutline& fixture : scene.fixtures) bounds.push_back(bounds_of(fixture));
+  const BoxIndex index(bounds);
   std::vector<Look> looks;
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
     const FixtureOutline& fixture = scene.fixtures[f];
-    if (bottom_of(scene, f) >= head_height) {
-      looks.push_back(Look::overhead);
-      continue;
-    }
-    const Bounds own(fixture.footprint);
-    const auto is_inside = [&](const FixtureOutline& other) {
-      return &other != &fixture && other.footprint.size() > 2 && other.height <= fixture.height &&
-             own.contains(Bounds(other.footprint));
+    const Vec3 extent = bounds[f].high - bounds[f].low;
+    const auto is_inside = [&](std::uint32_t other) {
+      return other != f && scene.fixtures[other].footprint.size() > 2 &&
+             scene.fixtures[other].height <= fixture.height && contains(bounds[f], bounds[other]);
     };
-    const bool covers = fixture.footprint.size() > 2 &&
-                        (own.area() > large_share * size.x * size.y ||
-                         std::any_of(scene.fixtures.begin(), scene.fixtures.end(), is_inside));
-    looks.push_back(covers ? Look::covering : Look::solid);
+    const bool covers =
+        fixture.footprint.size() > 2 &&
+        (extent.x * extent.y > large_share * size.x * size.y || index.any(bounds[f], is_inside));
+    looks.push_back(bottoms[f] >= head_height ? Look::overhead : covers ? Look::covering : Look::solid);
   }
   return looks;
 }
@@ -86,6 +88,7 @@ std::vector<std::uint32_t> fixtures_by_height(const Scene& scene) {
 
 std::string mesh_section(const PlanView& view, const Scene& scene, std::uint32_t fixture) {
   std::string data;
+  if (scene.fixtures[fixture].type != "mesh") return data;
   for (const Part& part : scene.parts) {
     if (part.fixture != fixture || part.triangle_count == 0 || part.triangle_count > max_triangles) continue;
     const bool is_cut = part.bottom < section_height && section_height < part.top;

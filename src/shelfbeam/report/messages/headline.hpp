@@ -16,6 +16,12 @@ struct Headline {
   std::vector<std::string> remarks;  ///< one or two sentences each
 };
 
+/// "yes", "open", "no": in keys of the catalogue and as a CSS class.
+constexpr const char* key_of(Headline::Tone tone) {
+  constexpr const char* keys[] = {"yes", "open", "no"};
+  return keys[static_cast<std::size_t>(tone)];
+}
+
 Headline headline(const ReportData& data);
 
 }  // namespace shelfbeam

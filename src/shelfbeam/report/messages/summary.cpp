@@ -18,12 +18,10 @@ using Tone = Headline::Tone;
 constexpr double close_share = 0.25;  ///< of its signal that a label with little reserve can lose
 
 std::string verdict_of(const ReportData& data, Tone tone) {
-  constexpr const char* tones[] = {"yes", "open", "no"};
-  const char* const key = tones[static_cast<std::size_t>(tone)];
-  if (data.input.plan.certificate) return say(fmt::format("verdict.certified.{}", key));
+  if (data.input.plan.certificate) return say(fmt::format("verdict.certified.{}", key_of(tone)));
   if (tone == Tone::yes && data.uncertain > 0)
     return say_count("verdict.uncertified.uncertain", data.uncertain);
-  return say(fmt::format("verdict.uncertified.{}", key));
+  return say(fmt::format("verdict.uncertified.{}", key_of(tone)));
 }
 
 // "label A1", "labels A1 to A3": the first few ranges of ids.

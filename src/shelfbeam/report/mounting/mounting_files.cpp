@@ -117,12 +117,11 @@ void add_unit(Dxf& dxf, const MountedUnit& unit) {
 }  // namespace
 
 std::string mounting_csv(const ReportInput& input) {
-  const ReportData data(input);
   const auto text = [&](std::string_view field) { return csv_field(field, input.safe_csv); };
   std::string csv =
       "number,id,type,installed,distance_1_cm,from_1,distance_2_cm,from_2,height_cm,tilt_deg,towards_deg,"
       "roll_deg\n";
-  for (const MountedUnit& unit : mounting_sheet(data)) {
+  for (const MountedUnit& unit : mounting_sheet(input)) {
     const auto& [first, second] = unit.references;
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", unit.number, text(unit.id), text(unit.type),
                        unit.installed ? 1 : 0, centimetres(first.distance), text(name_of(first)),
@@ -134,7 +133,6 @@ std::string mounting_csv(const ReportInput& input) {
 }
 
 std::string mounting_dxf(const ReportInput& input) {
-  const ReportData data(input);
   const Scene& scene = input.scene;
   Dxf dxf;
   dxf.begin("HEADER")
@@ -151,7 +149,7 @@ std::string mounting_dxf(const ReportInput& input) {
     add_outline(dxf, std::array<Vec2, 4>{{{0, 0}, {x, 0}, {x, y}, {0, y}}});
   }
   for (const FixtureOutline& fixture : scene.fixtures) add_outline(dxf, fixture.footprint);
-  for (const MountedUnit& unit : mounting_sheet(data)) add_unit(dxf, unit);
+  for (const MountedUnit& unit : mounting_sheet(input)) add_unit(dxf, unit);
   dxf.end();
   return dxf.text();
 }

@@ -17,15 +17,14 @@ constexpr double degree = std::numbers::pi / 180;
 
 }  // namespace
 
-std::vector<MountedUnit> mounting_sheet(const ReportData& data) {
+std::vector<MountedUnit> mounting_sheet(const ReportInput& input) {
   std::map<std::string_view, double> roll_deg;
-  for (const Transceiver& unit : data.input.scene.transceivers) roll_deg.emplace(unit.id, unit.roll_deg);
+  for (const Transceiver& unit : input.scene.transceivers) roll_deg.emplace(unit.id, unit.roll_deg);
   std::vector<MountedUnit> sheet;
-  if (!data.has_selection()) return sheet;
-  for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
-    const TransceiverColumn& of = data.transceiver(data.outcome.units[k].column);
-    MountedUnit unit{k + 1,        of.id,       of.type,
-                     of.installed, of.position, references_of(data.input.scene, of.position)};
+  for (const std::size_t k : walking_order_of(input)) {
+    const TransceiverColumn& of = input.matrix.transceivers[input.plan.placement.selected[k]];
+    MountedUnit unit{sheet.size() + 1, of.id,       of.type,
+                     of.installed,     of.position, references_of(input.scene, of.position)};
     const double level = std::hypot(of.axis.x, of.axis.y);
     unit.tilt_deg = std::atan2(level, -of.axis.z) / degree;
     if (level > 1e-9) unit.towards_deg = std::fmod(std::atan2(of.axis.y, of.axis.x) / degree + 360, 360);

@@ -24,7 +24,7 @@ struct MountedUnit {
 };
 
 /// One row per chosen unit, in walking order.
-std::vector<MountedUnit> mounting_sheet(const ReportData& data);
+std::vector<MountedUnit> mounting_sheet(const ReportInput& input);
 
 /// A length rounded to 1 cm.
 long centimetres(double metres);

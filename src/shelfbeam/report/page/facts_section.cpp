@@ -182,10 +182,8 @@ std::string origin_facts(const ReportData& data) {
 // Empty without items.
 std::string list(std::string_view title, std::string_view note, const std::vector<std::string>& items) {
   if (items.empty()) return "";
-  std::string html = fmt::format("<h3>{}</h3>\n<p>{}</p>\n", escape(words(title)), escape(words(note)));
-  html += "<ul>\n";
-  for (const std::string& item : items) html += fmt::format("<li>{}</li>\n", escape(item));
-  return html + "</ul>\n";
+  return fmt::format("<h3>{}</h3>\n<p>{}</p>\n", escape(words(title)), escape(words(note))) +
+         html_list(items);
 }
 
 }  // namespace

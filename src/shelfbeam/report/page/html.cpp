@@ -48,6 +48,12 @@ std::string html_figure(const std::string& title, const std::string& picture, co
                      note.empty() ? "" : paragraph(note, "note"));
 }
 
+std::string html_list(const std::vector<std::string>& items) {
+  std::string html = "<ul>\n";
+  for (const std::string& item : items) html += fmt::format("<li>{}</li>\n", escape(item));
+  return html + "</ul>\n";
+}
+
 std::string paragraph(const std::string& text, const std::string& css_class) {
   return css_class.empty() ? fmt::format("<p>{}</p>\n", escape(text))
                            : fmt::format("<p class=\"{}\">{}</p>\n", css_class, escape(text));

@@ -30,6 +30,9 @@ std::string html_section(const std::string& id, const std::string& heading, cons
 /// <figure> with a caption; `picture` is HTML, the note below it plain text or empty.
 std::string html_figure(const std::string& title, const std::string& picture, const std::string& note);
 
+/// <ul> from plain texts.
+std::string html_list(const std::vector<std::string>& items);
+
 /// <p> from plain text.
 std::string paragraph(const std::string& text, const std::string& css_class = {});
 

@@ -48,7 +48,7 @@ std::string row(const MountedUnit& unit) {
 }  // namespace
 
 std::string mounting_section(const ReportData& data, const Maps& maps) {
-  const std::vector<MountedUnit> units = mounting_sheet(data);
+  const std::vector<MountedUnit> units = mounting_sheet(data.input);
   if (units.empty()) return {};
   std::string head;
   for (const char* key : {"number", "done", "across", "along", "height", "direction", "type", "unit"})
@@ -56,14 +56,13 @@ std::string mounting_section(const ReportData& data, const Maps& maps) {
   std::string rows;
   for (const MountedUnit& unit : units) rows += row(unit);
   return html_section(
-      "mounting", std::string(words("mounting.title")),
-      paragraph(std::string(words("mounting.intro"))) +
-          maps.overview(std::string(words("mounting.drawing"))) +
+      "mounting", say("mounting.title"),
+      paragraph(say("mounting.intro")) + maps.overview(say("mounting.drawing")) +
           fmt::format(
               "<div class=\"scroll\" tabindex=\"0\"><table class=\"sheet\">\n<thead><tr>{}</tr></thead>\n"
               "<tbody>\n{}</tbody></table></div>\n",
               head, rows) +
-          paragraph(std::string(words("mounting.files")), "note"));
+          paragraph(say("mounting.files"), "note"));
 }
 
 }  // namespace shelfbeam

@@ -13,42 +13,34 @@ namespace shelfbeam {
 
 namespace {
 
-std::string text_of(const char* key) {
-  return std::string(words(key));
-}
-
 std::string list(const char* key, const std::vector<std::string>& items) {
   if (items.empty()) return {};
-  std::string html = fmt::format("<div>\n<h2>{}</h2>\n<ul>\n", escape(words(key)));
-  for (const std::string& item : items) html += fmt::format("<li>{}</li>\n", escape(item));
-  return html + "</ul>\n</div>\n";
+  return fmt::format("<div>\n<h2>{}</h2>\n{}</div>\n", escape(words(key)), html_list(items));
 }
 
 // The number of units and the price of every type.
 std::string shopping_list(const ReportData& data) {
   struct Row {
     std::size_t fresh = 0, there = 0;
-    double each = 0;
   };
-  std::map<std::pair<std::string, double>, Row> rows;
+  std::map<std::pair<std::string, double>, Row> rows;  // by type and price
   for (const UnitOutcome& one : data.outcome.units) {
     const TransceiverColumn& unit = data.transceiver(one.column);
     Row& row = rows[{unit.type, unit.cost}];
     (unit.installed ? row.there : row.fresh) += 1;
-    row.each = unit.cost;
   }
   const std::optional<Price>& price = data.input.plan.placement.price;
   const bool has_there =
       std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.second.there > 0; });
-  std::vector<HtmlTable::Column> columns{{text_of("summary.buy.type"), false}, {text_of("summary.buy.new")}};
-  if (has_there) columns.push_back({text_of("summary.buy.there")});
+  std::vector<HtmlTable::Column> columns{{say("summary.buy.type"), false}, {say("summary.buy.new")}};
+  if (has_there) columns.push_back({say("summary.buy.there")});
   // Prices may come from another file than the types.
   double sum = 0;
-  for (const auto& [key, row] : rows) sum += row.each * static_cast<double>(row.fresh);
+  for (const auto& [key, row] : rows) sum += key.second * static_cast<double>(row.fresh);
   const bool has_prices = price && std::abs(sum - price->to_spend) < 0.005;
   if (has_prices) {
-    columns.push_back({text_of("summary.buy.each")});
-    columns.push_back({text_of("summary.buy.price")});
+    columns.push_back({say("summary.buy.each")});
+    columns.push_back({say("summary.buy.price")});
   }
   HtmlTable table(columns);
   const auto add = [&](const std::string& name, const Row& row, const std::string& each, double amount) {
@@ -59,11 +51,11 @@ std::string shopping_list(const ReportData& data) {
   };
   Row all;
   for (const auto& [key, row] : rows) {
-    add(key.first, row, money(row.each, price), row.each * static_cast<double>(row.fresh));
+    add(key.first, row, money(key.second, price), key.second * static_cast<double>(row.fresh));
     all.fresh += row.fresh;
     all.there += row.there;
   }
-  if (rows.size() > 1) add(text_of("summary.buy.total"), all, "", sum);
+  if (rows.size() > 1) add(say("summary.buy.total"), all, "", sum);
   return fmt::format("<div>\n<h2>{}</h2>\n{}</div>\n", escape(words("summary.buy.title")), table.html());
 }
 
@@ -77,22 +69,20 @@ std::string alternatives_table(const ReportData& data) {
   if (others.empty()) return {};
   const bool has_prices = plan.placement.price.has_value();
   const bool by_price = plan.placement.problem.combination == Combination::spend;
-  std::vector<HtmlTable::Column> columns{{text_of("summary.alternatives.choice"), false, true},
-                                         {text_of("summary.alternatives.units")}};
-  if (has_prices) columns.push_back({text_of("summary.alternatives.new_price")});
+  std::vector<HtmlTable::Column> columns{{say("summary.alternatives.choice"), false, true},
+                                         {say("summary.alternatives.units")}};
+  if (has_prices) columns.push_back({say("summary.alternatives.new_price")});
   for (const char* key : {"reached", "weakest", "secure"})
-    columns.push_back({std::string(words(fmt::format("summary.alternatives.{}", key)))});
+    columns.push_back({say(fmt::format("summary.alternatives.{}", key))});
   HtmlTable table(columns);
-  const auto add = [&](const std::string& name, const Alternative& one, std::string units,
-                       std::string reached) {
-    std::vector<std::string> cells{name, std::move(units)};
-    if (has_prices) {
-      const std::string price = one.price ? money(one.price->to_spend, one.price) : "–";
-      const bool may_cost_less =
-          by_price && others.survives_failure && &one == &*others.survives_failure && !one.is_proven;
-      cells.push_back(may_cost_less ? say("summary.alternatives.not_proven_price", price) : price);
-    }
-    cells.insert(cells.end(), {std::move(reached), times(one.smallest_margin), grouped(one.secure)});
+  const auto price_of = [](const Alternative& one) {
+    return one.price ? money(one.price->to_spend, one.price) : "–";
+  };
+  const auto add = [&](const std::string& name, const Alternative& one, const std::string& units,
+                       const std::string& price, const std::string& reached) {
+    std::vector<std::string> cells{name, units};
+    if (has_prices) cells.push_back(price);
+    cells.insert(cells.end(), {reached, times(one.smallest_margin), grouped(one.secure)});
     table.add_row(cells);
   };
   const auto units = [](const Alternative& one) { return grouped(one.selected.size()); };
@@ -102,54 +92,56 @@ std::string alternatives_table(const ReportData& data) {
   own.secure = data.outcome.secure;
   const LabelOutcome& weakest = data.outcome.labels[data.outcome.by_margin.front()];
   own.smallest_margin = weakest.requirement > 0 ? weakest.signal / weakest.requirement : 0;
-  add(text_of("summary.alternatives.this"), own, units(own), grouped(data.outcome.met));
+  add(say("summary.alternatives.this"), own, units(own), price_of(own), grouped(data.outcome.met));
   if (const auto& one = others.one_fewer)
-    add(text_of("summary.alternatives.fewer"), *one, units(*one),
+    add(say("summary.alternatives.fewer"), *one, units(*one), price_of(*one),
         one->is_proven
             ? grouped(one->reached)
             : say("summary.alternatives.at_most", grouped(one->reached), grouped(one->max_reached)));
   if (const auto& one = others.one_more)
-    add(text_of("summary.alternatives.more"), *one, units(*one), grouped(one->reached));
-  if (const auto& one = others.survives_failure)
-    add(text_of("summary.alternatives.survive"), *one,
-        one->is_proven || by_price ? units(*one) : say("summary.alternatives.not_proven", units(*one)),
-        grouped(one->reached));
+    add(say("summary.alternatives.more"), *one, units(*one), price_of(*one), grouped(one->reached));
+  if (const auto& one = others.survives_failure) {
+    std::string count = units(*one), price = price_of(*one);
+    // A better choice would have fewer units, or cost less.
+    if (!one->is_proven && by_price)
+      price = say("summary.alternatives.not_proven_price", price);
+    else if (!one->is_proven)
+      count = say("summary.alternatives.not_proven", count);
+    add(say("summary.alternatives.survive"), *one, count, price, grouped(one->reached));
+  }
   std::string html = table.html();
   if (others.cannot_survive)
     html += paragraph(
         fmt::format("{}: {}.", words("summary.alternatives.survive"), words("summary.alternatives.cannot")),
         "note");
   return fmt::format("<h2>{}</h2>\n{}{}", escape(words("summary.alternatives.title")), html,
-                     paragraph(text_of("summary.alternatives.note"), "note"));
+                     paragraph(say("summary.alternatives.note"), "note"));
 }
 
 }  // namespace
 
 std::string summary_section(const ReportData& data, const Maps& maps) {
-  constexpr const char* tones[] = {"yes", "open", "no"};
   const Summary summary = summary_of(data);
   const std::string& name = data.input.scene.name;
   std::string html = fmt::format(
       "<header class=\"{}\">\n<p class=\"kicker\">{} <span class=\"verdict\">{}</span></p>\n"
       "<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
-      tones[static_cast<std::size_t>(summary.tone)], escape(words("summary.kicker")), escape(summary.verdict),
+      key_of(summary.tone), escape(words("summary.kicker")), escape(summary.verdict),
       escape(name.empty() ? words("summary.store") : std::string_view(name)), escape(summary.answer));
   for (const std::string& remark : summary.remarks) html += paragraph(remark, "remark");
   html += "</header>\n";
   if (!data.has_selection()) return html;
   html += "<div class=\"pair\">\n" + shopping_list(data) + list("summary.achieves.title", summary.achieves) +
           "</div>\n" + list("summary.risks.title", summary.risks) + alternatives_table(data) +
-          maps.overview(text_of("summary.drawing"));
+          maps.overview(say("summary.drawing"));
   return "<div class=\"first-page\">\n" + html + "</div>\n";
 }
 
 std::string warning_section(const ReportData& data) {
   const std::vector<std::string>& warnings = data.input.plan.warnings;
   if (warnings.empty()) return {};
-  std::string items;
-  for (const std::string& warning : warnings) items += fmt::format("<li>{}</li>\n", escape(warning));
-  return html_section("warnings", text_of("warnings.title"),
-                      paragraph(text_of("warnings.intro")) + "<ul>\n" + items + "</ul>\n");
+  return html_section("warnings", say("warnings.title"),
+                      paragraph(say("warnings.intro")) + html_list(warnings));
 }
 
 }  // namespace shelfbeam

@@ -15,7 +15,7 @@
 namespace shelfbeam {
 namespace {
 
-// Against enumeration: figures of every alternative, and what is claimed to be proven.
+// Enumeration confirms the figures of every alternative and its claims of proof.
 TEST(Alternatives, AgreeWithEnumeration) {
   test::RandomTables random(
       17, {.labels = 9, .transceivers = 10, .borderline = false, .mounts = true, .conflicts = true});

@@ -106,7 +106,7 @@ TEST(MountingSheet, ListsTheUnitsInWalkingOrderInWholeCentimetres) {
   s.scene.transceivers[s.placement.selected[1]].roll_deg = 30;
   s.matrix.transceivers[s.placement.selected[1]].axis = {0, -0.5, -std::sqrt(0.75)};
   const ReportData data(s.input);
-  const auto sheet = mounting_sheet(data);
+  const auto sheet = mounting_sheet(s.input);
   ASSERT_EQ(sheet.size(), s.placement.count());
   for (std::size_t k = 0; k < sheet.size(); ++k) {
     EXPECT_EQ(sheet[k].number, k + 1);
@@ -133,8 +133,8 @@ TEST(MountingSheet, IsTheSecondSectionOfThePage) {
   const std::string html = test::static_report(s.input);
   const std::size_t sheet = html.find("<section id=\"mounting\"");
   ASSERT_NE(sheet, std::string::npos);
-  EXPECT_EQ(html.find("<section"), sheet) << "the first page is no section";
-  const auto units = mounting_sheet(ReportData(s.input));
+  EXPECT_EQ(html.find("<section"), sheet) << "the first page has no section element";
+  const auto units = mounting_sheet(s.input);
   const std::string text =
       test::read_markup(html.substr(sheet, html.find("</section>", sheet) - sheet) + "</section>").text;
   std::size_t at = 0;
@@ -152,7 +152,7 @@ TEST(MountingSheet, IsEmptyWithoutASelection) {
   Supermarket s;
   s.placement = {};
   s.placement.status = Status::infeasible;
-  EXPECT_TRUE(mounting_sheet(ReportData(s.input)).empty());
+  EXPECT_TRUE(mounting_sheet(s.input).empty());
   EXPECT_EQ(test::static_report(s.input).find("id=\"mounting\""), std::string::npos);
   EXPECT_EQ(test::read_csv(mounting_csv(s.input)).size(), 1U);
 }

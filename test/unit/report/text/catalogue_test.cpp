@@ -93,7 +93,8 @@ bool fits(std::string_view pattern, std::string_view key, const Keys& words) {
   return middle.find_first_not_of("0123456789") == std::string_view::npos || words.contains(middle);
 }
 
-// Keys that no literal names, by itself or as the stem of a plural. `words` can fill places of patterns.
+// Keys that appear in no literal, by themselves or as the stem of a plural. `words` can fill places of
+// patterns.
 std::vector<std::string> unused(const Keys& keys, const Literals& literals, const Keys& words) {
   const auto is_named = [&](std::string_view key) {
     return std::any_of(literals.all.begin(), literals.all.end(),
