@@ -181,7 +181,7 @@ std::string describe(const Alternatives& alternatives, const Placement& placemen
                         one.price ? ", new spend " + money(one.price->to_spend, one.price) : "", effect);
   };
   if (const auto& one = alternatives.one_fewer)
-    add("one fewer", *one,
+    add(one->selected.size() + 1 < placement.count() ? "fewer" : "one fewer", *one,
         fmt::format("{} lost{}", counted(table.rows() - one->reached, "label"),
                     one->is_proven ? "" : fmt::format(" (at least {})", table.rows() - one->max_reached)));
   if (const auto& one = alternatives.one_more)

@@ -90,7 +90,7 @@ int run_report(const Options& options) {
 
 void add_report(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
-      app.add_subcommand("report", "Rebuild report.html, labels.csv and placement.csv of a plan");
+      app.add_subcommand("report", "Rebuild the report, the mounting files and the tables of a plan");
   auto options = std::make_shared<Options>();
   add_path(*verb, "DIR", options->folder, "Folder written by 'shelfbeam plan', from a trusted source (HDF5)")
       ->required();

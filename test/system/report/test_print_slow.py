@@ -91,6 +91,21 @@ class Prints(unittest.TestCase):
         with self.assertRaises(AssertionError):
             self.expect_row(text, wrong)
 
+    def test_names_in_the_table_are_legible_on_the_drawing(self):
+        pages_of(self.few, "A4")
+        words = run("pdftotext", "-bbox", "-f", "2", "-l", "2", self.few / "A4.pdf", "-")
+        sizes = {}
+        for x0, y0, x1, y1, word in re.findall(
+                r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">([^<]+)<', words):
+            size = min(float(x1) - float(x0), float(y1) - float(y0))  # names are horizontal or vertical
+            sizes.setdefault(word, []).append(size)
+        fixtures = {scene["id"] for scene in json.loads((self.few / "store.json").read_text())["fixtures"]}
+        named = {row[key].split()[-1] for row in self.rows(self.few) for key in ("from_1", "from_2")} & fixtures
+        self.assertTrue(named)
+        for name in named:
+            self.assertGreaterEqual(len(sizes[name]), 2, name)  # in the table and on the drawing
+            self.assertGreaterEqual(min(sizes[name]), 6, name)  # pt
+
     def test_sixty_units_take_two_pages(self):
         rows = self.rows(self.many)
         self.assertEqual(len(rows), UNITS)

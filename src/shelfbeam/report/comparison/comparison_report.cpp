@@ -11,6 +11,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/comparison.hpp"
 #include "shelfbeam/report/page/html.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -36,11 +37,10 @@ std::string scatter_figure(const ComparisonInput& input) {
   std::sort(values.begin(), values.end());
   const SignalUnit unit = signal_unit(values[values.size() / 2]);
   ScatterChart chart;
-  chart.description =
-      "Measured signals, divided by the factor, against simulated signals on logarithmic axes";
+  chart.description = say("comparison.signals.description");
   chart.band_db = comparison.residual_quantile_90;
-  chart.x_title = fmt::format("simulated ({})", unit.name);
-  chart.y_title = fmt::format("measured / {} ({})", significant(comparison.factor), unit.name);
+  chart.x_title = say("comparison.signals.x", unit.name);
+  chart.y_title = say("comparison.signals.y", significant(comparison.factor), unit.name);
   std::size_t absent = 0;
   for (std::size_t k = 0; k < input.pairs.size(); ++k) {
     const ComparedPair& pair = input.pairs[k];
@@ -53,20 +53,15 @@ std::string scatter_figure(const ComparisonInput& input) {
     const auto mark = result.outlier                  ? ScatterChart::Mark::outlier
                       : result.use == PairUse::fitted ? ScatterChart::Mark::usual
                                                       : ScatterChart::Mark::faint;
-    chart.dots.push_back(
-        {pair.simulated / unit.factor, scaled / unit.factor, pair.standard_error / unit.factor,
-         pair.error.value_or(0) / comparison.factor / unit.factor, mark,
-         fmt::format("{}: simulated {}, measured / factor {}, {}", pair_name(input.matrix, pair),
-                     unit.text(pair.simulated), unit.text(scaled), decibels(*result.residual))});
+    chart.dots.push_back({pair.simulated / unit.factor, scaled / unit.factor,
+                          pair.standard_error / unit.factor,
+                          pair.error.value_or(0) / comparison.factor / unit.factor, mark,
+                          say("comparison.signals.dot", pair_name(input.matrix, pair),
+                              unit.text(pair.simulated), unit.text(scaled), decibels(*result.residual))});
   }
-  std::string note = fmt::format(
-      "On the solid line, measured and simulated signals agree; 90\u00A0% of the fitted pairs lie between "
-      "the dashed lines, {}\u00A0dB from the solid line.",
-      fixed(comparison.residual_quantile_90, 2));
-  if (absent > 0)
-    note += fmt::format(" {} without a positive signal on both sides {} not drawn.", counted(absent, "pair"),
-                        absent == 1 ? "is" : "are");
-  return html_figure("Measured and simulated signals", scatter_svg(chart) + scatter_legend(chart), note);
+  std::string note = say("comparison.signals.note", fixed(comparison.residual_quantile_90, 2));
+  if (absent > 0) note += " " + say_count("comparison.signals.absent", absent);
+  return html_figure(say("comparison.signals.figure"), scatter_svg(chart) + scatter_legend(chart), note);
 }
 
 std::string residual_figure(const Comparison& comparison) {
@@ -78,47 +73,45 @@ std::string residual_figure(const Comparison& comparison) {
   const auto first = static_cast<long>(std::floor(*smallest / width));
   const auto last = std::max(first + 1, static_cast<long>(std::floor(*largest / width)) + 1);
   HistogramChart chart;
-  chart.description = "Histogram of the residuals of the fitted pairs in decibels";
+  chart.description = say("comparison.residuals.description");
   for (long k = first; k < last; ++k) {
     const double from = static_cast<double>(k) * width, to = static_cast<double>(k + 1) * width;
     const auto count = std::count_if(residuals.begin(), residuals.end(),
                                      [&](double value) { return value >= from && value < to; });
-    chart.bars.push_back({from, to, static_cast<double>(count), "bar",
-                          fmt::format("{} to {} dB: {}", plain(from), plain(to),
-                                      counted(static_cast<std::uint64_t>(count), "pair"))});
+    chart.bars.push_back(
+        {from, to, static_cast<double>(count), "bar",
+         say_count("comparison.residuals.bar", static_cast<std::uint64_t>(count), plain(from), plain(to))});
   }
   const double low = chart.bars.front().from, high = chart.bars.back().to;
   for (const double value : multiples(low, high, round_step((high - low) / 6)))
     chart.ticks.push_back({value, plain(value)});
-  chart.lines.push_back({0, "the factor"});
-  chart.x_title = "measured / (factor × simulated) (dB)";
-  chart.y_title = "pairs";
+  chart.lines.push_back({0, say("comparison.residuals.factor")});
+  chart.x_title = say("comparison.residuals.x");
+  chart.y_title = say("comparison.residuals.y");
   const std::size_t outliers = comparison.fitted - residuals.size();
-  const std::string note =
-      fmt::format("{} {} not drawn.", counted(outliers, "outlier"), outliers == 1 ? "is" : "are");
-  return html_figure("Residuals of the fitted pairs", histogram_svg(chart), outliers > 0 ? note : "");
+  return html_figure(say("comparison.residuals.figure"), histogram_svg(chart),
+                     outliers > 0 ? say_count("comparison.residuals.outliers", outliers) : "");
 }
 
 std::string pair_table(const ComparisonInput& input, const std::vector<std::size_t>& pairs) {
-  HtmlTable table({{"Label", false},
-                   {"Transceiver", false},
-                   {"Measured"},
-                   {"Expected"},
-                   {"Residual"},
-                   {"Standard deviations"}});
+  HtmlTable table({{say("column.label"), false},
+                   {say("comparison.column.transceiver"), false},
+                   {say("comparison.column.measured")},
+                   {say("comparison.column.expected")},
+                   {say("comparison.column.residual")},
+                   {say("comparison.column.deviations")}});
   for (std::size_t k = 0; k < std::min(pairs.size(), max_rows); ++k) {
     const ComparedPair& pair = input.pairs[pairs[k]];
     const PairResult& result = input.comparison.pairs[pairs[k]];
-    table.add_row({input.matrix.labels[pair.label].id,
-                   pair.transceiver ? input.matrix.transceivers[*pair.transceiver].id : "all",
-                   significant(pair.measured), significant(result.expected), residual_text(result),
-                   significant(result.standardized, 2)});
+    table.add_row(
+        {input.matrix.labels[pair.label].id,
+         pair.transceiver ? input.matrix.transceivers[*pair.transceiver].id : say("comparison.all_units"),
+         significant(pair.measured), significant(result.expected), residual_text(result),
+         significant(result.standardized, 2)});
   }
   std::string html = table.html();
   if (pairs.size() > max_rows)
-    html += paragraph(
-        fmt::format("The first {} of {}; comparison.csv lists all.", max_rows, grouped(pairs.size())),
-        "note");
+    html += paragraph(say("comparison.first", max_rows, grouped(pairs.size())), "note");
   return html;
 }
 
@@ -128,14 +121,16 @@ std::string transceiver_section(const ComparisonInput& input) {
   std::vector<TransceiverResidual> sorted = residuals;
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return std::abs(a.median) > std::abs(b.median); });
-  HtmlTable table({{"Transceiver", false}, {"Fitted pairs"}, {"Median residual"}});
+  HtmlTable table({{say("comparison.column.transceiver"), false},
+                   {say("comparison.column.pairs")},
+                   {say("comparison.column.median")}});
   for (std::size_t k = 0; k < std::min(sorted.size(), max_rows); ++k)
     table.add_row({input.matrix.transceivers[sorted[k].transceiver].id, grouped(sorted[k].pairs),
                    decibels(sorted[k].median)});
   std::string html = table.html();
   if (sorted.size() > max_rows)
-    html += paragraph(fmt::format("The first {} of {}.", max_rows, grouped(sorted.size())), "note");
-  return html_section("transceivers", "Transceivers by median residual", html);
+    html += paragraph(say("comparison.transceivers.first", max_rows, grouped(sorted.size())), "note");
+  return html_section("transceivers", say("comparison.transceivers.title"), html);
 }
 
 }  // namespace
@@ -163,26 +158,22 @@ std::string comparison_html(const ComparisonInput& input) {
   const Comparison& comparison = input.comparison;
   const std::vector<std::string> statements = comparison_statements(comparison);
   const bool bad = (comparison.test && comparison.test->rejected()) || !comparison.outliers.empty();
+  const std::string title = say("comparison.title", input.measured_name, input.simulated_name);
   std::string body = fmt::format(
-      "<header class=\"{}\">\n<p class=\"kicker\">Measurement and simulation</p>\n"
-      "<h1>{} compared with {}</h1>\n<p class=\"answer\">{}</p>\n",
-      bad ? "open" : "yes", escape(input.measured_name), escape(input.simulated_name), escape(statements[0]));
+      "<header class=\"{}\">\n<p class=\"kicker\">{}</p>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
+      bad ? "open" : "yes", escape(words("comparison.kicker")), escape(title), escape(statements[0]));
   for (std::size_t k = 1; k < statements.size(); ++k) body += paragraph(statements[k], "remark");
   body += "</header>\n";
   body += html_section(
-      "signals", "Agreement of the signals",
+      "signals", say("comparison.signals.title"),
       "<div class=\"pair\">\n" + scatter_figure(input) + residual_figure(comparison) + "</div>\n");
   if (!comparison.outliers.empty())
-    body += html_section("outliers", counted(comparison.outliers.size(), "outlier"),
-                         paragraph("Chance alone produces residuals this large in one comparison "
-                                   "in a hundred. Check for a wrong id, an obstacle, a wrong material or a "
-                                   "saturated label.") +
-                             pair_table(input, comparison.outliers));
+    body += html_section("outliers", say_count("comparison.outliers.title", comparison.outliers.size()),
+                         paragraph(say("comparison.outliers.note")) + pair_table(input, comparison.outliers));
   body += html_section("worst", std::string(worst_pairs_heading(comparison)),
                        pair_table(input, comparison.worst));
   body += transceiver_section(input);
-  return html_page(fmt::format("{} compared with {}", input.measured_name, input.simulated_name),
-                   "<main>\n" + body + "</main>\n");
+  return html_page(title, "<main>\n" + body + "</main>\n");
 }
 
 }  // namespace shelfbeam

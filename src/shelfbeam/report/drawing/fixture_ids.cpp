@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
 
@@ -57,11 +60,13 @@ Rectangle bounds(const std::vector<Point>& points) {
   return r;
 }
 
-// Rectangles that an id must not cover: fixtures, label marks, ids beside their fixtures.
-std::vector<Rectangle> obstacles_of(const PlanView& view, const Scene& scene) {
+// Rectangles that an id must not cover: fixtures, label marks, ids beside their fixtures. Ids may lie within
+// the outline of a lowered ceiling.
+std::vector<Rectangle> obstacles_of(const PlanView& view, const Scene& scene,
+                                    const std::vector<Look>& looks) {
   std::vector<Rectangle> result;
-  for (const FixtureOutline& fixture : scene.fixtures)
-    result.push_back(bounds(view.outline(fixture.footprint)));
+  for (std::size_t k = 0; k < scene.fixtures.size(); ++k)
+    if (looks[k] == Look::solid) result.push_back(bounds(view.outline(scene.fixtures[k].footprint)));
   std::vector<Vec3> positions;
   for (const Label& label : scene.labels) positions.push_back(label.position);
   const double r = label_mark_radius(view, positions);
@@ -72,7 +77,7 @@ std::vector<Rectangle> obstacles_of(const PlanView& view, const Scene& scene) {
   return result;
 }
 
-constexpr double mark_radius = 15;  // of a unit
+constexpr double mark_radius = 21;  // of a unit, in print
 
 struct IdPosition {
   Rectangle text;
@@ -98,9 +103,19 @@ std::vector<IdPosition> positions_around(const Rectangle& own, double width, dou
   return positions;
 }
 
-IdPosition free_position(const std::vector<Rectangle>& obstacles, const Rectangle& own, const PlanView& view,
-                         double width, double size) {
-  const std::vector<IdPosition> positions = positions_around(own, width, size);
+// Inside the corners and the middles of the edges, then outside.
+std::vector<IdPosition> positions_along_edges(const Rectangle& own, double width, double size) {
+  constexpr double gap = 6;
+  std::vector<IdPosition> positions;
+  for (const double top : {own.top + gap, own.bottom - gap - size, own.top - gap - size, own.bottom + gap})
+    for (const double left : {own.left + gap, own.right - gap - width, own.centre().x - width / 2})
+      positions.push_back({{left, top, left + width, top + size}});
+  return positions;
+}
+
+// The first position without obstacles.
+IdPosition free_position(const std::vector<IdPosition>& positions, const std::vector<Rectangle>& obstacles,
+                         const PlanView& view) {
   const auto found = std::find_if(positions.begin(), positions.end(), [&](const IdPosition& place) {
     const Rectangle& text = place.text;
     return text.left > 0 && text.right < view.width() && text.top > 0 && text.bottom < view.height() &&
@@ -140,35 +155,48 @@ void draw_leader(SvgCanvas& canvas, const Rectangle& text, const Rectangle& own)
 }  // namespace
 
 void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene,
-                      std::span<const Point> marks) {
-  const double largest = 24, smallest = 9 * view.mark_share(), outside = 11 * view.mark_share();  // units
-  std::vector<Rectangle> obstacles = obstacles_of(view, scene);
+                      std::span<const Point> marks, const std::set<std::string>& referenced) {
+  constexpr double largest = 24, referenced_size = 20;  // drawing units
+  const double smallest = 9 * view.mark_share(), outside = 11 * view.mark_share();
+  const std::vector<Look> looks = looks_of(scene);
+  std::vector<Rectangle> obstacles = obstacles_of(view, scene, looks);
   for (const Point& mark : marks)
     obstacles.push_back(
         {mark.x - mark_radius, mark.y - mark_radius, mark.x + mark_radius, mark.y + mark_radius});
-  for (std::size_t k = 0; k < scene.fixtures.size(); ++k) {
-    const FixtureOutline& fixture = scene.fixtures[k];
-    if (fixture.footprint.size() < 3) continue;
+  const auto draw = [&](const FixtureOutline& fixture, Look look, bool is_referenced) {
     const Extent e = extent_of(view, fixture);
     const double fits = std::min(0.66 * e.across, 0.92 * e.along / text_width(fixture.id, 1));
-    const bool inside = fits >= smallest;
-    const double size = inside ? std::min(fits, largest) : outside;
-    canvas.raw(fmt::format("<g style=\"font-size:min(var(--fid,14px),{}px)\">", coordinate(size)));
+    const bool is_solid = look == Look::solid, inside = is_solid && fits >= smallest;
+    const double size = inside ? std::min(fits, largest) : is_solid ? outside : largest;
+    const double room = is_referenced ? std::max(size, referenced_size) : size;
+    const double width = text_width(fixture.id, room);
+    const char* const css_class = is_referenced ? "fid mid ref" : "fid mid";
+    const std::string fitting = fmt::format("min(var(--fid,14px),{}px)", coordinate(size));
+    canvas.raw(fmt::format("<g style=\"font-size:{}\">",
+                           is_referenced ? fmt::format("max({},var(--ref,0px))", fitting) : fitting));
     if (inside) {
       const double down = 0.35 * size, radians = e.angle_deg * std::numbers::pi / 180;
-      const Point centre = clear_centre(e, text_width(fixture.id, size), size, marks);
+      const Point centre = clear_centre(e, width, room, marks);
       canvas.text({centre.x - down * std::sin(radians), centre.y + down * std::cos(radians)}, fixture.id,
-                  "fid mid", e.angle_deg);
+                  css_class, e.angle_deg);
     } else {
-      const Rectangle own = obstacles[k];
-      const IdPosition place = free_position(obstacles, own, view, text_width(fixture.id, size), size);
+      const Rectangle own = bounds(view.outline(fixture.footprint));
+      const IdPosition place = free_position(
+          is_solid ? positions_around(own, width, room) : positions_along_edges(own, width, room), obstacles,
+          view);
       if (place.is_far) draw_leader(canvas, place.text, own);
       const Point middle = place.text.centre();
-      canvas.text({middle.x, middle.y + 0.35 * size}, fixture.id, "fid mid");
+      canvas.text({middle.x, middle.y + 0.35 * room}, fixture.id, css_class);
       obstacles.push_back(place.text);
     }
     canvas.raw("</g>");
-  }
+  };
+  for (const bool is_referenced : {false, true})
+    for (std::size_t k = 0; k < scene.fixtures.size(); ++k) {
+      const FixtureOutline& fixture = scene.fixtures[k];
+      if (fixture.footprint.size() > 2 && referenced.contains(fixture.id) == is_referenced)
+        draw(fixture, looks[k], is_referenced);
+    }
 }
 
 }  // namespace shelfbeam

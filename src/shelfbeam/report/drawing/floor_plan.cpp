@@ -78,9 +78,10 @@ std::string counts(const Scene& scene) {
                                        [](const Transceiver& t) { return t.installed; });
   const std::size_t points = distinct_positions(positions_of(scene.transceivers)).count;
   const Vec3 size = scene.room ? *scene.room : scene.upper - scene.lower;
-  std::string text = say("drawing.counts", plain(size.x), plain(size.y), plain(size.z),
-                         counted(scene.fixtures.size(), "fixture"), counted(scene.labels.size(), "label"),
-                         counted(scene.transceivers.size(), "candidate transceiver"));
+  std::string text =
+      say("drawing.counts", plain(size.x), plain(size.y), plain(size.z),
+          say_count("noun.fixture", scene.fixtures.size()), say_count("noun.label", scene.labels.size()),
+          say_count("noun.candidate", scene.transceivers.size()));
   if (points < scene.transceivers.size()) text = say_count("drawing.at_points", points, text);
   if (installed > 0) text = say("drawing.of_which_installed", text, installed);
   return text;

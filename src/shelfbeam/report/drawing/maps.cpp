@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
+#include "shelfbeam/report/mounting/mounting_sheet.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
@@ -69,9 +71,9 @@ std::size_t Maps::class_of(std::uint32_t label) const {
   return margin_class(margin_db(signal, requirement), is_met(signal, requirement));
 }
 
-std::vector<Point> Maps::positions(const ShelfLevel& level) const {
+std::vector<Point> Maps::positions(const std::vector<std::uint32_t>& labels) const {
   std::vector<Vec3> positions, normals;
-  for (const std::uint32_t label : level.labels) {
+  for (const std::uint32_t label : labels) {
     positions.push_back(data_.label(label).position);
     normals.push_back(data_.label(label).normal);
   }
@@ -97,14 +99,9 @@ std::string Maps::definitions() const {
   canvas.raw("<g id=\"store-layer\">\n");
   view_.draw_floor(canvas);
   draw_fixtures(canvas, view_, data_.input.scene);
-  std::vector<Point> marks;
-  if (data_.has_selection())
-    for (const UnitOutcome& unit : data_.outcome.units) {
-      const Vec3& p = data_.transceiver(unit.column).position;
-      marks.push_back(view_.at(p.x, p.y));
-    }
-  draw_fixture_ids(canvas, view_, data_.input.scene, marks);
   view_.draw_axes(canvas);
+  canvas.raw("</g>\n<g id=\"name-layer\">\n");
+  draw_names(canvas);
   canvas.raw("</g>\n<g id=\"free-layer\">\n");
   std::vector<bool> chosen(data_.input.matrix.columns(), false);
   if (data_.has_selection())
@@ -125,22 +122,40 @@ std::string Maps::definitions() const {
   return canvas.body();
 }
 
+void Maps::draw_names(SvgCanvas& canvas) const {
+  std::vector<Point> marks;
+  std::set<std::string> referenced;
+  for (const MountedUnit& unit : mounting_sheet(data_.input)) {
+    marks.push_back(view_.at(unit.position.x, unit.position.y));
+    for (const Reference& reference : unit.references) referenced.insert(reference.fixture);
+  }
+  draw_fixture_ids(canvas, view_, data_.input.scene, marks, referenced);
+}
+
 std::string Maps::picture(const std::string& marks, const std::string& css_class,
                           const std::string& description) const {
   return "<div class=\"map\">" +
          inline_svg(view_.width(), view_.height(), css_class, description,
-                    "<use href=\"#store-layer\"/>\n" + marks + "<use href=\"#unit-layer\"/>\n") +
+                    "<use href=\"#store-layer\"/>\n<use class=\"names\" href=\"#name-layer\"/>\n" + marks +
+                        "<use href=\"#unit-layer\"/>\n") +
          "</div>\n";
 }
 
 std::string Maps::overview(const std::string& description) const {
-  return fmt::format("<figure class=\"overview\">\n{}<ul class=\"legend\">{}</ul>\n</figure>\n",
-                     picture("", "m", description), unit_legend(false));
+  std::vector<std::uint32_t> lost;
+  for (const Unreachable& label : data_.input.plan.placement.unreachable) lost.push_back(label.label);
+  const std::vector<Point> at = positions(lost);
+  SvgCanvas canvas;
+  for (std::size_t k = 0; k < lost.size(); ++k) canvas.use("m0", at[k], data_.label(lost[k]).id);
+  const std::string lost_key =
+      lost.empty() ? "" : key("m0", say("drawing.legend.out_of_reach", grouped(lost.size())));
+  return fmt::format("<figure class=\"overview\">\n{}<ul class=\"legend\">{}{}</ul>\n</figure>\n",
+                     picture(canvas.body(), "m", description), lost_key, unit_legend(false));
 }
 
 std::string Maps::margin_map(std::size_t level_index) const {
   const ShelfLevel& level = data_.levels[level_index];
-  const std::vector<Point> at = positions(level);
+  const std::vector<Point> at = positions(level.labels);
   // The smallest margin is drawn last, so that it lies on top.
   std::vector<std::size_t> order(level.labels.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
@@ -167,7 +182,7 @@ std::string Maps::margin_map(std::size_t level_index) const {
 
 std::string Maps::signal_maps(std::size_t level_index) const {
   const ShelfLevel& level = data_.levels[level_index];
-  const std::vector<Point> at = positions(level);
+  const std::vector<Point> at = positions(level.labels);
   const auto marks = [&](double LabelOutcome::*signal) {
     SvgCanvas canvas;
     for (std::size_t k = 0; k < at.size(); ++k) {

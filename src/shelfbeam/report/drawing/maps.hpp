@@ -16,7 +16,7 @@ class Maps {
 
   /// A hidden <svg> that must precede the plans.
   std::string definitions() const;
-  /// The shop with its numbered units, as a <figure>.
+  /// The shop with its numbered units, or with the labels that no selection reaches, as a <figure>.
   std::string overview(const std::string& description) const;
   /// Labels of one level coloured by margin, as a <figure>; without a selection, by their maximum signal.
   std::string margin_map(std::size_t level) const;
@@ -29,7 +29,8 @@ class Maps {
 
  private:
   std::size_t class_of(std::uint32_t label) const;
-  std::vector<Point> positions(const ShelfLevel& level) const;
+  std::vector<Point> positions(const std::vector<std::uint32_t>& labels) const;
+  void draw_names(SvgCanvas& canvas) const;
   std::string picture(const std::string& marks, const std::string& css_class,
                       const std::string& description) const;
   std::string margin_legend(const ShelfLevel& level) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,9 +31,10 @@ std::vector<Point> label_mark_positions(const PlanView& view, std::span<const Ve
                                         std::span<const Vec3> normals, double radius);
 
 /// The ids of the fixtures, along their long sides. The id of a small fixture is drawn beside it, clear of
-/// other fixtures, ids and label marks; without free space nearby, farther away with a leader line. Ids on
-/// fixtures avoid `marks`, those of units.
+/// other fixtures, ids and label marks; without free space nearby, farther away with a leader line. The id of
+/// a lowered ceiling is drawn in a corner of its outline. Ids on fixtures avoid `marks`, those of units.
+/// `referenced` ids are drawn last, with the class "ref" and at least its size.
 void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene,
-                      std::span<const Point> marks = {});
+                      std::span<const Point> marks = {}, const std::set<std::string>& referenced = {});
 
 }  // namespace shelfbeam

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
@@ -18,7 +19,8 @@ using Tone = Headline::Tone;
 constexpr double close_share = 0.25;  ///< of its signal that a label with little reserve can lose
 
 std::string verdict_of(const ReportData& data, Tone tone) {
-  if (data.input.plan.certificate) return say(fmt::format("verdict.certified.{}", key_of(tone)));
+  if (data.input.plan.certificate && data.has_selection())
+    return say(fmt::format("verdict.certified.{}", key_of(tone)));
   if (tone == Tone::yes && data.uncertain > 0)
     return say_count("verdict.uncertified.uncertain", data.uncertain);
   return say(fmt::format("verdict.uncertified.{}", key_of(tone)));
@@ -55,8 +57,26 @@ class Writer {
     add_price();
     add_proof();
     summary_.remarks.push_back(confirmation());
+    if (!plan_.sensitivity) summary_.remarks.push_back(say("summary.not_examined"));
     add_achievements();
     add_risks();
+    return std::move(summary_);
+  }
+
+  Summary without_selection() {
+    const bool is_infeasible = placement_.status == Status::infeasible;
+    summary_.answer = is_infeasible ? obstacle() : say("summary.none.not_found", search_time());
+    if (const std::size_t bound = proven_count(placement_); !is_infeasible && bound > 0)
+      summary_.remarks.push_back(say_count("summary.none.bound", bound));
+    std::vector<std::uint32_t> rows, dark;
+    for (const Unreachable& label : placement_.unreachable) {
+      rows.push_back(label.label);
+      if (label.max_signal <= 0 && !data_.is_heard(label.label)) dark.push_back(label.label);
+    }
+    if (!rows.empty()) summary_.remarks.push_back(say("summary.none.labels", named(data_, rows)));
+    if (!dark.empty()) summary_.remarks.push_back(dark_labels(dark.size()));
+    summary_.remarks.push_back(say(is_infeasible ? "summary.none.remedies" : "summary.none.unknown"));
+    if (is_infeasible) summary_.remarks.push_back(confirmation_of_obstacle());
     return std::move(summary_);
   }
 
@@ -82,10 +102,25 @@ class Writer {
     const std::string failure = placement_.problem.redundant ? say("summary.answer.even_if") : std::string();
     if (reached() < labels())
       return say(verified_ ? "summary.answer.confirmed" : "summary.answer.reaches", mount, grouped(reached()),
-                 counted(labels(), "label"), failure);
+                 say_count("noun.label", labels()), failure);
     return say(labels() == 1 ? "summary.answer.reaches_all.one" : "summary.answer.reaches_all.many", mount,
                grouped(labels()), failure);
   }
+
+  std::string obstacle() const {
+    if (!placement_.unreachable.empty()) return say("summary.none.out_of_reach", page_out_of_reach(data_));
+    const std::string why = conflict_reason(placement_, data_.has_options());
+    return why.empty() ? say("summary.none.infeasible")
+                       : say("summary.none.not_together", not_all_together(why));
+  }
+
+  std::string confirmation_of_obstacle() const {
+    const std::size_t missed = verified_ ? plan_.certificate->count(Verdict::missed) : 0;
+    return missed == 0 ? say("summary.unchecked") : say_count("summary.none.checked", missed, certainty());
+  }
+
+  std::string certainty() const { return fmt::format("{:.6g}\u00A0%", 100 * plan_.certificate->confidence); }
+  std::string search_time() const { return significant(placement_.seconds, 2) + "\u00A0s"; }
 
   std::size_t new_units() const {
     return static_cast<std::size_t>(
@@ -146,10 +181,9 @@ class Writer {
 
   std::string confirmation() const {
     if (!verified_) return say("summary.unchecked");
-    const std::string certainty = fmt::format("{:.6g}\u00A0%", 100 * plan_.certificate->confidence);
-    return plan_.certificate->all_reached()
-               ? say("summary.checked", certainty)
-               : say("summary.checked_open", grouped(reached()), counted(labels(), "label"), certainty);
+    return plan_.certificate->all_reached() ? say("summary.checked", certainty())
+                                            : say("summary.checked_open", grouped(reached()),
+                                                  say_count("noun.label", labels()), certainty());
   }
 
   void add_achievements() {
@@ -195,16 +229,13 @@ class Writer {
           say_count("summary.risks.unit", most->needed_by, data_.unit_number(most->column)));
     add_materials();
     if (placement_.status == Status::stopped)
-      summary_.risks.push_back(say("summary.risks.stopped", significant(placement_.seconds, 2) + "\u00A0s"));
+      summary_.risks.push_back(say("summary.risks.stopped", search_time()));
     risk("summary.risks.flagged", data_.outcome.flagged_labels);
     risk("summary.risks.warnings", plan_.warnings.size());
   }
 
   void add_materials() {
-    if (!plan_.sensitivity) {
-      summary_.risks.push_back(say("summary.risks.not_examined"));
-      return;
-    }
+    if (!plan_.sensitivity) return;
     const std::size_t lost = plan_.sensitivity->low.missed.size() + plan_.sensitivity->low.undecided.size();
     summary_.risks.push_back(lost == 0 ? say("summary.risks.darker_holds")
                                        : say_count("summary.risks.darker", lost));
@@ -220,16 +251,10 @@ class Writer {
 }  // namespace
 
 Summary summary_of(const ReportData& data) {
-  Headline line = headline(data);
-  Summary summary;
-  if (data.has_selection()) {
-    summary = Writer(data).with_selection();
-  } else {
-    summary.answer = std::move(line.answer);
-    summary.remarks = std::move(line.remarks);
-  }
-  summary.tone = line.tone;
-  summary.verdict = verdict_of(data, line.tone);
+  Writer writer(data);
+  Summary summary = data.has_selection() ? writer.with_selection() : writer.without_selection();
+  summary.tone = headline(data).tone;
+  summary.verdict = verdict_of(data, summary.tone);
   return summary;
 }
 

@@ -12,6 +12,7 @@
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/mounting/mounting_sheet.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -64,19 +65,19 @@ std::string dxf_text(std::string_view text) {
 }
 
 struct Attribute {
-  const char *tag, *prompt;
+  const char* tag;
+  std::string_view prompt;
   std::string value;
   bool is_hidden;
 };
 
 std::vector<Attribute> attributes_of(const MountedUnit& unit) {
-  return {
-      {"NUMBER", "Number on the mounting sheet", fmt::format("{}", unit.number), false},
-      {"ID", "Id of the unit", dxf_text(unit.id), true},
-      {"TYPE", "Type of the unit", dxf_text(unit.type), true},
-      {"HEIGHT", "Height above the floor in cm", fmt::format("{}", height_cm(unit)), true},
-      {"TILT", "Tilt from straight down in degrees", fmt::format("{:.1f}", unit.tilt_deg), true},
-      {"TOWARDS", "Direction of the tilt in plan in degrees", fmt::format("{:.1f}", unit.towards_deg), true}};
+  return {{"NUMBER", words("mounting.prompt.number"), fmt::format("{}", unit.number), false},
+          {"ID", words("mounting.prompt.id"), dxf_text(unit.id), true},
+          {"TYPE", words("mounting.prompt.type"), dxf_text(unit.type), true},
+          {"HEIGHT", words("mounting.prompt.height"), fmt::format("{}", height_cm(unit)), true},
+          {"TILT", words("mounting.prompt.tilt"), fmt::format("{:.1f}", unit.tilt_deg), true},
+          {"TOWARDS", words("mounting.prompt.towards"), fmt::format("{:.1f}", unit.towards_deg), true}};
 }
 
 void add_block(Dxf& dxf) {
@@ -88,7 +89,7 @@ void add_block(Dxf& dxf) {
   double y = radius;
   for (const Attribute& attribute : attributes_of({})) {
     dxf.put(0, "ATTDEF").put(8, units_layer).at(1.2 * radius, y).put(40, text_height).put(1, "");
-    dxf.put(3, attribute.prompt).put(2, attribute.tag).put(70, attribute.is_hidden ? 1 : 0);
+    dxf.put(3, dxf_text(attribute.prompt)).put(2, attribute.tag).put(70, attribute.is_hidden ? 1 : 0);
     y -= line_height;
   }
   dxf.put(0, "ENDBLK").put(8, units_layer).end();

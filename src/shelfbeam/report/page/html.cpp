@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -68,10 +69,10 @@ std::string html_page(const std::string& title, const std::string& body, const s
   put("/*light*/", light_colours);
   put("/*dark*/", dark_colours);
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-      escape(title), css, body);
+      escape(words("page.language")), escape(title), css, body);
 }
 
 }  // namespace shelfbeam

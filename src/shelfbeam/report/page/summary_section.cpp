@@ -94,7 +94,9 @@ std::string alternatives_table(const ReportData& data) {
   own.smallest_margin = weakest.requirement > 0 ? weakest.signal / weakest.requirement : 0;
   add(say("summary.alternatives.this"), own, units(own), price_of(own), grouped(data.outcome.met));
   if (const auto& one = others.one_fewer)
-    add(say("summary.alternatives.fewer"), *one, units(*one), price_of(*one),
+    add(say(one->selected.size() + 1 < own.selected.size() ? "summary.alternatives.fewer"
+                                                           : "summary.alternatives.one_fewer"),
+        *one, units(*one), price_of(*one),
         one->is_proven
             ? grouped(one->reached)
             : say("summary.alternatives.at_most", grouped(one->reached), grouped(one->max_reached)));
@@ -130,10 +132,11 @@ std::string summary_section(const ReportData& data, const Maps& maps) {
       escape(name.empty() ? words("summary.store") : std::string_view(name)), escape(summary.answer));
   for (const std::string& remark : summary.remarks) html += paragraph(remark, "remark");
   html += "</header>\n";
-  if (!data.has_selection()) return html;
-  html += "<div class=\"pair\">\n" + shopping_list(data) + list("summary.achieves.title", summary.achieves) +
-          "</div>\n" + list("summary.risks.title", summary.risks) + alternatives_table(data) +
-          maps.overview(say("summary.drawing"));
+  if (data.has_selection())
+    html += "<div class=\"pair\">\n" + shopping_list(data) +
+            list("summary.achieves.title", summary.achieves) + "</div>\n" +
+            list("summary.risks.title", summary.risks) + alternatives_table(data);
+  html += maps.overview(say(data.has_selection() ? "summary.drawing" : "summary.drawing_none"));
   return "<div class=\"first-page\">\n" + html + "</div>\n";
 }
 

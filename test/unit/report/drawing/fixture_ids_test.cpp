@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -22,8 +24,10 @@ struct Drawn {
 
 // Square pillars of half a metre, too small for their ids, with these corners in a room of 25 x 18 m by
 // default.
-Drawn draw(const std::vector<Vec2>& corners, const Vec3& label = {1, 1, 1}, const Vec3& room = {25, 18, 4}) {
+Drawn draw(const std::vector<Vec2>& corners, const Vec3& label = {1, 1, 1}, const Vec3& room = {25, 18, 4},
+           const std::vector<Box>& others = {}, const std::set<std::string>& referenced = {}) {
   Store store = sample_store::empty_store("Pillars", room);
+  for (const Box& box : others) store.fixtures.push_back({box, "fixtures"});
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const auto& [x, y] = corners[k];
     store.fixtures.push_back(
@@ -34,7 +38,7 @@ Drawn draw(const std::vector<Vec2>& corners, const Vec3& label = {1, 1, 1}, cons
   const Scene scene = make_scene(store);
   Drawn result{PlanView(scene), {}};
   SvgCanvas canvas;
-  draw_fixture_ids(canvas, result.view, scene);
+  draw_fixture_ids(canvas, result.view, scene, {}, referenced);
   const test::Markup markup = test::read_markup(canvas.body());
   EXPECT_EQ(markup.problem, "");
   result.elements = markup.elements;
@@ -92,6 +96,31 @@ TEST(FixtureIds, ShrinkWithTheScale) {
           << element.attributes.at("style");
     }
   EXPECT_EQ(groups, 9U);
+}
+
+// The middle of a lowered ceiling belongs to the fixtures below it.
+TEST(FixtureIds, OfALoweredCeilingStandInACornerFreeOfLabels) {
+  const std::vector<Box> ceiling{{"ceiling", {5, 4, 2.7}, {15, 12, 2.8}, {}}};
+  const Drawn free = draw({}, {1, 1, 1}, {25, 18, 4}, ceiling);
+  const double middle = free.view.at(10, 8).x;
+  EXPECT_GT(x_of(free, 0), free.view.at(5, 8).x);
+  EXPECT_LT(x_of(free, 0), middle);
+  EXPECT_GT(x_of(draw({}, {5.5, 11.8, 1}, {25, 18, 4}, ceiling), 0), middle);
+}
+
+// They are legible at any scale, and no other id covers them.
+TEST(FixtureIds, ThatTheMountingSheetNamesAreDrawnLast) {
+  const std::vector<Vec2> three{{4, 4}, {10, 8}, {16, 12}};
+  const auto order = [](const Drawn& drawn) {
+    std::string classes;
+    for (const auto& element : drawn.elements)
+      if (element.name == "text") classes += element.attributes.at("class") + "; ";
+    return classes;
+  };
+  EXPECT_EQ(order(draw(three)), "fid mid; fid mid; fid mid; ");
+  const Drawn named = draw(three, {1, 1, 1}, {25, 18, 4}, {}, {"pillar-0"});
+  EXPECT_EQ(order(named), "fid mid; fid mid; fid mid ref; ");
+  EXPECT_LT(x_of(named, 2), x_of(named, 0));
 }
 
 }  // namespace

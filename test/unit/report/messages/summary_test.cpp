@@ -24,18 +24,48 @@ bool contains(const Supermarket& s, const std::string& piece) {
 }
 
 // Words that a manager need not know.
+void expect_plain_words(const std::string& text) {
+  for (const char* word :
+       {"confidence", "sampling", "standard error", "bound", "gap", "certificate", "median", "quantile",
+        "decibel", " dB", "matrix", "cooperative", "lexicographic", "optimal", "feasible", "election"})
+    EXPECT_EQ(text.find(word), std::string::npos) << word << " in:\n" << text;
+}
+
 TEST(Summary, HasNoTermsOfStatistics) {
   Supermarket s;
   for (const bool has_certificate : {false, true}) {
     if (has_certificate) test::certify(s);
-    const std::string text = all_of(summary_of(ReportData(s.input)));
-    for (const char* word :
-         {"confidence", "sampling", "standard error", "bound", "gap", "certificate", "median", "quantile",
-          "decibel", " dB", "matrix", "cooperative", "lexicographic", "optimal"})
-      EXPECT_EQ(text.find(word), std::string::npos) << word << " in:\n" << text;
+    expect_plain_words(all_of(summary_of(ReportData(s.input))));
   }
   // The control: the statement for experts has them.
   EXPECT_NE(headline(ReportData(s.input)).answer.find("confidence"), std::string::npos);
+}
+
+TEST(Summary, ExplainsThatNoPlanReachesAllLabels) {
+  Supermarket s;
+  s.placement.status = Status::infeasible;
+  s.placement.selected.clear();
+  s.placement.unreachable = {{.label = 3, .requirement = 1, .max_signal = 0.5},
+                             {.label = 4, .requirement = 1, .max_signal = 0.5}};
+  EXPECT_TRUE(
+      contains(s, "Not possible\nNo plan reaches all labels: 2 of 926 labels cannot be reached, even"));
+  EXPECT_TRUE(contains(s, "Out of reach: " + s.matrix.labels[3].id));
+  EXPECT_TRUE(contains(s, "Not verified yet"));
+  expect_plain_words(all_of(summary_of(ReportData(s.input))));
+  test::certify(s);
+  for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::unverified;
+  s.plan.certificate->labels[3].verdict = Verdict::missed;
+  EXPECT_TRUE(contains(s, "confirms with 95\u00A0% certainty that at least 1 label cannot be reached"));
+  expect_plain_words(all_of(summary_of(ReportData(s.input))));
+
+  s.plan.certificate.reset();
+  s.placement.status = Status::stopped;
+  s.placement.unreachable.clear();
+  s.placement.count_lower_bound = 5;
+  EXPECT_TRUE(contains(s, "Open\nNo plan that reaches all labels was found within "));
+  EXPECT_TRUE(contains(s, "at least 5 transceivers are necessary"));
+  EXPECT_FALSE(contains(s, "confirms"));
+  expect_plain_words(all_of(summary_of(ReportData(s.input))));
 }
 
 TEST(Summary, CountsNewAndInstalledUnits) {

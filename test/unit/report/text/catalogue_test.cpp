@@ -115,7 +115,7 @@ bool has_plural(const Keys& keys, const std::string& stem) {
 }
 
 bool is_file_name(std::string_view literal) {
-  constexpr std::string_view suffixes[] = {".csv", ".dxf", ".json"};
+  constexpr std::string_view suffixes[] = {".csv", ".dxf", ".html", ".json"};
   return std::any_of(std::begin(suffixes), std::end(suffixes),
                      [&](std::string_view suffix) { return literal.ends_with(suffix); });
 }
