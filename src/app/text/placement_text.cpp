@@ -22,6 +22,7 @@ std::string model_of(const PlacementProblem& problem) {
 
 std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
   std::vector<std::string_view> ids;
+  ids.reserve(selected.size());
   for (const std::uint32_t j : selected) ids.push_back(table.transceivers[j].id);
   return ids.empty() ? "" : fmt::format("  chosen: {}\n", fmt::join(ids, ", "));
 }

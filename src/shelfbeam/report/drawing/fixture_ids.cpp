@@ -126,13 +126,13 @@ IdPosition free_position(const std::vector<IdPosition>& positions, const std::ve
 
 // The place for an id on its fixture, nearest to the middle, that no mark covers.
 Point clear_centre(const Extent& e, double width, double size, std::span<const Point> marks) {
-  constexpr double step = 0.05;
+  constexpr int steps = 20;
   const double radians = e.angle_deg * std::numbers::pi / 180;
   const Point along{std::cos(radians), std::sin(radians)};
   const double room = std::max(0.0, (e.along - width) / 2);
-  for (double share = 0; share <= 1; share += step)
+  for (int k = 0; k <= steps; ++k)
     for (const double sign : {1.0, -1.0}) {
-      const double shift = sign * share * room;
+      const double shift = sign * room * k / steps;
       const Point at{e.centre.x + shift * along.x, e.centre.y + shift * along.y};
       const auto covers = [&](const Point& mark) {
         const double u = (mark.x - at.x) * along.x + (mark.y - at.y) * along.y;

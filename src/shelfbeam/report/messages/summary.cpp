@@ -30,6 +30,7 @@ std::string verdict_of(const ReportData& data, Tone tone) {
 std::string named(const ReportData& data, const std::vector<std::uint32_t>& rows) {
   constexpr std::size_t max_ranges = 4;
   std::vector<std::string> ids;
+  ids.reserve(rows.size());
   for (const std::uint32_t row : rows) ids.push_back(data.label(row).id);
   std::vector<std::string> ranges = id_ranges(ids);
   const bool is_cut = ranges.size() > max_ranges;
