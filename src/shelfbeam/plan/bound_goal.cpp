@@ -90,7 +90,8 @@ SignalTable BoundGoal::priced(SignalTable rows) const {
 std::vector<double> BoundGoal::targets(double certified) const {
   std::vector<double> targets;
   if (is_count) {
-    for (double count = value; count > certified; --count) targets.push_back(count);
+    for (auto count = std::llround(value); static_cast<double>(count) > certified; --count)
+      targets.push_back(static_cast<double>(count));
     return targets;
   }
   for (const double share : {1.0, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5})

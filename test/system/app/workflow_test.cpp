@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
@@ -179,8 +180,8 @@ TEST_F(Workflow, EveryProblemHasAPlacement) {
     for (const std::string objective : {"count", "links", "effective-links", "signal"})
       for (const std::string combination : {"lexicographic", "weighted"})
         for (const std::string solver : {"mip", "greedy"}) {
-          told("place @signal.h5 -o @p.json --model " + model + " --objective " + objective + " --" +
-               combination + " --solver " + solver);
+          told(fmt::format("place @signal.h5 -o @p.json --model {} --objective {} --{} --solver {}", model,
+                           objective, combination, solver));
           const Json placement = json("p.json");
           EXPECT_EQ(placement["model"], model);
           EXPECT_EQ(placement["objective"], objective);
@@ -244,7 +245,8 @@ TEST_F(Workflow, FileNamesMayHaveBlanksAndNonAsciiLetters) {
 TEST_F(Workflow, ThreadsDoNotChangeASignalAndSeedsDo) {
   for (const std::string direct : {"sampled", "exact"}) {
     const auto simulated = [&](const std::string& options) {
-      told("simulate @store.json -o @signal.h5 --samples 1000 --quiet --direct " + direct + options);
+      told(fmt::format("simulate @store.json -o @signal.h5 --samples 1000 --quiet --direct {}{}", direct,
+                       options));
       return bytes("signal.h5");
     };
     const std::string one = simulated(" --seed 7 --threads 1");

@@ -25,7 +25,6 @@ namespace {
 using detail::ids_of;
 using detail::Json;
 using detail::number;
-using detail::number_or_infinity;
 using detail::position;
 using detail::Positions;
 using detail::positions;

@@ -34,7 +34,7 @@ constexpr double min_area = 1e-6;              // m^2, in plan
 std::string part_class(const Part& part) {
   constexpr const char* classes[] = {"shell", "panel",  "board", "kick",  "goods",
                                      "tub",   "casing", "door",  "solid", "mesh"};
-  const std::string name = classes[static_cast<std::size_t>(part.kind)];
+  std::string name = classes[static_cast<std::size_t>(part.kind)];
   if (part.kind != PartKind::goods) return name;
   // Hashed from the position, so that a product column has another colour on each shelf.
   const auto& [x, y] = part.footprint.front();

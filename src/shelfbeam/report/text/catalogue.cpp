@@ -17,7 +17,7 @@ using Catalogue = std::map<std::string, std::string, std::less<>>;
 
 void collect(const nlohmann::json& node, const std::string& path, Catalogue& catalogue) {
   for (const auto& [name, value] : node.items()) {
-    const std::string key = path.empty() ? name : path + "." + name;
+    const std::string key = path.empty() ? name : fmt::format("{}.{}", path, name);
     if (value.is_string())
       catalogue.emplace(key, value.get<std::string>());
     else

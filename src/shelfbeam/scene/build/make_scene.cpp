@@ -33,6 +33,7 @@ std::size_t scene_bytes(const TransceiverGrid& grid) {
 std::vector<Bounds> in_plan(const std::vector<KeepOut>& areas) {
   constexpr double slack = 1e-9;
   std::vector<Bounds> boxes;
+  boxes.reserve(areas.size());
   for (const auto& [min, max] : areas)
     boxes.push_back(Bounds{{min[0], min[1], 0}, {max[0], max[1], 0}}.wider_by(slack));
   return boxes;
@@ -174,6 +175,7 @@ class SceneMaker {
                       const List& list) const {
     if (const std::string side = beyond_room(scene_, p); !side.empty()) {
       std::vector<Vec3> listed;
+      listed.reserve(list.size());
       for (const auto& item : list) listed.push_back(item.value.position);
       throw InputError(
           where,

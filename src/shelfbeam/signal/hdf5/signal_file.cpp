@@ -90,6 +90,7 @@ class MatrixWriter {
       file_.numbers(path, std::span<const double>(values), {rows.size(), 3});
     } else {
       std::vector<Stored<T>> values;
+      values.reserve(rows.size());
       for (const Row& row : rows) values.push_back(row.*member);
       if constexpr (std::is_same_v<T, std::string>)
         file_.texts(path, values);
