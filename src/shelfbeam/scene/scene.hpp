@@ -72,6 +72,7 @@ struct FixtureOutline {
   std::vector<Vec2> footprint;  ///< counter-clockwise polygon in plan, m
   double height = 0;            ///< m
   double rotation_deg = 0;
+  std::uint32_t first_triangle = 0, triangle_count = 0;  ///< in Scene::mesh; of all parts
 };
 
 /// The complete, checked input of a simulation. `make_scene` constructs it; from then on it is const.
