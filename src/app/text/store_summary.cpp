@@ -160,11 +160,11 @@ void print_warnings(const CommonOptions& common, const Scene& scene, Strategy st
     print_warning(light + " is sampled only by chance: use more samples and check the flagged entries");
 }
 
-void print_summary(const Scene& scene, const std::filesystem::path& floor_plan) {
+void print_summary(const Scene& scene, const std::string& written) {
   const Counts counts(scene);
   print_head(scene, counts);
   print_warnings(scene);
-  if (!floor_plan.empty()) fmt::print("floor plan: {}\n", floor_plan.string());
+  if (!written.empty()) fmt::print("{}\n", written);
   fmt::print("\n");
   print_materials(scene, counts);
   fmt::print("\n");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <filesystem>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -14,8 +14,8 @@ namespace shelfbeam::app {
 /// The output of `inspect`: areas, counts, and the light that the default strategy omits or samples only by
 /// chance.
 nlohmann::ordered_json summary_json(const Scene& scene);
-/// The warnings and the path of the floor plan, if it is not empty, come before the tables.
-void print_summary(const Scene& scene, const std::filesystem::path& floor_plan);
+/// The warnings and `written`, a line about the file that was written, if any, come before the tables.
+void print_summary(const Scene& scene, const std::string& written);
 
 /// Prints one line per warning of a scene and per kind of light that its simulation samples only by chance;
 /// nothing with --json or --quiet.

@@ -133,6 +133,41 @@ TEST_F(Inspect, PrintsText) {
   EXPECT_NE(bytes("plan.svg").find("class=\"door\""), std::string::npos);
 }
 
+// A model that inspect wrote is a mesh that it reads, with the triangles of fixtures, labels and units.
+TEST_F(Inspect, WritesAModel) {
+  const std::string text = told("inspect @store.json -o @store.glb");
+  EXPECT_LT(text.find("\nwarning: "), text.find("\n3-D model: " + path("store.glb") + "\n\n"));
+  EXPECT_LT(text.find("\n3-D model: "), text.find("  material  "));
+  const Json first = Json::parse(told("inspect @store.json --json -o @again.GLB"));
+  EXPECT_TRUE(bytes("again.GLB") == bytes("store.glb"));
+
+  Json store = test::small_store();
+  store.erase("room");
+  store["fixtures"] = {{{"type", "mesh"},
+                        {"id", "all"},
+                        {"file", "store.glb"},
+                        {"at", {0, 0, 0}},
+                        {"materials", {{"*", "m"}}}}};
+  folder.write("model.json", store.dump());
+  const Json second = Json::parse(told("inspect @model.json --json"));
+  EXPECT_EQ(second["triangles"], first["triangles"].get<int>() + 2 * first["labels"].get<int>() +
+                                     8 * first["transceivers"].get<int>());
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(second["upper"][axis].get<double>(), first["upper"][axis].get<double>(), 2e-5);
+
+  refused("inspect @model.json -o @store.glb", {path("store.glb"), "model.json: fixtures[0]"});
+}
+
+TEST_F(Inspect, RefusesUnknownDrawingsBeforeItReads) {
+  const std::string remedy = "; use .svg for the floor plan or .glb for the 3-D model\n";
+  for (const char* store : {"@store.json", "@missing.json"}) {
+    refused(std::string("inspect ") + store + " -o @plan.png",
+            {"error: " + path("plan.png") + ": has the unknown extension '.png'" + remedy});
+    refused(std::string("inspect ") + store + " -o @plan",
+            {"error: " + path("plan") + ": has no extension" + remedy});
+  }
+}
+
 TEST_F(Inspect, OmitsTransmittanceWithoutGlass) {
   folder.write("plain.json", test::small_store().dump());
   const std::string text = told("inspect @plain.json");
