@@ -10,8 +10,8 @@
 
 namespace shelfbeam {
 
-// Materials in store files (docs/formats/store.md). Each type reads and writes its own keys. All readers
-// throw InputError with the JSON path, or std::invalid_argument from `make_NAME`.
+// Materials in store files (docs/formats/store/materials.md). Each type reads and writes its own keys. All
+// readers throw InputError with the JSON path, or std::invalid_argument from `make_NAME`.
 
 Material read_material(const JsonCursor& json, double wavelength_nm);
 

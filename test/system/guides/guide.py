@@ -53,9 +53,18 @@ def holds(output, expected):
 
 
 def links(page):
-    """The files to which a page links."""
-    for target in re.findall(r"\]\((?!http)([^)#]+)", page.read_text(encoding="utf-8")):
-        yield page.parent / target
+    """(file, anchor) of each link of a page to a file; the anchor is empty if the link has none."""
+    for target, anchor in re.findall(r"\]\((?!http)([^)#]*)(?:#([^)]*))?\)", page.read_text(encoding="utf-8")):
+        yield (page.parent / target).resolve() if target else page.resolve(), anchor
+
+
+def anchors(page):
+    """The anchors of the headings of a page, as GitHub forms them."""
+    found = []
+    for heading in re.findall(r"^#+ (.*)$", FENCE.sub("", page), re.MULTILINE):
+        found.append(re.sub(r"[^\w -]", "", re.sub(r"\]\([^)]*\)", "]", heading).lower()).strip().replace(" ", "-"))
+    earlier = [found[:i].count(anchor) for i, anchor in enumerate(found)]
+    return [f"{anchor}-{count}" if count else anchor for anchor, count in zip(found, earlier)]
 
 
 def named_options(page):

@@ -61,18 +61,40 @@ class RunPage(unittest.TestCase):
         verbs = re.findall(r"^  ([a-z]+) ", helped().split("Verbs:")[1], re.MULTILINE)
         known = set(re.findall(r"--[a-z-]+", "".join(map(helped, verbs))))
         guides = [guide.DOCS.parent / "README.md", guide.DOCS / "tutorial.md", guide.DOCS / "research.md"]
-        for page in [*guides, *guide.DOCS.glob("formats/*.md")]:
+        for page in [*guides, *guide.DOCS.glob("formats/**/*.md")]:
             for option in guide.named_options(page.read_text(encoding="utf-8")):
                 self.assertIn(option, known, page.name)
         page = "`--samples N` and `shelfbeam plan a --curve`, not `scripts/test --all`\n```sh\n`--x`\n```\n"
         self.assertEqual(list(guide.named_options(page)), ["--samples", "--curve"])
 
     def test_links_lead_somewhere(self):
-        pages = [guide.DOCS / "tutorial.md", guide.DOCS / "research.md", *guide.DOCS.glob("*/*.md")]
+        pages = [*guide.DOCS.parent.glob("*.md"), *guide.DOCS.rglob("*.md")]
         for page in pages:
-            for target in guide.links(page):
+            for target, anchor in guide.links(page):
                 self.assertTrue(target.exists(), f"{page.name}: {target}")
-        self.assertGreaterEqual(len(list(guide.links(pages[0]))), 5)
+                if anchor:
+                    self.assertIn(anchor, guide.anchors(target.read_text(encoding="utf-8")), f"{page.name}: {target}")
+        self.assertGreaterEqual(len(list(guide.links(guide.DOCS / "tutorial.md"))), 5)
+
+    def test_anchors_are_those_of_headings(self):
+        page = "# A `key`: its use\n```sh\n# no heading\n```\n## [Link](a.md), a_b\n## Again\n### Again\n# Again\n"
+        self.assertEqual(guide.anchors(page), ["a-key-its-use", "link-a_b", "again", "again-1", "again-2"])
+
+    def test_every_page_can_be_found(self):
+        """Links lead from README to every page, and from the index of the store file to its pages and back."""
+        found, left = set(), [guide.DOCS.parent / "README.md"]
+        while left:
+            page = left.pop()
+            if page not in found and page.suffix == ".md":
+                found.add(page)
+                left.extend(target for target, _ in guide.links(page))
+        self.assertEqual(set(guide.DOCS.rglob("*.md")) - found, set())
+        index = guide.DOCS / "formats/store.md"
+        parts = set(guide.DOCS.glob("formats/store/*.md"))
+        self.assertGreaterEqual(len(parts), 8)
+        self.assertEqual(parts - {target for target, _ in guide.links(index)}, set())
+        for page in parts:
+            self.assertIn((index, ""), guide.links(page), page.name)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,8 @@
 #include "support/documentation.hpp"
 
+#include <filesystem>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,10 +26,37 @@ std::vector<std::string> ids_of(const Scene& scene) {
   return ids;
 }
 
+const std::string index_page = "store.md";
+const std::vector<std::string> pages_of_types{"store/materials.md", "store/label_types.md",
+                                              "store/transceiver_types.md"};
+
+// The pages that describe the store file, relative to docs/formats.
+std::vector<std::string> store_pages() {
+  std::vector<std::string> pages{index_page};
+  for (const auto& entry : std::filesystem::directory_iterator(SHELFBEAM_SOURCE_DIR "/docs/formats/store"))
+    pages.push_back("store/" + entry.path().filename().string());
+  return pages;
+}
+
+std::string example_store() {
+  return fenced_blocks(index_page, "jsonc").at(0);
+}
+
+// The tests below read all examples.
+TEST(Documentation, EveryExampleIsTested) {
+  std::map<std::string, std::size_t> stores, tables;
+  for (const std::string& page : store_pages()) {
+    if (const auto blocks = fenced_blocks(page, "jsonc"); !blocks.empty()) stores[page] = blocks.size();
+    if (const auto blocks = fenced_blocks(page, "csv"); !blocks.empty()) tables[page] = blocks.size();
+  }
+  std::map<std::string, std::size_t> tested{{index_page, 1}};
+  for (const std::string& page : pages_of_types) tested[page] = 1;
+  EXPECT_EQ(stores, tested);
+  EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}}));
+}
+
 TEST(Documentation, ExampleOfTheStoreFileIsAccepted) {
-  const auto examples = fenced_blocks("store.md", "jsonc");
-  ASSERT_EQ(examples.size(), 2u);
-  const Scene scene = make_scene(test::read_text(examples[0]));
+  const Scene scene = make_scene(test::read_text(example_store()));
   EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
   const auto ids = ids_of(scene);
   ASSERT_EQ(ids.size(), 2u * 3 * 5 + 4 + 1);
@@ -40,33 +70,38 @@ TEST(Documentation, ExampleOfTheStoreFileIsAccepted) {
   EXPECT_EQ(scene.transceivers.back().id, "till");
 }
 
-// The example store file with the types of a fragment.
-Store with_types(const std::string& fragment) {
-  Json store = Json::parse(fenced_blocks("store.md", "jsonc")[0], nullptr, true, true);
-  const Json types = Json::parse(fragment, nullptr, true, true);
-  for (const auto& [section, members] : types.items()) store[section].update(members);
+// The example store file with the types of fragments.
+Store with_types(const std::vector<std::string>& fragments) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  for (const std::string& fragment : fragments) {
+    const Json types = Json::parse(fragment, nullptr, true, true);
+    for (const auto& [section, members] : types.items()) store[section].update(members);
+  }
   return test::read_text(store.dump(), SHELFBEAM_SOURCE_DIR "/data/photometry");
 }
 
 TEST(Documentation, ExamplesOfTypesAreAccepted) {
-  const Store store = with_types(fenced_blocks("store.md", "jsonc").at(1));
+  std::vector<std::string> fragments;
+  fragments.reserve(pages_of_types.size());
+  for (const std::string& page : pages_of_types) fragments.push_back(fenced_blocks(page, "jsonc").at(0));
+  const Store store = with_types(fragments);
   EXPECT_EQ(store.materials.size(), 4u + 6);
   ASSERT_EQ(store.label_types.size(), 1u + 3);
   ASSERT_EQ(store.transceiver_types.size(), 1u + 3);
   const Emission& aisle = store.transceiver_types[1].emission;
   EXPECT_NEAR(store.label_types[1].threshold, mean_intensity(aisle, 0) / 36, 1e-15);
-  const Store measured = with_types("{" + fenced_blocks("photometry.md", "jsonc").at(0) + "}");
+  const Store measured = with_types({"{" + fenced_blocks("photometry.md", "jsonc").at(0) + "}"});
   ASSERT_EQ(measured.transceiver_types.size(), 1u + 2);
   EXPECT_NEAR(power(measured.transceiver_types[2].emission), 0.8, 1e-14);
 }
 
 TEST(Documentation, CsvExamplesAreAccepted) {
-  const auto files = fenced_blocks("store.md", "csv");
+  const auto files = fenced_blocks("store/csv.md", "csv");
   ASSERT_EQ(files.size(), 2u);
   const test::TempFolder folder;
   folder.write("labels.csv", files[0]);
   folder.write("units.csv", files[1]);
-  Json store = Json::parse(fenced_blocks("store.md", "jsonc")[0], nullptr, true, true);
+  Json store = Json::parse(example_store(), nullptr, true, true);
   store["labels"] = {{"csv", "labels.csv"}};
   store["transceivers"]["list"] = {{"csv", "units.csv"}};
   const Scene scene = test::scene_of(store, folder.path());
@@ -75,8 +110,8 @@ TEST(Documentation, CsvExamplesAreAccepted) {
 }
 
 TEST(Documentation, ErrorsAreAsShown) {
-  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/store.md");
-  Json store = Json::parse(fenced_blocks("store.md", "jsonc")[0], nullptr, true, true);
+  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/store/errors.md");
+  Json store = Json::parse(example_store(), nullptr, true, true);
   const auto expect_shown = [&](const Json& wrong) {
     const std::string message = test::input_error([&] { test::scene_of(wrong); });
     EXPECT_NE(page.find("error: " + message + "\n"), std::string::npos) << message;
@@ -87,6 +122,75 @@ TEST(Documentation, ErrorsAreAsShown) {
   wrong = store;
   wrong["materials"]["white"]["reflectance"] = 1.2;
   expect_shown(wrong);
+}
+
+// The sentences and tables of a page, without its fenced blocks.
+std::string prose(const std::string& page) {
+  const std::string text = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/" + page);
+  std::string found;
+  std::size_t at = 0;
+  for (std::size_t open; (open = text.find("```", at)) != std::string::npos;) {
+    found += text.substr(at, open - at);
+    at = text.find("```", open + 3) + 3;
+  }
+  return found + text.substr(at);
+}
+
+// The keys of all objects that a part of the schema describes, without parts that it refers to by name.
+void collect_keys(const Json& schema, std::set<std::string>& keys) {
+  if (!schema.is_structured()) return;
+  if (schema.contains("properties"))
+    for (const auto& [key, value] : schema["properties"].items()) keys.insert(key);
+  for (const Json& part : schema) collect_keys(part, keys);
+}
+
+std::vector<std::string> undocumented(const Json& schema, const std::vector<std::string>& pages) {
+  std::string text;
+  for (const std::string& page : pages) text += prose(page);
+  std::set<std::string> keys;
+  collect_keys(schema, keys);
+  std::vector<std::string> missing;
+  for (const std::string& key : keys)
+    if (text.find('`' + key + '`') == std::string::npos && text.find('"' + key + "\":") == std::string::npos)
+      missing.push_back(key);
+  return missing;
+}
+
+TEST(Documentation, EveryKeyOfTheSchemaIsOnItsPage) {
+  const std::vector<std::string> materials{"store/materials.md"}, label_types{"store/label_types.md"},
+      transceiver_types{"store/transceiver_types.md"}, fixtures{"store/fixtures.md"},
+      fixtures_with_labels{"store/fixtures.md", "store/labels.md"}, transceivers{"store/transceivers.md"};
+  const std::map<std::string, std::vector<std::string>> pages{{"room", {"store/room.md"}},
+                                                              {"material", materials},
+                                                              {"smooth", materials},
+                                                              {"facets", materials},
+                                                              {"label_type", label_types},
+                                                              {"responsivity", label_types},
+                                                              {"transceiver_type", transceiver_types},
+                                                              {"emission", transceiver_types},
+                                                              {"fixture", fixtures},
+                                                              {"gondola", fixtures_with_labels},
+                                                              {"freezer", fixtures_with_labels},
+                                                              {"box", fixtures},
+                                                              {"mesh_file", fixtures},
+                                                              {"inline_mesh", fixtures},
+                                                              {"label", {"store/labels.md"}},
+                                                              {"transceivers", transceivers},
+                                                              {"transceiver", transceivers},
+                                                              {"csv_file", {"store/csv.md"}}};
+  Json schema = Json::parse(read_file(SHELFBEAM_SOURCE_DIR "/data/store.schema.json"));
+  const std::vector<std::string> none;
+  for (const auto& [name, part] : schema["$defs"].items()) {
+    std::set<std::string> keys;
+    collect_keys(part, keys);
+    if (keys.empty()) continue;
+    ASSERT_TRUE(pages.contains(name)) << "name the page of " << name << " in this test";
+    EXPECT_EQ(undocumented(part, pages.at(name)), none) << name;
+  }
+  schema.erase("$defs");
+  EXPECT_EQ(undocumented(schema, {index_page}), none);
+  schema["properties"]["no_such_key"] = Json::object();
+  EXPECT_EQ(undocumented(schema, {index_page}), std::vector<std::string>{"no_such_key"});
 }
 
 }  // namespace
