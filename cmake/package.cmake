@@ -61,7 +61,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libshelfbeam-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "${PROJECT_DESCRIPTION}: headers and static library")
 set(shelfbeam_build_packages
-  libembree-dev libtbb-dev libhdf5-dev zlib1g-dev libfmt-dev)
+  libembree-dev libtbb-dev libhdf5-dev libgeos-dev zlib1g-dev libfmt-dev)
 if(CBC_FOUND)
   list(APPEND shelfbeam_build_packages coinor-libcbc-dev pkg-config)
 endif()

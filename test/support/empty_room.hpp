@@ -9,7 +9,7 @@ namespace shelfbeam::test {
 /// A black room with one point unit of 1 W/sr at 45 degrees and one cosine label; tests set their positions.
 inline Scene empty_room(const Vec3& size) {
   Scene scene;
-  scene.room = size;
+  scene.room = RoomShape::box(size);
   scene.upper = size;
   scene.materials = {{"black", make_lambertian(0)}};
   LabelType label_type;
@@ -37,8 +37,8 @@ inline void give_side(Scene& scene, const Vec3& direction, MaterialId material) 
   for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
     double along = 0;
     for (const std::uint32_t corner : scene.mesh.triangles[t])
-      along += dot(scene.mesh.vertices[corner] - *scene.room * 0.5, direction) / 3;
-    if (along > 0.49 * std::abs(dot(*scene.room, direction))) scene.mesh.materials[t] = material;
+      along += dot(scene.mesh.vertices[corner] - scene.room->upper() * 0.5, direction) / 3;
+    if (along > 0.49 * std::abs(dot(scene.room->upper(), direction))) scene.mesh.materials[t] = material;
   }
 }
 

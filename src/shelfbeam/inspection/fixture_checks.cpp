@@ -89,7 +89,10 @@ class Overlaps {
   // The check ends after this number of pairs, because a store of n fixtures has up to n^2 / 2.
   static constexpr std::size_t max_pairs = 20'000'000;
 
-  bool is_box(const Part& part) const { return store_.scene.fixtures[part.fixture].type == "box"; }
+  bool is_box(const Part& part) const {
+    const std::string& type = store_.scene.fixtures[part.fixture].type;
+    return type == "box" || type == "wall";
+  }
 
   // Shelves stand on plinths and around columns, and walls and columns that are drawn as boxes cross.
   bool may_overlap(const Part& one, const Part& other) const {
@@ -115,11 +118,12 @@ class Overlaps {
   // Reports one overlap per fixture. Returns true, so that a search ends.
   bool report(const Part& one, const Part& other) {
     is_reported_[one.fixture] = is_reported_[other.fixture] = true;
-    const auto& [fixture, where] = store_.store.fixtures[one.fixture];
-    warnings_.add("fixtures that overlap others",
-                  fmt::format("{}: fixture '{}' overlaps fixture '{}'; fixtures usually stand side by side; "
-                              "move one of them, or remove a duplicate",
-                              where, id_of(fixture), store_.scene.fixtures[other.fixture].id));
+    const std::string& where = store_.sources.fixtures[one.fixture];
+    warnings_.add(
+        "fixtures that overlap others",
+        fmt::format("{}: fixture '{}' overlaps fixture '{}'; fixtures usually stand side by side; "
+                    "move one of them, or remove a duplicate",
+                    where, store_.scene.fixtures[one.fixture].id, store_.scene.fixtures[other.fixture].id));
     return true;
   }
 
@@ -224,12 +228,12 @@ void warn_of_floating(const Inspected& store, WarningList& warnings) {
       return part.kind == PartKind::mesh && bounds_of(part).meets(near);
     });
     if (at_wall || at_mesh || store.blocks.any(near, touches)) continue;
-    const auto& [fixture, where] = store.store.fixtures[block->fixture];
+    const std::string& where = store.sources.fixtures[block->fixture];
     warnings.add(
         "fixtures that float",
         fmt::format("{}: fixture '{}' floats {:.2g} m above the floor; a fixture stands on the floor or "
                     "touches a wall, the ceiling or another fixture; correct 'min' and 'max'",
-                    where, id_of(fixture), bottom));
+                    where, scene.fixtures[block->fixture].id, bottom));
   }
 }
 
@@ -252,13 +256,12 @@ void warn_of_copies(const Inspected& store, WarningList& warnings) {
       if (!is_mesh(first) || differs(meshes[first].low, meshes[f].low) ||
           differs(meshes[first].high, meshes[f].high))
         continue;
-      const auto& [fixture, where] = store.store.fixtures[f];
       warnings.add(
           "meshes at the same place",
           fmt::format(
               "{}: mesh '{}' has the place and the size of mesh '{}'; usually each mesh is placed once; "
               "remove one of them",
-              where, id_of(fixture), store.scene.fixtures[first].id));
+              store.sources.fixtures[f], store.scene.fixtures[f].id, store.scene.fixtures[first].id));
       break;
     }
 }
@@ -270,12 +273,11 @@ void warn_of_scale(const Inspected& store, WarningList& warnings) {
     const Vec3 size = meshes[f].high - meshes[f].low;
     const double extent = std::max({size.x, size.y, size.z});
     if (!std::isfinite(extent) || (extent >= smallest && extent <= largest)) continue;
-    const auto& [fixture, where] = store.store.fixtures[f];
     warnings.add(
         "meshes of an unusual size",
         fmt::format("{}.scale: mesh '{}' extends {:.2g} m; 0.1 to 100 m are usual; give the metres per unit "
                     "of length of its file, such as 0.001 for millimetres",
-                    where, id_of(fixture), extent));
+                    store.sources.fixtures[f], store.scene.fixtures[f].id, extent));
   }
 }
 

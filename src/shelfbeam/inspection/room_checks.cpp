@@ -119,13 +119,17 @@ void warn_of_open_building(const Inspected& store, WarningList& warnings) {
 
 void warn_of_room(const Inspected& store, WarningList& warnings) {
   const Scene& scene = store.scene;
-  const double height = scene.room ? scene.room->z : scene.upper.z - scene.lower.z;
+  const double height = scene.room ? scene.room->upper().z : scene.upper.z - scene.lower.z;
   // Without a room, low fixtures may be all that the store describes.
   if (height > 15 || (scene.room && height < 2))
     warnings.add("unusual heights of rooms",
                  fmt::format("{}: {}: the shop is {:.3g} m high; 2.5 to 12 m are usual; check its "
                              "unit of length",
-                             store.store.file, scene.room ? "room.size[2]" : "fixtures", height));
+                             store.store.file,
+                             !scene.room          ? "fixtures"
+                             : scene.room->is_box ? "room.size[2]"
+                                                  : "room.height",
+                             height));
   if (scene.wavelength_nm < 700 || scene.wavelength_nm > 1700)
     warnings.add(
         "unusual wavelengths",

@@ -32,6 +32,19 @@ Vec2 read_plan_point(const JsonCursor& cursor) {
   return {read_coordinate(v[0]), read_coordinate(v[1])};
 }
 
+Polygon read_polygon(const JsonCursor& cursor) {
+  constexpr std::size_t max_corners = 1000;
+  if (cursor.size() > max_corners)
+    cursor.fail(fmt::format("has {} corners", cursor.size()),
+                fmt::format("at most {} are allowed", max_corners));
+  Polygon polygon;
+  for (const JsonCursor& corner : cursor.elements()) polygon.push_back(read_plan_point(corner));
+  if (const auto fault = fault_of(polygon))
+    cursor.fail(fmt::format("{} at ({:.6g}, {:.6g}) m", fault->problem, fault->at[0], fault->at[1]),
+                "give the corners in order, with edges that do not cross");
+  return polygon;
+}
+
 Vec3 read_point(const JsonCursor& cursor) {
   cursor.numbers(3);
   const auto v = cursor.elements();

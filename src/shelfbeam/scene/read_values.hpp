@@ -21,6 +21,8 @@ double read_coordinate(const JsonCursor& cursor);
 double read_coordinate(double value, LengthUnit unit, const std::string& where);
 Vec2 read_plan_point(const JsonCursor& cursor);
 Vec3 read_point(const JsonCursor& cursor);
+/// Corners in either direction, at most 1,000, with edges that do not cross or touch.
+Polygon read_polygon(const JsonCursor& cursor);
 
 /// A size or distance, 1 mm to 1 km.
 double read_length(const JsonCursor& cursor);

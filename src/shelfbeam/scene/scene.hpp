@@ -9,11 +9,11 @@
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/material/material.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/room_shape.hpp"
 
 namespace shelfbeam {
-
-using Vec2 = std::array<double, 2>;  ///< in plan, m
 
 struct Label {
   std::string id;
@@ -68,7 +68,7 @@ struct Part {
 
 struct FixtureOutline {
   std::string id;
-  std::string type;             ///< as in the store file: "gondola"
+  std::string type;             ///< as in the store file ("gondola"), or "wall" for an inner wall
   std::vector<Vec2> footprint;  ///< counter-clockwise polygon in plan, m
   double height = 0;            ///< m
   double rotation_deg = 0;
@@ -82,9 +82,9 @@ struct Scene {
   std::string store_hash;
   std::string name;
   double wavelength_nm = 940;
-  std::string currency;      ///< of the costs of transceivers; empty: not given
-  std::optional<Vec3> room;  ///< size, m; axis-aligned, with a corner at the origin
-  Vec3 lower, upper;         ///< bounds of all triangles
+  std::string currency;  ///< of the costs of transceivers; empty: not given
+  std::optional<RoomShape> room;
+  Vec3 lower, upper;  ///< bounds of all triangles
   std::vector<NamedMaterial> materials;
   std::vector<LabelType> label_types;
   std::vector<TransceiverType> transceiver_types;

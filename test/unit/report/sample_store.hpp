@@ -37,7 +37,7 @@ inline Store empty_store(const std::string& name, const Vec3& size) {
   Store store;
   store.file = "sample.json";
   store.name = name;
-  store.room = Room{size, {}};
+  store.room = Room::box(size, {});
   store.materials = {{"grey", Lambertian{0.7}}};
   store.label_types = {{"standard", CosineResponse{}, {}, 0.012, 1, 0, 0},
                        {"large", CosineResponse{}, {}, 0.009, 1.1, 0, 0}};

@@ -51,6 +51,7 @@ TEST(Documentation, EveryExampleIsTested) {
   }
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
+  tested["store/room.md"] = 1;
   EXPECT_EQ(stores, tested);
   EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}}));
 }
@@ -109,6 +110,16 @@ TEST(Documentation, CsvExamplesAreAccepted) {
   EXPECT_EQ(scene.transceivers.back().id, "till");
 }
 
+TEST(Documentation, ExampleOfARoomIsAccepted) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  store["materials"]["glass"] = {{"type", "thin_dielectric"}, {"ior", 1.5}};
+  store["room"] = Json::parse(fenced_blocks("store/room.md", "jsonc").at(0), nullptr, true, true);
+  store["fixtures"] = Json::array();
+  const Scene scene = test::scene_of(store);
+  EXPECT_EQ(scene.room->upper(), (Vec3{20, 14, 3.2}));
+  EXPECT_EQ(scene.fixtures.size(), 1u) << "the inner wall";
+}
+
 TEST(Documentation, ErrorsAreAsShown) {
   const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/store/errors.md");
   Json store = Json::parse(example_store(), nullptr, true, true);
@@ -160,7 +171,10 @@ TEST(Documentation, EveryKeyOfTheSchemaIsOnItsPage) {
   const std::vector<std::string> materials{"store/materials.md"}, label_types{"store/label_types.md"},
       transceiver_types{"store/transceiver_types.md"}, fixtures{"store/fixtures.md"},
       fixtures_with_labels{"store/fixtures.md", "store/labels.md"}, transceivers{"store/transceivers.md"};
-  const std::map<std::string, std::vector<std::string>> pages{{"room", {"store/room.md"}},
+  const std::map<std::string, std::vector<std::string>> pages{{"box_room", {"store/room.md"}},
+                                                              {"outline_room", {"store/room.md"}},
+                                                              {"zones", {"store/room.md"}},
+                                                              {"inner_walls", {"store/room.md"}},
                                                               {"material", materials},
                                                               {"smooth", materials},
                                                               {"facets", materials},

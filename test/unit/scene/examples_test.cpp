@@ -37,7 +37,7 @@ TEST(Thesis, HasTheCountsOfTheErrata) {
   EXPECT_EQ(rows.size(), 4u * 2 * 3 + 2);
   for (const auto& [row, count] : rows) EXPECT_EQ(count, 15) << row;
   EXPECT_TRUE(scene.warnings.empty());
-  EXPECT_EQ(*scene.room, (Vec3{20, 16, 4}));
+  EXPECT_EQ(scene.room->upper(), (Vec3{20, 16, 4}));
   for (const NamedMaterial& named : scene.materials)
     EXPECT_EQ(std::get<Lambertian>(named.material).reflectance, 0.7) << named.name;
 }
@@ -174,7 +174,8 @@ TEST(Markets, LabelsFaceAisles) {
         for (const double off : {0.1, width})  // a door is 6 cm in front of the boards
           way.include(label.position.x + off * label.normal.x / level,
                       label.position.y + off * label.normal.y / level);
-        if (way.low[0] < 0 || way.low[1] < 0 || way.high[0] > scene.room->x || way.high[1] > scene.room->y ||
+        if (way.low[0] < 0 || way.low[1] < 0 || way.high[0] > scene.room->upper().x ||
+            way.high[1] > scene.room->upper().y ||
             std::any_of(fixtures.begin(), fixtures.end(), [&](const Extent& f) { return f.meets(way); }))
           ids.push_back(label.id);
       }

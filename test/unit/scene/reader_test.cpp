@@ -31,9 +31,13 @@ TEST(StoreReader, ReadsNameAndRoom) {
   EXPECT_EQ(store.name, "Sample");
   EXPECT_EQ(store.wavelength_nm, 950);
   ASSERT_TRUE(store.room);
-  EXPECT_EQ(store.room->size, (Vec3{8, 6, 3}));
+  const Room& room = *store.room;
+  EXPECT_TRUE(room.shape.is_box);
+  EXPECT_EQ(room.shape.upper(), (Vec3{8, 6, 3}));
   std::string names;
-  for (const MaterialId id : store.room->materials) names += store.materials[id.value].name + " ";
+  for (const MaterialId id :
+       {room.walls[3], room.walls[1], room.walls[0], room.walls[2], room.floor, room.ceiling})
+    names += store.materials[id.value].name + " ";
   EXPECT_EQ(names, "white white white tile tile white ") << "walls x0, x1, y0, y1, floor, ceiling";
 }
 

@@ -77,7 +77,7 @@ inline std::string fingerprint(const Scene& scene) {
   };
   out << scene.name << '\n';
   bits(scene.wavelength_nm);
-  if (scene.room) point(*scene.room);
+  if (scene.room) point(scene.room->upper());
   point(scene.lower), point(scene.upper);
   TypePrint types;
   for (const NamedMaterial& material : scene.materials) out << '\n' << types.of(material);

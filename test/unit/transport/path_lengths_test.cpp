@@ -36,7 +36,7 @@ Scene one_wall() {
 std::vector<double> over_the_wall(const Scene& scene) {
   std::vector<double> lengths(steps.count, 0.0);
   const Vec3 label = scene.labels[0].position, unit = scene.transceivers[0].position;
-  const Vec3 room = *scene.room;
+  const Vec3 room = scene.room->upper();
   constexpr int fine = 800;
   for (int a = 0; a < fine; ++a)
     for (int b = 0; b < fine; ++b) {

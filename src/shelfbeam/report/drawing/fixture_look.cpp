@@ -56,7 +56,7 @@ std::string cut(const PlanView& view, const std::array<Vec3, 3>& corners, double
 }  // namespace
 
 std::vector<Look> looks_of(const Scene& scene) {
-  const Vec3 size = scene.room ? *scene.room : scene.upper - scene.lower;
+  const Vec3 size = scene.room ? scene.room->upper() - scene.room->lower() : scene.upper - scene.lower;
   const std::vector<double> bottoms = bottoms_of(scene);
   std::vector<Bounds> bounds;
   for (const FixtureOutline& fixture : scene.fixtures) bounds.push_back(bounds_of(fixture));

@@ -77,7 +77,7 @@ std::string counts(const Scene& scene) {
   const auto installed = std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
                                        [](const Transceiver& t) { return t.installed; });
   const std::size_t points = distinct_positions(positions_of(scene.transceivers)).count;
-  const Vec3 size = scene.room ? *scene.room : scene.upper - scene.lower;
+  const Vec3 size = scene.room ? scene.room->upper() - scene.room->lower() : scene.upper - scene.lower;
   std::string text =
       say("drawing.counts", plain(size.x), plain(size.y), plain(size.z),
           say_count("noun.fixture", scene.fixtures.size()), say_count("noun.label", scene.labels.size()),
@@ -115,7 +115,7 @@ std::string floor_plan_svg(const Scene& scene) {
   const std::string title = scene.name.empty() ? say("summary.store") : scene.name;
   const PlanView view(scene, heading);
   SvgCanvas canvas;
-  view.draw_floor(canvas);
+  view.draw_floor(canvas, scene.room);
   draw_parts(canvas, view, scene);
   draw_labels(canvas, view, scene);
   draw_transceivers(canvas, view, scene);

@@ -97,7 +97,7 @@ std::string Maps::definitions() const {
   canvas.raw("<g id=\"worst\"><circle class=\"k worst\" r=\"12\"/></g>\n");
 
   canvas.raw("<g id=\"store-layer\">\n");
-  view_.draw_floor(canvas);
+  view_.draw_floor(canvas, data_.input.scene.room);
   draw_fixtures(canvas, view_, data_.input.scene);
   view_.draw_axes(canvas);
   canvas.raw("</g>\n<g id=\"name-layer\">\n");

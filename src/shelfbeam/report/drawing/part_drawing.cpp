@@ -74,6 +74,7 @@ text{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","Lib
 .title{font-size:24px;font-weight:650}.sub{font-size:15px;fill:#57626d}
 .t{font-size:13px;fill:#57626d}.mid{text-anchor:middle}.end{text-anchor:end}
 .paper{fill:#fff}.floor{fill:#fbfbf8;stroke:#4b555e;stroke-width:2}
+.hole{fill:#fff}.zone{fill:none;stroke:#8b959d;stroke-width:1.2;stroke-dasharray:2 4}
 .tick{stroke:#5d6973;stroke-width:1}.bar-full{fill:#5d6973;stroke:#5d6973}.bar-empty{fill:none;stroke:#5d6973}
 .panel{fill:#87919a}.board{fill:#d9dde0;stroke:#7d8790;stroke-width:.7}.kick{fill:#59636c}
 .goods{stroke:#4a4136;stroke-opacity:.45;stroke-width:.5}

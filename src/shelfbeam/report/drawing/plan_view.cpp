@@ -20,8 +20,8 @@ PlanView::PlanView(const Scene& scene, double top) {
     x_.add(p.x);
     y_.add(p.y);
   };
-  include(scene.room ? Vec3{0, 0, 0} : scene.lower);
-  include(scene.room ? *scene.room : scene.upper);
+  include(scene.room ? scene.room->lower() : scene.lower);
+  include(scene.room ? scene.room->upper() : scene.upper);
   for (const Label& label : scene.labels) include(label.position);
   for (const Transceiver& t : scene.transceivers) include(t.position);
   for (Span* span : {&x_, &y_})
@@ -39,9 +39,14 @@ std::vector<Point> PlanView::outline(std::span<const std::array<double, 2>> poly
   return points;
 }
 
-void PlanView::draw_floor(SvgCanvas& canvas) const {
-  const Point corner = at(x_.low, y_.high);
-  canvas.rect(corner, x_.size() * scale_, y_.size() * scale_, "floor");
+void PlanView::draw_floor(SvgCanvas& canvas, const std::optional<RoomShape>& room) const {
+  if (!room || room->is_box)
+    canvas.rect(at(x_.low, y_.high), x_.size() * scale_, y_.size() * scale_, "floor");
+  else
+    canvas.polygon(outline(room->outline), "floor");
+  if (!room) return;
+  for (const Polygon& hole : room->holes) canvas.polygon(outline(hole), "floor hole");
+  for (const CeilingZone& zone : room->zones) canvas.polygon(outline(zone.polygon), "zone", zone.id);
 }
 
 void PlanView::draw_axes(SvgCanvas& canvas) const {

@@ -38,7 +38,7 @@ class PlanView {
   }
   std::vector<Point> outline(std::span<const std::array<double, 2>> polygon) const;
 
-  void draw_floor(SvgCanvas& canvas) const;
+  void draw_floor(SvgCanvas& canvas, const std::optional<RoomShape>& room) const;
   /// Ticks with metres on both axes and a scale bar.
   void draw_axes(SvgCanvas& canvas) const;
 

@@ -146,8 +146,9 @@ std::string mounting_dxf(const ReportInput& input) {
   add_block(dxf);
   dxf.begin("ENTITIES");
   if (scene.room) {
-    const double x = scene.room->x, y = scene.room->y;
-    add_outline(dxf, std::array<Vec2, 4>{{{0, 0}, {x, 0}, {x, y}, {0, y}}});
+    add_outline(dxf, scene.room->outline);
+    for (const Polygon& hole : scene.room->holes) add_outline(dxf, hole);
+    for (const CeilingZone& zone : scene.room->zones) add_outline(dxf, zone.polygon);
   }
   for (const FixtureOutline& fixture : scene.fixtures) add_outline(dxf, fixture.footprint);
   for (const MountedUnit& unit : mounting_sheet(input)) add_unit(dxf, unit);

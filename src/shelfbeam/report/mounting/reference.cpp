@@ -29,16 +29,6 @@ std::optional<double> crossing(std::span<const Vec2> polygon, const Vec2& from, 
   return nearest;
 }
 
-bool contains(std::span<const Vec2> polygon, const Vec2& point) {
-  bool is_inside = false;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    if ((a[1] > point[1]) == (b[1] > point[1])) continue;
-    if (point[0] < a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) is_inside = !is_inside;
-  }
-  return is_inside;
-}
-
 // The distance to a triangle along a horizontal axis.
 std::optional<double> hit(const std::array<Vec3, 3>& corners, const Vec3& from, std::size_t axis,
                           double sign) {
@@ -65,10 +55,8 @@ class Search {
 
   Reference nearest() {
     if (scene_.room) {
-      const double size = axis_ == 0 ? scene_.room->x : scene_.room->y;
-      const double at = axis_ == 0 ? unit_.x : unit_.y;
-      offer(-1, at, Reference::Kind::wall);
-      offer(1, size - at, Reference::Kind::wall);
+      meet_walls(scene_.room->outline);
+      for (const Polygon& hole : scene_.room->holes) meet_walls(hole);
     }
     for (const double sign : {-1.0, 1.0}) meet_parts(sign);
     if (!best_ || best_->distance > far_surface)
@@ -86,6 +74,12 @@ class Search {
     const Side side =
         axis_ == 0 ? (sign < 0 ? Side::left : Side::right) : (sign < 0 ? Side::bottom : Side::top);
     best_ = Reference{side, kind, fixture, distance};
+  }
+
+  void meet_walls(const Polygon& polygon) {
+    for (const double sign : {-1.0, 1.0})
+      if (const auto distance = crossing(polygon, in_plan(), axis_, sign))
+        offer(sign, *distance, Reference::Kind::wall);
   }
 
   // Surfaces at the height of the unit.

@@ -165,9 +165,10 @@ std::string origin_facts(const ReportData& data) {
   const Scene& scene = data.input.scene;
   const Provenance& provenance = data.input.matrix.provenance;
   Facts facts("facts.origin.title");
-  if (scene.room)
-    facts.add("facts.origin.room",
-              say("facts.origin.size", plain(scene.room->x), plain(scene.room->y), plain(scene.room->z)));
+  if (scene.room) {
+    const Vec3 size = scene.room->upper() - scene.room->lower();
+    facts.add("facts.origin.room", say("facts.origin.size", plain(size.x), plain(size.y), plain(size.z)));
+  }
   facts.add("facts.origin.fixtures", grouped(scene.fixtures.size()));
   for (const LabelType& type : scene.label_types)
     facts.add_named(say("facts.origin.type", type.name),

@@ -159,8 +159,8 @@ std::string pack_store(const ReportData& data, const SignalScale& scale) {
   PageData page;
   add_parts(page, scene);
   Json about;
-  about["lower"] = scene.room ? point({}) : point(scene.lower);
-  about["upper"] = scene.room ? point(*scene.room) : point(scene.upper);
+  about["lower"] = point(scene.room ? scene.room->lower() : scene.lower);
+  about["upper"] = point(scene.room ? scene.room->upper() : scene.upper);
   about["cooperative"] = problem.model == CommunicationModel::cooperative;
   about["redundant"] = problem.redundant;
   about["tolerance"] = met_tolerance;

@@ -66,6 +66,7 @@ class SceneMaker {
     expect_memory();
     add_room();
     add_fixtures();
+    add_inner_walls();
     if (scene_.mesh.triangles.empty()) fail("has neither a room nor fixtures", "add a room");
     find_bounds();
     add_labels();
@@ -101,29 +102,14 @@ class SceneMaker {
 
   void add_room() {
     if (!store_.room) return;
-    const Vec3 s = store_.room->size;
-    scene_.room = s;
-    TriangleMesh& mesh = scene_.mesh;
-    for (int corner = 0; corner < 8; ++corner)
-      mesh.vertices.push_back(
-          {(corner & 1) != 0 ? s.x : 0, (corner & 2) != 0 ? s.y : 0, (corner & 4) != 0 ? s.z : 0});
-    constexpr std::array<std::array<std::uint32_t, 4>, 6> sides{
-        {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
-    for (std::size_t side = 0; side < sides.size(); ++side) {
-      const auto& [a, b, c, d] = sides[side];
-      mesh.triangles.push_back({a, b, c});
-      mesh.triangles.push_back({a, c, d});
-      mesh.materials.insert(mesh.materials.end(), 2, store_.room->materials[side]);
-    }
+    scene_.room = store_.room->shape;
+    add_shell(*store_.room, scene_.mesh);
   }
 
   void add_fixtures() {
-    std::set<std::string> ids;
     for (const auto& [fixture, where] : store_.fixtures) {
       const std::string& id = id_of(fixture);
-      if (!ids.insert(id).second)
-        throw InputError(where, fmt::format("has the duplicate fixture id {}", in_quotes(id)),
-                         "make ids unique");
+      expect_new_fixture(id, where);
       const std::size_t first_vertex = scene_.mesh.vertices.size();
       add_fixture(scene_, fixture, where, warnings_);
       const auto is_outside = [&](const Vec3& p) { return !beyond_room(scene_, p).empty(); };
@@ -133,6 +119,26 @@ class SceneMaker {
                       fmt::format("{}: fixture {} extends outside the room; move it, or correct {}", where,
                                   in_quotes(id), sized_by(fixture)));
       sources_.labels.resize(scene_.labels.size(), where);
+    }
+  }
+
+  void expect_new_fixture(const std::string& id, const std::string& where) {
+    if (!fixture_ids_.insert(id).second)
+      throw InputError(where, fmt::format("has the duplicate fixture id {}", in_quotes(id)),
+                       "make ids unique");
+    sources_.fixtures.push_back(where);
+  }
+
+  void add_inner_walls() {
+    if (!store_.room) return;
+    for (std::size_t w = 0; w < store_.room->inner_walls.size(); ++w) {
+      const std::string where = fmt::format("{}: room.inner_walls[{}]", store_.file, w);
+      expect_new_fixture(store_.room->shape.inner_walls[w].id, where);
+      const auto& panes = store_.room->inner_walls[w].panes;
+      for (std::size_t o = 0; o < panes.size(); ++o)
+        if (panes[o])
+          expect_pane(scene_.materials[panes[o]->value], fmt::format("{}.openings[{}].pane", where, o));
+      add_wall_parts(*store_.room, w, scene_);
     }
   }
 
@@ -177,12 +183,13 @@ class SceneMaker {
       std::vector<Vec3> listed;
       listed.reserve(list.size());
       for (const auto& item : list) listed.push_back(item.value.position);
-      throw InputError(
-          where,
-          fmt::format(
-              "{} {} at ({:.6g}, {:.6g}, {:.6g}) is outside the room of {:.6g} x {:.6g} x {:.6g} m: {}", what,
-              in_quotes(id), p.x, p.y, p.z, scene_.room->x, scene_.room->y, scene_.room->z, side),
-          remedy_outside(*scene_.room, listed));
+      const Vec3 size = scene_.room->upper();
+      const std::string extent =
+          scene_.room->is_box ? fmt::format(" of {:.6g} x {:.6g} x {:.6g} m", size.x, size.y, size.z) : "";
+      throw InputError(where,
+                       fmt::format("{} {} at ({:.6g}, {:.6g}, {:.6g}) is outside the room{}: {}", what,
+                                   in_quotes(id), p.x, p.y, p.z, extent, side),
+                       remedy_outside(*scene_.room, listed));
     }
   }
 
@@ -290,7 +297,7 @@ class SceneMaker {
   WarningList warnings_;
   std::size_t estimate_ = 0;  ///< bytes
   std::unordered_map<std::string, std::size_t> unit_index_;
-  std::set<std::string> kept_out_ids_;
+  std::set<std::string> kept_out_ids_, fixture_ids_;
 };
 
 }  // namespace

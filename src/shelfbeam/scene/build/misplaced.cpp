@@ -20,9 +20,6 @@ namespace shelfbeam {
 namespace {
 
 constexpr double rounding = Blocks::rounding, too_near = Blocks::too_near;
-constexpr std::array<const char*, 6> room_sides{"behind the wall x0", "behind the wall x1",
-                                                "behind the wall y0", "behind the wall y1",
-                                                "below the floor",    "above the ceiling"};
 constexpr std::array<const char*, 6> room_surfaces{"the wall x0", "the wall x1", "the wall y0",
                                                    "the wall y1", "the floor",   "the ceiling"};
 
@@ -59,17 +56,11 @@ const std::string* around_a_part(const Scene& scene, const Blocks& blocks, const
 }
 
 /// The surface of the room that the label faces closer than 5 cm, and its distance.
-std::optional<std::pair<const char*, double>> room_surface_before(const Scene& scene, const Label& label) {
+std::optional<std::pair<std::string, double>> room_surface_before(const Scene& scene, const Label& label) {
   if (!scene.room) return std::nullopt;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double slope = label.normal[axis];
-    if (std::abs(slope) < rounding) continue;
-    const double distance = ((slope > 0 ? (*scene.room)[axis] : 0) - label.position[axis]) / slope;
-    if (distance < too_near)
-      return std::pair{room_surfaces[2 * static_cast<std::size_t>(axis) + (slope > 0 ? 1 : 0)],
-                       std::max(0.0, distance)};
-  }
-  return std::nullopt;
+  auto surface = scene.room->surface_before(label.position, label.normal);
+  if (!surface || surface->second >= too_near) return std::nullopt;
+  return surface;
 }
 
 // For a disc or rectangle with its centre in the room. `reach` is the distance from the centre to the rim
@@ -173,24 +164,14 @@ void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::v
 }  // namespace
 
 std::string beyond_room(const Scene& scene, const Vec3& p) {
-  if (!scene.room) return {};
-  for (const int axis : {2, 0, 1}) {
-    const auto side = 2 * static_cast<std::size_t>(axis);
-    const double size = (*scene.room)[axis];
-    if (p[axis] < -rounding) return fmt::format("{} ({:.6g} m < 0 m)", room_sides[side], p[axis]);
-    if (p[axis] > size + rounding)
-      return fmt::format("{} ({:.6g} m > {:.6g} m)", room_sides[side + 1], p[axis], size);
-  }
-  return {};
+  return scene.room ? scene.room->beyond(p, rounding) : std::string();
 }
 
-std::string remedy_outside(const Vec3& room, const std::vector<Vec3>& listed) {
+std::string remedy_outside(const RoomShape& room, const std::vector<Vec3>& listed) {
   constexpr double nearly_all = 0.9;
   const auto count_inside = [&](const auto& change) {
-    return std::count_if(listed.begin(), listed.end(), [&](const Vec3& p) {
-      const Vec3 q = change(p);
-      return q.x >= 0 && q.y >= 0 && q.z >= 0 && q.x <= room.x && q.y <= room.y && q.z <= room.z;
-    });
+    return std::count_if(listed.begin(), listed.end(),
+                         [&](const Vec3& p) { return room.beyond(change(p), 0).empty(); });
   };
   const auto inside = count_inside([](const Vec3& p) { return p; });
   const auto helps = [&](const auto& change) {
@@ -211,7 +192,7 @@ std::string remedy_outside(const Vec3& room, const std::vector<Vec3>& listed) {
           "the positions of the list look like {}: nearly all would then be inside; convert them, or give "
           "'units'",
           unit);
-  return "move it inside, or correct the room's size";
+  return room.is_box ? "move it inside, or correct the room's size" : "move it inside, or correct the room";
 }
 
 void warn_of_misplaced(const Scene& scene, const DeviceSources& sources, WarningList& warnings) {

@@ -15,7 +15,7 @@ std::string beyond_room(const Scene& scene, const Vec3& p);
 
 /// A remedy for a list with positions outside the room: exchanged coordinates or another unit of length, if
 /// nearly all positions would then be inside; otherwise a general remedy.
-std::string remedy_outside(const Vec3& room, const std::vector<Vec3>& listed);
+std::string remedy_outside(const RoomShape& room, const std::vector<Vec3>& listed);
 
 /// Adds warnings about implausible positions: labels and transceivers inside or partly inside a fixture or
 /// partly outside the room, labels that face a fixture or wall closer than 5 cm and, without a room,

@@ -76,14 +76,6 @@ Json resolved(const TransceiverType& type) {
   return {{"emission", with_type(type.emission)}, {"radius", type.radius}, {"cost", type.cost}};
 }
 
-Json resolved(const Room& room, const std::vector<NamedMaterial>& materials) {
-  const auto name = [&](std::size_t side) { return materials[room.materials[side].value].name; };
-  return {{"size", array_of(room.size)},
-          {"floor", name(4)},
-          {"ceiling", name(5)},
-          {"walls", {{"x0", name(0)}, {"x1", name(1)}, {"y0", name(2)}, {"y1", name(3)}}}};
-}
-
 // Hashes the bytes of the numbers, because conversion to text would be slow for a large mesh.
 template <class T>
 std::string hash_of(const std::vector<T>& numbers) {

@@ -11,16 +11,11 @@
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/fixture/fixture.hpp"
+#include "shelfbeam/scene/room/room.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 
 namespace shelfbeam {
-
-struct Room {
-  Vec3 size;  ///< m
-  /// Materials of the walls at x = 0, x = size, y = 0, y = size, of the floor and of the ceiling.
-  std::array<MaterialId, 6> materials{};
-};
 
 struct TransceiverGrid {
   Vec2 min{}, max{};
@@ -75,10 +70,10 @@ Store read_store(const std::filesystem::path& path, const StoreLimits& trust = {
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                   const StoreLimits& trust = {});
 
-/// The locations in the store file of a scene's labels and transceivers, in their order, for messages. A
-/// generated device has the location of its fixture or grid.
+/// The locations in the store file of a scene's fixtures, labels and transceivers, in their order, for
+/// messages. A generated device has the location of its fixture or grid.
 struct DeviceSources {
-  std::vector<std::string> labels, transceivers;
+  std::vector<std::string> fixtures, labels, transceivers;
 };
 
 /// Expands fixtures and grids, checks ids and positions, and freezes the result. Throws InputError.

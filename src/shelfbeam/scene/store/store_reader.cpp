@@ -19,25 +19,6 @@ void read_materials(const JsonCursor& section, Store& store) {
   }
 }
 
-Room read_room(const JsonCursor& cursor, const StoreNames& names) {
-  cursor.expect_keys({"size", "floor", "ceiling", "walls"});
-  Room room;
-  cursor["size"].numbers(3);
-  const auto size = cursor["size"].elements();
-  room.size = {read_length(size[0]), read_length(size[1]), read_length(size[2])};
-  const JsonCursor walls = cursor["walls"];
-  if (walls.is_object()) {
-    walls.expect_keys({"x0", "x1", "y0", "y1"});
-    room.materials = {names.material(walls["x0"]), names.material(walls["x1"]), names.material(walls["y0"]),
-                      names.material(walls["y1"])};
-  } else {
-    room.materials.fill(names.material(walls));
-  }
-  room.materials[4] = names.material(cursor["floor"]);
-  room.materials[5] = names.material(cursor["ceiling"]);
-  return room;
-}
-
 }  // namespace
 
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& path,

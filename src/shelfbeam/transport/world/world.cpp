@@ -46,7 +46,7 @@ std::optional<Scene> enlarged(const Scene& scene) {
   Scene large = scene;
   large.lower = large.lower * factor;
   large.upper = large.upper * factor;
-  if (large.room) large.room = *large.room * factor;
+  if (large.room) large.room = large.room->scaled(factor);
   for (Vec3& vertex : large.mesh.vertices) vertex = vertex * factor;
   for (Label& label : large.labels) label.position = label.position * factor;
   for (LabelType& type : large.label_types)

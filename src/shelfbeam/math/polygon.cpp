@@ -1,0 +1,189 @@
+#include "shelfbeam/math/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <new>
+#include <stdexcept>
+
+#include <geos_c.h>
+
+namespace shelfbeam {
+
+namespace {
+
+/// A handle of the GEOS library and its geometries, which release themselves.
+class Geos {
+ public:
+  Geos() : handle_(GEOS_init_r()) {
+    if (handle_ == nullptr) throw std::bad_alloc();
+    GEOSContext_setErrorMessageHandler_r(handle_, keep_message, &message_);
+  }
+  Geos(const Geos&) = delete;
+  Geos& operator=(const Geos&) = delete;
+  ~Geos() { GEOS_finish_r(handle_); }
+
+  struct Release {
+    GEOSContextHandle_t handle;
+    void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(handle, geometry); }
+  };
+  using Geometry = std::unique_ptr<GEOSGeometry, Release>;
+
+  GEOSContextHandle_t handle() const { return handle_; }
+
+  Geometry own(GEOSGeometry* geometry) const {
+    if (geometry == nullptr) throw std::runtime_error("GEOS: " + message_);
+    return {geometry, {handle_}};
+  }
+
+  Geometry line(std::span<const Vec2> points, bool closes) const {
+    const std::size_t count = points.size() + (closes ? 1 : 0);
+    GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle_, static_cast<unsigned>(count), 2);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto& [x, y] = points[k % points.size()];
+      GEOSCoordSeq_setXY_r(handle_, sequence, static_cast<unsigned>(k), x, y);
+    }
+    return own(closes ? GEOSGeom_createLinearRing_r(handle_, sequence)
+                      : GEOSGeom_createLineString_r(handle_, sequence));
+  }
+
+  Geometry area(const Polygon& polygon) const {
+    Geometry ring = line(polygon, true);
+    return own(GEOSGeom_createPolygon_r(handle_, ring.release(), nullptr, 0));
+  }
+
+  std::vector<const GEOSGeometry*> members(const Geometry& collection) const {
+    std::vector<const GEOSGeometry*> result;
+    const int count = GEOSGetNumGeometries_r(handle_, collection.get());
+    for (int k = 0; k < count; ++k) result.push_back(GEOSGetGeometryN_r(handle_, collection.get(), k));
+    return result;
+  }
+
+  Vec2 position(const GEOSGeometry* point) const {
+    Vec2 at{};
+    GEOSGeomGetX_r(handle_, point, at.data());
+    GEOSGeomGetY_r(handle_, point, at.data() + 1);
+    return at;
+  }
+
+  std::vector<Vec2> corners(const GEOSGeometry* area) const {
+    const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(handle_, GEOSGetExteriorRing_r(handle_, area));
+    unsigned count = 0;
+    GEOSCoordSeq_getSize_r(handle_, sequence, &count);
+    std::vector<Vec2> points(count - 1);  // without the last, which repeats the first
+    for (unsigned k = 0; k + 1 < count; ++k)
+      GEOSCoordSeq_getXY_r(handle_, sequence, k, points[k].data(), points[k].data() + 1);
+    return points;
+  }
+
+ private:
+  static void keep_message(const char* text, void* message) { *static_cast<std::string*>(message) = text; }
+
+  GEOSContextHandle_t handle_;
+  std::string message_;
+};
+
+class Mapper {
+ public:
+  PlanarMap map(std::span<const Polygon> polygons, std::span<const std::array<Vec2, 2>> lines) {
+    std::vector<GEOSGeometry*> edges;
+    for (const Polygon& polygon : polygons) edges.push_back(geos_.line(polygon, true).release());
+    for (const auto& line : lines) edges.push_back(geos_.line(line, false).release());
+    const auto drawn = geos_.own(GEOSGeom_createCollection_r(
+        geos_.handle(), GEOS_GEOMETRYCOLLECTION, edges.data(), static_cast<unsigned>(edges.size())));
+    // The union of lines has a vertex wherever two of them meet.
+    const auto noded = geos_.own(GEOSUnaryUnion_r(geos_.handle(), drawn.get()));
+    const GEOSGeometry* input = noded.get();
+    const auto faces = geos_.own(GEOSPolygonize_r(geos_.handle(), &input, 1));
+    for (const GEOSGeometry* face : geos_.members(faces)) add_face(face);
+    return std::move(map_);
+  }
+
+ private:
+  void add_face(const GEOSGeometry* face) {
+    const auto inside = geos_.own(GEOSPointOnSurface_r(geos_.handle(), face));
+    const auto triangles = geos_.own(GEOSConstrainedDelaunayTriangulation_r(geos_.handle(), face));
+    for (const GEOSGeometry* triangle : geos_.members(triangles)) {
+      std::vector<Vec2> corners = geos_.corners(triangle);
+      if (signed_area(corners) < 0) std::swap(corners[1], corners[2]);
+      map_.triangles.push_back({index(corners[0]), index(corners[1]), index(corners[2])});
+      map_.face_of.push_back(static_cast<std::uint32_t>(map_.inside.size()));
+    }
+    map_.inside.push_back(geos_.position(inside.get()));
+  }
+
+  std::uint32_t index(const Vec2& point) {
+    const auto [found, is_new] = index_.emplace(point, static_cast<std::uint32_t>(map_.points.size()));
+    if (is_new) map_.points.push_back(point);
+    return found->second;
+  }
+
+  Geos geos_;
+  PlanarMap map_;
+  std::map<Vec2, std::uint32_t> index_;
+};
+
+}  // namespace
+
+std::optional<PolygonFault> fault_of(const Polygon& polygon) {
+  if (polygon.size() < 3)
+    return PolygonFault{"has fewer than three corners", polygon.empty() ? Vec2{} : polygon.front()};
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    if (polygon[k] == polygon[(k + 1) % polygon.size()])
+      return PolygonFault{"has two equal corners in succession", polygon[k]};
+  const Geos geos;
+  const auto area = geos.area(polygon);
+  GEOSGeometry* place = nullptr;
+  const char valid = GEOSisValidDetail_r(geos.handle(), area.get(), 0, nullptr, &place);
+  if (valid == 1) return {};
+  const auto at = geos.own(place);
+  return PolygonFault{"crosses or touches itself", geos.position(at.get())};
+}
+
+double signed_area(std::span<const Vec2> polygon) {
+  double twice = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    twice += a[0] * b[1] - a[1] * b[0];
+  }
+  return twice / 2;
+}
+
+bool contains(std::span<const Vec2> polygon, const Vec2& point) {
+  bool is_inside = false;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    if ((a[1] > point[1]) == (b[1] > point[1])) continue;
+    if (point[0] < a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+double distance_to_border(std::span<const Vec2> polygon, const Vec2& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    const double x = b[0] - a[0], y = b[1] - a[1], squared = x * x + y * y;
+    const double along = squared > 0 ? ((point[0] - a[0]) * x + (point[1] - a[1]) * y) / squared : 0;
+    const double share = std::clamp(along, 0.0, 1.0);
+    nearest = std::min(nearest, std::hypot(point[0] - a[0] - share * x, point[1] - a[1] - share * y));
+  }
+  return nearest;
+}
+
+double shared_area(const Polygon& a, const Polygon& b) {
+  const Geos geos;
+  const auto first = geos.area(a), second = geos.area(b);
+  const auto both = geos.own(GEOSIntersection_r(geos.handle(), first.get(), second.get()));
+  double area = 0;
+  GEOSArea_r(geos.handle(), both.get(), &area);
+  return area;
+}
+
+PlanarMap planar_map(std::span<const Polygon> polygons, std::span<const std::array<Vec2, 2>> lines) {
+  return Mapper().map(polygons, lines);
+}
+
+}  // namespace shelfbeam

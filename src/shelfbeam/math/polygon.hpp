@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace shelfbeam {
+
+using Vec2 = std::array<double, 2>;  ///< in plan, m
+/// Corners in order; the last edge returns to the first corner.
+using Polygon = std::vector<Vec2>;
+
+struct PolygonFault {
+  std::string problem;  ///< "crosses or touches itself"
+  Vec2 at;
+};
+
+/// Nothing if the polygon has at least three corners and an area, no two neighbouring corners are equal, and
+/// no edges cross or touch.
+std::optional<PolygonFault> fault_of(const Polygon& polygon);
+
+/// Positive if the corners are counter-clockwise.
+double signed_area(std::span<const Vec2> polygon);
+
+/// Points on the border may count as inside or outside.
+bool contains(std::span<const Vec2> polygon, const Vec2& point);
+
+/// The distance from a point to the nearest edge.
+double distance_to_border(std::span<const Vec2> polygon, const Vec2& point);
+
+/// The area that two polygons share, m^2. Precondition: neither has a fault.
+double shared_area(const Polygon& a, const Polygon& b);
+
+/// The plane divided by lines. Triangles of neighbouring faces meet vertex to vertex.
+struct PlanarMap {
+  std::vector<Vec2> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of points, counter-clockwise
+  std::vector<std::uint32_t> face_of;                   ///< by triangle
+  std::vector<Vec2> inside;                             ///< by face: a point within it
+};
+
+/// The bounded faces between the edges of polygons, which may cross and overlap, and further lines.
+PlanarMap planar_map(std::span<const Polygon> polygons, std::span<const std::array<Vec2, 2>> lines = {});
+
+}  // namespace shelfbeam

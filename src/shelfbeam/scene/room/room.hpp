@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "shelfbeam/base/ids.hpp"
+#include "shelfbeam/scene/room_shape.hpp"
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+class JsonCursor;
+struct StoreNames;
+
+/// The room of a store file: its shape and the materials of its surfaces.
+struct Room {
+  RoomShape shape;
+  MaterialId floor, ceiling;
+  /// By edge of the outline: wall k runs from corner k to corner k + 1. For a box y0, x1, y1, x0.
+  std::vector<MaterialId> walls;
+  MaterialId usual_wall;  ///< of holes, and of inner walls without a material
+
+  struct ZoneMaterials {
+    MaterialId ceiling, fascia;
+  };
+  std::vector<ZoneMaterials> zones;  ///< by zone of the shape
+
+  struct WallMaterials {
+    MaterialId wall;
+    std::vector<std::optional<MaterialId>> panes;  ///< by opening
+  };
+  std::vector<WallMaterials> inner_walls;  ///< by inner wall of the shape
+
+  static Room box(const Vec3& size, MaterialId material);
+};
+
+/// Throws InputError with the JSON path.
+Room read_room(const JsonCursor& json, const StoreNames& names);
+
+/// The room in the resolved store, from which `read_room` restores it to the bit.
+nlohmann::ordered_json resolved(const Room& room, const std::vector<NamedMaterial>& materials);
+
+/// Adds an inner wall's outline and parts for drawings, which are solid between its openings.
+void add_wall_parts(const Room& room, std::size_t wall, Scene& scene);
+
+/// Throws InputError for a solid dielectric, because a pane has no thickness.
+void expect_pane(const NamedMaterial& material, const std::string& where);
+
+/// Adds the surfaces of the room to an empty mesh. They form a closed surface: triangles meet vertex to
+/// vertex, also where ceilings of different heights, inner walls and openings meet.
+void add_shell(const Room& room, TriangleMesh& mesh);
+
+}  // namespace shelfbeam

@@ -1,0 +1,341 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "shelfbeam/scene/room/room.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // m
+
+/// A stretch of air on a vertical line. Its ends are surfaces: heights over the plan.
+struct Gap {
+  CeilingHeight low, high;
+  MaterialId below, above;
+};
+
+/// The part of the plan with the same surfaces below and above everywhere.
+struct Column {
+  std::vector<Gap> gaps;  ///< upwards; none outside the room and within a wall of full height
+  bool is_room = false;   ///< within the outline, outside the holes
+  const Room::WallMaterials* wall = nullptr;
+  const Room::ZoneMaterials* zone = nullptr;
+};
+
+/// Walls between columns and floors and ceilings on them share their vertices: where a level of one ends on
+/// the vertical line over a point of the plan, the surfaces of the others have a vertex, too.
+class Shell {
+ public:
+  Shell(const Room& room, TriangleMesh& mesh) : room_(room), shape_(room.shape), mesh_(mesh) {
+    for (std::size_t w = 0; w < shape_.inner_walls.size(); ++w) footprints_.push_back(footprints_of(w));
+    map_ = planar_map(polygons(), crease_lines());
+    for (const Vec2& inside : map_.inside) columns_.push_back(column_at(inside));
+    levels_.resize(map_.points.size());
+    for (std::size_t t = 0; t < map_.triangles.size(); ++t)
+      for (const Gap& gap : column_of(t).gaps)
+        for (const std::uint32_t point : map_.triangles[t])
+          for (const CeilingHeight* end : {&gap.low, &gap.high}) add_level(point, *end);
+  }
+
+  void build() {
+    for (std::size_t t = 0; t < map_.triangles.size(); ++t)
+      for (const Gap& gap : column_of(t).gaps) {
+        add_level_triangle(map_.triangles[t], gap.low, gap.below);
+        add_level_triangle(map_.triangles[t], gap.high, gap.above);
+      }
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> beyond;  // triangle by its directed edge
+    for (std::size_t t = 0; t < map_.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) beyond[{map_.triangles[t][k], map_.triangles[t][(k + 1) % 3]}] = t;
+    const Column outside;
+    for (const auto& [edge, triangle] : beyond) {
+      const auto other = beyond.find({edge.second, edge.first});
+      add_wall(edge.first, edge.second, column_of(triangle),
+               other == beyond.end() ? outside : column_of(other->second));
+    }
+    for (std::size_t w = 0; w < shape_.inner_walls.size(); ++w) add_panes(w);
+  }
+
+ private:
+  struct Footprints {
+    Polygon wall;
+    std::vector<Polygon> openings;
+  };
+
+  const Column& column_of(std::size_t triangle) const { return columns_[map_.face_of[triangle]]; }
+
+  // A wall is extended into a wall of the room that it meets, and by half of an inner wall at its end, so
+  // that no wedge stays open at a corner.
+  Footprints footprints_of(std::size_t w) const {
+    const InnerWall& wall = shape_.inner_walls[w];
+    const auto extension = [&](const Vec2& end) {
+      double by = 0;
+      if (distance_to_border(shape_.outline, end) < wall.thickness / 2 + rounding) by = wall.thickness;
+      for (const Polygon& hole : shape_.holes)
+        if (distance_to_border(hole, end) < wall.thickness / 2 + rounding) by = wall.thickness;
+      for (std::size_t o = 0; o < shape_.inner_walls.size(); ++o) {
+        const InnerWall& other = shape_.inner_walls[o];
+        for (const Vec2& corner : {other.from, other.to})
+          if (o != w && std::hypot(corner[0] - end[0], corner[1] - end[1]) < rounding)
+            by = std::max(by, other.thickness / 2);
+      }
+      return by;
+    };
+    Footprints result;
+    result.wall = wall.footprint(-extension(wall.from), wall.length() + extension(wall.to));
+    for (const WallOpening& opening : wall.openings)
+      result.openings.push_back(wall.footprint(opening.at, opening.at + opening.width));
+    return result;
+  }
+
+  std::vector<Polygon> polygons() const {
+    std::vector<Polygon> all = shape_.holes;
+    all.push_back(shape_.outline);
+    for (const CeilingZone& zone : shape_.zones) all.push_back(zone.polygon);
+    for (const Footprints& prints : footprints_) {
+      all.push_back(prints.wall);
+      all.insert(all.end(), prints.openings.begin(), prints.openings.end());
+    }
+    return all;
+  }
+
+  // The lines in which a sloped ceiling meets another level, across the whole plan.
+  std::vector<std::array<Vec2, 2>> crease_lines() const {
+    std::vector<CeilingHeight> heights{shape_.height};
+    for (const CeilingZone& zone : shape_.zones) heights.push_back(zone.height);
+    for (const InnerWall& wall : shape_.inner_walls) {
+      if (wall.height) heights.push_back({*wall.height, {}});
+      for (const WallOpening& opening : wall.openings)
+        for (const double z : {opening.bottom, opening.top}) heights.push_back({z, {}});
+    }
+    std::vector<std::array<Vec2, 2>> lines;
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (heights[i].points || heights[j].points) add_crease(heights[i], heights[j], lines);
+    return lines;
+  }
+
+  void add_crease(const CeilingHeight& a, const CeilingHeight& b,
+                  std::vector<std::array<Vec2, 2>>& lines) const {
+    // The difference of the heights is c + x dx + y dy.
+    const auto difference = [&](const Vec2& p) { return a.at(p) - b.at(p); };
+    const double c = difference({0, 0}), dx = difference({1, 0}) - c, dy = difference({0, 1}) - c;
+    const double slope = std::hypot(dx, dy);
+    if (slope < rounding) return;
+    const Vec3 low = shape_.lower(), high = shape_.upper();
+    const Vec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+    const double off = difference(middle) / slope, half = std::hypot(high.x - low.x, high.y - low.y);
+    if (std::abs(off) > half) return;
+    const Vec2 across{dx / slope, dy / slope};
+    const Vec2 foot{middle[0] - off * across[0], middle[1] - off * across[1]};
+    lines.push_back({Vec2{foot[0] - half * across[1], foot[1] + half * across[0]},
+                     Vec2{foot[0] + half * across[1], foot[1] - half * across[0]}});
+  }
+
+  Column column_at(const Vec2& p) const {
+    Column column;
+    column.is_room = shape_.covers(p);
+    if (!column.is_room) return column;
+    column.gaps = {{{}, shape_.height, room_.floor, room_.ceiling}};
+    for (std::size_t z = 0; z < shape_.zones.size(); ++z)
+      if (contains(shape_.zones[z].polygon, p)) {
+        column.zone = &room_.zones[z];
+        column.gaps.front().high = shape_.zones[z].height;
+        column.gaps.front().above = room_.zones[z].ceiling;
+      }
+    for (std::size_t w = 0; w < footprints_.size(); ++w)
+      if (contains(footprints_[w].wall, p)) stand(w, p, column);
+    return column;
+  }
+
+  // Takes the solid parts of a wall out of a column.
+  void stand(std::size_t w, const Vec2& p, Column& column) const {
+    const InnerWall& wall = shape_.inner_walls[w];
+    if (column.wall == nullptr) column.wall = &room_.inner_walls[w];
+    const MaterialId material = room_.inner_walls[w].wall;
+    std::vector<std::pair<double, double>> holes;
+    for (std::size_t o = 0; o < wall.openings.size(); ++o)
+      if (contains(footprints_[w].openings[o], p))
+        holes.emplace_back(wall.openings[o].bottom, wall.openings[o].top);
+    std::sort(holes.begin(), holes.end());
+    double from = -1;
+    for (const auto& [bottom, top] : holes) {
+      remove(from, bottom, p, material, column.gaps);
+      from = top;
+    }
+    remove(from, wall.height.value_or(HUGE_VAL), p, material, column.gaps);
+  }
+
+  static void remove(double low, double high, const Vec2& p, MaterialId material, std::vector<Gap>& gaps) {
+    if (high - low < rounding) return;
+    std::vector<Gap> left;
+    for (const Gap& gap : gaps) {
+      const double bottom = gap.low.at(p), top = gap.high.at(p);
+      if (high <= bottom + rounding || low >= top - rounding) {
+        left.push_back(gap);
+        continue;
+      }
+      if (low > bottom + rounding) left.push_back({gap.low, {low, {}}, gap.below, material});
+      if (high < top - rounding) left.push_back({{high, {}}, gap.high, material, gap.above});
+    }
+    gaps = std::move(left);
+  }
+
+  void add_level(std::uint32_t point, const CeilingHeight& height) {
+    const double z = height.at(map_.points[point]);
+    std::vector<double>& levels = levels_[point];
+    const auto at = std::lower_bound(levels.begin(), levels.end(), z - rounding);
+    if (at == levels.end() || *at > z + rounding) levels.insert(at, z);
+  }
+
+  std::size_t level_index(std::uint32_t point, double z) const {
+    const std::vector<double>& levels = levels_[point];
+    return static_cast<std::size_t>(std::lower_bound(levels.begin(), levels.end(), z - rounding) -
+                                    levels.begin());
+  }
+
+  std::uint32_t vertex(std::uint32_t point, std::size_t level) {
+    const auto [found, is_new] =
+        vertices_.emplace(std::pair(point, level), static_cast<std::uint32_t>(mesh_.vertices.size()));
+    const auto& [x, y] = map_.points[point];
+    if (is_new) mesh_.vertices.push_back({x, y, levels_[point][level]});
+    return found->second;
+  }
+
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, MaterialId material) {
+    mesh_.triangles.push_back({a, b, c});
+    mesh_.materials.push_back(material);
+  }
+
+  void add_level_triangle(const std::array<std::uint32_t, 3>& points, const CeilingHeight& height,
+                          MaterialId material) {
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = vertex(points[k], level_index(points[k], height.at(map_.points[points[k]])));
+    add_triangle(corners[0], corners[1], corners[2], material);
+  }
+
+  // The surfaces over an edge where air of `near` meets no air of `far`.
+  void add_wall(std::uint32_t u, std::uint32_t v, const Column& near, const Column& far) {
+    if (near.gaps.empty()) return;
+    const Vec2 &a = map_.points[u], &b = map_.points[v];
+    const Vec2 middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+    for (const Gap& gap : near.gaps) {
+      CeilingHeight from = gap.low;
+      for (const Gap& other : far.gaps) {
+        if (other.high.at(middle) <= from.at(middle) + rounding) continue;
+        if (other.low.at(middle) >= gap.high.at(middle) - rounding) break;
+        if (other.low.at(middle) > from.at(middle) + rounding)
+          add_strip(u, v, from, other.low, wall_material(near, far, middle));
+        from = other.high;
+      }
+      if (from.at(middle) < gap.high.at(middle) - rounding)
+        add_strip(u, v, from, gap.high, wall_material(near, far, middle));
+    }
+  }
+
+  MaterialId wall_material(const Column& near, const Column& far, const Vec2& at) const {
+    if (!far.is_room) return outer_material(at);
+    if (far.wall != nullptr) return far.wall->wall;
+    if (far.zone != nullptr) return far.zone->fascia;
+    return near.zone != nullptr ? near.zone->fascia : room_.ceiling;
+  }
+
+  MaterialId outer_material(const Vec2& at) const {
+    std::size_t nearest = 0;
+    double least = HUGE_VAL;
+    for (std::size_t k = 0; k < shape_.outline.size(); ++k) {
+      const std::array<Vec2, 2> edge{shape_.outline[k], shape_.outline[(k + 1) % shape_.outline.size()]};
+      if (const double distance = distance_to_border(edge, at); distance < least) {
+        least = distance;
+        nearest = k;
+      }
+    }
+    for (const Polygon& hole : shape_.holes)
+      if (distance_to_border(hole, at) < least) return room_.usual_wall;
+    return room_.walls[nearest];
+  }
+
+  // A strip between two vertical lines, with a vertex at each level on them.
+  void add_strip(std::uint32_t u, std::uint32_t v, const CeilingHeight& low, const CeilingHeight& high,
+                 MaterialId material) {
+    const auto level = [&](std::uint32_t point, const CeilingHeight& height) {
+      return level_index(point, height.at(map_.points[point]));
+    };
+    std::size_t left = level(u, low), right = level(v, low);
+    const std::size_t left_end = level(u, high), right_end = level(v, high);
+    while (left < left_end || right < right_end) {
+      const bool goes_left =
+          right == right_end || (left < left_end && levels_[u][left + 1] <= levels_[v][right + 1]);
+      const std::uint32_t a = vertex(u, left), b = vertex(v, right);
+      add_triangle(a, b, goes_left ? vertex(u, ++left) : vertex(v, ++right), material);
+    }
+  }
+
+  void add_panes(std::size_t w) {
+    const InnerWall& wall = shape_.inner_walls[w];
+    for (std::size_t o = 0; o < wall.openings.size(); ++o) {
+      const auto& pane = room_.inner_walls[w].panes[o];
+      if (!pane) continue;
+      const WallOpening& opening = wall.openings[o];
+      const double x = (wall.to[0] - wall.from[0]) / wall.length(),
+                   y = (wall.to[1] - wall.from[1]) / wall.length();
+      const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+      for (const double z : {opening.bottom, opening.top})
+        for (const double along : {opening.at, opening.at + opening.width})
+          mesh_.vertices.push_back({wall.from[0] + along * x, wall.from[1] + along * y, z});
+      add_triangle(first, first + 1, first + 3, *pane);
+      add_triangle(first, first + 3, first + 2, *pane);
+    }
+  }
+
+  const Room& room_;
+  const RoomShape& shape_;
+  TriangleMesh& mesh_;
+  std::vector<Footprints> footprints_;
+  PlanarMap map_;
+  std::vector<Column> columns_;              // by face of the map
+  std::vector<std::vector<double>> levels_;  // by point of the map, ascending
+  std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> vertices_;
+};
+
+// Eight corners, two triangles per side: x0, x1, y0, y1, floor, ceiling.
+void add_box(const Room& room, TriangleMesh& mesh) {
+  const Vec3 s = room.shape.upper();
+  for (int corner = 0; corner < 8; ++corner)
+    mesh.vertices.push_back(
+        {(corner & 1) != 0 ? s.x : 0, (corner & 2) != 0 ? s.y : 0, (corner & 4) != 0 ? s.z : 0});
+  constexpr std::array<std::array<std::uint32_t, 4>, 6> sides{
+      {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
+  const std::array<MaterialId, 6> materials{room.walls[3], room.walls[1], room.walls[0],
+                                            room.walls[2], room.floor,    room.ceiling};
+  for (std::size_t side = 0; side < sides.size(); ++side) {
+    const auto& [a, b, c, d] = sides[side];
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+    mesh.materials.insert(mesh.materials.end(), 2, materials[side]);
+  }
+}
+
+}  // namespace
+
+Room Room::box(const Vec3& size, MaterialId material) {
+  Room room;
+  room.shape = RoomShape::box(size);
+  room.floor = room.ceiling = room.usual_wall = material;
+  room.walls.assign(4, material);
+  return room;
+}
+
+void add_shell(const Room& room, TriangleMesh& mesh) {
+  if (room.shape.is_box && room.shape.zones.empty() && room.shape.inner_walls.empty())
+    add_box(room, mesh);
+  else
+    Shell(room, mesh).build();
+}
+
+}  // namespace shelfbeam

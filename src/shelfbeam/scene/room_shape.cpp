@@ -1,0 +1,176 @@
+#include "shelfbeam/scene/room_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/text.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+std::string beyond_box(const Vec3& size, const Vec3& p, double slack) {
+  constexpr std::array<const char*, 6> sides{"behind the wall x0", "behind the wall x1", "behind the wall y0",
+                                             "behind the wall y1", "below the floor",    "above the ceiling"};
+  for (const int axis : {2, 0, 1}) {
+    const auto side = 2 * static_cast<std::size_t>(axis);
+    if (p[axis] < -slack) return fmt::format("{} ({:.6g} m < 0 m)", sides[side], p[axis]);
+    if (p[axis] > size[axis] + slack)
+      return fmt::format("{} ({:.6g} m > {:.6g} m)", sides[side + 1], p[axis], size[axis]);
+  }
+  return {};
+}
+
+// The edge nearest to a point.
+std::size_t nearest_edge(const Polygon& polygon, const Vec2& p) {
+  std::size_t nearest = 0;
+  double least = HUGE_VAL;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const std::array<Vec2, 2> edge{polygon[k], polygon[(k + 1) % polygon.size()]};
+    if (const double distance = distance_to_border(edge, p); distance < least) {
+      least = distance;
+      nearest = k;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+double CeilingHeight::at(const Vec2& p) const {
+  if (!points) return level;
+  const auto& [a, b, c] = *points;
+  const Vec3 normal = cross(b - a, c - a);
+  return a.z - (normal.x * (p[0] - a.x) + normal.y * (p[1] - a.y)) / normal.z;
+}
+
+double InnerWall::length() const {
+  return std::hypot(to[0] - from[0], to[1] - from[1]);
+}
+
+Polygon InnerWall::footprint(double begin, double end) const {
+  const double x = (to[0] - from[0]) / length(), y = (to[1] - from[1]) / length(), half = thickness / 2;
+  const auto corner = [&](double along, double left) {
+    return Vec2{from[0] + along * x - left * y, from[1] + along * y + left * x};
+  };
+  return {corner(begin, -half), corner(end, -half), corner(end, half), corner(begin, half)};
+}
+
+RoomShape RoomShape::box(const Vec3& size) {
+  RoomShape shape;
+  shape.outline = {{0, 0}, {size.x, 0}, {size.x, size.y}, {0, size.y}};
+  shape.height.level = size.z;
+  shape.is_box = true;
+  return shape;
+}
+
+Vec3 RoomShape::lower() const {
+  Vec3 low{HUGE_VAL, HUGE_VAL, 0};
+  for (const auto& [x, y] : outline) low = {std::min(low.x, x), std::min(low.y, y), 0};
+  return low;
+}
+
+Vec3 RoomShape::upper() const {
+  Vec3 high{-HUGE_VAL, -HUGE_VAL, 0};
+  for (const Vec2& p : outline)
+    high = {std::max(high.x, p[0]), std::max(high.y, p[1]), std::max(high.z, height.at(p))};
+  for (const CeilingZone& zone : zones)
+    for (const Vec2& p : zone.polygon) high.z = std::max(high.z, zone.height.at(p));
+  return high;
+}
+
+bool RoomShape::covers(const Vec2& p) const {
+  return contains(outline, p) &&
+         std::none_of(holes.begin(), holes.end(), [&](const Polygon& hole) { return contains(hole, p); });
+}
+
+const CeilingHeight& RoomShape::ceiling_over(const Vec2& p) const {
+  const auto found = std::find_if(zones.begin(), zones.end(),
+                                  [&](const CeilingZone& zone) { return contains(zone.polygon, p); });
+  return found == zones.end() ? height : found->height;
+}
+
+std::string RoomShape::beyond(const Vec3& p, double slack) const {
+  if (is_box && zones.empty()) return beyond_box(upper(), p, slack);
+  const Vec2 plan{p.x, p.y};
+  if (p.z < -slack) return fmt::format("below the floor ({:.6g} m < 0 m)", p.z);
+  if (const double far = distance_to_border(outline, plan); !contains(outline, plan) && far > slack)
+    return fmt::format("{:.3g} m behind wall {}", far, nearest_edge(outline, plan));
+  for (std::size_t k = 0; k < holes.size(); ++k)
+    if (contains(holes[k], plan) && distance_to_border(holes[k], plan) > slack)
+      return fmt::format("in hole {}", k);
+  // On the border of a zone, the higher ceiling counts.
+  double top = ceiling_over(plan).at(plan);
+  const std::string* zone_id = nullptr;
+  for (const CeilingZone& zone : zones) {
+    if (contains(zone.polygon, plan)) zone_id = &zone.id;
+    if (distance_to_border(zone.polygon, plan) <= slack)
+      top = std::max({top, zone.height.at(plan), height.at(plan)});
+  }
+  if (p.z <= top + slack) return {};
+  return fmt::format("above the ceiling{} ({:.6g} m > {:.6g} m)",
+                     zone_id != nullptr ? " of zone " + in_quotes(*zone_id) : "", p.z, top);
+}
+
+std::optional<std::pair<std::string, double>> RoomShape::surface_before(const Vec3& p,
+                                                                        const Vec3& direction) const {
+  constexpr double flat = 1e-9, behind = 1e-6;
+  constexpr std::array<const char*, 4> box_walls{"the wall y0", "the wall x1", "the wall y1", "the wall x0"};
+  std::optional<std::pair<std::string, double>> first;
+  const auto offer = [&](double distance, const auto& name) {
+    if (!first || distance < first->second) first = std::pair{std::string(name()), std::max(0.0, distance)};
+  };
+  const auto meet_edges = [&](const Polygon& polygon, const auto& name) {
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+      const double x = b[0] - a[0], y = b[1] - a[1];
+      const double slope = direction.x * y - direction.y * x;
+      if (std::abs(slope) < flat * std::hypot(x, y)) continue;
+      const double to_x = a[0] - p.x, to_y = a[1] - p.y;
+      const double distance = (to_x * y - to_y * x) / slope;
+      const double along = (to_x * direction.y - to_y * direction.x) / slope;
+      if (distance < -flat || along < 0 || along > 1) continue;
+      const double beyond = distance + behind;
+      if (!covers({p.x + beyond * direction.x, p.y + beyond * direction.y}))
+        offer(distance, [&] { return name(k); });
+    }
+  };
+  meet_edges(outline,
+             [&](std::size_t k) { return is_box ? std::string(box_walls[k]) : fmt::format("wall {}", k); });
+  for (std::size_t h = 0; h < holes.size(); ++h)
+    meet_edges(holes[h], [&](std::size_t) { return fmt::format("hole {}", h); });
+  if (direction.z < -flat) offer(-p.z / direction.z, [] { return "the floor"; });
+  // The ceiling above the point, as a plane.
+  const CeilingHeight& above = ceiling_over({p.x, p.y});
+  const double rise = direction.z - (above.at({p.x + direction.x, p.y + direction.y}) - above.at({p.x, p.y}));
+  if (rise > flat) offer((above.at({p.x, p.y}) - p.z) / rise, [] { return "the ceiling"; });
+  return first;
+}
+
+RoomShape RoomShape::scaled(double factor) const {
+  RoomShape large = *this;
+  const auto scale = [&](Polygon& polygon) {
+    for (auto& [x, y] : polygon) {
+      x *= factor;
+      y *= factor;
+    }
+  };
+  const auto raise = [&](CeilingHeight& ceiling) {
+    ceiling.level *= factor;
+    if (ceiling.points)
+      for (Vec3& p : *ceiling.points) p = p * factor;
+  };
+  scale(large.outline);
+  for (Polygon& hole : large.holes) scale(hole);
+  raise(large.height);
+  for (CeilingZone& zone : large.zones) {
+    scale(zone.polygon);
+    raise(zone.height);
+  }
+  large.inner_walls.clear();  // for drawings only
+  return large;
+}
+
+}  // namespace shelfbeam

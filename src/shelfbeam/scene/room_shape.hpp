@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/math/vec3.hpp"
+
+namespace shelfbeam {
+
+/// The height of a ceiling above the floor at z = 0: level, or a plane through three points.
+struct CeilingHeight {
+  double level = 0;  ///< m; unless there are `points`
+  std::optional<std::array<Vec3, 3>> points;
+
+  double at(const Vec2& p) const;
+};
+
+/// A part of the room with another ceiling.
+struct CeilingZone {
+  std::string id;
+  Polygon polygon;
+  CeilingHeight height;
+};
+
+/// A hole through an inner wall.
+struct WallOpening {
+  double at = 0, width = 0, bottom = 0, top = 0;  ///< m; `at` from the wall's start
+};
+
+/// A wall that stands in the room, with its middle on the line between two points.
+struct InnerWall {
+  std::string id;
+  Vec2 from{}, to{};
+  double thickness = 0.1;
+  std::optional<double> height;  ///< m; up to the ceiling if omitted
+  std::vector<WallOpening> openings;
+
+  double length() const;
+  /// The part between two distances from the start, counter-clockwise in plan.
+  Polygon footprint(double begin, double end) const;
+};
+
+/// The space between the floor at z = 0 and the ceiling.
+struct RoomShape {
+  Polygon outline;             ///< wall k runs from corner k to corner k + 1
+  std::vector<Polygon> holes;  ///< shafts and courtyards, which are not part of the room
+  CeilingHeight height;
+  std::vector<CeilingZone> zones;
+  std::vector<InnerWall> inner_walls;
+  /// A box from the origin, with walls named x0, x1, y0, y1; otherwise walls are numbered by corners.
+  bool is_box = false;
+
+  static RoomShape box(const Vec3& size);
+
+  /// Corners of the bounding box, m. That of a box is its size.
+  Vec3 lower() const;
+  Vec3 upper() const;
+  /// Within the outline and outside the holes.
+  bool covers(const Vec2& p) const;
+  /// The ceiling above a point of the plan.
+  const CeilingHeight& ceiling_over(const Vec2& p) const;
+  /// The side beyond which a point lies ("above the ceiling (4.2 m > 4 m)"); empty within the room and within
+  /// `slack` of its surfaces. Inner walls do not count.
+  std::string beyond(const Vec3& p, double slack) const;
+  /// The name of the first surface in a direction from a point within the room ("the floor"), and its
+  /// distance in units of the direction. Inner walls do not count.
+  std::optional<std::pair<std::string, double>> surface_before(const Vec3& p, const Vec3& direction) const;
+  RoomShape scaled(double factor) const;
+};
+
+}  // namespace shelfbeam

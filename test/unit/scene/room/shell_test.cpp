@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/scene/scene.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "unit/scene/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::Json;
+
+Json store_with(const std::string& room) {
+  Json store = test::sample_store();
+  store["room"] = Json::parse(room);
+  store["fixtures"] = Json::array();
+  store["labels"] =
+      Json::parse(R"([{"id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "small"}])");
+  store["transceivers"] = Json::parse(R"({"list": [{"id": "T", "position": [1, 1, 2], "type": "down"}]})");
+  return store;
+}
+
+constexpr const char* l_shape = R"({
+  "outline": [[0, 0], [12, 0], [12, 5], [20, 6], [20, 14], [0, 14]], "holes": [[[8, 8], [9, 8], [9, 9], [8, 9]]],
+  "height": 3.2, "floor": "tile", "ceiling": "white", "walls": "white",
+  "zones": [
+    {"id": "low", "polygon": [[0, 9], [6, 9], [6, 14], [0, 14]], "height": 2.6},
+    {"id": "sloped", "polygon": [[12, 5], [20, 6], [20, 10], [12, 10]],
+     "height": [[12, 5, 2.8], [20, 6, 2.8], [12, 10, 3.9]]}],
+  "inner_walls": [
+    {"id": "W1", "from": [4, 0], "to": [4, 6], "thickness": 0.12,
+     "openings": [{"at": 1, "width": 0.9, "top": 2.1}, {"at": 3, "width": 1, "bottom": 1, "top": 2, "pane": "door"}]},
+    {"id": "W2", "from": [4, 6], "to": [1, 6], "thickness": 0.2, "height": 2.2},
+    {"id": "W3", "from": [13, 12], "to": [20, 5.9], "thickness": 0.1, "height": 3}]})";
+
+std::array<std::uint32_t, 2> sorted(std::uint32_t a, std::uint32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// The edges that do not belong to an even number of triangles: a closed surface has none.
+std::size_t open_edges(const Scene& scene, MaterialId pane) {
+  std::map<std::array<std::uint32_t, 2>, int> count;
+  for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t)
+    if (scene.mesh.materials[t] != pane) {
+      const auto& [a, b, c] = scene.mesh.triangles[t];
+      ++count[sorted(a, b)], ++count[sorted(b, c)], ++count[sorted(c, a)];
+    }
+  return static_cast<std::size_t>(
+      std::count_if(count.begin(), count.end(), [](const auto& edge) { return edge.second % 2 != 0; }));
+}
+
+// By the theorem of Gauss, with normals away from the air; their direction follows from a point beside each
+// triangle.
+double enclosed_volume(const Scene& scene, MaterialId pane) {
+  const auto is_air = [&](const Vec3& p) {
+    const Vec2 plan{p.x, p.y};
+    const RoomShape& room = *scene.room;
+    if (!room.covers(plan) || p.z < 0 || p.z > room.ceiling_over(plan).at(plan)) return false;
+    return std::none_of(scene.parts.begin(), scene.parts.end(), [&](const Part& part) {
+      return part.bottom <= p.z && p.z <= part.top && contains(part.footprint, plan);
+    });
+  };
+  double volume = 0;
+  for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
+    if (scene.mesh.materials[t] == pane) continue;
+    const auto& [a, b, c] = scene.mesh.triangles[t];
+    const auto& v = scene.mesh.vertices;
+    const Vec3 normal = cross(v[b] - v[a], v[c] - v[a]), centre = (v[a] + v[b] + v[c]) / 3;
+    const double side = is_air(centre + normal * (1e-6 / length(normal))) ? -1 : 1;
+    volume += side * dot(centre, normal) / 6;
+  }
+  return volume;
+}
+
+TEST(Shell, IsClosedAndEnclosesTheAir) {
+  const Scene scene = make_scene(test::read_text(store_with(l_shape).dump()));
+  const auto pane = static_cast<std::uint32_t>(std::find_if(scene.materials.begin(), scene.materials.end(),
+                                                            [](const auto& m) { return m.name == "door"; }) -
+                                               scene.materials.begin());
+  EXPECT_EQ(open_edges(scene, {pane}), 0U);
+  Scene torn = scene;
+  torn.mesh.triangles.erase(torn.mesh.triangles.begin());
+  torn.mesh.materials.erase(torn.mesh.materials.begin());
+  EXPECT_EQ(open_edges(torn, {pane}), 3U) << "the control: a triangle is missing";
+
+  // The same volume by midpoints of a grid in plan, exact in height.
+  const RoomShape& room = *scene.room;
+  double air = 0;
+  constexpr std::uint32_t steps = 400;
+  const Vec3 high = room.upper();
+  for (std::uint32_t ix = 0; ix < steps; ++ix)
+    for (std::uint32_t iy = 0; iy < steps; ++iy) {
+      const Vec2 p{high.x * (ix + 0.5) / steps, high.y * (iy + 0.5) / steps};
+      if (!room.covers(p)) continue;
+      const double height = room.ceiling_over(p).at(p);
+      air += height;
+      for (const Part& part : scene.parts)
+        if (contains(part.footprint, p)) air -= std::max(0.0, std::min(part.top, height) - part.bottom);
+    }
+  air *= high.x * high.y / steps / steps;
+  EXPECT_NEAR(enclosed_volume(scene, {pane}), air, 0.005 * air);
+}
+
+Json changed(const std::string& pointer, const std::string& value) {
+  Json store = store_with(l_shape);
+  store[Json::json_pointer(pointer)] = Json::parse(value);
+  return store;
+}
+
+// One error, with the place in the file and the place in plan.
+TEST(RoomReader, RefusesFaultsWithTheirPlace) {
+  struct Fault {
+    const char *pointer, *value, *message;
+  };
+  for (const auto& [pointer, value, message] : std::vector<Fault>{
+           {"/room/outline", "[[0, 0], [12, 8], [12, 0], [0, 8]]",
+            "room.outline: crosses or touches itself at (6, 4) m"},
+           {"/room/outline", "[[0, 0], [0, 0], [12, 0], [12, 8]]",
+            "room.outline: has two equal corners in succession at (0, 0) m"},
+           {"/room/outline", "[[0, 0], [12, 0]]", "room.outline: has fewer than three corners"},
+           {"/room/holes/0", "[[19, 13], [21, 13], [21, 15]]", "room.holes[0]: extends outside 'outline'"},
+           {"/room/holes", "[[[8, 8], [9, 8], [9, 9]], [[8, 8], [9, 8], [9, 8.5]]]",
+            "room.holes[1]: overlaps hole 0"},
+           {"/room/height", "[[0, 0, 3], [1, 1, 3], [2, 2, 3]]",
+            "room.height: is not the plane of a ceiling"},
+           {"/room/height", "[[0, 0, 3], [20, 0, 3], [0, 14, 0]]", "room.height: is 0 m at (20, 14)"},
+           {"/room/wall_materials", R"({"6": "white"})",
+            "room.wall_materials.6: is not the number of a wall"},
+           {"/room/zones/1/polygon", "[[5, 9], [10, 9], [10, 10]]",
+            "room.zones[1].polygon: overlaps zone 'low'"},
+           {"/room/zones/1/polygon", "[[15, 1], [19, 1], [19, 3]]",
+            "room.zones[1].polygon: extends outside the room"},
+           {"/room/zones/1/id", R"("low")", "room.zones[1].id: is the duplicate id 'low'"},
+           {"/room/inner_walls/0/to", "[4, 0]",
+            "room.inner_walls[0].to: is at 'from': the wall has no length"},
+           {"/room/inner_walls/0/openings/0/at", "5.5",
+            "room.inner_walls[0].openings[0]: extends from 5.5 m to 6.4 m, but the wall is 6 m long"},
+           {"/room/inner_walls/0/openings/1/at", "1.5",
+            "room.inner_walls[0].openings[1]: overlaps another opening"},
+           {"/room/inner_walls/0/openings/1/top", "0.9",
+            "room.inner_walls[0].openings[1].top: is not above 'bottom'"},
+           {"/room/inner_walls/1/openings", R"([{"at": 1, "width": 1, "top": 2.3}])",
+            "room.inner_walls[1].openings[0].top: is above the wall of 2.2 m"},
+           {"/room/inner_walls/0/openings/1/pane", R"("jar")",
+            "room.inner_walls[0].openings[1].pane: 'jar' is a solid 'dielectric'"},
+           {"/room/inner_walls/2", R"({"id": "W3", "from": [30, 30], "to": [40, 30]})",
+            "room.inner_walls[2]: is outside the room"},
+           {"/labels/0/position", "[15, 3, 1]",
+            "label 'L' at (15, 3, 1) is outside the room: 2.36 m behind wall 2"},
+           {"/labels/0/position", "[8.8, 8.2, 1]", "is outside the room: in hole 0"},
+           {"/labels/0/position", "[3, 12, 2.7]",
+            "is outside the room: above the ceiling of zone 'low' (2.7 m > 2.6 m)"},
+           {"/transceivers/list/0/position", "[1, 1, 3.3]", "above the ceiling (3.3 m > 3.2 m)"}})
+    test::expect_input_error(
+        [&, &at = pointer, &json = value] { make_scene(test::read_text(changed(at, json).dump())); },
+        std::string_view(message));
+}
+
+TEST(RoomReader, WarnsOfLabelsThatFaceOrLieInInnerWalls) {
+  const auto warnings = [](const char* label) {
+    std::string text;
+    for (const std::string& one : make_scene(test::read_text(changed("/labels/0", label).dump())).warnings)
+      text += one + "\n";
+    return text;
+  };
+  EXPECT_EQ(warnings(R"({"id": "L", "position": [3.9, 5, 1], "normal": [-1, 0, 0], "type": "small"})"), "");
+  EXPECT_NE(
+      warnings(R"({"id": "L", "position": [3.9, 5, 1], "normal": [1, 0, 0], "type": "small"})").find("'W1'"),
+      std::string::npos);
+  EXPECT_NE(
+      warnings(R"({"id": "L", "position": [4, 5, 1], "normal": [1, 0, 0], "type": "small"})").find("'W1'"),
+      std::string::npos);
+  EXPECT_EQ(warnings(R"({"id": "L", "position": [4, 1.5, 1], "normal": [1, 0, 0], "type": "small"})"), "")
+      << "in the door";
+}
+
+TEST(RoomReader, ResolvedStoreHasTheSameRoom) {
+  const Store store = test::read_text(store_with(l_shape).dump());
+  const Scene scene = make_scene(store);
+  const std::string text = resolved_store_json(store, scene);
+  const Store again = test::read_text(text);
+  EXPECT_EQ(resolved_store_json(again, make_scene(again)), text);
+  EXPECT_EQ(make_scene(again).mesh.vertices, scene.mesh.vertices);
+}
+
+}  // namespace
+}  // namespace shelfbeam
