@@ -169,6 +169,16 @@ JsonCursor JsonCursor::with_unit(LengthUnit unit) const {
   return {document_, node_, path_, unit};
 }
 
+const nlohmann::ordered_json& JsonCursor::value() const {
+  return as_node(node_);
+}
+
+JsonCursor JsonCursor::replaced(nlohmann::ordered_json value, const std::string& note) const {
+  auto document = std::make_shared<const Document>(Document{document_->name, std::move(value)});
+  const void* root = &document->root;
+  return {std::move(document), root, path_ + note, unit_};
+}
+
 JsonCursor JsonCursor::parse(std::string_view text, const std::string& name) {
   auto document = std::make_shared<const Document>(Document{name, parse_strictly(text, name)});
   const void* root = &document->root;

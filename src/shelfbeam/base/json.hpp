@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "shelfbeam/base/length_unit.hpp"
 #include "shelfbeam/base/names.hpp"
 
@@ -28,6 +30,11 @@ class JsonCursor {
   /// The unit of `metres`, here and at all positions below; m unless `with_unit` has set it.
   LengthUnit unit() const { return unit_; }
   JsonCursor with_unit(LengthUnit unit) const;
+
+  /// The value at this position.
+  const nlohmann::ordered_json& value() const;
+  /// The same position with another value; `note` is appended to the path in errors.
+  JsonCursor replaced(nlohmann::ordered_json value, const std::string& note) const;
 
   /// "file: path" for errors.
   std::string where() const;

@@ -91,7 +91,7 @@ class Overlaps {
 
   bool is_box(const Part& part) const {
     const std::string& type = store_.scene.fixtures[part.fixture].type;
-    return type == "box" || type == "wall";
+    return type == "box" || type == "wall" || type == "prism" || type == "cylinder";
   }
 
   // Shelves stand on plinths and around columns, and walls and columns that are drawn as boxes cross.
@@ -284,7 +284,7 @@ void warn_of_scale(const Inspected& store, WarningList& warnings) {
 double rotation_deg(const Fixture& fixture) {
   return std::visit(
       [](const auto& one) {
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Box>)
+        if constexpr (!requires { one.rotation_deg; })
           return 0.0;
         else
           return one.rotation_deg;

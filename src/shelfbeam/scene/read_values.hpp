@@ -63,6 +63,13 @@ void expect_printable(const std::string& text, const std::string& where);
 /// An id or a name: not empty, and printable.
 std::string check_name(std::string name, const std::string& where);
 std::string read_name(const JsonCursor& cursor);
+/// The same for a key of an object; no member of `list`, from another file, has the name.
+template <class List>
+std::string new_name(const std::string& name, const List& list, const JsonCursor& cursor) {
+  for (const auto& other : list)
+    if (other.name == name) cursor.fail("has a name that another file uses, too", "rename one of the two");
+  return check_name(name, cursor.where());
+}
 
 /// The result of `make`. A std::invalid_argument from it becomes an InputError at this position.
 template <class Make>

@@ -51,7 +51,7 @@ TEST(Documentation, EveryExampleIsTested) {
   }
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
-  tested["store/room.md"] = 1;
+  tested["store/room.md"] = tested["store/fixtures.md"] = 1;
   EXPECT_EQ(stores, tested);
   EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}}));
 }
@@ -120,6 +120,20 @@ TEST(Documentation, ExampleOfARoomIsAccepted) {
   EXPECT_EQ(scene.fixtures.size(), 1u) << "the inner wall";
 }
 
+TEST(Documentation, ExampleOfFixturesIsAccepted) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  const Json part = Json::parse(fenced_blocks("store/fixtures.md", "jsonc").at(0), nullptr, true, true);
+  for (const auto& [key, value] : part.items()) store[key] = value;
+  const Scene scene = test::scene_of(store);
+  EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
+  std::string ids;
+  for (const FixtureOutline& fixture : scene.fixtures) ids += fixture.id + " ";
+  EXPECT_EQ(ids, "W1 W2 W3 A1 A2 A-end ");
+  // The wall y = 6 runs from (8, 6) to (0, 6).
+  EXPECT_NEAR(scene.fixtures[0].footprint[2][0], 7.9, 1e-12);
+  EXPECT_NEAR(scene.fixtures[2].footprint[3][0], 7.9 - 3 * 1.33, 1e-9);
+}
+
 TEST(Documentation, ErrorsAreAsShown) {
   const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/store/errors.md");
   Json store = Json::parse(example_store(), nullptr, true, true);
@@ -183,6 +197,13 @@ TEST(Documentation, EveryKeyOfTheSchemaIsOnItsPage) {
                                                               {"transceiver_type", transceiver_types},
                                                               {"emission", transceiver_types},
                                                               {"fixture", fixtures},
+                                                              {"whole_fixture", fixtures},
+                                                              {"repeat", fixtures},
+                                                              {"against", fixtures},
+                                                              {"prism", fixtures},
+                                                              {"cylinder", fixtures},
+                                                              {"panel", fixtures},
+                                                              {"sized_box", fixtures},
                                                               {"gondola", fixtures_with_labels},
                                                               {"freezer", fixtures_with_labels},
                                                               {"box", fixtures},

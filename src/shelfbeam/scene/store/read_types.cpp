@@ -149,7 +149,7 @@ void read_label_types(const JsonCursor& section, Store& store) {
   for (const auto& [name, cursor] : section.members()) {
     cursor.expect_keys({"responsivity", "size", "threshold", "safety_factor", "link_cost", "signal_cost"});
     LabelType type;
-    type.name = check_name(name, cursor.where());
+    type.name = new_name(name, store.label_types, cursor);
     if (const auto responsivity = cursor.find("responsivity")) {
       type.responsivity = make_or_fail(*responsivity, [&] { return read_responsivity(*responsivity); });
       if (!(integral(type.responsivity) > 0)) responsivity->fail("is zero", "give a positive response");
@@ -170,7 +170,7 @@ void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder
   for (const auto& [name, cursor] : section.members()) {
     cursor.expect_keys({"emission", "radius", "cost"});
     TransceiverType type;
-    type.name = check_name(name, cursor.where());
+    type.name = new_name(name, store.transceiver_types, cursor);
     const JsonCursor emission = cursor["emission"];
     type.emission = read_emission(emission, folder);
     if (const auto file = emission.find("file"))

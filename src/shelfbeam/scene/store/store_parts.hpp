@@ -4,6 +4,7 @@
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/device/emission.hpp"
+#include "shelfbeam/scene/store/presets.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 #include "shelfbeam/scene/store_names.hpp"
@@ -15,6 +16,9 @@ namespace shelfbeam {
 void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store);
 /// Requires the transceiver types to be read already, because a threshold may name them.
 void read_label_types(const JsonCursor& section, Store& store);
+/// Completes presets, expands repeats, and places fixtures against walls and others. Requires the room.
+void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
+                   const Presets& presets, Store& store);
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store);
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                        Store& store);

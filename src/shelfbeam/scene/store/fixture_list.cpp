@@ -1,0 +1,255 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/fixture/turn.hpp"
+#include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/store_parts.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A straight line in plan to place a fixture against, with the direction away from it.
+struct Edge {
+  Vec2 from{}, to{};
+  Vec2 outward{};
+
+  double length() const { return std::hypot(to[0] - from[0], to[1] - from[1]); }
+};
+
+// The sides of a rectangle in plan.
+struct Footing {
+  Vec2 at{};
+  double rotation_deg = 0, length = 0, depth = 0;
+
+  Vec2 point(double along, double across) const {
+    const auto [c, s] = cosine_and_sine(rotation_deg);
+    return {at[0] + c * along - s * across, at[1] + s * along + c * across};
+  }
+  Edge side(Face face) const {
+    const Vec2 origin = point(0, 0);
+    const auto edge = [&](const Vec2& from, const Vec2& to, double along, double across) {
+      const Vec2 tip = point(along, across);
+      return Edge{from, to, {tip[0] - origin[0], tip[1] - origin[1]}};
+    };
+    switch (face) {
+      case Face::front:
+        return edge(point(length, 0), point(0, 0), 0, -1);
+      case Face::back:
+        return edge(point(0, depth), point(length, depth), 0, 1);
+      case Face::left:
+        return edge(point(0, 0), point(0, depth), -1, 0);
+      case Face::right:
+        return edge(point(length, depth), point(length, 0), 1, 0);
+    }
+    return {};
+  }
+};
+
+std::optional<Footing> footing_of(const Fixture& fixture) {
+  return std::visit(
+      []<class T>(const T& one) -> std::optional<Footing> {
+        if constexpr (std::is_base_of_v<Shelving, T>)
+          return Footing{one.at, one.rotation_deg, one.length, one.depth};
+        else if constexpr (std::is_same_v<T, Box>)
+          return Footing{
+              {one.min.x, one.min.y}, one.rotation_deg, one.max.x - one.min.x, one.max.y - one.min.y};
+        else
+          return {};
+      },
+      fixture);
+}
+
+class FixtureList {
+ public:
+  FixtureList(const StoreNames& names, const StoreFolder& folder, const Presets& presets, Store& store)
+      : names_(names), folder_(folder), presets_(presets), store_(store) {}
+
+  void read(const JsonCursor& given) {
+    JsonCursor json = presets_.complete(given);
+    std::optional<Repeat> repeat;
+    if (const auto found = json.find("repeat")) repeat = read_repeat(*found);
+    Json value = json.value();
+    value.erase("repeat");
+    if (const auto against = json.find("against")) {
+      place(json, *against, value);
+      value.erase("against");
+    }
+    if (repeat || json.find("against")) json = json.replaced(std::move(value), "");
+    const Fixture fixture = read_fixture(json, {names_, folder_});
+    if (repeat)
+      add_copies(json, fixture, *repeat);
+    else
+      store_.fixtures.push_back({fixture, json.where()});
+  }
+
+ private:
+  struct Row {
+    std::int64_t count = 1;
+    Vec2 step{};          ///< m
+    double forwards = 0;  ///< m, along the fixture's own length, instead of `step`
+  };
+  struct Repeat {
+    Row row, rows;
+    std::int64_t first = 1;
+    bool turns = false;
+  };
+
+  static void read_step(const JsonCursor& json, Row& row) {
+    if (json.is_array())
+      row.step = read_plan_point(json);
+    else
+      row.forwards = read_coordinate(json);
+  }
+
+  static Repeat read_repeat(const JsonCursor& json) {
+    json.expect_keys({"count", "step", "first", "count2", "step2", "mirror"});
+    constexpr std::int64_t max_count = 10'000;
+    Repeat repeat;
+    repeat.row.count = json["count"].integer(1, max_count);
+    read_step(json["step"], repeat.row);
+    if (const auto first = json.find("first")) repeat.first = first->integer(0, max_count);
+    if (const auto count = json.find("count2")) {
+      repeat.rows.count = count->integer(1, max_count);
+      read_step(json["step2"], repeat.rows);
+    }
+    if (const auto mirror = json.find("mirror")) repeat.turns = mirror->boolean();
+    if (repeat.row.count * repeat.rows.count > max_count)
+      json.fail(fmt::format("produces {} fixtures", repeat.row.count * repeat.rows.count),
+                fmt::format("at most {} are allowed", max_count));
+    return repeat;
+  }
+
+  static Vec3 shift(const Row& row, const Fixture& fixture, std::int64_t k) {
+    Vec2 step = row.step;
+    if (row.forwards != 0) {
+      const auto footing = footing_of(fixture);
+      const auto [c, s] = cosine_and_sine(footing ? footing->rotation_deg : 0);
+      step = {c * row.forwards, s * row.forwards};
+    }
+    return Vec3{step[0], step[1], 0} * static_cast<double>(k);
+  }
+
+  void add_copies(const JsonCursor& json, const Fixture& fixture, const Repeat& repeat) {
+    const std::string& pattern = id_of(fixture);
+    if (pattern.find("{n}") == std::string::npos)
+      json["id"].fail(fmt::format("is {} for all copies", in_quotes(pattern)),
+                      "write {n} for the number of the copy: \"A{n}\"");
+    for (std::int64_t j = 0; j < repeat.rows.count; ++j)
+      for (std::int64_t k = 0; k < repeat.row.count; ++k) {
+        Fixture copy = fixture;
+        const std::int64_t number = repeat.first + j * repeat.row.count + k;
+        std::visit(
+            [&](auto& one) {
+              one.id = with_number(pattern, number);
+              if (repeat.turns && (j + k) % 2 == 1) one.turn_about_middle();
+              one.move(shift(repeat.row, fixture, k) + shift(repeat.rows, fixture, j));
+            },
+            copy);
+        store_.fixtures.push_back({std::move(copy), json.where()});
+      }
+  }
+
+  static std::string with_number(std::string id, std::int64_t number) {
+    const std::string digits = fmt::format("{}", number);
+    for (std::size_t at = 0; (at = id.find("{n}", at)) != std::string::npos; at += digits.size())
+      id.replace(at, 3, digits);
+    return id;
+  }
+
+  // Sets "at" and "rotation_deg" of a fixture whose back stands against a wall or a side of another fixture.
+  void place(const JsonCursor& json, const JsonCursor& against, Json& value) const {
+    for (const char* key : {"at", "rotation_deg"})
+      if (const auto found = json.find(key))
+        found->fail("has no effect beside 'against'", "remove one of the two");
+    const bool by_wall = against.find("wall").has_value();
+    against.expect_keys(by_wall ? std::initializer_list<std::string_view>{"wall", "from", "gap"}
+                                : std::initializer_list<std::string_view>{"fixture", "side", "shift", "gap"});
+    const Edge edge = by_wall ? wall_edge(against["wall"]) : side_of(against);
+    const auto gap_found = against.find("gap");
+    const double gap = gap_found ? gap_found->metres(0, 1e3) : 0;
+    const double length = size_of(json, 0), depth = size_of(json, 1);
+    double from = 0;
+    if (by_wall)
+      from = against["from"].metres(0, 1e3);
+    else if (const auto shift = against.find("shift"))
+      from = -read_coordinate(*shift);
+    if (!by_wall) from += (edge.length() - length) / 2;
+    // Its length runs to the right of a person who faces it.
+    const double x = (edge.to[0] - edge.from[0]) / edge.length(),
+                 y = (edge.to[1] - edge.from[1]) / edge.length();
+    const bool runs_along = y * edge.outward[0] - x * edge.outward[1] > 0;
+    const double start = runs_along ? from : from + length;
+    const Vec2 corner{edge.from[0] + start * x + (gap + depth) * edge.outward[0],
+                      edge.from[1] + start * y + (gap + depth) * edge.outward[1]};
+    const double factor = to_metres(1, json.unit());
+    value["at"] = {corner[0] / factor, corner[1] / factor};
+    if (value["type"] == "box") value["at"].push_back(0);
+    value["rotation_deg"] = rounded_degrees(std::atan2(edge.outward[0], -edge.outward[1]));
+  }
+
+  static double rounded_degrees(double angle) {
+    const double degrees = angle * 180 / pi, quarter = std::round(degrees / 90) * 90;
+    return std::abs(degrees - quarter) < 1e-9 ? quarter : degrees;
+  }
+
+  static double size_of(const JsonCursor& json, std::size_t axis) {
+    if (const auto size = json.find("size")) {
+      size->numbers(3);
+      return read_length(size->element(axis));
+    }
+    return read_length(json[axis == 0 ? "length" : "depth"]);
+  }
+
+  Edge wall_edge(const JsonCursor& json) const {
+    if (!store_.room) json.fail("names a wall, but the store has no room", "add a room");
+    const Polygon& outline = store_.room->shape.outline;
+    const auto last = static_cast<std::int64_t>(outline.size()) - 1;
+    const auto k = static_cast<std::size_t>(json.integer(0, last));
+    // Inside is to the left of a counter-clockwise outline.
+    Vec2 from = outline[k], to = outline[(k + 1) % outline.size()];
+    const double side = signed_area(outline) > 0 ? 1 : -1,
+                 length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    return {from, to, {-side * (to[1] - from[1]) / length, side * (to[0] - from[0]) / length}};
+  }
+
+  Edge side_of(const JsonCursor& against) const {
+    const JsonCursor name = against["fixture"];
+    const std::string id = name.text();
+    const auto found = std::find_if(store_.fixtures.begin(), store_.fixtures.end(),
+                                    [&](const auto& listed) { return id_of(listed.value) == id; });
+    if (found == store_.fixtures.end())
+      name.fail(fmt::format("names the fixture {}, which is not listed before", in_quotes(id)),
+                "list it before, or correct the id");
+    const auto footing = footing_of(found->value);
+    if (!footing) name.fail("names a fixture without sides", "use a gondola, a freezer or a box");
+    return footing->side(against["side"].choice<Face>());
+  }
+
+  const StoreNames& names_;
+  const StoreFolder& folder_;
+  const Presets& presets_;
+  Store& store_;
+};
+
+}  // namespace
+
+void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
+                   const Presets& presets, Store& store) {
+  FixtureList list(names, folder, presets, store);
+  for (const JsonCursor& cursor : section.elements()) list.read(cursor);
+}
+
+}  // namespace shelfbeam

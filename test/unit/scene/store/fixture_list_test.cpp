@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/math/warp.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+#include "unit/scene/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::Json;
+using test::TempFolder;
+
+Json store_with(const std::string& fixtures) {
+  Json store = test::sample_store();
+  store["fixtures"] = Json::parse(fixtures);
+  store["room"]["size"] = {30, 20, 3};
+  return store;
+}
+
+Store read(const Json& store, const std::filesystem::path& folder = {}) {
+  return test::read_text(store.dump(), folder);
+}
+
+// The values of the fixtures, without those that the two stores word differently.
+std::string fixtures_of(const Store& store) {
+  return Json::parse(resolved_store_json(store, make_scene(store)))["fixtures"].dump(1);
+}
+
+constexpr const char* run =
+    R"("type": "gondola", "length": 1.33, "depth": 0.9, "height": 1.8, "material": "steel",
+  "shelves": [0.4, 0.9], "faces": ["front"], "labels": {"type": "small", "spacing": 0.5})";
+
+TEST(FixtureList, RepeatEqualsTheListWrittenOut) {
+  const std::string base = run;
+  const Store repeated = read(store_with("[{" + base + R"(, "id": "A{n}", "at": [2, 3], "rotation_deg": 15,
+    "repeat": {"count": 3, "step": [0.5, 2.5], "first": 4, "count2": 2, "step2": [6, 0]}}])"));
+  std::string list;
+  int number = 4;
+  for (const double x : {2.0, 8.0})
+    for (int k = 0; k < 3; ++k)
+      list += (list.empty() ? "[{" : ", {") + base + R"(, "rotation_deg": 15, "id": "A)" +
+              std::to_string(number++) + R"(", "at": [)" + std::to_string(x + 0.5 * k) + ", " +
+              std::to_string(3 + 2.5 * k) + "]}";
+  EXPECT_EQ(fixtures_of(repeated), fixtures_of(read(store_with(list + "]"))));
+}
+
+TEST(FixtureList, RepeatsAlongTheFixtureAndMirrorsEverySecond) {
+  const std::string base = run;
+  const Store store = read(store_with("[{" + base + R"(, "id": "A{n}", "at": [5, 5], "rotation_deg": 30,
+    "repeat": {"count": 2, "step": 1.33, "mirror": true}}])"));
+  const Scene scene = make_scene(store);
+  ASSERT_EQ(scene.fixtures.size(), 2u);
+  const auto middle = [&](std::size_t f) {
+    Vec2 sum{};
+    for (const auto& [x, y] : scene.fixtures[f].footprint) sum = {sum[0] + x / 4, sum[1] + y / 4};
+    return sum;
+  };
+  EXPECT_NEAR(middle(1)[0] - middle(0)[0], 1.33 * std::cos(radians(30)), 1e-12);
+  EXPECT_NEAR(middle(1)[1] - middle(0)[1], 1.33 * std::sin(radians(30)), 1e-12);
+  const auto front = [&](const std::string& id) {
+    return std::find_if(scene.labels.begin(), scene.labels.end(),
+                        [&](const Label& label) { return label.id == id; })
+        ->normal;
+  };
+  EXPECT_NEAR(length(front("A1-front-1-1") + front("A2-front-1-1")), 0, 1e-12);
+}
+
+TEST(FixtureList, PresetsAreCompletedFromCataloguesAndOtherPresets) {
+  TempFolder folder;
+  folder.write("chain.json", R"({ "materials": { "red": { "type": "lambertian", "reflectance": 0.3 } },
+    "presets": { "base": { "type": "gondola", "depth": 0.9, "height": 1.8, "material": "red", "shelves": [0.4, 0.9],
+                           "labels": { "type": "small", "spacing": 0.5 } },
+                 "run": { "preset": "base", "length": 1.33, "labels": { "spacing": 0.33 } } } })");
+  Json store = store_with(R"([{"preset": "run", "id": "A", "at": [2, 3], "height": 1.6}])");
+  store["catalogues"] = {"chain.json"};
+  const Json written =
+      store_with(R"([{"type": "gondola", "id": "A", "at": [2, 3], "length": 1.33, "depth": 0.9,
+    "height": 1.6, "material": "red", "shelves": [0.4, 0.9], "labels": {"type": "small", "spacing": 0.33}}])");
+  Json plain = written;
+  plain["materials"]["red"] = {{"type", "lambertian"}, {"reflectance", 0.3}};
+  EXPECT_EQ(fixtures_of(read(store, folder.path())), fixtures_of(read(plain)));
+  EXPECT_EQ(make_scene(read(store, folder.path())).labels.size(), make_scene(read(plain)).labels.size());
+}
+
+TEST(FixtureList, StandsAgainstWallsAndFixtures) {
+  const std::string base = run;
+  Json store = store_with("[{" + base + R"(, "id": "W", "against": {"wall": 2, "from": 1, "gap": 0.1}},
+    {)" + base + R"(, "id": "A", "at": [10, 8], "rotation_deg": 30},
+    {)" + base + R"(, "id": "E", "against": {"fixture": "A", "side": "right"}},
+    {"type": "box", "id": "B", "size": [0.6, 0.4, 1], "material": "steel",
+     "against": {"fixture": "A", "side": "front", "shift": 0.2, "gap": 0.05}}])");
+  store["room"] =
+      Json::parse(R"({"outline": [[0, 0], [30, 0], [30, 20], [0, 18]], "height": 3, "floor": "tile",
+                                  "ceiling": "white", "walls": "white"})");
+  const Scene scene = make_scene(read(store));
+  const auto& wall = scene.fixtures[0].footprint;
+  // The corners of its back are 0.1 m from the slanted wall, one of them 1 m along it.
+  const Vec2 a{30, 20}, b{0, 18};
+  const double length = std::hypot(30, 2), x = (b[0] - a[0]) / length, y = (b[1] - a[1]) / length;
+  for (const std::size_t corner : {2, 3}) {
+    const double away = (wall[corner][0] - a[0]) * -y + (wall[corner][1] - a[1]) * x;
+    EXPECT_NEAR(away, 0.1, 1e-12);
+  }
+  EXPECT_NEAR((wall[2][0] - a[0]) * x + (wall[2][1] - a[1]) * y, 1, 1e-12);
+  const auto label = std::find_if(scene.labels.begin(), scene.labels.end(),
+                                  [](const Label& one) { return one.id == "W-front-1-1"; });
+  EXPECT_NEAR(label->normal.x * -y + label->normal.y * x, 1, 1e-12) << "its front faces the room";
+
+  const auto distance = [](const Vec2& p, const Vec2& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); };
+  const auto middle = [](const Vec2& p, const Vec2& q) { return Vec2{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2}; };
+  const auto &run_a = scene.fixtures[1].footprint, &end = scene.fixtures[2].footprint;
+  EXPECT_NEAR(distance(middle(run_a[1], run_a[2]), middle(end[2], end[3])), 0, 1e-12) << "back to the end";
+  const auto& box = scene.fixtures[3].footprint;
+  EXPECT_NEAR(distance(middle(run_a[0], run_a[1]), middle(box[0], box[2])), std::hypot(0.2, 0.05 + 0.4 / 2),
+              1e-12);
+  EXPECT_NEAR(distance(run_a[1], middle(box[0], box[2])), std::hypot(1.33 / 2 - 0.2, 0.05 + 0.4 / 2), 1e-12)
+      << "shifted to the right of a person who faces the front";
+}
+
+TEST(FixtureList, RefusesFaultsWithTheirPlace) {
+  struct Fault {
+    const char *fixtures, *presets, *message;
+  };
+  const std::string base = run;
+  const std::string copies =
+      "[{" + base + R"(, "id": "A", "at": [2, 3], "repeat": {"count": 2, "step": [0, 2]}}])";
+  const std::string beside = "[{" + base + R"(, "id": "A", "against": {"fixture": "B", "side": "left"}}])";
+  const std::string twice = "[{" + base + R"(, "id": "A", "at": [1, 1], "against": {"wall": 0, "from": 0}}])";
+  const std::string many =
+      "[{" + base +
+      R"(, "id": "A{n}", "at": [2, 3], "repeat": {"count": 200, "step": 1, "count2": 200, "step2": 1}}])";
+  for (
+      const auto& [fixtures, presets, message] : std::vector<Fault>{
+          {R"([{"preset": "a", "id": "A"}])", R"({"a": {"preset": "b"}, "b": {"preset": "a"}})",
+           "presets.b.preset: refers to itself: a -> b -> a"},
+          {R"([{"preset": "a", "id": "A"}])", R"({"a": {"preset": "a"}})", "refers to itself: a -> a"},
+          {R"([{"preset": "c", "id": "A"}])", R"({})", "fixtures[0].preset: names the unknown preset 'c'"},
+          {R"([{"preset": "a", "id": "A", "at": [1, 1]}])", R"({"a": {"type": "gondola", "lenght": 3}})",
+           "fixtures[0] (preset 'a'): has the unknown key 'lenght'"},
+          {copies.c_str(), "{}", "fixtures[0].id: is 'A' for all copies"},
+          {many.c_str(), "{}", "fixtures[0].repeat: produces 40000 fixtures"},
+          {beside.c_str(), "{}",
+           "fixtures[0].against.fixture: names the fixture 'B', which is not listed before"},
+          {twice.c_str(), "{}", "fixtures[0].at: has no effect beside 'against'"},
+          {R"([{"type": "prism", "id": "P", "polygon": [[1, 1], [2, 2], [2, 1], [1, 2]], "top": 1, "material": "steel"}])",
+           "{}", "fixtures[0].polygon: crosses or touches itself at (1.5, 1.5) m"},
+          {R"([{"type": "panel", "id": "P", "corners": [[1, 1, 1], [2, 2, 2], [3, 3, 3]], "material": "steel"}])",
+           "{}", "fixtures[0].corners: lie on a line"},
+          {R"([{"type": "cylinder", "id": "P", "at": [1, 1], "radius": 0.2, "bottom": 1, "top": 1, "material": "steel"}])",
+           "{}", "fixtures[0].top: is not above 'bottom'"}}) {
+    Json store = store_with(fixtures);
+    store["presets"] = Json::parse(presets);
+    test::expect_input_error([&] { make_scene(read(store)); }, std::string_view(message));
+  }
+}
+
+// Closed surfaces that face outwards: the volume by the theorem of Gauss.
+double volume(const Scene& scene, std::size_t first) {
+  double sum = 0;
+  const auto& v = scene.mesh.vertices;
+  for (std::size_t t = first; t < scene.mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = scene.mesh.triangles[t];
+    sum += dot(v[a], cross(v[b], v[c])) / 6;
+  }
+  return sum;
+}
+
+TEST(FixtureShapes, HaveTheirVolumes) {
+  const auto volume_of = [](const std::string& fixture) {
+    return volume(make_scene(read(store_with("[" + fixture + "]"))), 12);
+  };
+  EXPECT_NEAR(volume_of(R"({"type": "prism", "id": "P", "polygon": [[7, 1], [9, 1], [9, 2], [8, 1.4], [7, 2]],
+                            "top": 1.1, "material": "steel"})"),
+              1.1 * (2 - 0.6), 1e-12)
+      << "concave";
+  EXPECT_NEAR(
+      volume_of(R"({"type": "prism", "id": "P", "polygon": [[7, 2], [9, 2], [9, 1], [7, 1]], "bottom": 0.5,
+                            "top": "ceiling", "material": "steel"})"),
+      2 * 2.5, 1e-12)
+      << "clockwise, up to the ceiling";
+  EXPECT_NEAR(volume_of(R"({"type": "cylinder", "id": "C", "at": [10, 7], "radius": 0.25, "top": "ceiling",
+                            "material": "white"})"),
+              3 * pi * 0.25 * 0.25, 1e-12);
+  EXPECT_NEAR(
+      volume_of(R"({"type": "box", "id": "B", "at": [5, 5, 0], "size": [1.2, 0.8, 0.75], "rotation_deg": 30,
+                            "material": "steel"})"),
+      1.2 * 0.8 * 0.75, 1e-12);
+}
+
+TEST(FixtureShapes, AreReadBackToTheBit) {
+  const Store store = read(store_with(R"([
+    {"type": "prism", "id": "P", "polygon": [[7, 1], [9, 1], [9, 2], [8, 1.4], [7, 2]], "top": 1.1, "material": "steel"},
+    {"type": "cylinder", "id": "C{n}", "at": [10, 7], "radius": 0.25, "top": "ceiling", "material": "white",
+     "repeat": {"count": 3, "step": [3, 0.1]}},
+    {"type": "box", "id": "B{n}", "at": [5, 5, 0], "size": [1.2, 0.8, 0.75], "rotation_deg": 30, "material": "steel",
+     "repeat": {"count": 2, "step": [0, 3], "mirror": true}},
+    {"type": "panel", "id": "S", "corners": [[1, 1, 2.2], [3, 1, 2.2], [3, 1.3, 2.8]], "material": "steel"}])"));
+  const std::string text = resolved_store_json(store, make_scene(store));
+  const Store again = test::read_text(text);
+  EXPECT_EQ(resolved_store_json(again, make_scene(again)), text);
+  EXPECT_EQ(make_scene(again).mesh.vertices, make_scene(store).mesh.vertices);
+}
+
+}  // namespace
+}  // namespace shelfbeam
