@@ -51,7 +51,7 @@ TEST(Documentation, EveryExampleIsTested) {
   }
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
-  tested["store/room.md"] = tested["store/fixtures.md"] = 1;
+  tested["store/room.md"] = tested["store/fixtures.md"] = tested["store/transceivers.md"] = 1;
   EXPECT_EQ(stores, tested);
   EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}}));
 }
@@ -132,6 +132,18 @@ TEST(Documentation, ExampleOfFixturesIsAccepted) {
   // The wall y = 6 runs from (8, 6) to (0, 6).
   EXPECT_NEAR(scene.fixtures[0].footprint[2][0], 7.9, 1e-12);
   EXPECT_NEAR(scene.fixtures[2].footprint[3][0], 7.9 - 3 * 1.33, 1e-9);
+}
+
+TEST(Documentation, ExampleOfMountsIsAccepted) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  store["transceivers"] =
+      Json::parse(fenced_blocks("store/transceivers.md", "jsonc").at(0), nullptr, true, true);
+  const Scene scene = test::scene_of(store);
+  std::set<std::string> ids;
+  for (const Transceiver& unit : scene.transceivers) ids.insert(unit.id);
+  for (const char* id : {"A1-1-1/a1", "A1-5-4/a2", "R1-1", "R1-13", "column-2"})
+    EXPECT_TRUE(ids.contains(id)) << id;
+  EXPECT_FALSE(ids.contains("A1-3-3/a1")) << "over the counter";
 }
 
 TEST(Documentation, ErrorsAreAsShown) {

@@ -13,6 +13,7 @@
 #include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
+#include "shelfbeam/scene/build/mount_points.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_scene.hpp"
 #include "shelfbeam/scene/store/store.hpp"
@@ -34,8 +35,8 @@ std::vector<Bounds> in_plan(const std::vector<KeepOut>& areas) {
   constexpr double slack = 1e-9;
   std::vector<Bounds> boxes;
   boxes.reserve(areas.size());
-  for (const auto& [min, max] : areas)
-    boxes.push_back(Bounds{{min[0], min[1], 0}, {max[0], max[1], 0}}.wider_by(slack));
+  for (const KeepOut& area : areas)
+    boxes.push_back(Bounds{{area.min[0], area.min[1], 0}, {area.max[0], area.max[1], 0}}.wider_by(slack));
   return boxes;
 }
 
@@ -217,7 +218,11 @@ class SceneMaker {
 
   bool is_kept_out(const Vec3& p) const {
     const Vec3 q{p.x, p.y, 0};
-    return keep_out_.any({q, q}, [](std::uint32_t) { return true; });
+    return keep_out_.any({q, q}, [&](std::uint32_t k) {
+      const KeepOut& area = store_.keep_out[k];
+      return area.low <= p.z && p.z <= area.high &&
+             (area.polygon.empty() || contains(area.polygon, {p.x, p.y}));
+    });
   }
 
   void add_transceiver(const Transceiver& unit, const std::string& where) {
@@ -258,9 +263,12 @@ class SceneMaker {
           add_transceiver(unit, fmt::format("{}: transceivers.grids[{}]", store_.file, g));
         }
     }
+    generate_candidates(store_, scene_, [&](const Transceiver& unit, const std::string& where) {
+      add_transceiver(unit, where);
+    });
     for (const auto& [unit, where] : store_.transceivers) add_transceiver(unit, where);
     if (scene_.transceivers.empty())
-      fail("has no candidate transceivers", "add 'grids' or a 'list', or shrink 'keep_out'");
+      fail("has no candidate transceivers", "add 'grids', 'areas' or a 'list', or shrink 'keep_out'");
   }
 
   void mark_installed() {
@@ -315,6 +323,9 @@ Scene read_scene(const std::filesystem::path& store, const StoreLimits& trust) {
 
 Scene scene_with_units(Store store, const std::filesystem::path& csv) {
   store.grids.clear();
+  store.areas.clear();
+  store.rails.clear();
+  store.faces.clear();
   store.transceivers.clear();
   store.keep_out.clear();
   store.installed.clear();

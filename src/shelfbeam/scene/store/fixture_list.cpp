@@ -144,7 +144,7 @@ class FixtureList {
 
   void add_copies(const JsonCursor& json, const Fixture& fixture, const Repeat& repeat) {
     const std::string& pattern = id_of(fixture);
-    if (pattern.find("{n}") == std::string::npos)
+    if (repeat.row.count * repeat.rows.count > 1 && pattern.find("{n}") == std::string::npos)
       json["id"].fail(fmt::format("is {} for all copies", in_quotes(pattern)),
                       "write {n} for the number of the copy: \"A{n}\"");
     for (std::int64_t j = 0; j < repeat.rows.count; ++j)

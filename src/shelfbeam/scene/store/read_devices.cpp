@@ -136,7 +136,8 @@ void read_labels(const JsonCursor& section, const StoreNames& names, const Store
 
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                        Store& store) {
-  section.expect_keys({"grids", "list", "keep_out", "installed"});
+  section.expect_keys({"grids", "areas", "rails", "on", "list", "keep_out", "installed"});
+  read_mounts(section, names, store);
   if (const auto grids = section.find("grids"))
     for (const JsonCursor& cursor : grids->elements()) store.grids.push_back(read_grid(cursor, names));
   if (const auto list = section.find("list")) {
@@ -148,11 +149,7 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
     }
   }
   if (const auto areas = section.find("keep_out"))
-    for (const JsonCursor& cursor : areas->elements()) {
-      cursor.expect_keys({"min", "max"});
-      store.keep_out.push_back({read_plan_point(cursor["min"]), read_plan_point(cursor["max"])});
-      expect_extent(cursor, store.keep_out.back().min, store.keep_out.back().max);
-    }
+    for (const JsonCursor& cursor : areas->elements()) store.keep_out.push_back(read_keep_out(cursor));
   if (const auto installed = section.find("installed"))
     for (const JsonCursor& cursor : installed->elements())
       store.installed.push_back({cursor.text(), cursor.where()});

@@ -13,6 +13,7 @@
 #include "shelfbeam/scene/fixture/fixture.hpp"
 #include "shelfbeam/scene/room/room.hpp"
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/store/mounts.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 
 namespace shelfbeam {
@@ -25,10 +26,6 @@ struct TransceiverGrid {
   Vec3 axis{0, 0, -1};
   double roll_deg = 0;
   TransceiverTypeId type;
-};
-
-struct KeepOut {
-  Vec2 min{}, max{};
 };
 
 /// A listed item and its location in the file ("labels[3]", "labels.csv:5") for messages.
@@ -52,6 +49,9 @@ struct Store {
   std::vector<Listed<Fixture>> fixtures;
   std::vector<Listed<Label>> labels;
   std::vector<TransceiverGrid> grids;
+  std::vector<Listed<MountArea>> areas;
+  std::vector<Listed<MountRail>> rails;
+  std::vector<Listed<MountFaces>> faces;
   std::vector<Listed<Transceiver>> transceivers;
   std::vector<KeepOut> keep_out;
   std::vector<Listed<std::string>> installed;

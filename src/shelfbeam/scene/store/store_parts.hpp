@@ -20,6 +20,9 @@ void read_label_types(const JsonCursor& section, Store& store);
 void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                    const Presets& presets, Store& store);
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store);
+/// The areas, rails and faces of the section "transceivers". Requires the room and the fixtures.
+void read_mounts(const JsonCursor& section, const StoreNames& names, Store& store);
+KeepOut read_keep_out(const JsonCursor& json);
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                        Store& store);
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "shelfbeam/base/ids.hpp"
+#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/math/vec3.hpp"
+
+namespace shelfbeam {
+
+/// Candidates of one type at each of several points: one candidate per axis.
+struct MountedType {
+  TransceiverTypeId type;
+  std::vector<Vec3> axes{{0, 0, -1}};  ///< unit length
+  double roll_deg = 0;
+};
+
+/// Candidates on a grid over a part of the plan, at a height or below the ceiling.
+struct MountArea {
+  MountedType unit;
+  std::variant<std::string, Polygon> area;  ///< "room", the id of a zone, or a polygon
+  double spacing = 1;
+  std::optional<double> z;   ///< m
+  double below_ceiling = 0;  ///< m, without `z`
+};
+
+/// Candidates along a line of straight pieces, with one at each end.
+struct MountRail {
+  MountedType unit;
+  std::string id;
+  std::vector<Vec3> points;
+  double spacing = 1;
+};
+
+/// Candidates around a fixture or an inner wall, or along a wall of the room. They face away from it.
+struct MountFaces {
+  TransceiverTypeId type;
+  double roll_deg = 0;
+  std::variant<std::string, std::size_t> on;  ///< id of the fixture or inner wall, or number of the wall
+  double z = 0, spacing = 1, offset = 0;      ///< m; `offset` from the surface
+  double tilt_deg = 0;                        ///< downwards from horizontal
+};
+
+/// A part of the plan, and of the heights, without candidates.
+struct KeepOut {
+  Vec2 min{}, max{};  ///< the rectangle, or the bounds of the polygon
+  Polygon polygon;    ///< empty for a rectangle
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/math/warp.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "unit/scene/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::Json;
+
+// An L-shaped room with a lower zone, an inner wall and a column.
+Json l_shaped_store(const std::string& transceivers) {
+  Json store = test::sample_store();
+  store["room"] = Json::parse(R"({
+    "outline": [[0, 0], [8, 0], [8, 4], [4, 4], [4, 10], [0, 10]], "height": 3.2, "floor": "tile", "ceiling": "white",
+    "walls": "white",
+    "zones": [{"id": "low", "polygon": [[0, 6], [4, 6], [4, 10], [0, 10]], "height": 2.6}],
+    "inner_walls": [{"id": "W", "from": [6, 0], "to": [6, 2], "thickness": 0.6}]})");
+  store["fixtures"] = Json::parse(
+      R"([{"type": "cylinder", "id": "C", "at": [2, 3], "radius": 0.25, "top": "ceiling", "material": "white"}])");
+  store["labels"] =
+      Json::parse(R"([{"id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "small"}])");
+  store["transceivers"] = Json::parse(transceivers);
+  return store;
+}
+
+std::vector<Transceiver> units_of(const std::string& transceivers) {
+  return make_scene(test::read_text(l_shaped_store(transceivers).dump())).transceivers;
+}
+
+std::string ids_of(const std::vector<Transceiver>& units) {
+  std::string ids;
+  for (const Transceiver& unit : units) ids += unit.id + " ";
+  return ids;
+}
+
+TEST(MountPoints, FollowTheOutlineAndTheCeilings) {
+  const auto units =
+      units_of(R"({"areas": [{"type": "down", "area": "room", "spacing": 2, "below_ceiling": 0.1}]})");
+  // Cells of 2 m: two rows of four, three rows of two.
+  EXPECT_EQ(ids_of(units),
+            "A1-1-1 A1-2-1 A1-3-1 A1-4-1 A1-1-2 A1-2-2 A1-3-2 A1-4-2 A1-1-3 A1-2-3 A1-1-4 A1-2-4 "
+            "A1-1-5 A1-2-5 ");
+  for (const Transceiver& unit : units)
+    EXPECT_NEAR(unit.position.z, unit.position.y > 6 ? 2.5 : 3.1, 1e-12) << unit.id;
+  EXPECT_EQ(units.front().position, (Vec3{1, 1, 3.1}));
+}
+
+TEST(MountPoints, OfAZoneOrAPolygonHaveSeveralAxesAndLeaveInnerWallsOut) {
+  const auto zone = units_of(R"({"areas": [{"type": "down", "area": "low", "spacing": 4, "z": 2.5,
+    "axes": [[0, 0, -1], [1, 0, -1]]}]})");
+  EXPECT_EQ(ids_of(zone), "A1-1-1/a1 A1-1-1/a2 ");
+  EXPECT_EQ(zone[1].position, (Vec3{2, 8, 2.5}));
+  EXPECT_NEAR(zone[1].axis.x, std::sqrt(0.5), 1e-12);
+  const auto wall = units_of(R"({"areas": [{"type": "down", "area": [[5, 0.5], [7, 0.5], [7, 1.5], [5, 1.5]],
+    "spacing": 0.4, "z": 2}]})");
+  EXPECT_EQ(ids_of(wall),
+            "A1-1-1 A1-2-1 A1-4-1 A1-5-1 A1-1-2 A1-2-2 A1-4-2 A1-5-2 A1-1-3 A1-2-3 A1-4-3 A1-5-3 ")
+      << "the third column is in the wall";
+}
+
+TEST(MountPoints, OfARailIncludeItsEndsAndCorners) {
+  const auto units =
+      units_of(R"({"rails": [{"type": "down", "id": "R", "points": [[1, 1, 2.8], [3, 1, 2.8], [3, 2, 2.8]],
+    "spacing": 0.52}]})");
+  ASSERT_EQ(units.size(), 7u);
+  EXPECT_EQ(ids_of(units), "R-1 R-2 R-3 R-4 R-5 R-6 R-7 ");
+  EXPECT_EQ(units.front().position, (Vec3{1, 1, 2.8}));
+  EXPECT_NEAR(length(units[4].position - Vec3{3, 1, 2.8}), 0, 1e-12);
+  EXPECT_EQ(units.back().position, (Vec3{3, 2, 2.8}));
+}
+
+TEST(MountPoints, OnFacesLookAwayFromThem) {
+  const auto column =
+      units_of(R"({"on": [{"type": "down", "fixture": "C", "z": 2.4, "spacing": 0.4, "tilt_deg": 30,
+    "offset": 0.05}]})");
+  ASSERT_EQ(column.size(), 4u) << "its girth is 1.57 m";
+  for (const Transceiver& unit : column) {
+    const Vec3 out{unit.position.x - 2, unit.position.y - 3, 0};
+    EXPECT_NEAR(length(out), 0.3, 0.002);
+    EXPECT_NEAR(unit.axis.z, -0.5, 1e-12);
+    EXPECT_GT(dot(unit.axis, normalized(out)), std::cos(radians(30)) - 0.01);
+  }
+  const auto wall = units_of(R"({"on": [{"type": "down", "wall": 3, "z": 2, "spacing": 2}]})");
+  EXPECT_EQ(ids_of(wall), "wall-3-1 wall-3-2 wall-3-3 ");
+  EXPECT_EQ(wall[0].position, (Vec3{4, 5, 2}));
+  EXPECT_EQ(wall[0].axis, (Vec3{-1, 0, 0}));
+  for (const Transceiver& unit :
+       units_of(R"({"on": [{"type": "down", "inner_wall": "W", "z": 2, "spacing": 0.5,
+    "offset": 0.01}]})"))
+    EXPECT_GT(dot(unit.axis, unit.position - Vec3{6, 1, 2}), 0) << unit.id;
+}
+
+TEST(MountPoints, AreKeptOutByPolygonsAndHeights) {
+  const std::string areas = R"({"areas": [{"type": "down", "area": "room", "spacing": 2, "z": 2.5}])";
+  const std::string low =
+      units_of(areas + R"(, "keep_out": [{"polygon": [[0, 0], [4, 0], [0, 4]], "z": [2, 2.6]}]})").front().id;
+  EXPECT_EQ(low, "A1-2-1") << "(1, 1) is in the triangle, (3, 1) on its border or outside";
+  EXPECT_EQ(
+      units_of(areas + R"(, "keep_out": [{"polygon": [[0, 0], [4, 0], [0, 4]], "z": [2.6, 3]}]})").front().id,
+      "A1-1-1");
+}
+
+TEST(MountPoints, RefuseFaultsWithTheirPlace) {
+  struct Fault {
+    const char *transceivers, *message;
+  };
+  for (
+      const auto& [transceivers, message] : std::vector<Fault>{
+          {R"({"areas": [{"type": "down", "area": "high", "spacing": 1, "z": 2}]})",
+           "transceivers.areas[0].area: is neither 'room' nor the id of a zone"},
+          {R"({"areas": [{"type": "down", "area": "room", "spacing": 0.001, "z": 2}]})",
+           "transceivers.areas[0].spacing: produces 80000000 candidates"},
+          {R"({"areas": [{"type": "down", "area": "room", "spacing": 1, "z": 2, "below_ceiling": 1}]})",
+           "transceivers.areas[0].below_ceiling: has no effect beside 'z'"},
+          {R"({"areas": [{"type": "down", "area": [[0, 0], [4, 4], [4, 0], [0, 4]], "spacing": 1, "z": 2}]})",
+           "transceivers.areas[0].area: crosses or touches itself at (2, 2) m"},
+          {R"({"rails": [{"type": "down", "id": "R", "points": [[1, 1, 2], [1, 1, 2]], "spacing": 1}]})",
+           "transceivers.rails[0].points[1]: is the point before"},
+          {R"({"rails": [{"type": "down", "id": "R", "points": [[1, 1, 2], [9, 1, 2]], "spacing": 1}]})",
+           "transceivers.rails[0]: transceiver 'R-9' at (9, 1, 2) is outside the room"},
+          {R"({"on": [{"type": "down", "fixture": "D", "z": 2, "spacing": 1}]})",
+           "transceivers.on[0].fixture: names an unknown fixture"},
+          {R"({"on": [{"type": "down", "wall": 6, "z": 2, "spacing": 1}]})", "transceivers.on[0].wall: is 6"},
+          {R"({"on": [{"type": "down", "z": 2, "spacing": 1}]})", "transceivers.on[0]: must have one of"},
+          {R"({"keep_out": [{"polygon": [[0, 0], [1, 0], [1, 1]], "z": [3, 2]}]})",
+           "transceivers.keep_out[0].z: has its second height below its first"}})
+    test::expect_input_error([&, &json = transceivers] { units_of(json); }, std::string_view(message));
+}
+
+}  // namespace
+}  // namespace shelfbeam
