@@ -29,7 +29,9 @@ inline Gondola gondola(const std::string& id, Vec2 at, double length, double dep
   g.height = shelves.back() + 0.4;
   g.shelves = std::move(shelves);
   g.faces = faces;
-  g.labels = FixtureLabels{LabelTypeId{0}, 0.6, std::move(faces), 0};
+  FixtureLabels& labels = g.labels.emplace();
+  labels.spacing = 0.6;
+  labels.faces = std::move(faces);
   return g;
 }
 
@@ -72,7 +74,10 @@ inline Store supermarket() {
   freezer.length = 10;
   freezer.depth = 1.1;
   freezer.height = 0.9;
-  freezer.labels = FixtureLabels{LabelTypeId{1}, 0.7, {Face::front, Face::back}, 0};
+  FixtureLabels& labels = freezer.labels.emplace();
+  labels.type = LabelTypeId{1};
+  labels.spacing = 0.7;
+  labels.faces = {Face::front, Face::back};
   add(freezer);
   for (int column = 0; column < 3; ++column)
     add(Box{"P" + std::to_string(column + 1), {6.0 + 6 * column, 1.3, 0}, {6.35 + 6 * column, 1.65, 4}, {}});

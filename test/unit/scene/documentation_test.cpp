@@ -53,7 +53,7 @@ TEST(Documentation, EveryExampleIsTested) {
   for (const std::string& page : pages_of_types) tested[page] = 1;
   tested["store/room.md"] = tested["store/fixtures.md"] = tested["store/transceivers.md"] = 1;
   EXPECT_EQ(stores, tested);
-  EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}}));
+  EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}, {"store/labels.md", 1}}));
 }
 
 TEST(Documentation, ExampleOfTheStoreFileIsAccepted) {
@@ -146,6 +146,24 @@ TEST(Documentation, ExampleOfMountsIsAccepted) {
   EXPECT_FALSE(ids.contains("A1-3-3/a1")) << "over the counter";
 }
 
+TEST(Documentation, ExampleOfAPlanogramIsAccepted) {
+  const test::TempFolder folder;
+  folder.write("planogram.csv", fenced_blocks("store/labels.md", "csv").at(0));
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  store["planogram"] = {{"file", "planogram.csv"}, {"type", "standard"}};
+  const Scene scene = test::scene_of(store, folder.path());
+  const auto find = [&](const std::string& id) {
+    return std::find_if(scene.labels.begin(), scene.labels.end(),
+                        [&](const Label& label) { return label.id == id; });
+  };
+  ASSERT_NE(find("4006381333931/2"), scene.labels.end());
+  // Board 2 of A1, from (2, 2) to (6, 2), has two positions.
+  EXPECT_EQ(find("4006381333931")->position, (Vec3{3, 1.99, 0.9}));
+  EXPECT_EQ(find("4006381333948")->position, (Vec3{5, 1.99, 0.9}));
+  EXPECT_NEAR(find("4006381333931/2")->position.y, 2.91, 1e-12);
+  EXPECT_EQ(find("4006381333931/2")->normal, (Vec3{0, 1, 0}));
+}
+
 TEST(Documentation, ErrorsAreAsShown) {
   const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/store/errors.md");
   Json store = Json::parse(example_store(), nullptr, true, true);
@@ -197,7 +215,8 @@ TEST(Documentation, EveryKeyOfTheSchemaIsOnItsPage) {
   const std::vector<std::string> materials{"store/materials.md"}, label_types{"store/label_types.md"},
       transceiver_types{"store/transceiver_types.md"}, fixtures{"store/fixtures.md"},
       fixtures_with_labels{"store/fixtures.md", "store/labels.md"}, transceivers{"store/transceivers.md"};
-  const std::map<std::string, std::vector<std::string>> pages{{"box_room", {"store/room.md"}},
+  const std::map<std::string, std::vector<std::string>> pages{{"planogram", {"store/labels.md"}},
+                                                              {"box_room", {"store/room.md"}},
                                                               {"outline_room", {"store/room.md"}},
                                                               {"zones", {"store/room.md"}},
                                                               {"inner_walls", {"store/room.md"}},

@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/csv.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/fixture/turn.hpp"
+#include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/store_parts.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double label_offset = 0.01;  // m, in front of the edge
+
+/// A place on the edge of a board.
+struct Place {
+  std::string article, where;
+  std::size_t fixture = 0;
+  Face face = Face::front;
+  int level = 1;
+  double x = 0;      ///< m, unless there is a position
+  int position = 0;  ///< from 1
+};
+
+using Edge = std::tuple<std::size_t, Face, int>;
+
+class Planogram {
+ public:
+  Planogram(LabelTypeId type, Store& store) : type_(type), store_(store) {
+    for (std::size_t f = 0; f < store.fixtures.size(); ++f) index_.emplace(id_of(store.fixtures[f].value), f);
+  }
+
+  void read(const std::filesystem::path& path) {
+    const std::string text = read_file(path);
+    CsvReader csv(text, path.string());
+    const std::string expected =
+        "the first line must be article,fixture,face,level,x or article,fixture,face,level,position";
+    if (!csv.next()) throw InputError(path.string(), "is empty", expected);
+    constexpr std::string_view columns[] = {"article", "fixture", "face", "level"};
+    const bool has_columns =
+        csv.fields().size() >= 5 && std::equal(std::begin(columns), std::end(columns), csv.fields().begin());
+    const bool by_x = has_columns && csv.fields()[4] == "x";
+    if (!by_x && !(has_columns && csv.fields()[4] == "position")) csv.fail("has an unknown header", expected);
+    const std::size_t width = csv.fields().size();
+    while (csv.next()) {
+      csv.expect_fields(5, width, ": article,fixture,face,level," + std::string(by_x ? "x" : "position"));
+      places_.push_back(read_place(csv, by_x));
+    }
+    add_labels();
+  }
+
+ private:
+  const Shelving& shelving(std::size_t fixture) const {
+    const Fixture& one = store_.fixtures[fixture].value;
+    if (const auto* gondola = std::get_if<Gondola>(&one)) return *gondola;
+    return std::get<Freezer>(one);
+  }
+
+  Place read_place(CsvReader& csv, bool by_x) const {
+    Place place;
+    place.article = csv.id(0);
+    place.where = csv.where();
+    const auto found = index_.find(csv.text(1));
+    if (found == index_.end())
+      csv.fail(1, fmt::format("names the unknown fixture {}", in_quotes(csv.text(1))),
+               "correct the id, or add the fixture to the store");
+    place.fixture = found->second;
+    const Fixture& fixture = store_.fixtures[place.fixture].value;
+    const auto* gondola = std::get_if<Gondola>(&fixture);
+    if (gondola == nullptr && !std::holds_alternative<Freezer>(fixture))
+      csv.fail(1, "names a fixture without boards", "use a gondola or a freezer");
+    const auto face = from_text<Face>(csv.text(2));
+    if (!face || (gondola != nullptr && !gondola->has_face(*face)))
+      csv.fail(2, fmt::format("is {}", in_quotes(csv.text(2))),
+               "name a face of the fixture: front, back, left or right");
+    place.face = *face;
+    const int levels = gondola != nullptr ? static_cast<int>(gondola->shelves.size()) : 1;
+    place.level = whole(csv, 3, levels);
+    if (by_x) {
+      place.x = read_coordinate(csv.number(4), store_.unit, csv.where());
+      const double edge = edge_length(place.fixture, place.face);
+      if (!(place.x >= 0 && place.x <= edge))
+        csv.fail(4, fmt::format("is {:.6g} m", place.x),
+                 fmt::format("the edge extends from 0 to {:.6g} m", edge));
+    } else {
+      constexpr int max_positions = 1000;
+      place.position = whole(csv, 4, max_positions);
+    }
+    return place;
+  }
+
+  static int whole(CsvReader& csv, std::size_t field, int most) {
+    const double value = csv.number(field);
+    if (value != std::floor(value) || value < 1 || value > most)
+      csv.fail(field, fmt::format("is {:g}", value), fmt::format("use a whole number from 1 to {}", most));
+    return static_cast<int>(value);
+  }
+
+  double edge_length(std::size_t fixture, Face face) const {
+    const Shelving& one = shelving(fixture);
+    return face == Face::front || face == Face::back ? one.length : one.depth;
+  }
+
+  // Positions are spread evenly over the edge, as many as the largest position on it.
+  void add_labels() {
+    std::map<Edge, int> largest;
+    for (const Place& place : places_) {
+      int& count = largest[{place.fixture, place.face, place.level}];
+      count = std::max(count, place.position);
+    }
+    std::map<std::string, int> times;
+    for (const Place& place : places_) {
+      const double edge = edge_length(place.fixture, place.face);
+      const double along = place.position == 0 ? place.x
+                                               : edge * (place.position - 0.5) /
+                                                     largest[{place.fixture, place.face, place.level}];
+      const int time = ++times[place.article];
+      Label label = label_at(place, along);
+      label.id = time == 1 ? place.article : fmt::format("{}/{}", place.article, time);
+      store_.labels.push_back({std::move(label), place.where});
+    }
+  }
+
+  Label label_at(const Place& place, double along) const {
+    const Shelving& one = shelving(place.fixture);
+    const auto* gondola = std::get_if<Gondola>(&store_.fixtures[place.fixture].value);
+    const double z = gondola != nullptr ? gondola->shelves[static_cast<std::size_t>(place.level) - 1]
+                                        : one.height - Shelving::label_below_rim;
+    const bool along_x = place.face == Face::front || place.face == Face::back;
+    const double out = place.face == Face::front || place.face == Face::left ? -1 : 1;
+    const double across = out < 0 ? -label_offset : (along_x ? one.depth : one.length) + label_offset;
+    const auto [c, s] = cosine_and_sine(one.rotation_deg);
+    const auto turned = [&cosine = c, &sine = s](double x, double y) {
+      return Vec3{cosine * x - sine * y, sine * x + cosine * y, 0};
+    };
+    Label label;
+    label.position =
+        Vec3{one.at[0], one.at[1], z} + (along_x ? turned(along, across) : turned(across, along));
+    label.normal = along_x ? turned(0, out) : turned(out, 0);
+    label.type = type_;
+    return label;
+  }
+
+  LabelTypeId type_;
+  Store& store_;
+  std::map<std::string, std::size_t, std::less<>> index_;
+  std::vector<Place> places_;
+};
+
+}  // namespace
+
+void read_planogram(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
+                    Store& store) {
+  section.expect_keys({"file", "type"});
+  const LabelTypeId type = names.label_type(section["type"]);
+  Planogram(type, store).read(folder.find(section["file"]));
+}
+
+}  // namespace shelfbeam
