@@ -20,8 +20,6 @@ namespace shelfbeam {
 namespace {
 
 constexpr double rounding = Blocks::rounding, too_near = Blocks::too_near;
-constexpr std::array<const char*, 6> room_surfaces{"the wall x0", "the wall x1", "the wall y0",
-                                                   "the wall y1", "the floor",   "the ceiling"};
 
 /// The corners of a label; empty for a point.
 std::vector<Vec3> outline(const Scene& scene, const Label& label) {

@@ -38,8 +38,8 @@ class GlbFile {
   /// Adds a node without a transformation; surfaces without triangles are omitted.
   void add_node(const std::string& name, const std::vector<GlbSurface>& surfaces);
 
-  /// The whole file, which depends only on what was added: at least one material and one triangle. Throws
-  /// InputError if it exceeds 4 GiB, the maximum of the format.
+  /// The whole file, which depends only on the added materials and nodes: at least one material and one
+  /// triangle. Throws InputError if it exceeds 4 GiB, the maximum of the format.
   std::string bytes() const;
 
  private:

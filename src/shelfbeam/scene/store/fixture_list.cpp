@@ -35,8 +35,8 @@ struct Footing {
   double rotation_deg = 0, length = 0, depth = 0;
 
   Vec2 point(double along, double across) const {
-    const auto [c, s] = cosine_and_sine(rotation_deg);
-    return {at[0] + c * along - s * across, at[1] + s * along + c * across};
+    const auto [x, y] = turned({along, across}, rotation_deg);
+    return {at[0] + x, at[1] + y};
   }
   Edge side(Face face) const {
     const Vec2 origin = point(0, 0);
@@ -136,8 +136,7 @@ class FixtureList {
     Vec2 step = row.step;
     if (row.forwards != 0) {
       const auto footing = footing_of(fixture);
-      const auto [c, s] = cosine_and_sine(footing ? footing->rotation_deg : 0);
-      step = {c * row.forwards, s * row.forwards};
+      step = turned({row.forwards, 0}, footing ? footing->rotation_deg : 0);
     }
     return Vec3{step[0], step[1], 0} * static_cast<double>(k);
   }

@@ -12,6 +12,7 @@
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/fixture/edge_place.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
@@ -88,7 +89,7 @@ class Planogram {
     place.level = whole(csv, 3, levels);
     if (by_x) {
       place.x = read_coordinate(csv.number(4), store_.unit, csv.where());
-      const double edge = edge_length(place.fixture, place.face);
+      const double edge = edge_length(shelving(place.fixture), place.face);
       if (!(place.x >= 0 && place.x <= edge))
         csv.fail(4, fmt::format("is {:.6g} m", place.x),
                  fmt::format("the edge extends from 0 to {:.6g} m", edge));
@@ -106,11 +107,6 @@ class Planogram {
     return static_cast<int>(value);
   }
 
-  double edge_length(std::size_t fixture, Face face) const {
-    const Shelving& one = shelving(fixture);
-    return face == Face::front || face == Face::back ? one.length : one.depth;
-  }
-
   // Positions are spread evenly over the edge, as many as the largest position on it.
   void add_labels() {
     std::map<Edge, int> largest;
@@ -120,7 +116,7 @@ class Planogram {
     }
     std::map<std::string, int> times;
     for (const Place& place : places_) {
-      const double edge = edge_length(place.fixture, place.face);
+      const double edge = edge_length(shelving(place.fixture), place.face);
       const double along = place.position == 0 ? place.x
                                                : edge * (place.position - 0.5) /
                                                      largest[{place.fixture, place.face, place.level}];
@@ -136,17 +132,11 @@ class Planogram {
     const auto* gondola = std::get_if<Gondola>(&store_.fixtures[place.fixture].value);
     const double z = gondola != nullptr ? gondola->shelves[static_cast<std::size_t>(place.level) - 1]
                                         : one.height - Shelving::label_below_rim;
-    const bool along_x = place.face == Face::front || place.face == Face::back;
-    const double out = place.face == Face::front || place.face == Face::left ? -1 : 1;
-    const double across = out < 0 ? -label_offset : (along_x ? one.depth : one.length) + label_offset;
-    const auto [c, s] = cosine_and_sine(one.rotation_deg);
-    const auto turned = [&cosine = c, &sine = s](double x, double y) {
-      return Vec3{cosine * x - sine * y, sine * x + cosine * y, 0};
-    };
+    const auto& [position, outward] = edge_place(one, place.face, along, label_offset);
+    const Vec2 from_origin = turned(position, one.rotation_deg), normal = turned(outward, one.rotation_deg);
     Label label;
-    label.position =
-        Vec3{one.at[0], one.at[1], z} + (along_x ? turned(along, across) : turned(across, along));
-    label.normal = along_x ? turned(0, out) : turned(out, 0);
+    label.position = {one.at[0] + from_origin[0], one.at[1] + from_origin[1], z};
+    label.normal = {normal[0], normal[1], 0};
     label.type = type_;
     return label;
   }
