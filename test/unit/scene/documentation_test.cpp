@@ -51,7 +51,8 @@ TEST(Documentation, EveryExampleIsTested) {
   }
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
-  tested["store/room.md"] = tested["store/fixtures.md"] = tested["store/transceivers.md"] = 1;
+  tested["store/room.md"] = tested["store/fixtures.md"] = tested["store/transceivers.md"] =
+      tested["store/labels.md"] = 1;
   EXPECT_EQ(stores, tested);
   EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}, {"store/labels.md", 1}}));
 }
@@ -144,6 +145,15 @@ TEST(Documentation, ExampleOfMountsIsAccepted) {
   for (const char* id : {"A1-1-1/a1", "A1-5-4/a2", "R1-1", "R1-13", "column-2"})
     EXPECT_TRUE(ids.contains(id)) << id;
   EXPECT_FALSE(ids.contains("A1-3-3/a1")) << "over the counter";
+}
+
+TEST(Documentation, ExampleOfLabelsAtPlacesIsAccepted) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  store["materials"]["pine"] = store["materials"]["white"];
+  store["fixtures"] =
+      Json::parse(fenced_blocks("store/labels.md", "jsonc").at(0), nullptr, true, true)["fixtures"];
+  const auto ids = ids_of(test::scene_of(store));
+  EXPECT_EQ(std::count(ids.begin(), ids.end(), "table 2-card"), 1);
 }
 
 TEST(Documentation, ExampleOfAPlanogramIsAccepted) {

@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
@@ -89,6 +91,63 @@ TEST(Grocery, LooksLikeOne) {
   EXPECT_GE(scene.label_types.size(), 2u);
   EXPECT_GE(scene.materials.size(), 4u);
   EXPECT_TRUE(scene.warnings.empty());
+}
+
+// All that light and placement depend on, in no particular order: coordinates in units of 0.1 um, and names.
+std::vector<std::string> contents(const Scene& scene) {
+  std::vector<std::string> result;
+  const auto point = [](const Vec3& p) {
+    return fmt::format("{} {} {}", std::lround(p.x * 1e7), std::lround(p.y * 1e7), std::lround(p.z * 1e7));
+  };
+  for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
+    std::array<std::string, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = point(scene.mesh.vertices[scene.mesh.triangles[t][k]]);
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    result.push_back(
+        fmt::format("{} {}", fmt::join(corners, ", "), scene.materials[scene.mesh.materials[t].value].name));
+  }
+  for (const Label& label : scene.labels)
+    result.push_back(fmt::format("{} {} {} {}", label.id, point(label.position), point(label.normal),
+                                 scene.label_types[label.type.value].name));
+  for (const Transceiver& unit : scene.transceivers)
+    result.push_back(fmt::format("{} {} {}", unit.id, point(unit.position), point(unit.axis)));
+  for (const NamedMaterial& named : scene.materials) {
+    const auto range = named.reflectance_range.value_or(std::array<double, 2>{});
+    result.push_back(
+        fmt::format("{} {} {}-{}", named.name, *given_reflectance(named.material), range[0], range[1]));
+  }
+  for (const LabelType& type : scene.label_types)
+    result.push_back(fmt::format("{} {} {}", type.name, type.threshold, type.safety_factor));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Grocery, EqualsTheListOfItsFixtures) {
+  const fs::path folder = examples / "grocery";
+  const std::string listed = read_file(fs::path(SHELFBEAM_SOURCE_DIR) / "test/data/grocery_listed.jsonc");
+  const auto expected = contents(make_scene(parse_store(listed, "listed", folder)));
+  EXPECT_EQ(contents(example("grocery")), expected);
+  Store moved = read_store(folder / "store.json");
+  std::get<Gondola>(moved.fixtures[2].value).at[0] += 1e-6;
+  EXPECT_NE(contents(make_scene(moved)), expected);
+  const std::string ours = read_file(folder / "store.json");
+  EXPECT_LT(2 * std::count(ours.begin(), ours.end(), '\n'), std::count(listed.begin(), listed.end(), '\n'));
+}
+
+// Every shape, source of labels and source of candidates.
+TEST(MarketHall, UsesEveryShape) {
+  const Scene scene = example("market-hall");
+  EXPECT_EQ(scene.warnings, std::vector<std::string>{});
+  std::set<std::string> kinds, sources;
+  for (const FixtureOutline& fixture : scene.fixtures) kinds.insert(fixture.type);
+  EXPECT_EQ(kinds,
+            (std::set<std::string>{"box", "cylinder", "freezer", "gondola", "panel", "prism", "wall"}));
+  for (const Transceiver& unit : scene.transceivers) sources.insert(unit.id.substr(0, unit.id.find('-')));
+  EXPECT_EQ(sources, (std::set<std::string>{"A1", "A2", "A3", "bakery wall", "column 2", "rail", "wall"}));
+  EXPECT_EQ(scene.room->zones.size(), 2u);
+  EXPECT_EQ(scene.room->holes.size(), 1u);
+  EXPECT_TRUE(std::any_of(scene.labels.begin(), scene.labels.end(),
+                          [](const Label& label) { return label.id == "4001686301265/2"; }));
 }
 
 // Glass doors and a lid, meshes in two formats, profiles in two, several orientations at a mounting point, a

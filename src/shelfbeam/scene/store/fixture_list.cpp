@@ -72,6 +72,24 @@ std::optional<Footing> footing_of(const Fixture& fixture) {
       fixture);
 }
 
+// The frame of a fixture: its origin in the store and its rotation.
+struct Frame {
+  Vec3 at;
+  double rotation_deg = 0;
+
+  Vec3 in_store(const Vec3& local) const {
+    const auto [x, y] = turned({local.x, local.y}, rotation_deg);
+    return {x, y, local.z};
+  }
+};
+
+std::optional<Frame> frame_of(const Fixture& fixture) {
+  if (const auto* mesh = std::get_if<MeshFixture>(&fixture)) return Frame{mesh->at, mesh->rotation_deg};
+  const auto* box = std::get_if<Box>(&fixture);
+  if (box != nullptr && box->size) return Frame{box->min, box->rotation_deg};
+  return {};
+}
+
 class FixtureList {
  public:
   FixtureList(const StoreNames& names, const StoreFolder& folder, const Presets& presets, Store& store)
@@ -81,18 +99,25 @@ class FixtureList {
     JsonCursor json = presets_.complete(given);
     std::optional<Repeat> repeat;
     if (const auto found = json.find("repeat")) repeat = read_repeat(*found);
+    const auto labels = json.find("labels");
+    const bool has_places = labels && labels->is_array();
     Json value = json.value();
     value.erase("repeat");
+    if (has_places) value.erase("labels");
     if (const auto against = json.find("against")) {
       place(json, *against, value);
       value.erase("against");
     }
-    if (repeat || json.find("against")) json = json.replaced(std::move(value), "");
+    if (repeat || has_places || json.find("against")) json = json.replaced(std::move(value), "");
     const Fixture fixture = read_fixture(json, {names_, folder_});
+    const std::size_t first = store_.fixtures.size();
     if (repeat)
       add_copies(json, fixture, *repeat);
     else
       store_.fixtures.push_back({fixture, json.where()});
+    if (has_places)
+      for (std::size_t k = first; k < store_.fixtures.size(); ++k)
+        add_labels(*labels, store_.fixtures[k].value);
   }
 
  private:
@@ -153,7 +178,7 @@ class FixtureList {
         std::visit(
             [&](auto& one) {
               one.id = with_number(pattern, number);
-              if (repeat.turns && (j + k) % 2 == 1) one.turn_about_middle();
+              if (repeat.turns && k % 2 == 1) one.turn_about_middle();
               one.move(shift(repeat.row, fixture, k) + shift(repeat.rows, fixture, j));
             },
             copy);
@@ -166,6 +191,21 @@ class FixtureList {
     for (std::size_t at = 0; (at = id.find("{n}", at)) != std::string::npos; at += digits.size())
       id.replace(at, 3, digits);
     return id;
+  }
+
+  // Labels at given places of a fixture, which move and turn with it.
+  void add_labels(const JsonCursor& labels, const Fixture& fixture) {
+    const auto frame = frame_of(fixture);
+    if (!frame)
+      labels.fail("lists labels of a fixture that is neither a mesh nor a box with 'at'",
+                  "list them in 'labels' of the store, with their positions in the store");
+    for (const JsonCursor& json : labels.elements()) {
+      Label label = read_label(json, names_);
+      label.id = fmt::format("{}-{}", id_of(fixture), label.id);
+      label.position = frame->at + frame->in_store(label.position);
+      label.normal = frame->in_store(label.normal);
+      store_.labels.push_back({std::move(label), json.where()});
+    }
   }
 
   // Sets "at" and "rotation_deg" of a fixture whose back stands against a wall or a side of another fixture.

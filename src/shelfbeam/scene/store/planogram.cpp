@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <variant>
@@ -44,58 +45,84 @@ class Planogram {
   void read(const std::filesystem::path& path) {
     const std::string text = read_file(path);
     CsvReader csv(text, path.string());
-    const std::string expected =
-        "the first line must be article,fixture,face,level,x or article,fixture,face,level,position";
-    if (!csv.next()) throw InputError(path.string(), "is empty", expected);
-    constexpr std::string_view columns[] = {"article", "fixture", "face", "level"};
-    const bool has_columns =
-        csv.fields().size() >= 5 && std::equal(std::begin(columns), std::end(columns), csv.fields().begin());
-    const bool by_x = has_columns && csv.fields()[4] == "x";
-    if (!by_x && !(has_columns && csv.fields()[4] == "position")) csv.fail("has an unknown header", expected);
-    const std::size_t width = csv.fields().size();
+    const Columns columns = read_header(csv, path.string());
     while (csv.next()) {
-      csv.expect_fields(5, width, ": article,fixture,face,level," + std::string(by_x ? "x" : "position"));
-      places_.push_back(read_place(csv, by_x));
+      csv.expect_fields(columns.required, columns.width);
+      places_.push_back(read_place(csv, columns));
     }
     add_labels();
   }
 
  private:
+  // The fields of a record.
+  struct Columns {
+    std::size_t article = 0, fixture = 0, face = 0, level = 0, place = 0;
+    bool by_x = false;  ///< whether `place` is x instead of a position
+    std::size_t required = 0, width = 0;
+  };
+
+  static Columns read_header(CsvReader& csv, const std::string& file) {
+    constexpr const char* expected =
+        "the first line must have the columns article, fixture, face, level, and x or position";
+    if (!csv.next()) throw InputError(file, "is empty", expected);
+    Columns columns;
+    const auto& fields = csv.fields();
+    columns.width = fields.size();
+    const auto find = [&](std::string_view name) {
+      return static_cast<std::size_t>(std::find(fields.begin(), fields.end(), name) - fields.begin());
+    };
+    const auto column = [&](std::string_view name) {
+      const std::size_t k = find(name);
+      if (k == fields.size()) csv.fail(fmt::format("has no column {}", in_quotes(name)), expected);
+      columns.required = std::max(columns.required, k + 1);
+      return k;
+    };
+    columns.article = column("article");
+    columns.fixture = column("fixture");
+    columns.face = column("face");
+    columns.level = column("level");
+    columns.by_x = find("x") < fields.size();
+    if (columns.by_x && find("position") < fields.size())
+      csv.fail("has both columns 'x' and 'position'", "remove one of the two");
+    columns.place = column(columns.by_x ? "x" : "position");
+    return columns;
+  }
+
   const Shelving& shelving(std::size_t fixture) const {
     const Fixture& one = store_.fixtures[fixture].value;
     if (const auto* gondola = std::get_if<Gondola>(&one)) return *gondola;
     return std::get<Freezer>(one);
   }
 
-  Place read_place(CsvReader& csv, bool by_x) const {
+  Place read_place(CsvReader& csv, const Columns& at) const {
     Place place;
-    place.article = csv.id(0);
+    place.article = csv.id(at.article);
     place.where = csv.where();
-    const auto found = index_.find(csv.text(1));
+    const auto found = index_.find(csv.text(at.fixture));
     if (found == index_.end())
-      csv.fail(1, fmt::format("names the unknown fixture {}", in_quotes(csv.text(1))),
+      csv.fail(at.fixture, fmt::format("names the unknown fixture {}", in_quotes(csv.text(at.fixture))),
                "correct the id, or add the fixture to the store");
     place.fixture = found->second;
     const Fixture& fixture = store_.fixtures[place.fixture].value;
     const auto* gondola = std::get_if<Gondola>(&fixture);
     if (gondola == nullptr && !std::holds_alternative<Freezer>(fixture))
-      csv.fail(1, "names a fixture without boards", "use a gondola or a freezer");
-    const auto face = from_text<Face>(csv.text(2));
+      csv.fail(at.fixture, "names a fixture without boards", "use a gondola or a freezer");
+    const auto face = from_text<Face>(csv.text(at.face));
     if (!face || (gondola != nullptr && !gondola->has_face(*face)))
-      csv.fail(2, fmt::format("is {}", in_quotes(csv.text(2))),
+      csv.fail(at.face, fmt::format("is {}", in_quotes(csv.text(at.face))),
                "name a face of the fixture: front, back, left or right");
     place.face = *face;
     const int levels = gondola != nullptr ? static_cast<int>(gondola->shelves.size()) : 1;
-    place.level = whole(csv, 3, levels);
-    if (by_x) {
-      place.x = read_coordinate(csv.number(4), store_.unit, csv.where());
+    place.level = whole(csv, at.level, levels);
+    if (at.by_x) {
+      place.x = read_coordinate(csv.number(at.place), store_.unit, csv.where());
       const double edge = edge_length(shelving(place.fixture), place.face);
       if (!(place.x >= 0 && place.x <= edge))
-        csv.fail(4, fmt::format("is {:.6g} m", place.x),
+        csv.fail(at.place, fmt::format("is {:.6g} m", place.x),
                  fmt::format("the edge extends from 0 to {:.6g} m", edge));
     } else {
       constexpr int max_positions = 1000;
-      place.position = whole(csv, 4, max_positions);
+      place.position = whole(csv, at.place, max_positions);
     }
     return place;
   }

@@ -123,15 +123,17 @@ void each_record(const std::filesystem::path& path, const Columns& known, Length
 
 }  // namespace
 
+Label read_label(const JsonCursor& json, const StoreNames& names) {
+  json.expect_keys({"id", "position", "normal", "type"});
+  return {read_name(json["id"]), read_point(json["position"]), read_direction(json["normal"]),
+          names.label_type(json["type"])};
+}
+
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                  Store& store) {
   if (section.is_object()) return read_labels_csv(csv_path(section, folder), names, store);
-  for (const JsonCursor& cursor : section.elements()) {
-    cursor.expect_keys({"id", "position", "normal", "type"});
-    Label label{read_name(cursor["id"]), read_point(cursor["position"]), read_direction(cursor["normal"]),
-                names.label_type(cursor["type"])};
-    store.labels.push_back({std::move(label), cursor.where()});
-  }
+  for (const JsonCursor& cursor : section.elements())
+    store.labels.push_back({read_label(cursor, names), cursor.where()});
 }
 
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,

@@ -19,10 +19,11 @@ void read_label_types(const JsonCursor& section, Store& store);
 /// Completes presets, expands repeats, and places fixtures against walls and others. Requires the room.
 void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                    const Presets& presets, Store& store);
-/// Adds a label per row of a CSV with the header `article,fixture,face,level` and `x` or `position`. Requires
-/// the fixtures.
+/// Adds a label per row of a CSV with the columns `article`, `fixture`, `face`, `level`, and `x` or
+/// `position`, in any order and among others. Requires the fixtures.
 void read_planogram(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                     Store& store);
+Label read_label(const JsonCursor& json, const StoreNames& names);
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store);
 /// The areas, rails and faces of the section "transceivers". Requires the room and the fixtures.
 void read_mounts(const JsonCursor& section, const StoreNames& names, Store& store);

@@ -74,6 +74,26 @@ TEST(FixtureList, RepeatsAlongTheFixtureAndMirrorsEverySecond) {
   EXPECT_NEAR(length(front("A1-front-1-1") + front("A2-front-1-1")), 0, 1e-12);
 }
 
+TEST(FixtureList, ListedLabelsMoveAndTurnWithTheirFixture) {
+  const Scene scene = make_scene(read(store_with(R"([{"type": "box", "id": "T{n}", "at": [5, 5, 0.1],
+    "size": [1.2, 0.8, 0.7], "rotation_deg": 30, "material": "steel",
+    "repeat": {"count": 2, "step": [3, 1], "mirror": true},
+    "labels": [{"id": "card", "position": [0.2, -0.01, 0.6], "normal": [0, -1, 0], "type": "small"}]}])")));
+  const auto label = [&](const std::string& id) {
+    return *std::find_if(scene.labels.begin(), scene.labels.end(),
+                         [&](const Label& one) { return one.id == id; });
+  };
+  const double c = std::cos(radians(30)), s = std::sin(radians(30));
+  const Vec3 first{5 + 0.2 * c + 0.01 * s, 5 + 0.2 * s - 0.01 * c, 0.7}, outward{s, -c, 0};
+  EXPECT_NEAR(length(label("T1-card").position - first), 0, 1e-12);
+  EXPECT_NEAR(length(label("T1-card").normal - outward), 0, 1e-12);
+  // Half a turn about the middle of the box, then the step.
+  const Vec3 middle{5 + 0.6 * c - 0.4 * s, 5 + 0.6 * s + 0.4 * c, 0.7};
+  const Vec3 second = middle * 2 - first + Vec3{3, 1, 0};
+  EXPECT_NEAR(length(label("T2-card").position - second), 0, 1e-12);
+  EXPECT_NEAR(length(label("T2-card").normal + outward), 0, 1e-12);
+}
+
 TEST(FixtureList, PresetsAreCompletedFromCataloguesAndOtherPresets) {
   TempFolder folder;
   folder.write("chain.json", R"({ "materials": { "red": { "type": "lambertian", "reflectance": 0.3 } },
@@ -230,7 +250,7 @@ TEST(Planogram, RefusesFaultsWithTheirLine) {
                              std::string_view(message));
   }
   folder.write("p.csv", "article,fixture,level,x\n");
-  test::expect_input_error([&] { read(store, folder.path()); }, std::string_view("has an unknown header"));
+  test::expect_input_error([&] { read(store, folder.path()); }, std::string_view("has no column 'face'"));
 }
 
 // Closed surfaces that face outwards: the volume by the theorem of Gauss.
