@@ -26,6 +26,9 @@ extern const std::string_view chiller_till;
 extern const std::string_view chiller_mirror;
 extern const std::string_view chiller_ring;
 extern const std::string_view chiller_spot;
+extern const std::string_view market_hall_store;
+extern const std::string_view market_hall_chain;
+extern const std::string_view market_hall_planogram;
 extern const std::string_view supermarket_store;
 extern const std::string_view hypermarket_store;
 }  // namespace embedded
@@ -63,6 +66,11 @@ const std::vector<Template>& store_templates() {
         {"security-mirror.obj", embedded::chiller_mirror},
         {"batwing.ies", embedded::chiller_ring},
         {"narrow-aisle.ldt", embedded::chiller_spot}}},
+      {"market-hall",
+       "an L-shaped hall: zones, inner walls, presets, a planogram",
+       {{"store.json", embedded::market_hall_store},
+        {"chain.json", embedded::market_hall_chain},
+        {"planogram.csv", embedded::market_hall_planogram}}},
       {"supermarket",
        "50 x 40 m: 5,000 labels, 600 candidates",
        {{"store.json", embedded::supermarket_store}}},

@@ -63,7 +63,7 @@ TEST(Mistakes, PlausibleChangesAreAccepted) {
 }
 
 TEST(Mistakes, ExamplesHaveNone) {
-  for (const char* name : {"thesis", "grocery", "chiller", "supermarket", "hypermarket"}) {
+  for (const char* name : {"thesis", "grocery", "chiller", "market-hall", "supermarket", "hypermarket"}) {
     const Scene scene = make_inspected_scene(
         read_store(fmt::format("{}/examples/{}/store.json", SHELFBEAM_SOURCE_DIR, name)));
     for (const std::string& warning : scene.warnings) ADD_FAILURE() << warning;
