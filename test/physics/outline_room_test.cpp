@@ -20,6 +20,7 @@
 #include "shelfbeam/transport/world/ray_scene.hpp"
 
 #include "physics/comparison.hpp"
+#include "support/l_shaped_room.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -31,18 +32,8 @@ Scene l_shaped_room() {
     "materials": { "white": { "type": "lambertian", "reflectance": 0.9 } },
     "label_types": { "point": { "threshold": 1 } },
     "transceiver_types": { "unit": { "emission": { "type": "sin2theta", "peak": 1 } } },
-    "room": {
-      "outline": [[0, 0], [12, 0], [12, 5], [20, 6], [20, 14], [0, 14]], "holes": [[[8, 8], [9, 8], [9, 9], [8, 9]]],
-      "height": 3.2, "floor": "white", "ceiling": "white", "walls": "white",
-      "zones": [
-        { "id": "low", "polygon": [[0, 9], [6, 9], [6, 14], [0, 14]], "height": 2.6 },
-        { "id": "sloped", "polygon": [[12, 5], [20, 6], [20, 10], [12, 10]],
-          "height": [[12, 5, 2.8], [20, 6, 2.8], [12, 10, 3.9]] } ],
-      "inner_walls": [
-        { "id": "W1", "from": [4, 0], "to": [4, 6], "thickness": 0.12,
-          "openings": [ { "at": 1, "width": 0.9, "top": 2.1 }, { "at": 3, "width": 1, "bottom": 1, "top": 2 } ] },
-        { "id": "W2", "from": [4, 6], "to": [1, 6], "thickness": 0.2, "height": 2.2 },
-        { "id": "W3", "from": [13, 12], "to": [20, 5.9], "thickness": 0.1, "height": 3 } ] },
+    "room": )" + test::l_shaped_room("white", "") +
+                                    R"(,
     "labels": [ { "id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "point" } ],
     "transceivers": { "list": [ { "id": "T", "position": [10, 4, 3], "type": "unit" } ] }
   })",

@@ -12,6 +12,7 @@
 #include "shelfbeam/scene/scene.hpp"
 
 #include "support/expect_input_error.hpp"
+#include "support/l_shaped_room.hpp"
 #include "unit/scene/sample_store.hpp"
 
 namespace shelfbeam {
@@ -29,18 +30,7 @@ Json store_with(const std::string& room) {
   return store;
 }
 
-constexpr const char* l_shape = R"({
-  "outline": [[0, 0], [12, 0], [12, 5], [20, 6], [20, 14], [0, 14]], "holes": [[[8, 8], [9, 8], [9, 9], [8, 9]]],
-  "height": 3.2, "floor": "tile", "ceiling": "white", "walls": "white",
-  "zones": [
-    {"id": "low", "polygon": [[0, 9], [6, 9], [6, 14], [0, 14]], "height": 2.6},
-    {"id": "sloped", "polygon": [[12, 5], [20, 6], [20, 10], [12, 10]],
-     "height": [[12, 5, 2.8], [20, 6, 2.8], [12, 10, 3.9]]}],
-  "inner_walls": [
-    {"id": "W1", "from": [4, 0], "to": [4, 6], "thickness": 0.12,
-     "openings": [{"at": 1, "width": 0.9, "top": 2.1}, {"at": 3, "width": 1, "bottom": 1, "top": 2, "pane": "door"}]},
-    {"id": "W2", "from": [4, 6], "to": [1, 6], "thickness": 0.2, "height": 2.2},
-    {"id": "W3", "from": [13, 12], "to": [20, 5.9], "thickness": 0.1, "height": 3}]})";
+const std::string l_shape = test::l_shaped_room("tile", "door");
 
 std::array<std::uint32_t, 2> sorted(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
