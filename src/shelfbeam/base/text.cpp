@@ -232,6 +232,15 @@ std::optional<double> to_number(std::string_view text) {
   return value;
 }
 
+std::optional<std::size_t> to_whole_number(std::string_view text, std::size_t most) {
+  std::size_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stopped != end || value > most) return std::nullopt;
+  if (text.front() == '0' && text.size() > 1) return std::nullopt;
+  return value;
+}
+
 std::string_view amount_problem(double value) {
   if (std::isnan(value)) return "is NaN";
   if (std::isinf(value)) return "is infinite";

@@ -61,6 +61,10 @@ std::string in_quotes(std::string_view value);
 /// outside the range of a double. Independent of the locale.
 std::optional<double> to_number(std::string_view text);
 
+/// The whole of `text` as a whole number without sign and leading zeros; nothing for other texts and above
+/// `most`.
+std::optional<std::size_t> to_whole_number(std::string_view text, std::size_t most);
+
 /// The largest signal, cost or requirement of a table. Its square, and sums of millions of squares, are far
 /// from the limits of single precision.
 inline constexpr double max_amount = 1e18;

@@ -87,6 +87,13 @@ TEST(Text, GlobIsFastOnManyStars) {
   EXPECT_TRUE(matches_glob(text, pattern));
 }
 
+TEST(Text, WholeNumbersHaveOneSpelling) {
+  EXPECT_EQ(to_whole_number("0", 9), 0u);
+  EXPECT_EQ(to_whole_number("17", 17), 17u);
+  for (const char* text : {"", "18", "-1", "+1", "07", "00", "1.0", " 1", "1 ", "99999999999999999999999"})
+    EXPECT_EQ(to_whole_number(text, 17), std::nullopt) << text;
+}
+
 TEST(Text, PrintableEscapesWhatTerminalsInterpret) {
   EXPECT_EQ(printable("Kühlregal „A“, 3 €, \xF0\x9F\x98\x80"), "Kühlregal „A“, 3 €, \xF0\x9F\x98\x80");
   EXPECT_EQ(printable("a\nb\t\x1B[31m\x7F"), "a\\nb\\x09\\x1b[31m\\x7f");

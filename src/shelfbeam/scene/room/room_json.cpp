@@ -175,13 +175,10 @@ void read_outline(const JsonCursor& json, const StoreNames& names, Room& room) {
   room.usual_wall = room.walls.front();
   if (const auto others = json.find("wall_materials"))
     for (const auto& [number, name] : others->members()) {
-      const bool is_number =
-          !number.empty() && number.size() < 5 &&
-          std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
-      const std::size_t wall = is_number ? std::stoul(number) : walls;
-      if (wall >= walls)
+      const auto wall = to_whole_number(number, walls - 1);
+      if (!wall)
         name.fail("is not the number of a wall", fmt::format("the outline has the walls 0 to {}", walls - 1));
-      room.walls[wall] = names.material(name);
+      room.walls[*wall] = names.material(name);
     }
   if (const auto holes = json.find("holes")) read_holes(*holes, room.shape);
   room.shape.height = read_height(json["height"]);
