@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <new>
@@ -125,6 +124,14 @@ class Mapper {
   std::map<Vec2, std::uint32_t> index_;
 };
 
+double distance_to_edge(std::span<const Vec2> polygon, std::size_t k, const Vec2& point) {
+  const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+  const double x = b[0] - a[0], y = b[1] - a[1], squared = x * x + y * y;
+  const double along = squared > 0 ? ((point[0] - a[0]) * x + (point[1] - a[1]) * y) / squared : 0;
+  const double share = std::clamp(along, 0.0, 1.0);
+  return std::hypot(point[0] - a[0] - share * x, point[1] - a[1] - share * y);
+}
+
 }  // namespace
 
 std::optional<PolygonFault> fault_of(const Polygon& polygon) {
@@ -162,15 +169,31 @@ bool contains(std::span<const Vec2> polygon, const Vec2& point) {
 }
 
 double distance_to_border(std::span<const Vec2> polygon, const Vec2& point) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    const double x = b[0] - a[0], y = b[1] - a[1], squared = x * x + y * y;
-    const double along = squared > 0 ? ((point[0] - a[0]) * x + (point[1] - a[1]) * y) / squared : 0;
-    const double share = std::clamp(along, 0.0, 1.0);
-    nearest = std::min(nearest, std::hypot(point[0] - a[0] - share * x, point[1] - a[1] - share * y));
-  }
+  double nearest = HUGE_VAL;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    nearest = std::min(nearest, distance_to_edge(polygon, k, point));
   return nearest;
+}
+
+std::size_t nearest_edge(std::span<const Vec2> polygon, const Vec2& point) {
+  std::size_t nearest = 0;
+  double least = HUGE_VAL;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    if (const double distance = distance_to_edge(polygon, k, point); distance < least) {
+      least = distance;
+      nearest = k;
+    }
+  return nearest;
+}
+
+PlanBounds bounds_of(std::span<const Vec2> polygon) {
+  PlanBounds bounds;
+  for (const Vec2& corner : polygon)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      bounds.low[axis] = std::min(bounds.low[axis], corner[axis]);
+      bounds.high[axis] = std::max(bounds.high[axis], corner[axis]);
+    }
+  return bounds;
 }
 
 double shared_area(const Polygon& a, const Polygon& b) {

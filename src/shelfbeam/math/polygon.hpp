@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -30,6 +32,17 @@ bool contains(std::span<const Vec2> polygon, const Vec2& point);
 
 /// The distance from a point to the nearest edge.
 double distance_to_border(std::span<const Vec2> polygon, const Vec2& point);
+
+/// The edge nearest to a point: edge k runs from corner k to corner k + 1.
+std::size_t nearest_edge(std::span<const Vec2> polygon, const Vec2& point);
+
+/// A rectangle with sides along x and y.
+struct PlanBounds {
+  Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+
+  double area() const { return (high[0] - low[0]) * (high[1] - low[1]); }
+};
+PlanBounds bounds_of(std::span<const Vec2> polygon);
 
 /// The area that two polygons share, m^2. Precondition: neither has a fault.
 double shared_area(const Polygon& a, const Polygon& b);

@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {

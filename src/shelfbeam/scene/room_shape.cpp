@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/polygon.hpp"
 
 namespace shelfbeam {
 
@@ -21,20 +22,6 @@ std::string beyond_box(const Vec3& size, const Vec3& p, double slack) {
       return fmt::format("{} ({:.6g} m > {:.6g} m)", sides[side + 1], p[axis], size[axis]);
   }
   return {};
-}
-
-// The edge nearest to a point.
-std::size_t nearest_edge(const Polygon& polygon, const Vec2& p) {
-  std::size_t nearest = 0;
-  double least = HUGE_VAL;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const std::array<Vec2, 2> edge{polygon[k], polygon[(k + 1) % polygon.size()]};
-    if (const double distance = distance_to_border(edge, p); distance < least) {
-      least = distance;
-      nearest = k;
-    }
-  }
-  return nearest;
 }
 
 }  // namespace
@@ -67,18 +54,17 @@ RoomShape RoomShape::box(const Vec3& size) {
 }
 
 Vec3 RoomShape::lower() const {
-  Vec3 low{HUGE_VAL, HUGE_VAL, 0};
-  for (const auto& [x, y] : outline) low = {std::min(low.x, x), std::min(low.y, y), 0};
-  return low;
+  const Vec2 low = bounds_of(outline).low;
+  return {low[0], low[1], 0};
 }
 
 Vec3 RoomShape::upper() const {
-  Vec3 high{-HUGE_VAL, -HUGE_VAL, 0};
-  for (const Vec2& p : outline)
-    high = {std::max(high.x, p[0]), std::max(high.y, p[1]), std::max(high.z, height.at(p))};
+  const Vec2 high = bounds_of(outline).high;
+  double top = 0;
+  for (const Vec2& p : outline) top = std::max(top, height.at(p));
   for (const CeilingZone& zone : zones)
-    for (const Vec2& p : zone.polygon) high.z = std::max(high.z, zone.height.at(p));
-  return high;
+    for (const Vec2& p : zone.polygon) top = std::max(top, zone.height.at(p));
+  return {high[0], high[1], top};
 }
 
 bool RoomShape::covers(const Vec2& p) const {

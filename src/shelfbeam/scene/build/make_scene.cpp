@@ -12,6 +12,7 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/build/mount_points.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {
@@ -69,12 +70,7 @@ class Generator {
   void add_area(std::size_t index) const {
     const auto& [mount, where] = store_.areas[index];
     const Polygon& polygon = polygon_of(mount);
-    Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-    for (const Vec2& corner : polygon)
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        low[axis] = std::min(low[axis], corner[axis]);
-        high[axis] = std::max(high[axis], corner[axis]);
-      }
+    const auto [low, high] = bounds_of(polygon);
     const std::size_t nx = steps(high[0] - low[0], mount.spacing),
                       ny = steps(high[1] - low[1], mount.spacing);
     const auto middle = [](double from, double to, std::size_t k, std::size_t n) {

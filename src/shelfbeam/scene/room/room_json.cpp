@@ -7,6 +7,7 @@
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/room/room.hpp"
 #include "shelfbeam/scene/store_names.hpp"

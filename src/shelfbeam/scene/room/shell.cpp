@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/room/room.hpp"
 
 namespace shelfbeam {
@@ -246,18 +247,10 @@ class Shell {
   }
 
   MaterialId outer_material(const Vec2& at) const {
-    std::size_t nearest = 0;
-    double least = HUGE_VAL;
-    for (std::size_t k = 0; k < shape_.outline.size(); ++k) {
-      const std::array<Vec2, 2> edge{shape_.outline[k], shape_.outline[(k + 1) % shape_.outline.size()]};
-      if (const double distance = distance_to_border(edge, at); distance < least) {
-        least = distance;
-        nearest = k;
-      }
-    }
+    const double least = distance_to_border(shape_.outline, at);
     for (const Polygon& hole : shape_.holes)
       if (distance_to_border(hole, at) < least) return room_.usual_wall;
-    return room_.walls[nearest];
+    return room_.walls[nearest_edge(shape_.outline, at)];
   }
 
   // A strip between two vertical lines, with a vertex at each level on them.

@@ -10,6 +10,7 @@
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
 #include "shelfbeam/scene/read_values.hpp"

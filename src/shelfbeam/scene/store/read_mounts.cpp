@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/json.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
@@ -122,12 +123,9 @@ KeepOut read_keep_out(const JsonCursor& json) {
   KeepOut area;
   if (is_polygon) {
     area.polygon = read_polygon(json["polygon"]);
-    area.min = area.max = area.polygon.front();
-    for (const Vec2& corner : area.polygon)
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        area.min[axis] = std::min(area.min[axis], corner[axis]);
-        area.max[axis] = std::max(area.max[axis], corner[axis]);
-      }
+    const auto [low, high] = bounds_of(area.polygon);
+    area.min = low;
+    area.max = high;
   } else {
     area.min = read_plan_point(json["min"]);
     area.max = read_plan_point(json["max"]);
