@@ -9,11 +9,9 @@
 #include <string>
 #include <vector>
 
-namespace shelfbeam {
+#include "shelfbeam/math/vec3.hpp"
 
-using Vec2 = std::array<double, 2>;  ///< in plan, m
-/// Corners in order; the last edge returns to the first corner.
-using Polygon = std::vector<Vec2>;
+namespace shelfbeam {
 
 struct PolygonFault {
   std::string problem;  ///< "crosses or touches itself"

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace shelfbeam {
 
@@ -12,6 +13,10 @@ struct Vec3 {
   constexpr double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
   friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 };
+
+using Vec2 = std::array<double, 2>;  ///< in plan, m
+/// Corners in order; the last edge returns to the first corner.
+using Polygon = std::vector<Vec2>;
 
 constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};

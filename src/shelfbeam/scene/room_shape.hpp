@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/vec3.hpp"
 
 namespace shelfbeam {

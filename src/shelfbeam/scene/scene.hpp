@@ -9,7 +9,6 @@
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/material/material.hpp"
-#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/room_shape.hpp"
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "shelfbeam/base/ids.hpp"
-#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/vec3.hpp"
 
 namespace shelfbeam {

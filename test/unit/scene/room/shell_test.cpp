@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
 #include "support/expect_input_error.hpp"
