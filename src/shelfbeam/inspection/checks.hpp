@@ -44,7 +44,7 @@ struct Inspected {
 
 /// Requirements, responses, sizes and prices of label and transceiver types; types without devices.
 void warn_of_types(const Inspected& store, WarningList& warnings);
-/// The room's height, the wavelength, materials, keep-out areas and grids.
+/// The room's height, the wavelength, materials, keep-out areas and the spacing of candidates.
 void warn_of_room(const Inspected& store, WarningList& warnings);
 /// Overlaps, floating boxes, odd scales and rotations.
 void warn_of_fixtures(const Inspected& store, WarningList& warnings);

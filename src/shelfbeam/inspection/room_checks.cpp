@@ -65,25 +65,32 @@ void warn_of_keep_out(const Inspected& store, WarningList& warnings) {
   }
 }
 
-void warn_of_grids(const Inspected& store, WarningList& warnings) {
+// `kind` names the parts of the store with this spacing: "grids".
+void warn_of_spacing(double spacing, const std::string& where, const std::string& kind,
+                     WarningList& warnings) {
   constexpr double narrowest = 0.25, widest = 8;
-  for (std::size_t g = 0; g < store.store.grids.size(); ++g) {
-    const double spacing = store.store.grids[g].spacing;
-    if (spacing < narrowest)
-      warnings.add(
-          "narrow grids",
-          fmt::format(
-              "{}: transceivers.grids[{}].spacing: is {:.3g} m, which makes very many candidates; 0.5 to 3 "
-              "m are usual; use a wider spacing",
-              store.store.file, g, spacing));
-    if (spacing > widest)
-      warnings.add(
-          "wide grids",
-          fmt::format(
-              "{}: transceivers.grids[{}].spacing: is {:.3g} m, which leaves few candidates to choose "
-              "from; 0.5 to 3 m are usual; use a narrower spacing",
-              store.store.file, g, spacing));
-  }
+  if (spacing < narrowest)
+    warnings.add("narrow " + kind,
+                 fmt::format("{}.spacing: is {:.3g} m, which makes very many candidates; 0.5 to 3 m are "
+                             "usual; use a wider spacing",
+                             where, spacing));
+  if (spacing > widest)
+    warnings.add("wide " + kind,
+                 fmt::format("{}.spacing: is {:.3g} m, which leaves few candidates to choose from; 0.5 to 3 "
+                             "m are usual; use a narrower spacing",
+                             where, spacing));
+}
+
+// The faces of `on` are exempt, because columns are small.
+void warn_of_spacings(const Inspected& store, WarningList& warnings) {
+  const Store& file = store.store;
+  for (std::size_t g = 0; g < file.grids.size(); ++g)
+    warn_of_spacing(file.grids[g].spacing, fmt::format("{}: transceivers.grids[{}]", file.file, g), "grids",
+                    warnings);
+  for (const auto& [area, where] : file.areas)
+    warn_of_spacing(area.spacing, where, "grids of areas", warnings);
+  for (const auto& [rail, where] : file.rails)
+    warn_of_spacing(rail.spacing, where, "spacings of rails", warnings);
 }
 
 // The share of devices, up to 200 of them, from which a vertical ray meets no surface.
@@ -139,7 +146,7 @@ void warn_of_room(const Inspected& store, WarningList& warnings) {
   if (!scene.room) warn_of_open_building(store, warnings);
   warn_of_materials(store, warnings);
   warn_of_keep_out(store, warnings);
-  warn_of_grids(store, warnings);
+  warn_of_spacings(store, warnings);
 }
 
 }  // namespace shelfbeam

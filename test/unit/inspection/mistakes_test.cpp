@@ -57,6 +57,26 @@ TEST(Mistakes, OfWholeListsAreNamed) {
     }
 }
 
+TEST(Mistakes, SpacingsOfAllGeneratedCandidatesAreChecked) {
+  const auto areas = [](double spacing) {
+    return test::Json{{"areas", {{{"type", "spot"}, {"area", "room"}, {"spacing", spacing}, {"z", 2.9}}}}};
+  };
+  const auto rails = [](double spacing) {
+    return test::Json{
+        {"rails",
+         {{{"type", "spot"}, {"id", "R"}, {"points", {{1, 3, 2.9}, {4, 3, 2.9}}}, {"spacing", spacing}}}}};
+  };
+  const auto of = [](const test::Json& transceivers) {
+    return objections({"", [&](test::Json& store) { store["transceivers"] = transceivers; }});
+  };
+  using testing::Contains, testing::HasSubstr;
+  EXPECT_THAT(of(areas(0.2)), Contains(HasSubstr("transceivers.areas[0].spacing: is 0.2 m, which makes")));
+  EXPECT_THAT(of(areas(9)), Contains(HasSubstr("transceivers.areas[0].spacing: is 9 m, which leaves few")));
+  EXPECT_THAT(of(rails(0.2)), Contains(HasSubstr("transceivers.rails[0].spacing: is 0.2 m")));
+  EXPECT_THAT(of(rails(9)), Contains(HasSubstr("transceivers.rails[0].spacing: is 9 m")));
+  EXPECT_THAT(of(areas(1)), testing::Not(Contains(HasSubstr("spacing"))));
+}
+
 TEST(Mistakes, PlausibleChangesAreAccepted) {
   for (const Mistake& change : test::plausible_changes())
     for (const std::string& objection : objections(change)) ADD_FAILURE() << change.name << ": " << objection;
