@@ -135,18 +135,29 @@ double distance_to_edge(std::span<const Vec2> polygon, std::size_t k, const Vec2
 }  // namespace
 
 std::optional<PolygonFault> fault_of(const Polygon& polygon) {
+  constexpr double shortest = 1e-4, least = 1e-6;  // m, m^2
   if (polygon.size() < 3)
-    return PolygonFault{"has fewer than three corners", polygon.empty() ? Vec2{} : polygon.front()};
-  for (std::size_t k = 0; k < polygon.size(); ++k)
-    if (polygon[k] == polygon[(k + 1) % polygon.size()])
-      return PolygonFault{"has two equal corners in succession", polygon[k]};
+    return PolygonFault{"has fewer than three corners", polygon.empty() ? Vec2{} : polygon.front(),
+                        "give all its corners in order"};
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    if (a == b)
+      return PolygonFault{"has two equal corners in succession", a,
+                          "remove one of them; the last corner need not repeat the first"};
+    if (std::hypot(b[0] - a[0], b[1] - a[1]) < shortest)
+      return PolygonFault{"has two corners in succession less than 0.1 mm apart", a, "remove one of them"};
+  }
   const Geos geos;
   const auto area = geos.area(polygon);
   GEOSGeometry* place = nullptr;
   const char valid = GEOSisValidDetail_r(geos.handle(), area.get(), 0, nullptr, &place);
-  if (valid == 1) return {};
+  if (valid == 1) {
+    if (std::abs(signed_area(polygon)) >= least) return {};
+    return PolygonFault{"has an area below 1 mm^2", polygon.front(), "correct its corners"};
+  }
   const auto at = geos.own(place);
-  return PolygonFault{"crosses or touches itself", geos.position(at.get())};
+  return PolygonFault{"crosses or touches itself", geos.position(at.get()),
+                      "give the corners in order, with edges that do not cross"};
 }
 
 double signed_area(std::span<const Vec2> polygon) {
@@ -197,6 +208,7 @@ PlanBounds bounds_of(std::span<const Vec2> polygon) {
 }
 
 double shared_area(const Polygon& a, const Polygon& b) {
+  if (!bounds_of(a).meets(bounds_of(b))) return 0;
   const Geos geos;
   const auto first = geos.area(a), second = geos.area(b);
   const auto both = geos.own(GEOSIntersection_r(geos.handle(), first.get(), second.get()));

@@ -16,10 +16,11 @@ namespace shelfbeam {
 struct PolygonFault {
   std::string problem;  ///< "crosses or touches itself"
   Vec2 at;
+  std::string remedy;
 };
 
-/// Nothing if the polygon has at least three corners and an area, no two neighbouring corners are equal, and
-/// no edges cross or touch.
+/// Nothing if the polygon has at least three corners and an area, its edges are at least 0.1 mm long, and no
+/// two of them cross or touch.
 std::optional<PolygonFault> fault_of(const Polygon& polygon);
 
 /// Positive if the corners are counter-clockwise.
@@ -39,6 +40,10 @@ struct PlanBounds {
   Vec2 low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
 
   double area() const { return (high[0] - low[0]) * (high[1] - low[1]); }
+  bool meets(const PlanBounds& other) const {
+    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
+           other.low[1] <= high[1];
+  }
 };
 PlanBounds bounds_of(std::span<const Vec2> polygon);
 

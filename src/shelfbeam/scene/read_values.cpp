@@ -42,7 +42,7 @@ Polygon read_polygon(const JsonCursor& cursor) {
   for (const JsonCursor& corner : cursor.elements()) polygon.push_back(read_plan_point(corner));
   if (const auto fault = fault_of(polygon))
     cursor.fail(fmt::format("{} at ({:.6g}, {:.6g}) m", fault->problem, fault->at[0], fault->at[1]),
-                "give the corners in order, with edges that do not cross");
+                fault->remedy);
   return polygon;
 }
 

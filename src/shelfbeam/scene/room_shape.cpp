@@ -82,8 +82,9 @@ std::string RoomShape::beyond(const Vec3& p, double slack) const {
   if (is_box && zones.empty()) return beyond_box(upper(), p, slack);
   const Vec2 plan{p.x, p.y};
   if (p.z < -slack) return fmt::format("below the floor ({:.6g} m < 0 m)", p.z);
-  if (const double far = distance_to_border(outline, plan); !contains(outline, plan) && far > slack)
-    return fmt::format("{:.3g} m behind wall {}", far, nearest_edge(outline, plan));
+  if (!contains(outline, plan))
+    if (const double far = distance_to_border(outline, plan); far > slack)
+      return fmt::format("{:.3g} m behind wall {}", far, nearest_edge(outline, plan));
   for (std::size_t k = 0; k < holes.size(); ++k)
     if (contains(holes[k], plan) && distance_to_border(holes[k], plan) > slack)
       return fmt::format("in hole {}", k);

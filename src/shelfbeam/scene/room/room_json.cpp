@@ -9,6 +9,7 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/room/plan_lines.hpp"
 #include "shelfbeam/scene/room/room.hpp"
 #include "shelfbeam/scene/store_names.hpp"
 
@@ -19,7 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double negligible = 1e-6;  // m^2
-constexpr std::size_t max_parts = 1000;
 
 CeilingHeight read_height(const JsonCursor& json) {
   if (!json.is_array()) return {read_length(json), {}};
@@ -36,11 +36,11 @@ CeilingHeight read_height(const JsonCursor& json) {
 
 // A ceiling must be above the floor everywhere.
 void expect_headroom(const JsonCursor& json, const CeilingHeight& height, const Polygon& polygon) {
-  constexpr double least = 0.1;
+  constexpr double least = 0.1, most = 1000;
   for (const Vec2& corner : polygon)
-    if (const double z = height.at(corner); !(z >= least))
+    if (const double z = height.at(corner); !(z >= least && z <= most))
       json.fail(fmt::format("is {:.6g} m at ({:.6g}, {:.6g})", z, corner[0], corner[1]),
-                fmt::format("a ceiling is at least {} m above the floor", least));
+                fmt::format("a ceiling is {} to {} m above the floor", least, most));
 }
 
 double area_of(const Polygon& polygon) {
@@ -48,10 +48,41 @@ double area_of(const Polygon& polygon) {
 }
 
 bool lies_within(const Polygon& inner, const Polygon& outer) {
-  return shared_area(inner, outer) >= area_of(inner) - negligible;
+  const double area = area_of(inner);
+  return shared_area(inner, outer) >= area - std::min(negligible, area / 100);
+}
+
+void expect_few_parts(const JsonCursor& list) {
+  constexpr std::size_t max_parts = 1000;
+  if (list.size() > max_parts)
+    list.fail(fmt::format("has {} members", list.size()), fmt::format("at most {} are allowed", max_parts));
+}
+
+// Reading compares polygons pair by pair.
+void expect_few_corners(const JsonCursor& polygon, const RoomShape& shape) {
+  std::size_t corners = shape.outline.size();
+  for (const Polygon& hole : shape.holes) corners += hole.size();
+  for (const CeilingZone& zone : shape.zones) corners += zone.polygon.size();
+  if (corners > PlanLines::max_count)
+    polygon.fail(
+        fmt::format("is one of too many: outline, holes and zones together have {} corners", corners),
+        fmt::format("at most {} are allowed", PlanLines::max_count));
+}
+
+// Building the room divides the plan where lines cross.
+void expect_few_lines(const JsonCursor& json, const RoomShape& shape) {
+  const PlanLines lines = PlanLines::of(shape);
+  constexpr auto remedy = "use fewer zones, inner walls and openings, or fewer heights with a sloped ceiling";
+  if (lines.count() > PlanLines::max_count)
+    json.fail(fmt::format("has more than {} edges in its plan", grouped(PlanLines::max_count)), remedy);
+  if (lines.crossings(PlanLines::max_crossings) > PlanLines::max_crossings)
+    json.fail(fmt::format("has edges that meet in more than {} points of its plan",
+                          grouped(PlanLines::max_crossings)),
+              remedy);
 }
 
 void read_holes(const JsonCursor& json, RoomShape& shape) {
+  expect_few_parts(json);
   for (const JsonCursor& cursor : json.elements()) {
     Polygon hole = read_polygon(cursor);
     if (!lies_within(hole, shape.outline)) cursor.fail("extends outside 'outline'", "move it inside");
@@ -59,6 +90,7 @@ void read_holes(const JsonCursor& json, RoomShape& shape) {
       if (shared_area(hole, shape.holes[k]) > negligible)
         cursor.fail(fmt::format("overlaps hole {}", k), "join the two, or move one");
     shape.holes.push_back(std::move(hole));
+    expect_few_corners(cursor, shape);
   }
 }
 
@@ -70,11 +102,13 @@ std::string read_new_id(const JsonCursor& json, std::set<std::string>& ids) {
 }
 
 void read_zones(const JsonCursor& json, const StoreNames& names, Room& room) {
+  expect_few_parts(json);
   std::set<std::string> ids;
   for (const JsonCursor& cursor : json.elements()) {
     cursor.expect_keys({"id", "polygon", "height", "ceiling", "fascia"});
     CeilingZone zone;
     zone.id = read_new_id(cursor["id"], ids);
+    if (zone.id == "room") cursor["id"].fail("is the name of the whole room", "use another name");
     zone.polygon = read_polygon(cursor["polygon"]);
     if (!lies_within(zone.polygon, room.shape.outline))
       cursor["polygon"].fail("extends outside the room", "keep it within the room's outline");
@@ -89,11 +123,19 @@ void read_zones(const JsonCursor& json, const StoreNames& names, Room& room) {
     if (ceiling) materials.ceiling = names.material(*ceiling);
     materials.fascia = fascia ? names.material(*fascia) : materials.ceiling;
     room.shape.zones.push_back(std::move(zone));
+    expect_few_corners(cursor["polygon"], room.shape);
     room.zones.push_back(materials);
   }
 }
 
-WallOpening read_opening(const JsonCursor& json, const InnerWall& wall) {
+// The highest ceiling over a part of a wall.
+double ceiling_over(const RoomShape& shape, const Polygon& plan) {
+  double highest = 0;
+  for (const Vec2& corner : plan) highest = std::max(highest, shape.ceiling_over(corner).at(corner));
+  return highest;
+}
+
+WallOpening read_opening(const JsonCursor& json, const InnerWall& wall, const RoomShape& shape) {
   json.expect_keys({"at", "width", "bottom", "top", "pane"});
   WallOpening opening;
   opening.at = json["at"].metres(0, 1e3);
@@ -109,6 +151,9 @@ WallOpening read_opening(const JsonCursor& json, const InnerWall& wall) {
   if (wall.height && opening.top > *wall.height + slack)
     json["top"].fail(fmt::format("is above the wall of {:.6g} m", *wall.height),
                      "lower it, or raise the wall");
+  const double ceiling = ceiling_over(shape, wall.footprint(opening.at, opening.at + opening.width));
+  if (opening.top > ceiling + slack)
+    json["top"].fail(fmt::format("is above the ceiling of {:.6g} m", ceiling), "lower it");
   for (const WallOpening& other : wall.openings)
     if (opening.at < other.at + other.width && other.at < opening.at + opening.width &&
         opening.bottom < other.top && other.bottom < opening.top)
@@ -125,6 +170,7 @@ bool stands_in(const RoomShape& shape, const InnerWall& wall) {
 }
 
 void read_inner_walls(const JsonCursor& json, const StoreNames& names, MaterialId usual, Room& room) {
+  expect_few_parts(json);
   std::set<std::string> ids;
   for (const JsonCursor& cursor : json.elements()) {
     cursor.expect_keys({"id", "from", "to", "thickness", "height", "material", "openings"});
@@ -144,12 +190,14 @@ void read_inner_walls(const JsonCursor& json, const StoreNames& names, MaterialI
     if (!stands_in(room.shape, wall)) cursor.fail("is outside the room", "move it inside");
     Room::WallMaterials materials{usual, {}};
     if (const auto material = cursor.find("material")) materials.wall = names.material(*material);
-    if (const auto openings = cursor.find("openings"))
+    if (const auto openings = cursor.find("openings")) {
+      expect_few_parts(*openings);
       for (const JsonCursor& opening : openings->elements()) {
-        wall.openings.push_back(read_opening(opening, wall));
+        wall.openings.push_back(read_opening(opening, wall, room.shape));
         const auto pane = opening.find("pane");
         materials.panes.push_back(pane ? std::optional(names.material(*pane)) : std::nullopt);
       }
+    }
     room.shape.inner_walls.push_back(std::move(wall));
     room.inner_walls.push_back(std::move(materials));
   }
@@ -210,12 +258,9 @@ Room read_room(const JsonCursor& json, const StoreNames& names) {
     read_box(json, names, room);
   else
     read_outline(json, names, room);
-  for (const char* list : {"zones", "inner_walls"})
-    if (const auto found = json.find(list); found && found->size() > max_parts)
-      found->fail(fmt::format("has {} members", found->size()),
-                  fmt::format("at most {} are allowed", max_parts));
   if (const auto zones = json.find("zones")) read_zones(*zones, names, room);
   if (const auto walls = json.find("inner_walls")) read_inner_walls(*walls, names, room.usual_wall, room);
+  expect_few_lines(json, room.shape);
   return room;
 }
 

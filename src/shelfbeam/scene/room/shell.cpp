@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/scene/room/plan_lines.hpp"
 #include "shelfbeam/scene/room/room.hpp"
 
 namespace shelfbeam {
@@ -33,8 +34,9 @@ struct Column {
 class Shell {
  public:
   Shell(const Room& room, TriangleMesh& mesh) : room_(room), shape_(room.shape), mesh_(mesh) {
-    for (std::size_t w = 0; w < shape_.inner_walls.size(); ++w) footprints_.push_back(footprints_of(w));
-    map_ = planar_map(polygons(), crease_lines());
+    const PlanLines lines = PlanLines::of(shape_);
+    footprints_ = lines.inner_walls;
+    map_ = planar_map(lines.polygons, lines.creases);
     for (const Vec2& inside : map_.inside) columns_.push_back(column_at(inside));
     levels_.resize(map_.points.size());
     for (std::size_t t = 0; t < map_.triangles.size(); ++t)
@@ -62,80 +64,7 @@ class Shell {
   }
 
  private:
-  struct Footprints {
-    Polygon wall;
-    std::vector<Polygon> openings;
-  };
-
   const Column& column_of(std::size_t triangle) const { return columns_[map_.face_of[triangle]]; }
-
-  // A wall is extended into a wall of the room that it meets, and by half of an inner wall at its end, so
-  // that no wedge stays open at a corner.
-  Footprints footprints_of(std::size_t w) const {
-    const InnerWall& wall = shape_.inner_walls[w];
-    const auto extension = [&](const Vec2& end) {
-      double by = 0;
-      if (distance_to_border(shape_.outline, end) < wall.thickness / 2 + rounding) by = wall.thickness;
-      for (const Polygon& hole : shape_.holes)
-        if (distance_to_border(hole, end) < wall.thickness / 2 + rounding) by = wall.thickness;
-      for (std::size_t o = 0; o < shape_.inner_walls.size(); ++o) {
-        const InnerWall& other = shape_.inner_walls[o];
-        for (const Vec2& corner : {other.from, other.to})
-          if (o != w && std::hypot(corner[0] - end[0], corner[1] - end[1]) < rounding)
-            by = std::max(by, other.thickness / 2);
-      }
-      return by;
-    };
-    Footprints result;
-    result.wall = wall.footprint(-extension(wall.from), wall.length() + extension(wall.to));
-    for (const WallOpening& opening : wall.openings)
-      result.openings.push_back(wall.footprint(opening.at, opening.at + opening.width));
-    return result;
-  }
-
-  std::vector<Polygon> polygons() const {
-    std::vector<Polygon> all = shape_.holes;
-    all.push_back(shape_.outline);
-    for (const CeilingZone& zone : shape_.zones) all.push_back(zone.polygon);
-    for (const Footprints& prints : footprints_) {
-      all.push_back(prints.wall);
-      all.insert(all.end(), prints.openings.begin(), prints.openings.end());
-    }
-    return all;
-  }
-
-  // The lines in which a sloped ceiling meets another level, across the whole plan.
-  std::vector<std::array<Vec2, 2>> crease_lines() const {
-    std::vector<CeilingHeight> heights{shape_.height};
-    for (const CeilingZone& zone : shape_.zones) heights.push_back(zone.height);
-    for (const InnerWall& wall : shape_.inner_walls) {
-      if (wall.height) heights.push_back({*wall.height, {}});
-      for (const WallOpening& opening : wall.openings)
-        for (const double z : {opening.bottom, opening.top}) heights.push_back({z, {}});
-    }
-    std::vector<std::array<Vec2, 2>> lines;
-    for (std::size_t i = 0; i < heights.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (heights[i].points || heights[j].points) add_crease(heights[i], heights[j], lines);
-    return lines;
-  }
-
-  void add_crease(const CeilingHeight& a, const CeilingHeight& b,
-                  std::vector<std::array<Vec2, 2>>& lines) const {
-    // The difference of the heights is c + x dx + y dy.
-    const auto difference = [&](const Vec2& p) { return a.at(p) - b.at(p); };
-    const double c = difference({0, 0}), dx = difference({1, 0}) - c, dy = difference({0, 1}) - c;
-    const double slope = std::hypot(dx, dy);
-    if (slope < rounding) return;
-    const Vec3 low = shape_.lower(), high = shape_.upper();
-    const Vec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
-    const double off = difference(middle) / slope, half = std::hypot(high.x - low.x, high.y - low.y);
-    if (std::abs(off) > half) return;
-    const Vec2 across{dx / slope, dy / slope};
-    const Vec2 foot{middle[0] - off * across[0], middle[1] - off * across[1]};
-    lines.push_back({Vec2{foot[0] - half * across[1], foot[1] + half * across[0]},
-                     Vec2{foot[0] + half * across[1], foot[1] - half * across[0]}});
-  }
 
   Column column_at(const Vec2& p) const {
     Column column;
@@ -289,7 +218,7 @@ class Shell {
   const Room& room_;
   const RoomShape& shape_;
   TriangleMesh& mesh_;
-  std::vector<Footprints> footprints_;
+  std::vector<PlanLines::Footprints> footprints_;  // by inner wall
   PlanarMap map_;
   std::vector<Column> columns_;              // by face of the map
   std::vector<std::vector<double>> levels_;  // by point of the map, ascending

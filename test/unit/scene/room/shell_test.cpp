@@ -130,6 +130,13 @@ TEST(RoomReader, RefusesFaultsWithTheirPlace) {
             "room.zones[1].polygon: overlaps zone 'low'"},
            {"/room/zones/1/polygon", "[[15, 1], [19, 1], [19, 3]]",
             "room.zones[1].polygon: extends outside the room"},
+           {"/room/outline", "[[0, 0], [0, 5e-5], [12, 0], [12, 8]]",
+            "room.outline: has two corners in succession less than 0.1 mm apart at (0, 0) m"},
+           {"/room/outline", "[[0, 0], [12, 0], [6, 1e-8]]", "room.outline: has an area below 1 mm^2"},
+           {"/room/height", "[[0, 0, 3], [20, 0, 3], [0, 14, 1500]]", "room.height: is 1500 m at (20, 14)"},
+           {"/room/zones/1/id", R"("room")", "room.zones[1].id: is the name of the whole room"},
+           {"/room/inner_walls/0/openings/0/top", "3.3",
+            "room.inner_walls[0].openings[0].top: is above the ceiling of 3.2 m"},
            {"/room/zones/1/id", R"("low")", "room.zones[1].id: is the duplicate id 'low'"},
            {"/room/inner_walls/0/to", "[4, 0]",
             "room.inner_walls[0].to: is at 'from': the wall has no length"},
@@ -154,6 +161,25 @@ TEST(RoomReader, RefusesFaultsWithTheirPlace) {
     test::expect_input_error(
         [&, &at = pointer, &json = value] { make_scene(test::read_text(changed(at, json).dump())); },
         std::string_view(message));
+}
+
+// Rooms that would take minutes or very much memory.
+TEST(RoomReader, RefusesTooManyEdgesAndCrossings) {
+  Json store = store_with(l_shape);
+  Json& walls = store["room"]["inner_walls"] = Json::array();
+  for (int k = 0; k < 1000; ++k)
+    walls.push_back({{"id", std::to_string(k)}, {"from", {0.01 * k, 0.1}}, {"to", {10 - 0.01 * k, 13.9}}});
+  test::expect_input_error([&] { test::read_text(store.dump()); },
+                           std::string_view("room: has edges that meet in more than 100,000 points"));
+  for (Json& wall : walls)
+    for (int k = 0; k < 10; ++k) wall["openings"].push_back({{"at", k}, {"width", 0.5}, {"top", 2}});
+  test::expect_input_error([&] { test::read_text(store.dump()); },
+                           std::string_view("room: has more than 20,000 edges"));
+  store["room"]["inner_walls"] = Json::array();
+  Json& holes = store["room"]["holes"] = Json::array();
+  for (int k = 0; k < 1001; ++k) holes.push_back({{1, 1}, {2, 1}, {2, 2}});
+  test::expect_input_error([&] { test::read_text(store.dump()); },
+                           std::string_view("room.holes: has 1001 members"));
 }
 
 TEST(RoomReader, WarnsOfLabelsThatFaceOrLieInInnerWalls) {

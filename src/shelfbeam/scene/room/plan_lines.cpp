@@ -1,0 +1,145 @@
+#include "shelfbeam/scene/room/plan_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "shelfbeam/math/polygon.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // m
+
+using Line = std::array<Vec2, 2>;
+
+class PlanReader {
+ public:
+  explicit PlanReader(const RoomShape& shape) : shape_(shape) {}
+
+  PlanLines read() const {
+    PlanLines lines;
+    for (std::size_t w = 0; w < shape_.inner_walls.size(); ++w) lines.inner_walls.push_back(footprints_of(w));
+    lines.polygons = shape_.holes;
+    lines.polygons.push_back(shape_.outline);
+    for (const CeilingZone& zone : shape_.zones) lines.polygons.push_back(zone.polygon);
+    for (const auto& [wall, openings] : lines.inner_walls) {
+      lines.polygons.push_back(wall);
+      lines.polygons.insert(lines.polygons.end(), openings.begin(), openings.end());
+    }
+    if (lines.count() <= PlanLines::max_count) add_creases(lines);
+    return lines;
+  }
+
+ private:
+  // A wall is extended into a wall of the room that it meets, and by half of an inner wall at its end, so
+  // that no wedge stays open at a corner.
+  PlanLines::Footprints footprints_of(std::size_t w) const {
+    const InnerWall& wall = shape_.inner_walls[w];
+    const auto extension = [&](const Vec2& end) {
+      double by = 0;
+      if (distance_to_border(shape_.outline, end) < wall.thickness / 2 + rounding) by = wall.thickness;
+      for (const Polygon& hole : shape_.holes)
+        if (distance_to_border(hole, end) < wall.thickness / 2 + rounding) by = wall.thickness;
+      for (std::size_t o = 0; o < shape_.inner_walls.size(); ++o) {
+        const InnerWall& other = shape_.inner_walls[o];
+        for (const Vec2& corner : {other.from, other.to})
+          if (o != w && std::hypot(corner[0] - end[0], corner[1] - end[1]) < rounding)
+            by = std::max(by, other.thickness / 2);
+      }
+      return by;
+    };
+    PlanLines::Footprints result;
+    result.wall = wall.footprint(-extension(wall.from), wall.length() + extension(wall.to));
+    for (const WallOpening& opening : wall.openings)
+      result.openings.push_back(wall.footprint(opening.at, opening.at + opening.width));
+    return result;
+  }
+
+  // Sloped ceilings and levels, each once.
+  std::vector<CeilingHeight> heights() const {
+    std::vector<CeilingHeight> sloped;
+    std::set<double> levels;
+    const auto add = [&](const CeilingHeight& height) {
+      if (height.points)
+        sloped.push_back(height);
+      else
+        levels.insert(height.level);
+    };
+    add(shape_.height);
+    for (const CeilingZone& zone : shape_.zones) add(zone.height);
+    for (const InnerWall& wall : shape_.inner_walls) {
+      if (wall.height) levels.insert(*wall.height);
+      for (const WallOpening& opening : wall.openings) levels.insert({opening.bottom, opening.top});
+    }
+    for (const double level : levels) sloped.push_back({level, {}});
+    return sloped;
+  }
+
+  // Creases extend across the whole plan.
+  void add_creases(PlanLines& lines) const {
+    const std::vector<CeilingHeight> all = heights();
+    for (std::size_t i = 0; i < all.size() && all[i].points; ++i)
+      for (std::size_t j = i + 1; j < all.size(); ++j) {
+        add_crease(all[i], all[j], lines.creases);
+        if (lines.count() > PlanLines::max_count) return;
+      }
+  }
+
+  void add_crease(const CeilingHeight& a, const CeilingHeight& b, std::vector<Line>& lines) const {
+    // The difference of the heights is c + x dx + y dy.
+    const auto difference = [&](const Vec2& p) { return a.at(p) - b.at(p); };
+    const double c = difference({0, 0}), dx = difference({1, 0}) - c, dy = difference({0, 1}) - c;
+    const double slope = std::hypot(dx, dy);
+    if (slope < rounding) return;
+    const Vec3 low = shape_.lower(), high = shape_.upper();
+    const Vec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+    const double off = difference(middle) / slope, half = std::hypot(high.x - low.x, high.y - low.y);
+    if (std::abs(off) > half) return;
+    const Vec2 across{dx / slope, dy / slope};
+    const Vec2 foot{middle[0] - off * across[0], middle[1] - off * across[1]};
+    lines.push_back({Vec2{foot[0] - half * across[1], foot[1] + half * across[0]},
+                     Vec2{foot[0] + half * across[1], foot[1] - half * across[0]}});
+  }
+
+  const RoomShape& shape_;
+};
+
+double side_of(const Line& line, const Vec2& p) {
+  const auto& [a, b] = line;
+  return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+}
+
+bool cross(const Line& a, const Line& b) {
+  return side_of(a, b[0]) * side_of(a, b[1]) <= 0 && side_of(b, a[0]) * side_of(b, a[1]) <= 0;
+}
+
+}  // namespace
+
+PlanLines PlanLines::of(const RoomShape& shape) {
+  return PlanReader(shape).read();
+}
+
+std::size_t PlanLines::count() const {
+  std::size_t count = creases.size();
+  for (const Polygon& polygon : polygons) count += polygon.size();
+  return count;
+}
+
+std::size_t PlanLines::crossings(std::size_t most) const {
+  std::vector<Line> lines = creases;
+  for (const Polygon& polygon : polygons)
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      lines.push_back({polygon[k], polygon[(k + 1) % polygon.size()]});
+  std::vector<PlanBounds> bounds;
+  for (const Line& line : lines) bounds.push_back(bounds_of(line));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < lines.size() && count <= most; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (bounds[i].meets(bounds[j]) && cross(lines[i], lines[j])) ++count;
+  return count;
+}
+
+}  // namespace shelfbeam
