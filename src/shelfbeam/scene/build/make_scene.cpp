@@ -17,6 +17,7 @@
 #include "shelfbeam/scene/build/mount_points.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_scene.hpp"
+#include "shelfbeam/scene/store/scene_memory.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 #include "shelfbeam/scene/store_names.hpp"
@@ -26,9 +27,9 @@ namespace shelfbeam {
 
 namespace {
 
-std::size_t scene_bytes(const TransceiverGrid& grid) {
-  return static_cast<std::size_t>(device_bytes * ((grid.max[0] - grid.min[0]) / grid.spacing + 2) *
-                                  ((grid.max[1] - grid.min[1]) / grid.spacing + 2));
+double scene_bytes(const TransceiverGrid& grid) {
+  return device_bytes * ((grid.max[0] - grid.min[0]) / grid.spacing + 2) *
+         ((grid.max[1] - grid.min[1]) / grid.spacing + 2);
 }
 
 // The areas as flat boxes at height 0; areas include their edges.
@@ -43,14 +44,14 @@ std::vector<Bounds> in_plan(const std::vector<KeepOut>& areas) {
 
 class SceneMaker {
  public:
-  explicit SceneMaker(const Store& store) : store_(store), keep_out_(in_plan(store.keep_out)) {}
+  explicit SceneMaker(const Store& store)
+      : store_(store), keep_out_(in_plan(store.keep_out)), memory_(store.memory) {}
 
   Scene make() {
     try {
       return made();
     } catch (const std::bad_alloc&) {
-      fail(fmt::format("requires about {:.3g} GB of memory, more than is available",
-                       1e-9 * static_cast<double>(estimate_)),
+      fail(fmt::format("requires about {:.3g} GB of memory, more than is available", 1e-9 * memory_.bytes()),
            "use wider spacings or simpler meshes, or a machine with more memory");
     }
   }
@@ -69,6 +70,7 @@ class SceneMaker {
     add_room();
     add_fixtures();
     add_inner_walls();
+    expect_memory_of_mounts();
     if (scene_.mesh.triangles.empty()) fail("has neither a room nor fixtures", "add a room");
     find_bounds();
     add_labels();
@@ -87,19 +89,22 @@ class SceneMaker {
 
   // Checks the memory before anything is allocated.
   void expect_memory() {
-    std::size_t& size = estimate_;
-    const auto add = [&](std::size_t more, const std::string& where) {
-      size += more;
-      if (size > store_.memory)
-        throw InputError(
-            where,
-            fmt::format("the store up to here requires about {:.3g} GB of memory; the limit is {:.3g} GB",
-                        1e-9 * static_cast<double>(size), 1e-9 * static_cast<double>(store_.memory)),
-            "use wider spacings or simpler meshes, or raise the limit", Setting::memory);
-    };
-    for (const auto& [fixture, where] : store_.fixtures) add(scene_bytes(fixture), where);
+    for (const auto& [fixture, where] : store_.fixtures)
+      memory_.add(static_cast<double>(scene_bytes(fixture)), where);
     for (std::size_t g = 0; g < store_.grids.size(); ++g)
-      add(scene_bytes(store_.grids[g]), fmt::format("{}: transceivers.grids[{}]", store_.file, g));
+      memory_.add(scene_bytes(store_.grids[g]), fmt::format("{}: transceivers.grids[{}]", store_.file, g));
+    for (const auto& [label, where] : store_.labels) memory_.add(device_bytes, where);
+    for (const auto& [unit, where] : store_.transceivers) memory_.add(device_bytes, where);
+  }
+
+  // The faces of fixtures, on which candidates are mounted, are known only after these are built.
+  void expect_memory_of_mounts() {
+    for (const auto& [candidates, bytes, where] : candidate_counts(store_, scene_)) {
+      constexpr std::size_t max_candidates = 1'000'000;
+      if (candidates > max_candidates)
+        throw InputError(where, fmt::format("produces {} candidates", candidates), "use a wider spacing");
+      memory_.add(bytes, where);
+    }
   }
 
   void add_room() {
@@ -304,7 +309,7 @@ class SceneMaker {
   Scene scene_;
   DeviceSources sources_;
   WarningList warnings_;
-  std::size_t estimate_ = 0;  ///< bytes
+  SceneMemory memory_;
   std::unordered_map<std::string, std::size_t> unit_index_;
   std::set<std::string> kept_out_ids_, fixture_ids_;
 };

@@ -4,14 +4,19 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/build/blocks.hpp"
+#include "shelfbeam/scene/fixture/fixture_builder.hpp"
 
 namespace shelfbeam {
 
@@ -23,21 +28,89 @@ std::size_t steps(double extent, double spacing) {
   return static_cast<std::size_t>(std::max(1L, std::lround(extent / spacing)));
 }
 
-class Generator {
+// A line of straight pieces, by the distance from its beginning.
+class Path {
  public:
-  Generator(const Store& store, const Scene& scene,
-            const std::function<void(const Transceiver&, const std::string&)>& use)
-      : store_(store), scene_(scene), use_(use) {}
+  explicit Path(std::vector<Vec3> points) : points_(std::move(points)) {
+    for (std::size_t k = 1; k < points_.size(); ++k)
+      ends_.push_back(ends_.back() + shelfbeam::length(points_[k] - points_[k - 1]));
+  }
 
-  void generate() {
-    for (std::size_t a = 0; a < store_.areas.size(); ++a) add_area(a);
-    for (const auto& [rail, where] : store_.rails) add_rail(rail, where);
-    for (const auto& [faces, where] : store_.faces) add_faces(faces, where);
+  struct Place {
+    Vec3 position, direction;  // the direction has unit length
+  };
+  double length() const { return ends_.back(); }
+  const Vec3& last() const { return points_.back(); }
+  /// Precondition: the length is not 0.
+  Place at(double distance) const {
+    const auto end = std::lower_bound(ends_.begin() + 1, ends_.end() - 1, distance);
+    const auto k = static_cast<std::size_t>(end - ends_.begin());
+    const Vec3 piece = points_[k] - points_[k - 1];
+    const double extent = shelfbeam::length(piece);
+    const Vec3 direction{piece.x / extent, piece.y / extent, piece.z / extent};
+    return {points_[k - 1] + direction * (distance - ends_[k - 1]), direction};
   }
 
  private:
-  void add(const MountedType& mounted, const std::string& id, const Vec3& position,
-           const std::string& where) const {
+  std::vector<Vec3> points_;
+  std::vector<double> ends_{0};  // by point
+};
+
+// The path of candidates on faces. They look to its left if `side` is 1, and to its right if it is -1.
+struct FacePath {
+  Path path;
+  double side;
+  std::string id;
+};
+
+std::vector<const Part*> wall_parts(const Scene& scene) {
+  std::vector<const Part*> parts;
+  for (const Part& part : scene.parts)
+    if (scene.fixtures[part.fixture].type == "wall") parts.push_back(&part);
+  return parts;
+}
+
+std::vector<Bounds> bounds_of(const std::vector<const Part*>& parts) {
+  std::vector<Bounds> bounds;
+  for (const Part* part : parts) bounds.push_back(shelfbeam::bounds_of(*part));
+  return bounds;
+}
+
+class Generator {
+ public:
+  Generator(const Store& store, const Scene& scene)
+      : store_(store), scene_(scene), wall_parts_(wall_parts(scene)), wall_index_(bounds_of(wall_parts_)) {
+    if (store.faces.empty()) return;
+    for (std::size_t f = 0; f < scene.fixtures.size(); ++f) fixture_index_.emplace(scene.fixtures[f].id, f);
+  }
+
+  std::vector<MountCount> counts() const {
+    std::vector<MountCount> result;
+    const auto add = [&](std::size_t count, std::string_view id, const std::string& where) {
+      result.push_back({count, static_cast<double>(count) * device_bytes_of(id), where});
+    };
+    for (const auto& [mount, where] : store_.areas) {
+      const auto [nx, ny] = cells(mount, bounds_of_area(mount));
+      add(nx * ny * mount.unit.axes.size(), "", where);
+    }
+    for (const auto& [rail, where] : store_.rails)
+      add((steps(Path(rail.points).length(), rail.spacing) + 1) * rail.unit.axes.size(), rail.id, where);
+    for (const auto& [faces, where] : store_.faces) {
+      const FacePath face = face_path(faces);
+      add(count_along(faces, face.path), face.id, where);
+    }
+    return result;
+  }
+
+  void generate(const UseCandidate& use) const {
+    for (std::size_t a = 0; a < store_.areas.size(); ++a) add_area(a, use);
+    for (const auto& [rail, where] : store_.rails) add_rail(rail, where, use);
+    for (const auto& [faces, where] : store_.faces) add_faces(faces, where, use);
+  }
+
+ private:
+  static void add(const MountedType& mounted, const std::string& id, const Vec3& position,
+                  const std::string& where, const UseCandidate& use) {
     for (std::size_t a = 0; a < mounted.axes.size(); ++a) {
       Transceiver unit;
       unit.id = mounted.axes.size() == 1 ? id : fmt::format("{}/a{}", id, a + 1);
@@ -45,116 +118,108 @@ class Generator {
       unit.axis = mounted.axes[a];
       unit.roll_deg = mounted.roll_deg;
       unit.type = mounted.type;
-      use_(unit, where);
+      use(unit, where);
     }
   }
 
   bool is_free(const Vec3& p) const {
     if (scene_.room && !scene_.room->beyond(p, rounding).empty()) return false;
-    return std::none_of(scene_.parts.begin(), scene_.parts.end(), [&](const Part& part) {
-      return scene_.fixtures[part.fixture].type == "wall" && part.bottom < p.z && p.z < part.top &&
-             contains(part.footprint, {p.x, p.y});
+    return !wall_index_.any({p, p}, [&](std::uint32_t k) {
+      const Part& part = *wall_parts_[k];
+      return part.bottom < p.z && p.z < part.top && contains(part.footprint, {p.x, p.y});
     });
   }
 
-  const Polygon& polygon_of(const MountArea& mount) const {
-    if (const auto* polygon = std::get_if<Polygon>(&mount.area)) return *polygon;
-    const std::string& name = std::get<std::string>(mount.area);
-    const RoomShape& room = *scene_.room;
-    const auto zone = std::find_if(room.zones.begin(), room.zones.end(),
-                                   [&](const CeilingZone& one) { return one.id == name; });
-    return zone == room.zones.end() ? room.outline : zone->polygon;
+  PlanBounds bounds_of_area(const MountArea& mount) const {
+    return shelfbeam::bounds_of(polygon_of(mount, *scene_.room));
+  }
+
+  static std::array<std::size_t, 2> cells(const MountArea& mount, const PlanBounds& bounds) {
+    return {steps(bounds.high[0] - bounds.low[0], mount.spacing),
+            steps(bounds.high[1] - bounds.low[1], mount.spacing)};
   }
 
   // At the middle of each cell of a grid over the bounds of the area.
-  void add_area(std::size_t index) const {
+  void add_area(std::size_t index, const UseCandidate& use) const {
     const auto& [mount, where] = store_.areas[index];
-    const Polygon& polygon = polygon_of(mount);
-    const auto [low, high] = bounds_of(polygon);
-    const std::size_t nx = steps(high[0] - low[0], mount.spacing),
-                      ny = steps(high[1] - low[1], mount.spacing);
-    const auto middle = [](double from, double to, std::size_t k, std::size_t n) {
-      return from + (to - from) * (static_cast<double>(k) + 0.5) / static_cast<double>(n);
+    const Polygon& polygon = polygon_of(mount, *scene_.room);
+    const PlanBounds bounds = bounds_of_area(mount);
+    const auto [nx, ny] = cells(mount, bounds);
+    const auto middle = [&](std::size_t axis, std::size_t k, std::size_t n) {
+      return bounds.low[axis] +
+             (bounds.high[axis] - bounds.low[axis]) * (static_cast<double>(k) + 0.5) / static_cast<double>(n);
     };
     for (std::size_t iy = 0; iy < ny; ++iy)
       for (std::size_t ix = 0; ix < nx; ++ix) {
-        const Vec2 p{middle(low[0], high[0], ix, nx), middle(low[1], high[1], iy, ny)};
+        const Vec2 p{middle(0, ix, nx), middle(1, iy, ny)};
         if (!contains(polygon, p) || !scene_.room->covers(p)) continue;
         const double z = mount.z.value_or(scene_.room->ceiling_over(p).at(p) - mount.below_ceiling);
         if (const Vec3 at{p[0], p[1], z}; is_free(at))
-          add(mount.unit, fmt::format("A{}-{}-{}", index + 1, ix + 1, iy + 1), at, where);
+          add(mount.unit, fmt::format("A{}-{}-{}", index + 1, ix + 1, iy + 1), at, where, use);
       }
   }
 
-  void add_rail(const MountRail& rail, const std::string& where) const {
-    double whole = 0;
-    for (std::size_t k = 1; k < rail.points.size(); ++k) whole += length(rail.points[k] - rail.points[k - 1]);
-    const std::size_t count = steps(whole, rail.spacing);
+  static void add_rail(const MountRail& rail, const std::string& where, const UseCandidate& use) {
+    const Path path(rail.points);
+    const std::size_t count = steps(path.length(), rail.spacing);
     for (std::size_t k = 0; k <= count; ++k) {
-      double left = whole * static_cast<double>(k) / static_cast<double>(count);
-      std::size_t piece = 1;
-      for (double one; piece + 1 < rail.points.size(); left -= one, ++piece) {
-        one = length(rail.points[piece] - rail.points[piece - 1]);
-        if (left <= one) break;
-      }
-      const Vec3 &from = rail.points[piece - 1], &to = rail.points[piece];
-      const Vec3 at = k == count ? rail.points.back() : from + normalized(to - from) * left;
-      add(rail.unit, fmt::format("{}-{}", rail.id, k + 1), at, where);
+      const double distance = path.length() * static_cast<double>(k) / static_cast<double>(count);
+      const Vec3 at = k == count ? path.last() : path.at(distance).position;
+      add(rail.unit, fmt::format("{}-{}", rail.id, k + 1), at, where, use);
     }
   }
 
-  void add_faces(const MountFaces& mount, const std::string& where) const {
+  FacePath face_path(const MountFaces& mount) const {
+    std::vector<Vec3> points;
+    const auto add_point = [&](const Vec2& p) { points.push_back({p[0], p[1], mount.z}); };
     if (const auto* wall = std::get_if<std::size_t>(&mount.on)) {
       const Polygon& outline = scene_.room->outline;
-      const std::array<Vec2, 2> edge{outline[*wall], outline[(*wall + 1) % outline.size()]};
+      add_point(outline[*wall]);
+      add_point(outline[(*wall + 1) % outline.size()]);
       // Inside is to the left of a counter-clockwise outline.
-      add_along(mount, edge, signed_area(outline) > 0 ? 1 : -1, fmt::format("wall-{}", *wall), where);
-      return;
+      return {Path(std::move(points)), signed_area(outline) > 0 ? 1.0 : -1.0, fmt::format("wall-{}", *wall)};
     }
     const std::string& id = std::get<std::string>(mount.on);
-    for (const FixtureOutline& fixture : scene_.fixtures)
-      if (fixture.id == id) {
-        Polygon around = fixture.footprint;
-        around.push_back(around.front());
-        add_along(mount, around, signed_area(fixture.footprint) > 0 ? -1 : 1, id, where);
-      }
+    const auto& footprint = scene_.fixtures[fixture_index_.at(id)].footprint;
+    for (const Vec2& corner : footprint) add_point(corner);
+    if (!footprint.empty()) add_point(footprint.front());
+    return {Path(std::move(points)), signed_area(footprint) > 0 ? -1.0 : 1.0, id};
   }
 
-  // Along a line in plan; `side` is 1 if the units face its left.
-  void add_along(const MountFaces& mount, std::span<const Vec2> line, double side, const std::string& id,
-                 const std::string& where) const {
-    const auto piece_length = [&](std::size_t k) {
-      return std::hypot(line[k][0] - line[k - 1][0], line[k][1] - line[k - 1][1]);
-    };
-    double whole = 0;
-    for (std::size_t k = 1; k < line.size(); ++k) whole += piece_length(k);
-    const std::size_t count = steps(whole, mount.spacing);
+  static std::size_t count_along(const MountFaces& mount, const Path& path) {
+    return path.length() > 0 ? steps(path.length(), mount.spacing) : 0;
+  }
+
+  void add_faces(const MountFaces& mount, const std::string& where, const UseCandidate& use) const {
+    const auto [path, side, id] = face_path(mount);
+    const std::size_t count = count_along(mount, path);
     const double tilt = radians(mount.tilt_deg);
     for (std::size_t n = 0; n < count; ++n) {
-      double left = whole * (static_cast<double>(n) + 0.5) / static_cast<double>(count);
-      std::size_t k = 1;
-      for (; k + 1 < line.size() && left > piece_length(k); ++k) left -= piece_length(k);
-      const double x = (line[k][0] - line[k - 1][0]) / piece_length(k),
-                   y = (line[k][1] - line[k - 1][1]) / piece_length(k);
-      const Vec3 away{-side * y, side * x, 0};
-      const Vec3 at =
-          Vec3{line[k - 1][0] + left * x, line[k - 1][1] + left * y, mount.z} + away * mount.offset;
+      const auto [point, direction] =
+          path.at(path.length() * (static_cast<double>(n) + 0.5) / static_cast<double>(count));
+      const Vec3 away{-side * direction.y, side * direction.x, 0};
+      const Vec3 at = point + away * mount.offset;
       if (!is_free(at)) continue;
       add({mount.type, {away * std::cos(tilt) - Vec3{0, 0, std::sin(tilt)}}, mount.roll_deg},
-          fmt::format("{}-{}", id, n + 1), at, where);
+          fmt::format("{}-{}", id, n + 1), at, where, use);
     }
   }
 
   const Store& store_;
   const Scene& scene_;
-  const std::function<void(const Transceiver&, const std::string&)>& use_;
+  std::vector<const Part*> wall_parts_;
+  BoxIndex wall_index_;
+  std::unordered_map<std::string_view, std::size_t> fixture_index_;
 };
 
 }  // namespace
 
-void generate_candidates(const Store& store, const Scene& scene,
-                         const std::function<void(const Transceiver&, const std::string&)>& use) {
-  Generator(store, scene, use).generate();
+std::vector<MountCount> candidate_counts(const Store& store, const Scene& scene) {
+  return Generator(store, scene).counts();
+}
+
+void generate_candidates(const Store& store, const Scene& scene, const UseCandidate& use) {
+  Generator(store, scene).generate(use);
 }
 
 }  // namespace shelfbeam

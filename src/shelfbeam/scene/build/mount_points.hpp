@@ -1,16 +1,27 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 namespace shelfbeam {
 
+/// The most candidates that an area, a rail or a member of `on` can have, their memory, and its location.
+struct MountCount {
+  std::size_t candidates = 0;
+  double bytes = 0;
+  const std::string& where;  ///< in the store
+};
+std::vector<MountCount> candidate_counts(const Store& store, const Scene& scene);
+
+using UseCandidate = std::function<void(const Transceiver&, const std::string& where)>;
+
 /// Calls `use(unit, where)` for the candidates of areas, rails and faces of a store whose scene has its room
 /// and its fixtures. Points of areas and faces outside the room and within inner walls are omitted.
-void generate_candidates(const Store& store, const Scene& scene,
-                         const std::function<void(const Transceiver&, const std::string&)>& use);
+void generate_candidates(const Store& store, const Scene& scene, const UseCandidate& use);
 
 }  // namespace shelfbeam

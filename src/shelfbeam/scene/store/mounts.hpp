@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/room_shape.hpp"
 
 namespace shelfbeam {
 
@@ -27,6 +28,9 @@ struct MountArea {
   std::optional<double> z;   ///< m
   double below_ceiling = 0;  ///< m, without `z`
 };
+
+/// Its part of the plan.
+const Polygon& polygon_of(const MountArea& mount, const RoomShape& room);
 
 /// Candidates along a line of straight pieces, with one at each end.
 struct MountRail {

@@ -1,6 +1,9 @@
 #include <algorithm>
-#include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -27,7 +30,8 @@ MountedType read_unit(const JsonCursor& json, const StoreNames& names) {
   return unit;
 }
 
-void expect_few(const JsonCursor& spacing, double count) {
+void expect_few(const JsonCursor& spacing, double points, const MountedType& unit) {
+  const double count = points * static_cast<double>(unit.axes.size());
   if (count > max_candidates)
     spacing.fail(fmt::format("produces {:.0f} candidates", count), "use a wider spacing");
 }
@@ -49,8 +53,9 @@ MountArea read_area(const JsonCursor& json, const StoreNames& names, const Store
     mount.area = read_polygon(area);
   }
   mount.spacing = read_length(json["spacing"]);
-  const Vec3 size = store.room->shape.upper() - store.room->shape.lower();
-  expect_few(json["spacing"], size.x * size.y / (mount.spacing * mount.spacing));
+  const double cells =
+      bounds_of(polygon_of(mount, store.room->shape)).area() / (mount.spacing * mount.spacing);
+  expect_few(json["spacing"], cells, mount.unit);
   const auto z = json.find("z"), below = json.find("below_ceiling");
   if (z && below) below->fail("has no effect beside 'z'", "remove one of the two");
   if (z)
@@ -76,11 +81,14 @@ MountRail read_rail(const JsonCursor& json, const StoreNames& names) {
   }
   if (rail.points.size() < 2) json["points"].fail("has fewer than two points", "give the line of the rail");
   rail.spacing = read_length(json["spacing"]);
-  expect_few(json["spacing"], length_of_rail / rail.spacing);
+  expect_few(json["spacing"], length_of_rail / rail.spacing, rail.unit);
   return rail;
 }
 
-MountFaces read_faces_mount(const JsonCursor& json, const StoreNames& names, const Store& store) {
+using Ids = std::set<std::string_view>;
+
+MountFaces read_faces_mount(const JsonCursor& json, const StoreNames& names, const Ids& fixtures,
+                            const Store& store) {
   json.expect_keys(
       {"type", "fixture", "wall", "inner_wall", "z", "spacing", "tilt_deg", "offset", "roll_deg"});
   MountFaces mount;
@@ -97,8 +105,7 @@ MountFaces read_faces_mount(const JsonCursor& json, const StoreNames& names, con
     const JsonCursor& name = fixture ? *fixture : *inner;
     const std::string id = name.text();
     const bool is_known = fixture
-                              ? std::any_of(store.fixtures.begin(), store.fixtures.end(),
-                                            [&](const auto& listed) { return id_of(listed.value) == id; })
+                              ? fixtures.count(id) != 0
                               : store.room && std::any_of(store.room->shape.inner_walls.begin(),
                                                           store.room->shape.inner_walls.end(),
                                                           [&](const InnerWall& one) { return one.id == id; });
@@ -142,17 +149,27 @@ KeepOut read_keep_out(const JsonCursor& json) {
   return area;
 }
 
+const Polygon& polygon_of(const MountArea& mount, const RoomShape& room) {
+  if (const auto* polygon = std::get_if<Polygon>(&mount.area)) return *polygon;
+  const std::string& name = std::get<std::string>(mount.area);
+  const auto zone = std::find_if(room.zones.begin(), room.zones.end(),
+                                 [&](const CeilingZone& one) { return one.id == name; });
+  return zone == room.zones.end() ? room.outline : zone->polygon;
+}
+
 void read_mounts(const JsonCursor& section, const StoreNames& names, Store& store) {
   const auto each = [&](const char* key, const auto& read, auto& list) {
     if (const auto found = section.find(key))
       for (const JsonCursor& json : found->elements()) list.push_back({read(json), json.where()});
   };
+  Ids ids;
+  for (const auto& [fixture, where] : store.fixtures) ids.insert(id_of(fixture));
   each(
       "areas", [&](const JsonCursor& json) { return read_area(json, names, store); }, store.areas);
   each(
       "rails", [&](const JsonCursor& json) { return read_rail(json, names); }, store.rails);
   each(
-      "on", [&](const JsonCursor& json) { return read_faces_mount(json, names, store); }, store.faces);
+      "on", [&](const JsonCursor& json) { return read_faces_mount(json, names, ids, store); }, store.faces);
 }
 
 }  // namespace shelfbeam

@@ -119,6 +119,10 @@ TEST(MountPoints, RefuseFaultsWithTheirPlace) {
            "transceivers.areas[0].area: is neither 'room' nor the id of a zone"},
           {R"({"areas": [{"type": "down", "area": "room", "spacing": 0.001, "z": 2}]})",
            "transceivers.areas[0].spacing: produces 80000000 candidates"},
+          {R"({"areas": [{"type": "down", "area": [[-9e3, 0], [9e3, 0], [9e3, 9e3]], "spacing": 1, "z": 2}]})",
+           "transceivers.areas[0].spacing: produces 162000000 candidates"},
+          {R"({"areas": [{"type": "down", "area": "room", "spacing": 0.01, "z": 2, "axes": [[0, 0, 1], [0, 0, -1]]}]})",
+           "transceivers.areas[0].spacing: produces 1600000 candidates"},
           {R"({"areas": [{"type": "down", "area": "room", "spacing": 1, "z": 2, "below_ceiling": 1}]})",
            "transceivers.areas[0].below_ceiling: has no effect beside 'z'"},
           {R"({"areas": [{"type": "down", "area": [[0, 0], [4, 4], [4, 0], [0, 4]], "spacing": 1, "z": 2}]})",
@@ -134,6 +138,32 @@ TEST(MountPoints, RefuseFaultsWithTheirPlace) {
           {R"({"keep_out": [{"polygon": [[0, 0], [1, 0], [1, 1]], "z": [3, 2]}]})",
            "transceivers.keep_out[0].z: has its second height below its first"}})
     test::expect_input_error([&, &json = transceivers] { units_of(json); }, std::string_view(message));
+}
+
+// Candidates and articles count before they are allocated.
+TEST(MountPoints, CountInTheMemoryOfTheScene) {
+  const auto refused = [](const std::string& transceivers, std::string_view where) {
+    constexpr std::size_t memory = 100'000'000;
+    const Store store = parse_store(l_shaped_store(transceivers).dump(), "store.json", {}, {false, memory});
+    test::expect_input_error([&] { make_scene(store); }, where,
+                             std::string_view("the store up to here requires about 0."));
+  };
+  refused(R"({"areas": [{"type": "down", "area": "room", "spacing": 0.02, "z": 2}]})",
+          "transceivers.areas[0]");
+  refused(R"({"rails": [{"type": "down", "id": "R", "points": [[1, 1, 2], [7, 1, 2]], "spacing": 0.001,
+                         "axes": [)" +
+              [] {
+                std::string axes;
+                for (int k = 0; k < 20; ++k) axes += (k == 0 ? "[" : ", [") + std::to_string(k) + ", 0, -1]";
+                return axes;
+              }() +
+              "]}]}",
+          "transceivers.rails[0]");
+  std::string mounts;
+  for (int k = 0; k < 80; ++k)
+    mounts +=
+        std::string(k == 0 ? "" : ", ") + R"({"type": "down", "fixture": "C", "z": 2, "spacing": 0.001})";
+  refused(R"({"on": [)" + mounts + "]}", "transceivers.on[");
 }
 
 }  // namespace
