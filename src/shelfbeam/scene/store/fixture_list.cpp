@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 
@@ -14,6 +15,7 @@
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/scene_memory.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
@@ -94,12 +96,11 @@ std::optional<Frame> frame_of(const Fixture& fixture) {
 class FixtureList {
  public:
   FixtureList(const StoreNames& names, const StoreFolder& folder, const Presets& presets, Store& store)
-      : names_(names), folder_(folder), presets_(presets), store_(store) {}
+      : names_(names), folder_(folder), presets_(presets), store_(store), memory_(folder.memory()) {}
 
   void read(const JsonCursor& given) {
     JsonCursor json = presets_.complete(given);
-    std::optional<Repeat> repeat;
-    if (const auto found = json.find("repeat")) repeat = read_repeat(*found);
+    const auto repeat = json.find("repeat");
     const auto labels = json.find("labels");
     const bool has_places = labels && labels->is_array();
     Json value = json.value();
@@ -115,7 +116,7 @@ class FixtureList {
     if (repeat)
       add_copies(json, fixture, *repeat);
     else
-      store_.fixtures.push_back({fixture, json.where()});
+      add(fixture, json.where());
     if (has_places)
       for (std::size_t k = first; k < store_.fixtures.size(); ++k)
         add_labels(*labels, store_.fixtures[k].value);
@@ -127,6 +128,13 @@ class FixtureList {
     Vec2 step{};          ///< m
     double forwards = 0;  ///< m, along the fixture's own length, instead of `step`
   };
+  // Copies are counted before they are made, because each has its own mesh.
+  void add(Fixture fixture, const std::string& where) {
+    memory_.add(static_cast<double>(scene_bytes(fixture) + 4 * id_of(fixture).size()), where);
+    index_.emplace(id_of(fixture), store_.fixtures.size());
+    store_.fixtures.push_back({std::move(fixture), where});
+  }
+
   struct Repeat {
     Row row, rows;
     std::int64_t first = 1;
@@ -167,7 +175,9 @@ class FixtureList {
     return Vec3{step[0], step[1], 0} * static_cast<double>(k);
   }
 
-  void add_copies(const JsonCursor& json, const Fixture& fixture, const Repeat& repeat) {
+  void add_copies(const JsonCursor& json, const Fixture& fixture, const JsonCursor& given) {
+    constexpr double farthest = 1e4;  // m, as for coordinates
+    const Repeat repeat = read_repeat(given);
     const std::string& pattern = id_of(fixture);
     if (repeat.row.count * repeat.rows.count > 1 && pattern.find("{n}") == std::string::npos)
       json["id"].fail(fmt::format("is {} for all copies", in_quotes(pattern)),
@@ -176,22 +186,30 @@ class FixtureList {
       for (std::int64_t k = 0; k < repeat.row.count; ++k) {
         Fixture copy = fixture;
         const std::int64_t number = repeat.first + j * repeat.row.count + k;
+        const Vec3 by = shift(repeat.row, fixture, k) + shift(repeat.rows, fixture, j);
+        if (length(by) > farthest)
+          given.fail(fmt::format("puts a copy {:.6g} m from the first", length(by)),
+                     "reduce 'step' or 'count'");
         std::visit(
             [&](auto& one) {
               one.id = with_number(pattern, number);
               if (repeat.turns && k % 2 == 1) one.turn_about_middle();
-              one.move(shift(repeat.row, fixture, k) + shift(repeat.rows, fixture, j));
+              one.move(by);
             },
             copy);
-        store_.fixtures.push_back({std::move(copy), json.where()});
+        add(std::move(copy), json.where());
       }
   }
 
-  static std::string with_number(std::string id, std::int64_t number) {
+  static std::string with_number(std::string_view pattern, std::int64_t number) {
+    constexpr std::string_view place = "{n}";
     const std::string digits = fmt::format("{}", number);
-    for (std::size_t at = 0; (at = id.find("{n}", at)) != std::string::npos; at += digits.size())
-      id.replace(at, 3, digits);
-    return id;
+    std::string id;
+    for (std::size_t at; (at = pattern.find(place)) != std::string_view::npos;) {
+      id.append(pattern.substr(0, at)).append(digits);
+      pattern.remove_prefix(at + place.size());
+    }
+    return id.append(pattern);
   }
 
   // Labels at given places of a fixture, which move and turn with it.
@@ -217,6 +235,11 @@ class FixtureList {
     const bool by_wall = against.find("wall").has_value();
     against.expect_keys(by_wall ? std::initializer_list<std::string_view>{"wall", "from", "gap"}
                                 : std::initializer_list<std::string_view>{"fixture", "side", "shift", "gap"});
+    for (const std::string_view type :
+         {Prism::type_name, Cylinder::type_name, Panel::type_name, MeshFixture::type_name})
+      if (json["type"].text() == type)
+        against.fail(fmt::format("does not apply to a {}, which has no back", type),
+                     "use it for gondolas, freezers and boxes");
     const Edge edge = by_wall ? wall_edge(against["wall"]) : side_of(against);
     const auto gap_found = against.find("gap");
     const double gap = gap_found ? gap_found->metres(0, 1e3) : 0;
@@ -268,12 +291,11 @@ class FixtureList {
   Edge side_of(const JsonCursor& against) const {
     const JsonCursor name = against["fixture"];
     const std::string id = name.text();
-    const auto found = std::find_if(store_.fixtures.begin(), store_.fixtures.end(),
-                                    [&](const auto& listed) { return id_of(listed.value) == id; });
-    if (found == store_.fixtures.end())
+    const auto found = index_.find(id);
+    if (found == index_.end())
       name.fail(fmt::format("names the fixture {}, which is not listed before", in_quotes(id)),
                 "list it before, or correct the id");
-    const auto footing = footing_of(found->value);
+    const auto footing = footing_of(store_.fixtures[found->second].value);
     if (!footing) name.fail("names a fixture without sides", "use a gondola, a freezer or a box");
     return footing->side(against["side"].choice<Face>());
   }
@@ -282,6 +304,8 @@ class FixtureList {
   const StoreFolder& folder_;
   const Presets& presets_;
   Store& store_;
+  SceneMemory memory_;
+  std::unordered_map<std::string, std::size_t> index_;
 };
 
 }  // namespace

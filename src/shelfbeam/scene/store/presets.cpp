@@ -1,6 +1,7 @@
 #include "shelfbeam/scene/store/presets.hpp"
 
-#include <algorithm>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,9 +22,18 @@ void Presets::add(const JsonCursor& section) {
   }
 }
 
+void Presets::fail_unknown(const JsonCursor& reference, const std::string& name) const {
+  std::vector<std::string_view> known;
+  for (const auto& [key, preset] : presets_) known.push_back(key);
+  reference.fail(fmt::format("names the unknown preset {}", in_quotes(name)),
+                 known.empty() ? "define it in 'presets'" : suggest(name, known));
+}
+
 JsonCursor Presets::complete(const JsonCursor& fixture) const {
   if (!fixture.find("preset")) return fixture;
   using Json = nlohmann::ordered_json;
+  constexpr std::size_t longest_name = 60;  // in messages
+  std::set<std::string> seen;
   std::vector<std::string> chain;
   std::vector<Json> layers;
   for (JsonCursor at = fixture;;) {
@@ -32,11 +42,12 @@ JsonCursor Presets::complete(const JsonCursor& fixture) const {
     if (!reference) break;
     const std::string name = reference->text();
     const auto found = presets_.find(name);
-    if (found == presets_.end())
-      reference->fail(fmt::format("names the unknown preset {}", in_quotes(name)),
-                      "define it in 'presets', or correct the name");
-    const bool repeats = std::find(chain.begin(), chain.end(), name) != chain.end();
-    chain.push_back(name);
+    if (found == presets_.end()) fail_unknown(*reference, name);
+    constexpr std::size_t max_chain = 100;
+    if (chain.size() == max_chain)
+      reference->fail(fmt::format("is the end of a chain of {} presets", max_chain), "nest fewer of them");
+    const bool repeats = !seen.insert(name).second;
+    chain.push_back(shortened(name, longest_name));
     if (repeats)
       reference->fail(fmt::format("refers to itself: {}", fmt::join(chain, " -> ")),
                       "remove one of the references");

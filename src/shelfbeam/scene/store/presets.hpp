@@ -20,6 +20,8 @@ class Presets {
   JsonCursor complete(const JsonCursor& fixture) const;
 
  private:
+  [[noreturn]] void fail_unknown(const JsonCursor& reference, const std::string& name) const;
+
   std::map<std::string, JsonCursor, std::less<>> presets_;
 };
 

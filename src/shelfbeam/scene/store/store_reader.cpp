@@ -1,3 +1,8 @@
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/format_version.hpp"
@@ -22,7 +27,11 @@ void read_materials(const JsonCursor& section, Store& store) {
 // Files with parts that several stores share.
 std::vector<JsonCursor> read_catalogues(const JsonCursor& root, const StoreFolder& folder) {
   std::vector<JsonCursor> files;
-  if (const auto names = root.find("catalogues"))
+  constexpr std::size_t max_files = 100;
+  if (const auto names = root.find("catalogues")) {
+    if (names->size() > max_files)
+      names->fail(fmt::format("has {} files", names->size()),
+                  fmt::format("at most {} are allowed", max_files));
     for (const JsonCursor& name : names->elements()) {
       const JsonCursor file = JsonCursor::parse_file(folder.find(name));
       const auto units = file.find("units");
@@ -30,6 +39,7 @@ std::vector<JsonCursor> read_catalogues(const JsonCursor& root, const StoreFolde
       files.back().expect_keys(
           {"$schema", "units", "presets", "materials", "label_types", "transceiver_types"});
     }
+  }
   return files;
 }
 

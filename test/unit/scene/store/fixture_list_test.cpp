@@ -164,6 +164,12 @@ TEST(FixtureList, RefusesFaultsWithTheirPlace) {
            "presets.b.preset: refers to itself: a -> b -> a"},
           {R"([{"preset": "a", "id": "A"}])", R"({"a": {"preset": "a"}})", "refers to itself: a -> a"},
           {R"([{"preset": "c", "id": "A"}])", R"({})", "fixtures[0].preset: names the unknown preset 'c'"},
+          {R"([{"preset": "runn", "id": "A"}])", R"({"run": {}})", "did you mean 'run'?"},
+          {R"([{"type": "cylinder", "id": "A", "radius": 1, "top": 1, "material": "steel", "against": {"wall": 0, "from": 1}}])",
+           "{}", "fixtures[0].against: does not apply to a cylinder"},
+          {R"([{"type": "cylinder", "id": "A{n}", "at": [1, 1], "radius": 1, "top": 1, "material": "steel",
+                "repeat": {"count": 3, "step": [9000, 0]}}])",
+           "{}", "fixtures[0].repeat: puts a copy 18000 m from the first"},
           {R"([{"preset": "a", "id": "A", "at": [1, 1]}])", R"({"a": {"type": "gondola", "lenght": 3}})",
            "fixtures[0] (preset 'a'): has the unknown key 'lenght'"},
           {copies.c_str(), "{}", "fixtures[0].id: is 'A' for all copies"},
@@ -181,6 +187,29 @@ TEST(FixtureList, RefusesFaultsWithTheirPlace) {
     store["presets"] = Json::parse(presets);
     test::expect_input_error([&] { make_scene(read(store)); }, std::string_view(message));
   }
+}
+
+TEST(FixtureList, RefusesLongChainsOfPresets) {
+  Json store = store_with(R"([{"preset": "0", "id": "A"}])");
+  for (int k = 0; k < 200; ++k) store["presets"][std::to_string(k)] = {{"preset", std::to_string(k + 1)}};
+  test::expect_input_error([&] { read(store); },
+                           std::string_view("presets.99.preset: is the end of a chain of 100 presets"));
+}
+
+// Each copy has its own mesh, so that they are counted before they are made.
+TEST(FixtureList, CountsTheMemoryOfCopies) {
+  Json store = store_with(R"([{"type": "prism", "id": "P{n}", "top": 1, "material": "steel",
+    "repeat": {"count": 10000, "step": [0.001, 0]}}])");
+  for (int k = 0; k < 1000; ++k) {
+    const double angle = 2 * pi * k / 1000;
+    store["fixtures"][0]["polygon"].push_back({10 + std::cos(angle), 10 + std::sin(angle)});
+  }
+  constexpr std::size_t memory = 100'000'000;
+  test::expect_input_error(
+      [&] {
+        parse_store(store.dump(), "store.json", {}, {false, memory});
+      },
+      std::string_view("store.json: fixtures[0]: the store up to here requires about 0.1"));
 }
 
 std::vector<Label> labels_of(const std::string& labels, const std::string& fixture) {
