@@ -167,6 +167,8 @@ TEST(FixtureList, RefusesFaultsWithTheirPlace) {
           {R"([{"preset": "runn", "id": "A"}])", R"({"run": {}})", "did you mean 'run'?"},
           {R"([{"type": "cylinder", "id": "A", "radius": 1, "top": 1, "material": "steel", "against": {"wall": 0, "from": 1}}])",
            "{}", "fixtures[0].against: does not apply to a cylinder"},
+          {R"([{"type": "cylinder", "id": "A", "at": [3, 3], "radius": 1, "bottom": 3, "top": "ceiling", "material": "steel"}])",
+           "{}", "fixtures[0].bottom: is 3 m, not below the ceiling at 3 m"},
           {R"([{"type": "cylinder", "id": "A{n}", "at": [1, 1], "radius": 1, "top": 1, "material": "steel",
                 "repeat": {"count": 3, "step": [9000, 0]}}])",
            "{}", "fixtures[0].repeat: puts a copy 18000 m from the first"},
