@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "shelfbeam/math/polygon.hpp"
+
 namespace shelfbeam {
 
 namespace {
