@@ -84,19 +84,54 @@ class Geos {
   std::string message_;
 };
 
+constexpr double map_grid = 1e-7;  // m
+
+// The first point of other polygons beyond a point of one, in the direction of +x or -x (`sign`).
+std::optional<Vec2> beyond(std::span<const Polygon> polygons, std::size_t own, const Vec2& from,
+                           double sign) {
+  double nearest = HUGE_VAL;
+  for (std::size_t p = 0; p < polygons.size(); ++p) {
+    if (p == own) continue;
+    for (std::size_t k = 0; k < polygons[p].size(); ++k) {
+      const Vec2 &a = polygons[p][k], &b = polygons[p][(k + 1) % polygons[p].size()];
+      if ((a[1] > from[1]) == (b[1] > from[1])) continue;
+      const double x = a[0] + (from[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+      if (const double way = sign * (x - from[0]); way > -map_grid) nearest = std::min(nearest, way);
+    }
+  }
+  if (nearest <= map_grid || nearest == HUGE_VAL) return {};
+  return Vec2{from[0] + sign * nearest, from[1]};
+}
+
 class Mapper {
  public:
   PlanarMap map(std::span<const Polygon> polygons, std::span<const std::array<Vec2, 2>> lines) {
     std::vector<GEOSGeometry*> edges;
-    for (const Polygon& polygon : polygons) edges.push_back(geos_.line(polygon, true).release());
-    for (const auto& line : lines) edges.push_back(geos_.line(line, false).release());
+    const auto draw = [&](std::span<const Vec2> points, bool closes) {
+      edges.push_back(geos_.line(points, closes).release());
+    };
+    for (const Polygon& polygon : polygons) draw(polygon, true);
+    for (const auto& line : lines) draw(line, false);
+    // Lines from the sides of each polygon connect it with its surroundings, so that no face has a hole:
+    // GEOS 3.11 cannot triangulate faces whose holes touch each other.
+    for (std::size_t p = 0; p < polygons.size(); ++p) {
+      const auto [low, high] = std::minmax_element(polygons[p].begin(), polygons[p].end());
+      if (const auto end = beyond(polygons, p, *low, -1)) draw(std::array{*low, *end}, false);
+      if (const auto end = beyond(polygons, p, *high, 1)) draw(std::array{*high, *end}, false);
+    }
     const auto drawn = geos_.own(GEOSGeom_createCollection_r(
         geos_.handle(), GEOS_GEOMETRYCOLLECTION, edges.data(), static_cast<unsigned>(edges.size())));
-    // The union of lines has a vertex wherever two of them meet.
-    const auto noded = geos_.own(GEOSUnaryUnion_r(geos_.handle(), drawn.get()));
+    // The union of lines has a vertex wherever two of them meet. On a grid, a corner beside a line by
+    // rounding becomes a vertex of the line, so there are no slivers between the two.
+    const auto noded = geos_.own(GEOSUnaryUnionPrec_r(geos_.handle(), drawn.get(), map_grid));
     const GEOSGeometry* input = noded.get();
     const auto faces = geos_.own(GEOSPolygonize_r(geos_.handle(), &input, 1));
     for (const GEOSGeometry* face : geos_.members(faces)) add_face(face);
+    return std::move(map_);
+  }
+
+  PlanarMap map(const Polygon& polygon) {
+    add_face(geos_.area(polygon).get());
     return std::move(map_);
   }
 
@@ -104,12 +139,18 @@ class Mapper {
   void add_face(const GEOSGeometry* face) {
     const auto inside = geos_.own(GEOSPointOnSurface_r(geos_.handle(), face));
     const auto triangles = geos_.own(GEOSConstrainedDelaunayTriangulation_r(geos_.handle(), face));
+    const std::size_t first = map_.triangles.size();
+    double area = 0;
     for (const GEOSGeometry* triangle : geos_.members(triangles)) {
-      std::vector<Vec2> corners = geos_.corners(triangle);
-      if (signed_area(corners) < 0) std::swap(corners[1], corners[2]);
+      const std::vector<Vec2> corners = geos_.corners(triangle);
+      area += signed_area(corners);
       map_.triangles.push_back({index(corners[0]), index(corners[1]), index(corners[2])});
       map_.face_of.push_back(static_cast<std::uint32_t>(map_.inside.size()));
     }
+    // All have the same direction; that of a thin one alone would depend on rounding.
+    if (area < 0)
+      for (std::size_t t = first; t < map_.triangles.size(); ++t)
+        std::swap(map_.triangles[t][1], map_.triangles[t][2]);
     map_.inside.push_back(geos_.position(inside.get()));
   }
 
@@ -215,6 +256,10 @@ double shared_area(const Polygon& a, const Polygon& b) {
   double area = 0;
   GEOSArea_r(geos.handle(), both.get(), &area);
   return area;
+}
+
+PlanarMap triangulated(const Polygon& polygon) {
+  return Mapper().map(polygon);
 }
 
 PlanarMap planar_map(std::span<const Polygon> polygons, std::span<const std::array<Vec2, 2>> lines) {

@@ -58,7 +58,11 @@ struct PlanarMap {
   std::vector<Vec2> inside;                             ///< by face: a point within it
 };
 
-/// The bounded faces between the edges of polygons, which may cross and overlap, and further lines.
+/// The triangles of a polygon without fault, between its own corners.
+PlanarMap triangulated(const Polygon& polygon);
+
+/// The bounded faces between the edges of polygons, which may cross and overlap, and further lines. Points
+/// are rounded to a grid of 0.1 um.
 PlanarMap planar_map(std::span<const Polygon> polygons, std::span<const std::array<Vec2, 2>> lines = {});
 
 }  // namespace shelfbeam

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "shelfbeam/math/polygon.hpp"
@@ -58,45 +57,51 @@ class PlanReader {
     return result;
   }
 
-  // Sloped ceilings and levels, each once.
-  std::vector<CeilingHeight> heights() const {
-    std::vector<CeilingHeight> sloped;
-    std::set<double> levels;
-    const auto add = [&](const CeilingHeight& height) {
-      if (height.points)
-        sloped.push_back(height);
-      else
-        levels.insert(height.level);
-    };
-    add(shape_.height);
-    for (const CeilingZone& zone : shape_.zones) add(zone.height);
-    for (const InnerWall& wall : shape_.inner_walls) {
-      if (wall.height) levels.insert(*wall.height);
-      for (const WallOpening& opening : wall.openings) levels.insert({opening.bottom, opening.top});
+  // A surface over a part of the plan.
+  struct Surface {
+    CeilingHeight height;
+    PlanBounds bounds;
+  };
+
+  std::vector<Surface> surfaces(const PlanLines& lines) const {
+    std::vector<Surface> all{{shape_.height, bounds_of(shape_.outline)}};
+    for (const CeilingZone& zone : shape_.zones) all.push_back({zone.height, bounds_of(zone.polygon)});
+    for (std::size_t w = 0; w < shape_.inner_walls.size(); ++w) {
+      const InnerWall& wall = shape_.inner_walls[w];
+      const auto& [whole, openings] = lines.inner_walls[w];
+      if (wall.height) all.push_back({{*wall.height, {}}, bounds_of(whole)});
+      for (std::size_t o = 0; o < openings.size(); ++o)
+        for (const double level : {wall.openings[o].bottom, wall.openings[o].top})
+          all.push_back({{level, {}}, bounds_of(openings[o])});
     }
-    for (const double level : levels) sloped.push_back({level, {}});
-    return sloped;
+    return all;
   }
 
-  // Creases extend across the whole plan.
   void add_creases(PlanLines& lines) const {
-    const std::vector<CeilingHeight> all = heights();
-    for (std::size_t i = 0; i < all.size() && all[i].points; ++i)
-      for (std::size_t j = i + 1; j < all.size(); ++j) {
-        add_crease(all[i], all[j], lines.creases);
+    const std::vector<Surface> all = surfaces(lines);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        if (all[i].height.points || all[j].height.points) add_crease(all[i], all[j], lines.creases);
         if (lines.count() > PlanLines::max_count) return;
       }
   }
 
-  void add_crease(const CeilingHeight& a, const CeilingHeight& b, std::vector<Line>& lines) const {
-    // The difference of the heights is c + x dx + y dy.
-    const auto difference = [&](const Vec2& p) { return a.at(p) - b.at(p); };
-    const double c = difference({0, 0}), dx = difference({1, 0}) - c, dy = difference({0, 1}) - c;
+  // The line on which two surfaces have the same height, over the bounds that they share.
+  static void add_crease(const Surface& a, const Surface& b, std::vector<Line>& lines) {
+    if (!a.bounds.meets(b.bounds)) return;
+    constexpr double margin = 0.01;  // m
+    Vec2 low{}, high{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      low[axis] = std::max(a.bounds.low[axis], b.bounds.low[axis]) - margin;
+      high[axis] = std::min(a.bounds.high[axis], b.bounds.high[axis]) + margin;
+    }
+    const Vec2 middle{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2};
+    const auto difference = [&](const Vec2& p) { return a.height.at(p) - b.height.at(p); };
+    const double c = difference(middle), dx = difference({middle[0] + 1, middle[1]}) - c,
+                 dy = difference({middle[0], middle[1] + 1}) - c;
     const double slope = std::hypot(dx, dy);
     if (slope < rounding) return;
-    const Vec3 low = shape_.lower(), high = shape_.upper();
-    const Vec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
-    const double off = difference(middle) / slope, half = std::hypot(high.x - low.x, high.y - low.y);
+    const double off = c / slope, half = std::hypot(high[0] - low[0], high[1] - low[1]) / 2;
     if (std::abs(off) > half) return;
     const Vec2 across{dx / slope, dy / slope};
     const Vec2 foot{middle[0] - off * across[0], middle[1] - off * across[1]};

@@ -13,7 +13,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // m
+constexpr double rounding = 1e-6;  // m; heights at points of the plan, which lie on a grid, are less exact
 
 /// A stretch of air on a vertical line. Its ends are surfaces: heights over the plan.
 struct Gap {
@@ -25,6 +25,7 @@ struct Gap {
 struct Column {
   std::vector<Gap> gaps;  ///< upwards; none outside the room and within a wall of full height
   bool is_room = false;   ///< within the outline, outside the holes
+  CeilingHeight ceiling;  ///< also where a wall reaches it
   const Room::WallMaterials* wall = nullptr;
   const Room::ZoneMaterials* zone = nullptr;
 };
@@ -40,9 +41,11 @@ class Shell {
     for (const Vec2& inside : map_.inside) columns_.push_back(column_at(inside));
     levels_.resize(map_.points.size());
     for (std::size_t t = 0; t < map_.triangles.size(); ++t)
-      for (const Gap& gap : column_of(t).gaps)
-        for (const std::uint32_t point : map_.triangles[t])
+      for (const std::uint32_t point : map_.triangles[t]) {
+        if (column_of(t).is_room) add_level(point, column_of(t).ceiling);
+        for (const Gap& gap : column_of(t).gaps)
           for (const CeilingHeight* end : {&gap.low, &gap.high}) add_level(point, *end);
+      }
   }
 
   void build() {
@@ -77,6 +80,7 @@ class Shell {
         column.gaps.front().high = shape_.zones[z].height;
         column.gaps.front().above = room_.zones[z].ceiling;
       }
+    column.ceiling = column.gaps.front().high;
     for (std::size_t w = 0; w < footprints_.size(); ++w)
       if (contains(footprints_[w].wall, p)) stand(w, p, column);
     return column;
@@ -159,20 +163,29 @@ class Shell {
       for (const Gap& other : far.gaps) {
         if (other.high.at(middle) <= from.at(middle) + rounding) continue;
         if (other.low.at(middle) >= gap.high.at(middle) - rounding) break;
-        if (other.low.at(middle) > from.at(middle) + rounding)
-          add_strip(u, v, from, other.low, wall_material(near, far, middle));
+        add_side(u, v, from, other.low, near, far);
         from = other.high;
       }
-      if (from.at(middle) < gap.high.at(middle) - rounding)
-        add_strip(u, v, from, gap.high, wall_material(near, far, middle));
+      add_side(u, v, from, gap.high, near, far);
     }
   }
 
-  MaterialId wall_material(const Column& near, const Column& far, const Vec2& at) const {
-    if (!far.is_room) return outer_material(at);
-    if (far.wall != nullptr) return far.wall->wall;
-    if (far.zone != nullptr) return far.zone->fascia;
-    return near.zone != nullptr ? near.zone->fascia : room_.ceiling;
+  // A surface between two heights: of a wall up to the ceiling of `far`, and a fascia above it.
+  void add_side(std::uint32_t u, std::uint32_t v, const CeilingHeight& from, const CeilingHeight& to,
+                const Column& near, const Column& far) {
+    const Vec2 &a = map_.points[u], &b = map_.points[v];
+    const Vec2 middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+    const double low = from.at(middle), high = to.at(middle);
+    if (low >= high - rounding) return;
+    if (!far.is_room) return add_strip(u, v, from, to, outer_material(middle));
+    const double ceiling = far.wall != nullptr ? far.ceiling.at(middle) : low;
+    const MaterialId fascia = far.zone != nullptr    ? far.zone->fascia
+                              : near.zone != nullptr ? near.zone->fascia
+                                                     : room_.ceiling;
+    if (ceiling <= low + rounding) return add_strip(u, v, from, to, fascia);
+    if (ceiling >= high - rounding) return add_strip(u, v, from, to, far.wall->wall);
+    add_strip(u, v, from, far.ceiling, far.wall->wall);
+    add_strip(u, v, far.ceiling, to, fascia);
   }
 
   MaterialId outer_material(const Vec2& at) const {

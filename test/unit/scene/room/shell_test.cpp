@@ -2,14 +2,18 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <random>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/scene/room/plan_lines.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
 #include "support/expect_input_error.hpp"
@@ -99,6 +103,105 @@ TEST(Shell, IsClosedAndEnclosesTheAir) {
     }
   air *= high.x * high.y / steps / steps;
   EXPECT_NEAR(enclosed_volume(scene, {pane}), air, 0.005 * air);
+}
+
+// Random rooms with corners at whole decimetres: lines meet at any angle, and rounded corners lie beside
+// them.
+class RandomRooms {
+ public:
+  explicit RandomRooms(unsigned seed) : random_(seed) {}
+
+  Json next() {
+    const std::vector<std::vector<Vec2>> outlines{{{0, 0}, {20, 0}, {20, 20}, {0, 20}},
+                                                  {{0, 0}, {20, 6}, {17, 20}, {0, 20}},
+                                                  {{0, 20}, {0, 0}, {13, 0}, {20, 7}, {20, 12}, {11, 20}}};
+    outline_ = outlines[random_() % outlines.size()];
+    Json room{
+        {"outline", outline_}, {"height", 4}, {"floor", "tile"}, {"ceiling", "white"}, {"walls", "white"}};
+    room["zones"] = Json::array();
+    for (int z = 0; z < 3; ++z) {
+      Polygon polygon;
+      for (int k = 0; k < 3; ++k) polygon.push_back(point());
+      Json zone{{"id", fmt::format("Z{}", z)}, {"polygon", polygon}, {"height", 2.5 + 0.1 * z}};
+      if (z == 2) zone["height"] = {{0, 0, 3}, {1, 0.1, 3.05}, {0, 1, 3}};
+      room["zones"].push_back(zone);
+    }
+    room["inner_walls"] = Json::array();
+    for (int w = 0; w < 2; ++w)
+      room["inner_walls"].push_back({{"id", fmt::format("W{}", w)},
+                                     {"from", point()},
+                                     {"to", point()},
+                                     {"openings", {{{"at", 1}, {"width", 1}, {"top", 2.1}}}}});
+    return room;
+  }
+
+  double upto(double high) { return high * std::uniform_real_distribution()(random_); }
+
+ private:
+  // Within the outline's bounds; every third point on the outline.
+  Vec2 point() {
+    if (random_() % 3 != 0) return {tenth(upto(20)), tenth(upto(20))};
+    const std::size_t k = random_() % outline_.size();
+    const Vec2 &a = outline_[k], &b = outline_[(k + 1) % outline_.size()];
+    const double t = tenth(upto(1));
+    return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+  }
+  static double tenth(double value) { return std::round(10 * value) / 10; }
+
+  std::mt19937 random_;
+  std::vector<Vec2> outline_;
+};
+
+bool is_in_wall(const RoomShape& room, const Vec3& p) {
+  const std::vector<PlanLines::Footprints> walls = PlanLines::of(room).inner_walls;
+  const Vec2 plan{p.x, p.y};
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    if (!contains(walls[w].wall, plan)) continue;
+    bool is_open = false;
+    for (std::size_t o = 0; o < walls[w].openings.size(); ++o)
+      is_open |= contains(walls[w].openings[o], plan) && p.z < room.inner_walls[w].openings[o].top;
+    if (!is_open) return true;
+  }
+  return false;
+}
+
+// Triangles above a point. Of a closed surface, a point within has an odd number.
+std::size_t surfaces_above(const Scene& scene, const Vec3& p) {
+  std::size_t count = 0;
+  for (const auto& [a, b, c] : scene.mesh.triangles) {
+    const auto& v = scene.mesh.vertices;
+    const std::array<Vec2, 3> plan{{{v[a].x, v[a].y}, {v[b].x, v[b].y}, {v[c].x, v[c].y}}};
+    if (!contains(plan, {p.x, p.y})) continue;
+    const Vec3 normal = cross(v[b] - v[a], v[c] - v[a]);
+    if (v[a].z - (normal.x * (p.x - v[a].x) + normal.y * (p.y - v[a].y)) / normal.z > p.z) ++count;
+  }
+  return count;
+}
+
+TEST(Shell, IsClosedForRandomRooms) {
+  RandomRooms rooms(1);
+  int built = 0, shared = 0;
+  for (int trial = 0; trial < 4000 && built < 300; ++trial) {
+    const Json room = rooms.next();
+    Scene scene;
+    try {
+      scene = make_scene(test::read_text(store_with(room.dump()).dump()));
+    } catch (const InputError&) {
+      continue;  // overlapping zones, a wall shorter than its opening
+    }
+    ++built;
+    ASSERT_EQ(open_edges(scene, {UINT32_MAX}), 0u) << room.dump();
+    for (int k = 0; k < 100; ++k) {
+      const Vec3 p{rooms.upto(20), rooms.upto(20), rooms.upto(4.5)};
+      const Vec2 plan{p.x, p.y};
+      const bool is_air = scene.room->covers(plan) && p.z < scene.room->ceiling_over(plan).at(plan) &&
+                          !is_in_wall(*scene.room, p);
+      ASSERT_EQ(surfaces_above(scene, p) % 2 == 1, is_air) << room.dump() << p.x << ' ' << p.y << ' ' << p.z;
+      shared += is_air;
+    }
+  }
+  EXPECT_EQ(built, 300);
+  EXPECT_GT(shared, 10'000);
 }
 
 Json changed(const std::string& pointer, const std::string& value) {
