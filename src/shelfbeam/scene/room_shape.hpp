@@ -28,6 +28,7 @@ struct CeilingZone {
 /// A hole through an inner wall.
 struct WallOpening {
   double at = 0, width = 0, bottom = 0, top = 0;  ///< m; `at` from the wall's start
+  bool has_pane = false;
 };
 
 /// A wall that stands in the room, with its middle on the line between two points.
@@ -55,6 +56,10 @@ struct RoomShape {
 
   static RoomShape box(const Vec3& size);
 
+  /// A box with one level ceiling and without inner walls.
+  bool is_plain_box() const { return is_box && zones.empty() && inner_walls.empty(); }
+  /// Whether the ceiling is the same height above the floor everywhere.
+  bool has_one_height() const { return zones.empty() && !height.points; }
   /// Corners of the bounding box, m. That of a box is its size.
   Vec3 lower() const;
   Vec3 upper() const;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -88,7 +90,7 @@ struct Scene {
   std::vector<LabelType> label_types;
   std::vector<TransceiverType> transceiver_types;
   TriangleMesh mesh;
-  std::vector<FixtureOutline> fixtures;
+  std::vector<FixtureOutline> fixtures;  ///< and inner walls, which come last
   std::vector<Part> parts;
   std::vector<Label> labels;
   std::vector<Transceiver> transceivers;
@@ -97,6 +99,12 @@ struct Scene {
 
   const LabelType& type_of(const Label& label) const { return label_types[label.type.value]; }
   const TransceiverType& type_of(const Transceiver& t) const { return transceiver_types[t.type.value]; }
+
+  /// The number of inner walls among `fixtures`.
+  std::size_t inner_walls() const {
+    return static_cast<std::size_t>(std::count_if(
+        fixtures.begin(), fixtures.end(), [](const auto& fixture) { return fixture.type == "wall"; }));
+  }
 
   /// For each material, whether a surface uses it.
   std::vector<bool> used_materials() const {

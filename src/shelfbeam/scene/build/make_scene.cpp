@@ -110,7 +110,7 @@ class SceneMaker {
   void add_room() {
     if (!store_.room) return;
     scene_.room = store_.room->shape;
-    add_shell(*store_.room, scene_.mesh);
+    wall_surfaces_ = add_shell(*store_.room, scene_.mesh);
   }
 
   void add_fixtures() {
@@ -145,7 +145,7 @@ class SceneMaker {
       for (std::size_t o = 0; o < panes.size(); ++o)
         if (panes[o])
           expect_pane(scene_.materials[panes[o]->value], fmt::format("{}.openings[{}].pane", where, o));
-      add_wall_parts(*store_.room, w, scene_);
+      add_wall_parts(*store_.room, w, wall_surfaces_[w], scene_);
     }
   }
 
@@ -312,6 +312,7 @@ class SceneMaker {
   SceneMemory memory_;
   std::unordered_map<std::string, std::size_t> unit_index_;
   std::set<std::string> kept_out_ids_, fixture_ids_;
+  std::vector<TriangleRange> wall_surfaces_;  ///< by inner wall
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ void expect_pane(const NamedMaterial& material, const std::string& where) {
         "use a 'thin_dielectric', which models a whole pane");
 }
 
-void add_wall_parts(const Room& room, std::size_t wall, Scene& scene) {
+void add_wall_parts(const Room& room, std::size_t wall, const TriangleRange& surface, Scene& scene) {
   const InnerWall& shape = room.shape.inner_walls[wall];
   const double length = shape.length();
   const Polygon outline = shape.footprint(0, length);
@@ -28,7 +28,8 @@ void add_wall_parts(const Room& room, std::size_t wall, Scene& scene) {
     for (const Vec2& corner : outline) height = std::max(height, room.shape.ceiling_over(corner).at(corner));
   const auto index = static_cast<std::uint32_t>(scene.fixtures.size());
   const double turn = std::atan2(shape.to[1] - shape.from[1], shape.to[0] - shape.from[0]);
-  scene.fixtures.push_back({shape.id, "wall", outline, height, turn * 180 / pi});
+  scene.fixtures.push_back(
+      {shape.id, "wall", outline, height, turn * 180 / pi, surface.first, surface.count});
   const auto add = [&](double begin, double end, double bottom, double top) {
     if (end > begin && top > bottom)
       scene.parts.push_back(

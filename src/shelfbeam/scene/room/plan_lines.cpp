@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/scene/wall_section.hpp"
 
 namespace shelfbeam {
 
@@ -33,25 +34,10 @@ class PlanReader {
   }
 
  private:
-  // A wall is extended into a wall of the room that it meets, and by half of an inner wall at its end, so
-  // that no wedge stays open at a corner.
   PlanLines::Footprints footprints_of(std::size_t w) const {
     const InnerWall& wall = shape_.inner_walls[w];
-    const auto extension = [&](const Vec2& end) {
-      double by = 0;
-      if (distance_to_border(shape_.outline, end) < wall.thickness / 2 + rounding) by = wall.thickness;
-      for (const Polygon& hole : shape_.holes)
-        if (distance_to_border(hole, end) < wall.thickness / 2 + rounding) by = wall.thickness;
-      for (std::size_t o = 0; o < shape_.inner_walls.size(); ++o) {
-        const InnerWall& other = shape_.inner_walls[o];
-        for (const Vec2& corner : {other.from, other.to})
-          if (o != w && std::hypot(corner[0] - end[0], corner[1] - end[1]) < rounding)
-            by = std::max(by, other.thickness / 2);
-      }
-      return by;
-    };
     PlanLines::Footprints result;
-    result.wall = wall.footprint(-extension(wall.from), wall.length() + extension(wall.to));
+    result.wall = wall_footprint(shape_, w);
     for (const WallOpening& opening : wall.openings)
       result.openings.push_back(wall.footprint(opening.at, opening.at + opening.width));
     return result;

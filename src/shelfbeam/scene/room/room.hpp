@@ -47,14 +47,21 @@ Room read_room(const JsonCursor& json, const StoreNames& names);
 /// The room in the resolved store, from which `read_room` restores it to the bit.
 nlohmann::ordered_json resolved(const Room& room, const std::vector<NamedMaterial>& materials);
 
-/// Adds an inner wall's outline and parts for drawings, which are solid between its openings.
-void add_wall_parts(const Room& room, std::size_t wall, Scene& scene);
+struct TriangleRange {
+  std::uint32_t first = 0, count = 0;
+};
+
+/// Adds an inner wall's outline and parts for drawings, which are solid between its openings. `surface` is
+/// the wall's range of triangles.
+void add_wall_parts(const Room& room, std::size_t wall, const TriangleRange& surface, Scene& scene);
 
 /// Throws InputError for a solid dielectric, because a pane has no thickness.
 void expect_pane(const NamedMaterial& material, const std::string& where);
 
 /// Adds the surfaces of the room to an empty mesh. They form a closed surface: triangles meet vertex to
-/// vertex, also where ceilings of different heights, inner walls and openings meet.
-void add_shell(const Room& room, TriangleMesh& mesh);
+/// vertex, also where ceilings of different heights, inner walls and openings meet. Walls and
+/// ceilings face away from the air, floors upwards, except in a plain box. Returns the triangles of each
+/// inner wall.
+std::vector<TriangleRange> add_shell(const Room& room, TriangleMesh& mesh);
 
 }  // namespace shelfbeam

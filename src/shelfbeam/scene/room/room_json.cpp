@@ -196,6 +196,7 @@ void read_inner_walls(const JsonCursor& json, const StoreNames& names, MaterialI
         wall.openings.push_back(read_opening(opening, wall, room.shape));
         const auto pane = opening.find("pane");
         materials.panes.push_back(pane ? std::optional(names.material(*pane)) : std::nullopt);
+        wall.openings.back().has_pane = pane.has_value();
       }
     }
     room.shape.inner_walls.push_back(std::move(wall));

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "shelfbeam/math/polygon.hpp"
@@ -15,10 +16,16 @@ namespace {
 
 constexpr double rounding = 1e-6;  // m; heights at points of the plan, which lie on a grid, are less exact
 
+/// The material of triangles and the inner wall to which they belong.
+struct Surface {
+  MaterialId material;
+  std::optional<std::size_t> wall = {};
+};
+
 /// A stretch of air on a vertical line. Its ends are surfaces: heights over the plan.
 struct Gap {
   CeilingHeight low, high;
-  MaterialId below, above;
+  Surface below, above;
 };
 
 /// The part of the plan with the same surfaces below and above everywhere.
@@ -26,7 +33,7 @@ struct Column {
   std::vector<Gap> gaps;  ///< upwards; none outside the room and within a wall of full height
   bool is_room = false;   ///< within the outline, outside the holes
   CeilingHeight ceiling;  ///< also where a wall reaches it
-  const Room::WallMaterials* wall = nullptr;
+  std::optional<std::size_t> wall;
   const Room::ZoneMaterials* zone = nullptr;
 };
 
@@ -38,6 +45,7 @@ class Shell {
     const PlanLines lines = PlanLines::of(shape_);
     footprints_ = lines.inner_walls;
     map_ = planar_map(lines.polygons, lines.creases);
+    of_walls_.resize(shape_.inner_walls.size());
     for (const Vec2& inside : map_.inside) columns_.push_back(column_at(inside));
     levels_.resize(map_.points.size());
     for (std::size_t t = 0; t < map_.triangles.size(); ++t)
@@ -48,7 +56,7 @@ class Shell {
       }
   }
 
-  void build() {
+  std::vector<TriangleRange> build() {
     for (std::size_t t = 0; t < map_.triangles.size(); ++t)
       for (const Gap& gap : column_of(t).gaps) {
         add_level_triangle(map_.triangles[t], gap.low, gap.below);
@@ -64,6 +72,14 @@ class Shell {
                other == beyond.end() ? outside : column_of(other->second));
     }
     for (std::size_t w = 0; w < shape_.inner_walls.size(); ++w) add_panes(w);
+    std::vector<TriangleRange> ranges;
+    for (const Triangles& wall : of_walls_) {
+      ranges.push_back({static_cast<std::uint32_t>(mesh_.triangles.size()),
+                        static_cast<std::uint32_t>(wall.corners.size())});
+      mesh_.triangles.insert(mesh_.triangles.end(), wall.corners.begin(), wall.corners.end());
+      mesh_.materials.insert(mesh_.materials.end(), wall.materials.begin(), wall.materials.end());
+    }
+    return ranges;
   }
 
  private:
@@ -73,12 +89,12 @@ class Shell {
     Column column;
     column.is_room = shape_.covers(p);
     if (!column.is_room) return column;
-    column.gaps = {{{}, shape_.height, room_.floor, room_.ceiling}};
+    column.gaps = {{{}, shape_.height, {room_.floor}, {room_.ceiling}}};
     for (std::size_t z = 0; z < shape_.zones.size(); ++z)
       if (contains(shape_.zones[z].polygon, p)) {
         column.zone = &room_.zones[z];
         column.gaps.front().high = shape_.zones[z].height;
-        column.gaps.front().above = room_.zones[z].ceiling;
+        column.gaps.front().above = {room_.zones[z].ceiling};
       }
     column.ceiling = column.gaps.front().high;
     for (std::size_t w = 0; w < footprints_.size(); ++w)
@@ -89,8 +105,8 @@ class Shell {
   // Takes the solid parts of a wall out of a column.
   void stand(std::size_t w, const Vec2& p, Column& column) const {
     const InnerWall& wall = shape_.inner_walls[w];
-    if (column.wall == nullptr) column.wall = &room_.inner_walls[w];
-    const MaterialId material = room_.inner_walls[w].wall;
+    if (!column.wall) column.wall = w;
+    const Surface surface{room_.inner_walls[w].wall, w};
     std::vector<std::pair<double, double>> holes;
     for (std::size_t o = 0; o < wall.openings.size(); ++o)
       if (contains(footprints_[w].openings[o], p))
@@ -98,13 +114,13 @@ class Shell {
     std::sort(holes.begin(), holes.end());
     double from = -1;
     for (const auto& [bottom, top] : holes) {
-      remove(from, bottom, p, material, column.gaps);
+      remove(from, bottom, p, surface, column.gaps);
       from = top;
     }
-    remove(from, wall.height.value_or(HUGE_VAL), p, material, column.gaps);
+    remove(from, wall.height.value_or(HUGE_VAL), p, surface, column.gaps);
   }
 
-  static void remove(double low, double high, const Vec2& p, MaterialId material, std::vector<Gap>& gaps) {
+  static void remove(double low, double high, const Vec2& p, const Surface& surface, std::vector<Gap>& gaps) {
     if (high - low < rounding) return;
     std::vector<Gap> left;
     for (const Gap& gap : gaps) {
@@ -113,8 +129,8 @@ class Shell {
         left.push_back(gap);
         continue;
       }
-      if (low > bottom + rounding) left.push_back({gap.low, {low, {}}, gap.below, material});
-      if (high < top - rounding) left.push_back({{high, {}}, gap.high, material, gap.above});
+      if (low > bottom + rounding) left.push_back({gap.low, {low, {}}, gap.below, surface});
+      if (high < top - rounding) left.push_back({{high, {}}, gap.high, surface, gap.above});
     }
     gaps = std::move(left);
   }
@@ -140,17 +156,22 @@ class Shell {
     return found->second;
   }
 
-  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, MaterialId material) {
-    mesh_.triangles.push_back({a, b, c});
-    mesh_.materials.push_back(material);
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, const Surface& surface) {
+    if (surface.wall) {
+      of_walls_[*surface.wall].corners.push_back({a, b, c});
+      of_walls_[*surface.wall].materials.push_back(surface.material);
+    } else {
+      mesh_.triangles.push_back({a, b, c});
+      mesh_.materials.push_back(surface.material);
+    }
   }
 
   void add_level_triangle(const std::array<std::uint32_t, 3>& points, const CeilingHeight& height,
-                          MaterialId material) {
+                          const Surface& surface) {
     std::array<std::uint32_t, 3> corners{};
     for (std::size_t k = 0; k < 3; ++k)
       corners[k] = vertex(points[k], level_index(points[k], height.at(map_.points[points[k]])));
-    add_triangle(corners[0], corners[1], corners[2], material);
+    add_triangle(corners[0], corners[1], corners[2], surface);
   }
 
   // The surfaces over an edge where air of `near` meets no air of `far`.
@@ -177,14 +198,15 @@ class Shell {
     const Vec2 middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
     const double low = from.at(middle), high = to.at(middle);
     if (low >= high - rounding) return;
-    if (!far.is_room) return add_strip(u, v, from, to, outer_material(middle));
-    const double ceiling = far.wall != nullptr ? far.ceiling.at(middle) : low;
-    const MaterialId fascia = far.zone != nullptr    ? far.zone->fascia
-                              : near.zone != nullptr ? near.zone->fascia
-                                                     : room_.ceiling;
+    if (!far.is_room) return add_strip(u, v, from, to, {outer_material(middle)});
+    const double ceiling = far.wall ? far.ceiling.at(middle) : low;
+    const Surface fascia{far.zone != nullptr    ? far.zone->fascia
+                         : near.zone != nullptr ? near.zone->fascia
+                                                : room_.ceiling};
     if (ceiling <= low + rounding) return add_strip(u, v, from, to, fascia);
-    if (ceiling >= high - rounding) return add_strip(u, v, from, to, far.wall->wall);
-    add_strip(u, v, from, far.ceiling, far.wall->wall);
+    const Surface side{room_.inner_walls[*far.wall].wall, far.wall};
+    if (ceiling >= high - rounding) return add_strip(u, v, from, to, side);
+    add_strip(u, v, from, far.ceiling, side);
     add_strip(u, v, far.ceiling, to, fascia);
   }
 
@@ -197,7 +219,7 @@ class Shell {
 
   // A strip between two vertical lines, with a vertex at each level on them.
   void add_strip(std::uint32_t u, std::uint32_t v, const CeilingHeight& low, const CeilingHeight& high,
-                 MaterialId material) {
+                 const Surface& surface) {
     const auto level = [&](std::uint32_t point, const CeilingHeight& height) {
       return level_index(point, height.at(map_.points[point]));
     };
@@ -207,7 +229,7 @@ class Shell {
       const bool goes_left =
           right == right_end || (left < left_end && levels_[u][left + 1] <= levels_[v][right + 1]);
       const std::uint32_t a = vertex(u, left), b = vertex(v, right);
-      add_triangle(a, b, goes_left ? vertex(u, ++left) : vertex(v, ++right), material);
+      add_triangle(a, b, goes_left ? vertex(u, ++left) : vertex(v, ++right), surface);
     }
   }
 
@@ -223,10 +245,15 @@ class Shell {
       for (const double z : {opening.bottom, opening.top})
         for (const double along : {opening.at, opening.at + opening.width})
           mesh_.vertices.push_back({wall.from[0] + along * x, wall.from[1] + along * y, z});
-      add_triangle(first, first + 1, first + 3, *pane);
-      add_triangle(first, first + 3, first + 2, *pane);
+      add_triangle(first, first + 1, first + 3, {*pane, w});
+      add_triangle(first, first + 3, first + 2, {*pane, w});
     }
   }
+
+  struct Triangles {
+    std::vector<std::array<std::uint32_t, 3>> corners;
+    std::vector<MaterialId> materials;
+  };
 
   const Room& room_;
   const RoomShape& shape_;
@@ -266,11 +293,10 @@ Room Room::box(const Vec3& size, MaterialId material) {
   return room;
 }
 
-void add_shell(const Room& room, TriangleMesh& mesh) {
-  if (room.shape.is_box && room.shape.zones.empty() && room.shape.inner_walls.empty())
-    add_box(room, mesh);
-  else
-    Shell(room, mesh).build();
+std::vector<TriangleRange> add_shell(const Room& room, TriangleMesh& mesh) {
+  if (!room.shape.is_plain_box()) return Shell(room, mesh).build();
+  add_box(room, mesh);
+  return {};
 }
 
 }  // namespace shelfbeam

@@ -1,0 +1,118 @@
+#include "shelfbeam/scene/wall_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "shelfbeam/math/polygon.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // m
+
+enum class Cover { none, below, cut };
+
+Cover cover_of(const InnerWall& wall, const Vec2& p, double height) {
+  if (wall.height && *wall.height <= height) return Cover::below;
+  for (const WallOpening& opening : wall.openings)
+    if (opening.bottom <= height && height < opening.top &&
+        contains(wall.footprint(opening.at, opening.at + opening.width), p))
+      return opening.bottom > 0 ? Cover::below : Cover::none;
+  return Cover::cut;
+}
+
+bool is_straight(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double x = c[0] - a[0], y = c[1] - a[1];
+  return std::abs(x * (b[1] - a[1]) - y * (b[0] - a[0])) <= rounding * std::hypot(x, y);
+}
+
+Polygon without_straight_corners(const Polygon& loop) {
+  Polygon result;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    if (!is_straight(loop[(k + loop.size() - 1) % loop.size()], loop[k], loop[(k + 1) % loop.size()]))
+      result.push_back(loop[k]);
+  return result;
+}
+
+// The outlines of the area that triangles cover: their edges without those between two of them.
+std::vector<Polygon> outlines_of(const PlanarMap& map, const std::vector<std::size_t>& triangles) {
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+  std::map<Edge, bool> edges;
+  for (const std::size_t t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) edges[{map.triangles[t][k], map.triangles[t][(k + 1) % 3]}] = true;
+  std::multimap<std::uint32_t, std::uint32_t> ways;
+  for (const auto& [edge, present] : edges)
+    if (!edges.contains({edge.second, edge.first})) ways.insert(edge);
+  std::vector<Polygon> loops;
+  while (!ways.empty()) {
+    Polygon loop;
+    for (auto way = ways.begin(); way != ways.end();) {
+      const std::uint32_t next = way->second;
+      loop.push_back(map.points[way->first]);
+      ways.erase(way);
+      way = ways.find(next);
+    }
+    loops.push_back(without_straight_corners(loop));
+  }
+  return loops;
+}
+
+}  // namespace
+
+Polygon wall_footprint(const RoomShape& room, std::size_t wall) {
+  const InnerWall& one = room.inner_walls[wall];
+  const auto extension = [&](const Vec2& end) {
+    double by = 0;
+    const auto meets = [&](const Polygon& border) {
+      return distance_to_border(border, end) < one.thickness / 2 + rounding;
+    };
+    if (meets(room.outline) || std::any_of(room.holes.begin(), room.holes.end(), meets)) by = one.thickness;
+    for (std::size_t o = 0; o < room.inner_walls.size(); ++o) {
+      const InnerWall& other = room.inner_walls[o];
+      for (const Vec2& corner : {other.from, other.to})
+        if (o != wall && std::hypot(corner[0] - end[0], corner[1] - end[1]) < rounding)
+          by = std::max(by, other.thickness / 2);
+    }
+    return by;
+  };
+  return one.footprint(-extension(one.from), one.length() + extension(one.to));
+}
+
+std::vector<WallSection> wall_sections(const RoomShape& room, double height) {
+  std::vector<WallSection> sections(room.inner_walls.size());
+  if (sections.empty()) return sections;
+  std::vector<Polygon> footprints, polygons = room.holes;
+  polygons.push_back(room.outline);
+  for (std::size_t w = 0; w < room.inner_walls.size(); ++w) {
+    const InnerWall& wall = room.inner_walls[w];
+    footprints.push_back(wall_footprint(room, w));
+    polygons.push_back(footprints.back());
+    for (const WallOpening& opening : wall.openings)
+      polygons.push_back(wall.footprint(opening.at, opening.at + opening.width));
+  }
+  const PlanarMap map = planar_map(polygons);
+  // By face: how it is covered, and by which wall.
+  std::vector<std::pair<Cover, std::size_t>> covers;
+  for (const Vec2& inside : map.inside) {
+    std::pair<Cover, std::size_t> most{Cover::none, 0};
+    for (std::size_t w = 0; room.covers(inside) && w < footprints.size(); ++w)
+      if (contains(footprints[w], inside))
+        if (const Cover cover = cover_of(room.inner_walls[w], inside, height); cover > most.first)
+          most = {cover, w};
+    covers.push_back(most);
+  }
+  std::map<std::pair<Cover, std::size_t>, std::vector<std::size_t>> triangles;
+  for (std::size_t t = 0; t < map.triangles.size(); ++t) triangles[covers[map.face_of[t]]].push_back(t);
+  for (const auto& [cover, members] : triangles)
+    if (cover.first != Cover::none) {
+      WallSection& section = sections[cover.second];
+      (cover.first == Cover::cut ? section.cut : section.below) = outlines_of(map, members);
+    }
+  return sections;
+}
+
+}  // namespace shelfbeam

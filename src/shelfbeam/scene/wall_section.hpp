@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/room_shape.hpp"
+
+namespace shelfbeam {
+
+/// The footprint of an inner wall, extended into a wall of the room that it meets, and by half of an inner
+/// wall at its end, so that no wedge stays open at a corner. A part beyond the room does not count.
+Polygon wall_footprint(const RoomShape& room, std::size_t wall);
+
+/// An inner wall in plan, cut at a height. Outlines of areas are counter-clockwise, their holes clockwise.
+struct WallSection {
+  std::vector<Polygon> cut;    ///< where the wall is solid at the height
+  std::vector<Polygon> below;  ///< where it is solid only farther down: sills, walls of less height
+};
+
+/// The inner walls within the room. Where several meet, the area belongs to the first.
+std::vector<WallSection> wall_sections(const RoomShape& room, double height);
+
+}  // namespace shelfbeam
