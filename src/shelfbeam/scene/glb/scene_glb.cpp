@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <variant>
@@ -74,16 +75,40 @@ void add_unless_empty(GlbFile& file, const std::string& name, const std::vector<
   if (!std::all_of(surfaces.begin(), surfaces.end(), is_empty)) file.add_node(name, surfaces);
 }
 
+// The zone to which a triangle of the room belongs: its ceiling, or the upright face at its border.
+std::optional<std::size_t> zone_of(const Scene& scene, std::size_t triangle, bool is_ceiling) {
+  constexpr double rounding = 1e-6;  // m
+  const RoomShape& room = *scene.room;
+  const auto& [i, j, k] = scene.mesh.triangles[triangle];
+  const auto& v = scene.mesh.vertices;
+  const Vec3 middle = (v[i] + v[j] + v[k]) / 3;
+  const Vec2 plan{middle.x, middle.y};
+  const auto is_on = [&](const Polygon& border) { return distance_to_border(border, plan) < rounding; };
+  if (!is_ceiling && (middle.z < rounding || is_on(room.outline) ||
+                      std::any_of(room.holes.begin(), room.holes.end(), is_on)))
+    return {};
+  for (std::size_t z = 0; z < room.zones.size(); ++z)
+    if (is_ceiling ? contains(room.zones[z].polygon, plan) : is_on(room.zones[z].polygon)) return z;
+  return {};
+}
+
 void add_room(GlbFile& file, const Scene& scene) {
   std::vector<bool> is_of_fixture(scene.mesh.triangles.size(), false);
   for (const FixtureOutline& fixture : scene.fixtures)
     for (std::uint32_t k = 0; k < fixture.triangle_count; ++k)
       is_of_fixture[fixture.first_triangle + k] = true;
   NodeSurfaces room(scene), ceiling(scene);
-  for (std::size_t t = 0; t < is_of_fixture.size(); ++t)
-    if (!is_of_fixture[t]) (is_ceiling(scene.mesh, t) ? ceiling : room).add(t);
+  std::vector<NodeSurfaces> zones(scene.room ? scene.room->zones.size() : 0, NodeSurfaces(scene));
+  for (std::size_t t = 0; t < is_of_fixture.size(); ++t) {
+    if (is_of_fixture[t]) continue;
+    const bool is_above = is_ceiling(scene.mesh, t);
+    const auto zone = zones.empty() ? std::nullopt : zone_of(scene, t, is_above);
+    (zone ? zones[*zone] : is_above ? ceiling : room).add(t);
+  }
   add_unless_empty(file, "room", room.all());
   add_unless_empty(file, "ceiling", ceiling.all());
+  for (std::size_t z = 0; z < zones.size(); ++z)
+    add_unless_empty(file, "ceiling " + scene.room->zones[z].id, zones[z].all());
 }
 
 void add_fixtures(GlbFile& file, const Scene& scene) {

@@ -227,5 +227,21 @@ TEST(SceneGlb, ShowsMaterialsByTheirReflectance) {
   EXPECT_FALSE(materials["tile"].contains("alphaMode"));
 }
 
+// An inner wall has its own surfaces; a zone has its ceiling and the faces around it.
+TEST(SceneGlb, HasInnerWallsAndZones) {
+  Json with_wall = test::sample_store();
+  with_wall["room"]["zones"] =
+      Json::parse(R"([{"id": "low", "polygon": [[0, 0], [1, 0], [1, 1], [0, 1]], "height": 2.5}])");
+  with_wall["room"]["inner_walls"] =
+      Json::parse(R"([{"id": "W", "from": [7, 0], "to": [7, 1], "thickness": 0.2, "height": 1}])");
+  const Scene scene = test::scene_of(with_wall);
+  const std::string bytes = scene_glb(scene);
+  EXPECT_EQ(test::problem_of(bytes), "");
+  const auto nodes = test::nodes_of(bytes);
+  EXPECT_NEAR(area(nodes.at("W")), 2 * 1 + 0.2 + 0.2, 1e-4) << "two sides, an end and the top";
+  const double height = scene.upper.z;
+  EXPECT_NEAR(area(nodes.at("ceiling low")), 1 + 2 * (height - 2.5), 1e-4);
+}
+
 }  // namespace
 }  // namespace shelfbeam
