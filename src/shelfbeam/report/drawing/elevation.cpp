@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 
@@ -23,12 +25,17 @@ std::vector<std::uint32_t> labels_of(const Scene& scene, const FixtureOutline& f
   constexpr double reach = 0.1;  // m
   const Directions d(fixture.rotation_deg);
   const Outline outline(d, fixture);
+  // A rectangle is its extent; other outlines, such as that of an L-shaped counter, are not.
+  const auto is_near = [&](const Vec2& p) {
+    return fixture.footprint.size() == 4 || contains(fixture.footprint, p) ||
+           distance_to_border(fixture.footprint, p) < reach;
+  };
   std::vector<std::uint32_t> labels;
   for (std::uint32_t i = 0; i < scene.labels.size(); ++i) {
     const Vec3& p = scene.labels[i].position;
     const double u = d.u(p.x, p.y), v = d.v(p.x, p.y);
     if (u > outline.u.low - reach && u < outline.u.high + reach && v > outline.v.low - reach &&
-        v < outline.v.high + reach && p.z <= fixture.height + reach)
+        v < outline.v.high + reach && p.z <= fixture.height + reach && is_near({p.x, p.y}))
       labels.push_back(i);
   }
   return labels;
@@ -52,13 +59,21 @@ std::vector<Seen> view_parts(const Scene& scene, std::uint32_t fixture, const Di
   return seen;
 }
 
+// The corners of a parallelogram of two triangles, a b c and a c d.
+std::array<Vec3, 4> corners_of_panel(const Scene& scene, const FixtureOutline& panel) {
+  const auto& [a, b, c] = scene.mesh.triangles[panel.first_triangle];
+  const std::uint32_t d = scene.mesh.triangles[panel.first_triangle + 1][2];
+  const auto& v = scene.mesh.vertices;
+  return {v[a], v[b], v[c], v[d]};
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> fixture_with_max_labels(const Scene& scene) {
   std::optional<std::uint32_t> best;
   std::size_t max_count = 0;
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
-    if (scene.fixtures[f].footprint.size() < 3) continue;
+    if (!has_plan(scene.fixtures[f]) || scene.fixtures[f].type == "wall") continue;
     const std::size_t count = labels_of(scene, scene.fixtures[f]).size();
     if (count > max_count) {
       max_count = count;
@@ -97,15 +112,22 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
               say("drawing.elevation.size", grouped(labels.size()), fixed(outline.u.size(), 2),
                   fixed(outline.v.size(), 2), fixed(fixture.height, 2)),
               "sub");
-  const auto draw = [&](const std::vector<Seen>& parts, const auto& x) {
+  const auto draw = [&](const std::vector<Seen>& parts, const auto& x, const auto& across) {
     for (const Seen& seen : parts) {
+      if (fixture.type == "panel") {
+        std::vector<Point> corners;
+        for (const Vec3& corner : corners_of_panel(scene, fixture))
+          corners.push_back({x(across(corner.x, corner.y)), up(corner.z)});
+        canvas.polygon(corners, part_class(*seen.part));
+        continue;
+      }
       const double a = x(seen.across.low), b = x(seen.across.high);
       canvas.rect({std::min(a, b), up(seen.top)}, std::abs(b - a), (seen.top - seen.bottom) * scale,
                   part_class(*seen.part));
     }
   };
-  draw(view_parts(scene, index, d, true, towards), side_x);
-  draw(view_parts(scene, index, d, false, -1), end_x);
+  draw(view_parts(scene, index, d, true, towards), side_x, [&](double x, double y) { return d.u(x, y); });
+  draw(view_parts(scene, index, d, false, -1), end_x, [&](double x, double y) { return d.v(x, y); });
 
   std::vector<double> heights;
   for (const std::uint32_t i : labels) {

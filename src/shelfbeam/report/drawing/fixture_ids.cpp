@@ -12,6 +12,8 @@
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
+#include "shelfbeam/report/drawing/text_space.hpp"
+#include "shelfbeam/report/drawing/zone_names.hpp"
 
 namespace shelfbeam {
 
@@ -21,9 +23,42 @@ namespace {
 struct Extent {
   Point centre;
   double along = 0, across = 0, angle_deg = 0;
+  bool is_slanted = false;
 };
 
+bool is_concave(const Polygon& polygon) {
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()],
+               &c = polygon[(k + 2) % polygon.size()];
+    if ((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) < -1e-9) return true;
+  }
+  return false;
+}
+
+// The square in a concave fixture about the point that is farthest from its border.
+Extent extent_within(const PlanView& view, const Polygon& polygon) {
+  constexpr int steps = 24;
+  Span x, y;
+  for (const Vec2& corner : polygon) {
+    x.add(corner[0]);
+    y.add(corner[1]);
+  }
+  Vec2 best = polygon.front();
+  double most = 0;
+  for (int i = 1; i < steps; ++i)
+    for (int j = 1; j < steps; ++j) {
+      const Vec2 p{x.low + x.size() * i / steps, y.low + y.size() * j / steps};
+      const double distance = contains(polygon, p) ? distance_to_border(polygon, p) : 0;
+      if (distance > most + 1e-9) {
+        most = distance;
+        best = p;
+      }
+    }
+  return {view.at(best[0], best[1]), 2 * most * view.scale(), 2 * most * view.scale()};
+}
+
 Extent extent_of(const PlanView& view, const FixtureOutline& fixture) {
+  if (is_concave(fixture.footprint)) return extent_within(view, fixture.footprint);
   const Directions d(fixture.rotation_deg);
   const Outline outline(d, fixture);
   const double u = (outline.u.low + outline.u.high) / 2, v = (outline.v.low + outline.v.high) / 2;
@@ -36,43 +71,22 @@ Extent extent_of(const PlanView& view, const FixtureOutline& fixture) {
   // Upright: readable from below or from the right.
   e.angle_deg = std::remainder(e.angle_deg, 180);
   if (e.angle_deg > 89) e.angle_deg -= 180;
+  e.is_slanted = std::abs(std::remainder(e.angle_deg, 90)) > 1;
   return e;
 }
 
-double text_width(const std::string& text, double size) {
-  constexpr double glyph = 0.62;  // width of a bold sans-serif letter over the font size
-  return glyph * size * static_cast<double>(text.size());
-}
-
-struct Rectangle {
-  double left = 0, top = 0, right = 0, bottom = 0;
-  bool meets(const Rectangle& o) const {
-    return left < o.right && o.left < right && top < o.bottom && o.top < bottom;
-  }
-  Point centre() const { return {(left + right) / 2, (top + bottom) / 2}; }
-};
-
-Rectangle bounds(const std::vector<Point>& points) {
-  if (points.empty()) return {};
-  Rectangle r{points[0].x, points[0].y, points[0].x, points[0].y};
-  for (const Point& p : points)
-    r = {std::min(r.left, p.x), std::min(r.top, p.y), std::max(r.right, p.x), std::max(r.bottom, p.y)};
-  return r;
-}
-
-// Rectangles that an id must not cover: fixtures, label marks, ids beside their fixtures. Ids may lie within
+// Areas that an id must not cover: fixtures, label marks, ids beside their fixtures. Ids may lie within
 // the outline of a lowered ceiling.
-std::vector<Rectangle> obstacles_of(const PlanView& view, const Scene& scene,
-                                    const std::vector<Look>& looks) {
-  std::vector<Rectangle> result;
+std::vector<Obstacle> obstacles_of(const PlanView& view, const Scene& scene, const std::vector<Look>& looks) {
+  std::vector<Obstacle> result;
   for (std::size_t k = 0; k < scene.fixtures.size(); ++k)
-    if (looks[k] == Look::solid) result.push_back(bounds(view.outline(scene.fixtures[k].footprint)));
+    if (looks[k] == Look::solid) result.emplace_back(view.outline(scene.fixtures[k].footprint));
   std::vector<Vec3> positions;
   for (const Label& label : scene.labels) positions.push_back(label.position);
   const double r = label_mark_radius(view, positions);
   for (const Label& label : scene.labels) {
     const Point p = label_mark_positions(view, {&label.position, 1}, {&label.normal, 1}, r).front();
-    result.push_back({p.x - r, p.y - r, p.x + r, p.y + r});
+    result.emplace_back(Rectangle{p.x - r, p.y - r, p.x + r, p.y + r});
   }
   return result;
 }
@@ -103,6 +117,28 @@ std::vector<IdPosition> positions_around(const Rectangle& own, double width, dou
   return positions;
 }
 
+// Beside the long sides of a slanted fixture, from its middle to its ends, then beyond its ends.
+std::vector<IdPosition> positions_beside(const Extent& e, double width, double size) {
+  constexpr double near = 5, far = 40;
+  const double radians = e.angle_deg * std::numbers::pi / 180;
+  const Point along{std::cos(radians), std::sin(radians)}, across{-along.y, along.x};
+  std::vector<IdPosition> positions;
+  const auto add = [&](const Point& from, const Point& way, double off, bool is_far) {
+    const double away = off + (std::abs(way.x) * width + std::abs(way.y) * size) / 2;
+    const Point centre{from.x + away * way.x, from.y + away * way.y};
+    positions.push_back(
+        {{centre.x - width / 2, centre.y - size / 2, centre.x + width / 2, centre.y + size / 2}, is_far});
+  };
+  for (const double off : {near, far})
+    for (const double share : {0.0, 0.25, -0.25, 0.4, -0.4})
+      for (const double side : {1.0, -1.0})
+        add({e.centre.x + share * e.along * along.x, e.centre.y + share * e.along * along.y},
+            {side * across.x, side * across.y}, e.across / 2 + off, off == far);
+  for (const double side : {1.0, -1.0})
+    add(e.centre, {side * along.x, side * along.y}, e.along / 2 + near, false);
+  return positions;
+}
+
 // Inside the corners and the middles of the edges, then outside.
 std::vector<IdPosition> positions_along_edges(const Rectangle& own, double width, double size) {
   constexpr double gap = 6;
@@ -114,7 +150,7 @@ std::vector<IdPosition> positions_along_edges(const Rectangle& own, double width
 }
 
 // The first position without obstacles.
-IdPosition free_position(const std::vector<IdPosition>& positions, const std::vector<Rectangle>& obstacles,
+IdPosition free_position(const std::vector<IdPosition>& positions, const std::vector<Obstacle>& obstacles,
                          const PlanView& view) {
   const auto found = std::find_if(positions.begin(), positions.end(), [&](const IdPosition& place) {
     const Rectangle& text = place.text;
@@ -159,10 +195,11 @@ void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scen
   constexpr double largest = 24, referenced_size = 20;  // drawing units
   const double smallest = 9 * view.mark_share(), outside = 11 * view.mark_share();
   const std::vector<Look> looks = looks_of(scene);
-  std::vector<Rectangle> obstacles = obstacles_of(view, scene, looks);
+  std::vector<Obstacle> obstacles = obstacles_of(view, scene, looks);
   for (const Point& mark : marks)
-    obstacles.push_back(
-        {mark.x - mark_radius, mark.y - mark_radius, mark.x + mark_radius, mark.y + mark_radius});
+    obstacles.emplace_back(
+        Rectangle{mark.x - mark_radius, mark.y - mark_radius, mark.x + mark_radius, mark.y + mark_radius});
+  if (scene.room) draw_zone_names(canvas, view, *scene.room, obstacles);
   const auto draw = [&](const FixtureOutline& fixture, Look look, bool is_referenced) {
     const Extent e = extent_of(view, fixture);
     const double fits = std::min(0.66 * e.across, 0.92 * e.along / text_width(fixture.id, 1));
@@ -180,21 +217,23 @@ void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scen
       canvas.text({centre.x - down * std::sin(radians), centre.y + down * std::cos(radians)}, fixture.id,
                   css_class, e.angle_deg);
     } else {
-      const Rectangle own = bounds(view.outline(fixture.footprint));
-      const IdPosition place = free_position(
-          is_solid ? positions_around(own, width, room) : positions_along_edges(own, width, room), obstacles,
-          view);
+      const Rectangle own = Rectangle::around(view.outline(fixture.footprint));
+      const IdPosition place = free_position(e.is_slanted && (is_solid || fixture.footprint.size() == 2)
+                                                 ? positions_beside(e, width, room)
+                                             : !is_solid ? positions_along_edges(own, width, room)
+                                                         : positions_around(own, width, room),
+                                             obstacles, view);
       if (place.is_far) draw_leader(canvas, place.text, own);
       const Point middle = place.text.centre();
       canvas.text({middle.x, middle.y + 0.35 * room}, fixture.id, css_class);
-      obstacles.push_back(place.text);
+      obstacles.emplace_back(place.text);
     }
     canvas.raw("</g>");
   };
   for (const bool is_referenced : {false, true})
     for (std::size_t k = 0; k < scene.fixtures.size(); ++k) {
       const FixtureOutline& fixture = scene.fixtures[k];
-      if (fixture.footprint.size() > 2 && referenced.contains(fixture.id) == is_referenced)
+      if (has_plan(fixture) && referenced.contains(fixture.id) == is_referenced)
         draw(fixture, looks[k], is_referenced);
     }
 }

@@ -12,7 +12,6 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double section_height = 1.2;            // m
 constexpr std::uint32_t max_triangles = 200'000;  // per part, in a section
 constexpr double large_share = 0.3;               // of the floor
 
@@ -23,9 +22,11 @@ Bounds bounds_of(const FixtureOutline& fixture) {
   return bounds;
 }
 
-bool contains(const Bounds& outer, const Bounds& inner) {
-  return outer.low.x <= inner.low.x && inner.high.x <= outer.high.x && outer.low.y <= inner.low.y &&
-         inner.high.y <= outer.high.y;
+bool surrounds(const Polygon& outer, const Polygon& inner) {
+  constexpr double rounding = 1e-9;  // m
+  return std::all_of(inner.begin(), inner.end(), [&](const Vec2& corner) {
+    return contains(outer, corner) || distance_to_border(outer, corner) < rounding;
+  });
 }
 
 // The lowest point of every fixture.
@@ -56,7 +57,8 @@ std::string cut(const PlanView& view, const std::array<Vec3, 3>& corners, double
 }  // namespace
 
 std::vector<Look> looks_of(const Scene& scene) {
-  const Vec3 size = scene.room ? scene.room->upper() - scene.room->lower() : scene.upper - scene.lower;
+  const Vec3 size = scene.upper - scene.lower;
+  const double floor = scene.room ? std::abs(signed_area(scene.room->outline)) : size.x * size.y;
   const std::vector<double> bottoms = bottoms_of(scene);
   std::vector<Bounds> bounds;
   for (const FixtureOutline& fixture : scene.fixtures) bounds.push_back(bounds_of(fixture));
@@ -64,23 +66,27 @@ std::vector<Look> looks_of(const Scene& scene) {
   std::vector<Look> looks;
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
     const FixtureOutline& fixture = scene.fixtures[f];
-    const Vec3 extent = bounds[f].high - bounds[f].low;
     const auto is_inside = [&](std::uint32_t other) {
       return other != f && scene.fixtures[other].footprint.size() > 2 &&
-             scene.fixtures[other].height <= fixture.height && contains(bounds[f], bounds[other]);
+             scene.fixtures[other].height <= fixture.height &&
+             surrounds(fixture.footprint, scene.fixtures[other].footprint);
     };
     const bool covers =
         fixture.footprint.size() > 2 &&
-        (extent.x * extent.y > large_share * size.x * size.y || index.any(bounds[f], is_inside));
+        (signed_area(fixture.footprint) > large_share * floor || index.any(bounds[f], is_inside));
     looks.push_back(bottoms[f] >= head_height ? Look::overhead : covers ? Look::covering : Look::solid);
   }
   return looks;
 }
 
+bool has_plan(const FixtureOutline& fixture) {
+  return fixture.footprint.size() > (fixture.type == "panel" ? 1U : 2U);
+}
+
 std::vector<std::uint32_t> fixtures_by_height(const Scene& scene) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f)
-    if (scene.fixtures[f].footprint.size() > 2) order.push_back(f);
+    if (has_plan(scene.fixtures[f]) && scene.fixtures[f].type != "wall") order.push_back(f);
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return scene.fixtures[a].height < scene.fixtures[b].height; });
   return order;
@@ -88,7 +94,9 @@ std::vector<std::uint32_t> fixtures_by_height(const Scene& scene) {
 
 std::string mesh_section(const PlanView& view, const Scene& scene, std::uint32_t fixture) {
   std::string data;
-  if (scene.fixtures[fixture].type != "mesh") return data;
+  const FixtureOutline& outline = scene.fixtures[fixture];
+  const bool is_upright_panel = outline.type == "panel" && outline.footprint.size() == 2;
+  if (outline.type != "mesh" && !is_upright_panel) return data;
   for (const Part& part : scene.parts) {
     if (part.fixture != fixture || part.triangle_count == 0 || part.triangle_count > max_triangles) continue;
     const bool is_cut = part.bottom < section_height && section_height < part.top;

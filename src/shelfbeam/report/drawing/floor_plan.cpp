@@ -17,26 +17,33 @@ namespace shelfbeam {
 
 namespace {
 
-// Meshes are drawn as silhouettes, other fixtures as their upright prisms.
+// Meshes are drawn as silhouettes, other fixtures as their upright prisms, a whole prism as its outline.
 void draw_parts(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
   const std::vector<Look> looks = looks_of(scene);
+  const auto is_wall = [&](std::uint32_t f) { return scene.fixtures[f].type == "wall"; };
   for (const std::uint32_t k : parts_seen_from_above(scene)) {
     const Part& part = scene.parts[k];
-    if (part.fixture < looks.size() && looks[part.fixture] != Look::solid) continue;
-    if (const std::string silhouette = mesh_silhouette(view, scene, part); !silhouette.empty())
+    if (part.fixture < looks.size() && (looks[part.fixture] != Look::solid || is_wall(part.fixture)))
+      continue;
+    if (part.fixture < looks.size() && scene.fixtures[part.fixture].type == "prism")
+      canvas.polygon(view.outline(scene.fixtures[part.fixture].footprint), "solid");
+    else if (const std::string silhouette = mesh_silhouette(view, scene, part); !silhouette.empty())
       canvas.path(silhouette, part_class(part));
     else
       canvas.polygon(view.outline(part.footprint), part_class(part));
   }
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f)
-    if (scene.fixtures[f].footprint.size() > 2) {
-      const std::string section = mesh_section(view, scene, f);
+    if (has_plan(scene.fixtures[f]) && !is_wall(f)) {
+      const std::string section =
+          looks[f] == Look::overhead && scene.fixtures[f].type == "panel" ? "" : mesh_section(view, scene, f);
       if (!section.empty()) canvas.path(section, "outline");
-      const bool is_drawn = looks[f] == Look::solid && !mesh_silhouette(view, scene, f).empty();
+      const bool is_drawn = looks[f] == Look::solid && scene.fixtures[f].type != "prism" &&
+                            !mesh_silhouette(view, scene, f).empty();
       if (looks[f] == Look::overhead || (section.empty() && !is_drawn))
-        canvas.polygon(view.outline(scene.fixtures[f].footprint),
-                       looks[f] == Look::overhead ? "outline over" : "outline");
+        draw_outline(canvas, view, scene.fixtures[f],
+                     looks[f] == Look::overhead ? "outline over" : "outline");
     }
+  draw_inner_walls(canvas, view, scene);
 }
 
 // A dot at the label and a tick in its facing direction; labels above one another share one mark.
@@ -73,15 +80,22 @@ void draw_transceivers(SvgCanvas& canvas, const PlanView& view, const Scene& sce
     }
 }
 
+std::string contents_of(const Scene& scene) {
+  const std::size_t walls = scene.inner_walls(), zones = scene.room ? scene.room->zones.size() : 0;
+  std::string text = say_count("noun.fixture", scene.fixtures.size() - walls);
+  if (walls > 0) text += " · " + say_count("noun.inner_wall", walls);
+  if (zones > 0) text += " · " + say_count("noun.zone", zones);
+  return text;
+}
+
 std::string counts(const Scene& scene) {
   const auto installed = std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
                                        [](const Transceiver& t) { return t.installed; });
   const std::size_t points = distinct_positions(positions_of(scene.transceivers)).count;
   const Vec3 size = scene.room ? scene.room->upper() - scene.room->lower() : scene.upper - scene.lower;
-  std::string text =
-      say("drawing.counts", plain(size.x), plain(size.y), plain(size.z),
-          say_count("noun.fixture", scene.fixtures.size()), say_count("noun.label", scene.labels.size()),
-          say_count("noun.candidate", scene.transceivers.size()));
+  std::string text = say("drawing.counts", plain(size.x), plain(size.y), plain(size.z), contents_of(scene),
+                         say_count("noun.label", scene.labels.size()),
+                         say_count("noun.candidate", scene.transceivers.size()));
   if (points < scene.transceivers.size()) text = say_count("drawing.at_points", points, text);
   if (installed > 0) text = say("drawing.of_which_installed", text, installed);
   return text;
@@ -135,7 +149,7 @@ std::string floor_plan_svg(const Scene& scene) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
       "<title>{2}</title>\n<style>{3}</style>\n<rect class=\"paper\" width=\"{0}\" "
       "height=\"{1}\"/>\n{4}</svg>\n",
-      w, h, escape(title), drawing_style(), canvas.body());
+      w, h, escape(title), drawing_style(scene), canvas.body());
 }
 
 }  // namespace shelfbeam

@@ -68,13 +68,12 @@ std::vector<std::uint32_t> parts_seen_from_above(const Scene& scene) {
   return seen;
 }
 
-std::string drawing_style() {
-  return R"(
+std::string drawing_style(const Scene& scene) {
+  std::string style = R"(
 text{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","Liberation Sans",Arial,sans-serif;fill:#1b2228}
 .title{font-size:24px;font-weight:650}.sub{font-size:15px;fill:#57626d}
 .t{font-size:13px;fill:#57626d}.mid{text-anchor:middle}.end{text-anchor:end}
 .paper{fill:#fff}.floor{fill:#fbfbf8;stroke:#4b555e;stroke-width:2}
-.hole{fill:#fff}.zone{fill:none;stroke:#8b959d;stroke-width:1.2;stroke-dasharray:2 4}
 .tick{stroke:#5d6973;stroke-width:1}.bar-full{fill:#5d6973;stroke:#5d6973}.bar-empty{fill:none;stroke:#5d6973}
 .panel{fill:#87919a}.board{fill:#d9dde0;stroke:#7d8790;stroke-width:.7}.kick{fill:#59636c}
 .goods{stroke:#4a4136;stroke-opacity:.45;stroke-width:.5}
@@ -90,6 +89,12 @@ text{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","Lib
 .tag{fill:#fff;stroke:#0a4d91;stroke-width:1}
 .ground{stroke:#4b555e;stroke-width:2}.guide{stroke:#a9b2ba;stroke-width:.8;stroke-dasharray:3 3}
 )";
+  if (scene.room && !scene.room->is_plain_box())
+    style += R"(.hole{fill:#fff}.zone{fill:none;stroke:#8b959d;stroke-width:1.2;stroke-dasharray:2 4}
+.wall{fill:#4b555e;stroke:#4b555e;stroke-width:.8}.wall-low{fill:#e3e6e9;stroke:#4b555e;stroke-width:1}
+.pane{fill:none;stroke:#2f7fb8;stroke-width:1.6}
+)";
+  return style;
 }
 
 std::string mesh_silhouette(const PlanView& view, const Scene& scene, const Part& part) {

@@ -41,8 +41,8 @@ std::string part_class(const Part& part);
 /// Parts in the order of their tops, lowest first, without parts below a board of the same fixture.
 std::vector<std::uint32_t> parts_seen_from_above(const Scene& scene);
 
-/// CSS rules for `part_class` and all other classes of a stand-alone drawing.
-std::string drawing_style();
+/// CSS rules for `part_class` and all other classes of a stand-alone drawing of the scene.
+std::string drawing_style(const Scene& scene);
 
 /// The floor area below a mesh part, as SVG path data: its triangles, all with the same orientation, so that
 /// filling leaves no holes where they overlap. A stroke painted before the fill (`paint-order`) is visible on

@@ -22,10 +22,22 @@ const char* fixture_class(const FixtureOutline& fixture) {
   if (fixture.type == "gondola") return "fx fx-g";
   if (fixture.type == "freezer") return "fx fx-f";
   if (fixture.type == "mesh") return "fx fx-m";
+  if (fixture.type == "panel") return "fx fx-b fx-m";
   return "fx fx-b";
 }
 
 }  // namespace
+
+void draw_outline(SvgCanvas& canvas, const PlanView& view, const FixtureOutline& fixture,
+                  std::string_view css_class, const std::string& title) {
+  const std::vector<Point> outline = view.outline(fixture.footprint);
+  if (outline.size() == 2)
+    canvas.path(fmt::format("M{} {}L{} {}", coordinate(outline[0].x), coordinate(outline[0].y),
+                            coordinate(outline[1].x), coordinate(outline[1].y)),
+                css_class, title);
+  else
+    canvas.polygon(outline, css_class, title);
+}
 
 void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
   const std::vector<Look> looks = looks_of(scene);
@@ -33,12 +45,13 @@ void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) 
     const FixtureOutline& fixture = scene.fixtures[f];
     const std::string title = say("drawing.fixture", fixture.id, fixture.type, fixed(fixture.height, 2));
     if (looks[f] == Look::overhead) {
-      canvas.polygon(view.outline(fixture.footprint), "fx-o", title);
+      draw_outline(canvas, view, fixture, "fx-o", title);
       continue;
     }
     const bool covers = looks[f] == Look::covering;
     const std::string section = mesh_section(view, scene, f);
-    const std::string silhouette = covers ? std::string() : mesh_silhouette(view, scene, f);
+    const std::string silhouette =
+        covers || fixture.type == "prism" ? std::string() : mesh_silhouette(view, scene, f);
     if (!silhouette.empty())
       canvas.path(silhouette, fixture_class(fixture), title);
     else if (section.empty())
@@ -46,6 +59,7 @@ void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) 
                      fixture_class(fixture) + std::string(covers ? " fx-c" : ""), title);
     if (!section.empty()) canvas.path(section, "fx-s", title);
   }
+  draw_inner_walls(canvas, view, scene);
 }
 
 void draw_free_points(SvgCanvas& canvas, const PlanView& view, std::span<const Vec3> candidates,

@@ -169,7 +169,10 @@ std::string origin_facts(const ReportData& data) {
     const Vec3 size = scene.room->upper() - scene.room->lower();
     facts.add("facts.origin.room", say("facts.origin.size", plain(size.x), plain(size.y), plain(size.z)));
   }
-  facts.add("facts.origin.fixtures", grouped(scene.fixtures.size()));
+  facts.add("facts.origin.fixtures", grouped(scene.fixtures.size() - scene.inner_walls()));
+  if (scene.inner_walls() > 0) facts.add("facts.origin.inner_walls", grouped(scene.inner_walls()));
+  if (scene.room && !scene.room->zones.empty())
+    facts.add("facts.origin.zones", grouped(scene.room->zones.size()));
   for (const LabelType& type : scene.label_types)
     facts.add_named(say("facts.origin.type", type.name),
                     say("facts.origin.requirement", data.unit.text(type.requirement())));
