@@ -13,6 +13,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/mounting/mounting_sheet.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/scene/wall_section.hpp"
 
 namespace shelfbeam {
 
@@ -23,6 +24,7 @@ constexpr const char* installed_layer = "SHELFBEAM_INSTALLED";  // units that ne
 constexpr const char* store_layer = "SHELFBEAM_STORE";
 constexpr const char* block = "SHELFBEAM_UNIT";
 constexpr double radius = 0.15, text_height = 0.2, line_height = 0.3;  // m
+constexpr double cut_height = 1.2;                                     // of inner walls, m
 
 /// A drawing in the exchange format of AutoCAD release 12, which every reader knows: pairs of a group code
 /// and a value, a line each.
@@ -150,7 +152,12 @@ std::string mounting_dxf(const ReportInput& input) {
     for (const Polygon& hole : scene.room->holes) add_outline(dxf, hole);
     for (const CeilingZone& zone : scene.room->zones) add_outline(dxf, zone.polygon);
   }
-  for (const FixtureOutline& fixture : scene.fixtures) add_outline(dxf, fixture.footprint);
+  for (const FixtureOutline& fixture : scene.fixtures)
+    if (fixture.type != "wall") add_outline(dxf, fixture.footprint);
+  if (scene.room)
+    for (const WallSection& wall : wall_sections(*scene.room, cut_height))
+      for (const auto* loops : {&wall.cut, &wall.below})
+        for (const Polygon& loop : *loops) add_outline(dxf, loop);
   for (const MountedUnit& unit : mounting_sheet(input)) add_unit(dxf, unit);
   dxf.end();
   return dxf.text();

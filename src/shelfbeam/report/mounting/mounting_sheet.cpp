@@ -1,5 +1,6 @@
 #include "shelfbeam/report/mounting/mounting_sheet.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -34,6 +35,12 @@ std::vector<MountedUnit> mounting_sheet(const ReportInput& input) {
   return sheet;
 }
 
+std::optional<long> cm_below_ceiling(const Scene& scene, const MountedUnit& unit) {
+  if (!scene.room || scene.room->has_one_height()) return {};
+  const Vec2 plan{unit.position.x, unit.position.y};
+  return std::max(0L, centimetres(scene.room->ceiling_over(plan).at(plan) - unit.position.z));
+}
+
 long centimetres(double metres) {
   return std::lround(100 * metres);
 }
@@ -47,6 +54,8 @@ std::string name_of(const Reference& reference) {
       return reference.fixture;
     case Reference::Kind::end:
       return say("mounting.end", side, reference.fixture);
+    case Reference::Kind::ceiling:
+      return say("mounting.ceiling", reference.fixture);
     case Reference::Kind::origin:
       break;
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,7 +35,11 @@ inline long height_cm(const MountedUnit& unit) {
   return centimetres(unit.position.z);
 }
 
-/// "wall at the left", "A3", "left side of A3", "axis of the drawing"
+/// The distance of the unit from a ceiling of several heights, as rounded; empty below a ceiling of one
+/// height.
+std::optional<long> cm_below_ceiling(const Scene& scene, const MountedUnit& unit);
+
+/// "wall at the left", "A3", "left side of A3", "lower ceiling of bakery", "axis of the drawing"
 std::string name_of(const Reference& reference);
 std::string_view to_text(Side side);
 

@@ -1,6 +1,7 @@
 #include "shelfbeam/report/mounting/reference.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,26 +15,34 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double slack = 1e-6;  // m
+constexpr double slack = 1e-6;     // m
+constexpr double max_lean = 0.01;  // of a face that counts as square to the axis
+
+struct Crossing {
+  double distance = 0;
+  bool is_square = true;
+};
 
 // The first crossing of a polygon's edge from `from` along +x or -x (axis 0) or y (axis 1).
-std::optional<double> crossing(std::span<const Vec2> polygon, const Vec2& from, std::size_t axis,
-                               double sign) {
+std::optional<Crossing> crossing(std::span<const Vec2> polygon, const Vec2& from, std::size_t axis,
+                                 double sign) {
   const std::size_t other = 1 - axis;
-  std::optional<double> nearest;
+  std::optional<Crossing> nearest;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
     if ((a[other] > from[other]) == (b[other] > from[other])) continue;
     const double share = (from[other] - a[other]) / (b[other] - a[other]);
     const double distance = sign * (a[axis] + share * (b[axis] - a[axis]) - from[axis]);
-    if (distance > -slack && (!nearest || distance < *nearest)) nearest = std::max(0.0, distance);
+    if (distance > -slack && (!nearest || distance < nearest->distance))
+      nearest = Crossing{std::max(0.0, distance),
+                         std::abs(b[axis] - a[axis]) <= max_lean * std::abs(b[other] - a[other])};
   }
   return nearest;
 }
 
-// The distance to a triangle along a horizontal axis.
-std::optional<double> hit(const std::array<Vec3, 3>& corners, const Vec3& from, std::size_t axis,
-                          double sign) {
+// Where a horizontal axis meets a triangle.
+std::optional<Crossing> hit(const std::array<Vec3, 3>& corners, const Vec3& from, std::size_t axis,
+                            double sign) {
   const auto along = static_cast<int>(axis), u = 1 - along;
   // In the plane across the axis: coordinates u and z.
   const auto area = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -48,7 +57,9 @@ std::optional<double> hit(const std::array<Vec3, 3>& corners, const Vec3& from, 
     at += share * corners[k][along];
   }
   const double distance = sign * (at - from[along]);
-  return distance > -slack ? std::optional(std::max(0.0, distance)) : std::nullopt;
+  if (distance <= -slack) return {};
+  const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  return Crossing{std::max(0.0, distance), std::abs(normal[u]) <= max_lean * std::abs(normal[along])};
 }
 
 class Search {
@@ -59,29 +70,64 @@ class Search {
     if (scene_.room) {
       meet_walls(scene_.room->outline);
       for (const Polygon& hole : scene_.room->holes) meet_walls(hole);
+      for (const CeilingZone& zone : scene_.room->zones) meet_ceiling(zone);
     }
     for (const double sign : {-1.0, 1.0}) meet_parts(sign);
-    if (!best_ || best_->distance > far_surface)
+    const Met* best = chosen();
+    if (best == nullptr || best->reference.distance > far_surface) {
       for (const double sign : {-1.0, 1.0}) meet_outlines(sign);
-    if (best_) return *best_;
+      best = chosen();
+    }
+    if (best != nullptr) return best->reference;
     return {axis_ == 0 ? Side::left : Side::bottom, Reference::Kind::origin, "",
             axis_ == 0 ? unit_.x : unit_.y};
   }
 
  private:
+  struct Met {
+    Reference reference;
+    bool is_square = true;
+  };
+
   Vec2 in_plan() const { return {unit_.x, unit_.y}; }
 
-  void offer(double sign, double distance, Reference::Kind kind, const std::string& fixture = {}) {
-    if (distance < 0 || (best_ && distance >= best_->distance - slack)) return;
+  // The first surface in each direction counts, because it hides those beyond it.
+  const Met* chosen() const {
+    const auto& [back, ahead] = first_;
+    if (!back || !ahead) return back ? &*back : ahead ? &*ahead : nullptr;
+    const auto is_good = [](const Met& met) {
+      return met.is_square && met.reference.distance <= far_surface;
+    };
+    if (is_good(*back) != is_good(*ahead)) return is_good(*back) ? &*back : &*ahead;
+    const double nearer = back->reference.distance - ahead->reference.distance;
+    if (std::abs(nearer) <= slack && ahead->reference.kind == Reference::Kind::wall)
+      return back->reference.kind == Reference::Kind::wall ? &*back : &*ahead;
+    return nearer > slack ? &*ahead : &*back;
+  }
+
+  void offer(double sign, const Crossing& at, Reference::Kind kind, const std::string& fixture = {}) {
+    std::optional<Met>& first = sign < 0 ? first_[0] : first_[1];
+    if (at.distance < 0 || (first && at.distance >= first->reference.distance - slack)) return;
     const Side side =
         axis_ == 0 ? (sign < 0 ? Side::left : Side::right) : (sign < 0 ? Side::bottom : Side::top);
-    best_ = Reference{side, kind, fixture, distance};
+    first = Met{{side, kind, fixture, at.distance}, at.is_square};
   }
 
   void meet_walls(const Polygon& polygon) {
     for (const double sign : {-1.0, 1.0})
-      if (const auto distance = crossing(polygon, in_plan(), axis_, sign))
-        offer(sign, *distance, Reference::Kind::wall);
+      if (const auto at = crossing(polygon, in_plan(), axis_, sign)) offer(sign, *at, Reference::Kind::wall);
+  }
+
+  // The upright face at the edge of a lower ceiling.
+  void meet_ceiling(const CeilingZone& zone) {
+    for (const double sign : {-1.0, 1.0}) {
+      const auto at = crossing(zone.polygon, in_plan(), axis_, sign);
+      if (!at) continue;
+      Vec2 beyond = in_plan();
+      beyond[axis_] += sign * (at->distance + 2 * slack);
+      if (contains(zone.polygon, beyond) && zone.height.at(beyond) < unit_.z - slack)
+        offer(sign, *at, Reference::Kind::ceiling, zone.id);
+    }
   }
 
   // Surfaces at the height of the unit.
@@ -92,8 +138,8 @@ class Search {
       if (part.triangle_count > 0) {
         meet_mesh(part, unit_, sign);
       } else if (part.bottom <= unit_.z && unit_.z <= part.top && !contains(part.footprint, in_plan())) {
-        if (const auto distance = crossing(part.footprint, in_plan(), axis_, sign))
-          offer(sign, *distance, Reference::Kind::fixture, id);
+        if (const auto at = crossing(part.footprint, in_plan(), axis_, sign))
+          offer(sign, *at, Reference::Kind::fixture, id);
       }
     }
   }
@@ -103,8 +149,8 @@ class Search {
     for (const FixtureOutline& fixture : scene_.fixtures) {
       if (fixture.footprint.size() < 3 || fixture.type == "mesh") continue;
       const bool is_below = contains(fixture.footprint, in_plan());
-      if (const auto distance = crossing(fixture.footprint, in_plan(), axis_, sign))
-        offer(sign, *distance, is_below ? Reference::Kind::end : Reference::Kind::fixture, fixture.id);
+      if (const auto at = crossing(fixture.footprint, in_plan(), axis_, sign))
+        offer(sign, *at, is_below ? Reference::Kind::end : Reference::Kind::fixture, fixture.id);
     }
     for (const Part& part : scene_.parts)
       meet_mesh(part, {unit_.x, unit_.y, (part.bottom + part.top) / 2}, sign);
@@ -115,15 +161,15 @@ class Search {
     for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
       const auto& [a, b, c] = scene_.mesh.triangles[t];
       const auto& v = scene_.mesh.vertices;
-      if (const auto distance = hit({v[a], v[b], v[c]}, from, axis_, sign))
-        offer(sign, *distance, Reference::Kind::fixture, scene_.fixtures[part.fixture].id);
+      if (const auto at = hit({v[a], v[b], v[c]}, from, axis_, sign))
+        offer(sign, *at, Reference::Kind::fixture, scene_.fixtures[part.fixture].id);
     }
   }
 
   const Scene& scene_;
   const Vec3& unit_;
   std::size_t axis_;
-  std::optional<Reference> best_;
+  std::array<std::optional<Met>, 2> first_;  ///< towards smaller and towards larger coordinates
 };
 
 }  // namespace

@@ -16,17 +16,20 @@ struct Reference {
     wall,     ///< of the room
     fixture,  ///< the near face of a fixture beside the unit
     end,      ///< a side of a fixture below the unit
+    ceiling,  ///< the edge of a zone with a ceiling below the unit
     origin    ///< the axis of the drawing, if there is nothing else
   };
 
   Side side = Side::left;  ///< the direction from the unit to the reference
   Kind kind = Kind::origin;
-  std::string fixture;  ///< its id
+  std::string fixture;  ///< its id; of a ceiling the id of the zone
   double distance = 0;  ///< m
 };
 
 /// The references along x and along y. The nearest surface at the height of the unit, which a laser at the
-/// unit meets, or, if that is more than `far_surface` away, the nearest face of a fixture in plan.
+/// unit meets, or, if that is more than `far_surface` away, the nearest face of a fixture in plan. Of the
+/// surfaces in the two opposite directions, one that is square to the laser precedes a slanted one, to which
+/// the distance depends on how exactly the laser is aimed.
 std::array<Reference, 2> references_of(const Scene& scene, const Vec3& unit);
 
 inline constexpr double far_surface = 8;  ///< m

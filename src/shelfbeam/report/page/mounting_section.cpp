@@ -34,11 +34,17 @@ std::string picture(const MountedUnit& unit) {
                                        -unit.towards_deg));
 }
 
-std::string row(const MountedUnit& unit) {
+std::string height(const Scene& scene, const MountedUnit& unit) {
+  const std::string text = say("mounting.cm", height_cm(unit));
+  const auto below = cm_below_ceiling(scene, unit);
+  return below ? fmt::format("{}<br><small>{}</small>", text, say("mounting.below_ceiling", *below)) : text;
+}
+
+std::string row(const Scene& scene, const MountedUnit& unit) {
   return "<tr>" + cell(fmt::format("<b>{}</b>", unit.number), "n") +
          cell(unit.installed ? "–" : "<span class=\"tick-box\"></span>") +
          cell(distance(unit.references[0])) + cell(distance(unit.references[1])) +
-         cell(say("mounting.cm", height_cm(unit)), "n") + cell(picture(unit) + escape(direction_of(unit))) +
+         cell(height(scene, unit), "n") + cell(picture(unit) + escape(direction_of(unit))) +
          cell(escape(unit.type)) +
          cell(escape(unit.id) +
               (unit.installed ? fmt::format(" <small>({})</small>", words("mounting.installed")) : "")) +
@@ -54,7 +60,7 @@ std::string mounting_section(const ReportData& data, const Maps& maps) {
   for (const char* key : {"number", "done", "across", "along", "height", "direction", "type", "unit"})
     head += fmt::format("<th scope=\"col\">{}</th>", words(fmt::format("mounting.{}", key)));
   std::string rows;
-  for (const MountedUnit& unit : units) rows += row(unit);
+  for (const MountedUnit& unit : units) rows += row(data.input.scene, unit);
   return html_section(
       "mounting", say("mounting.title"),
       paragraph(say("mounting.intro")) + maps.overview(say("mounting.drawing")) +
