@@ -21,6 +21,10 @@ export class PageData<About> {
     return values;
   }
 
+  has(name: string): boolean {
+    return this.arrays.has(name);
+  }
+
   /** The arrays "name_key" by their keys. */
   group<Group>(name: string): Group {
     const found = [...this.arrays].filter(([key]) => key.startsWith(`${name}_`));

@@ -16,6 +16,7 @@ export interface StoreAbout {
   signals: number[];
   /** `from` and `to`: heights in m, as text. */
   levels: { from: string; to: string; labels: number }[];
+  /** Fixtures and ceiling zones with the places of their names. */
   fixtures: { id: string; at: number[] }[];
   labels: { ids: string[]; kinds: { type: string; requirement: number }[] };
   /** The certificate of the original plan; null without one. */
@@ -43,7 +44,19 @@ export interface Store extends StoreAbout {
   candidate: { position: Float32Array; axis: Float32Array };
   part: { look: Uint8Array; corners: Uint8Array; outline: Float32Array; height: Float32Array };
   mesh: { vertex: Float32Array; triangle: Uint32Array };
+  /** The surfaces of a room that is not a plain box; null for a box. */
+  room: Room | null;
 }
+
+/** `surface`: per triangle, the index in `surfaces`. */
+export interface Room {
+  vertex: Float32Array;
+  triangle: Uint32Array;
+  surface: Uint8Array;
+}
+
+/** As report/viewer/page_store.cpp numbers them. The shell (walls, ceilings, steps between them) faces outwards. */
+export const surfaces = ["floor", "shell", "innerWall", "glass"] as const;
 
 /** Entries of the matrix row by row; label i has the entries from begin[i] to begin[i + 1]. */
 export interface Signals {
@@ -76,6 +89,7 @@ export async function readStore(base64: string): Promise<Store> {
     candidate: page.group<Store["candidate"]>("unit"),
     part: page.group<Store["part"]>("part"),
     mesh: page.group<Store["mesh"]>("mesh"),
+    room: page.has("room_surface") ? page.group<Room>("room") : null,
   };
 }
 

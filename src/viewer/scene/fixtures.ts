@@ -1,6 +1,7 @@
-// The store: floor, room, and the parts of fixtures as prisms, shaded by the direction of their faces.
+// The store: the room, and the parts of fixtures as prisms, shaded by the direction of their faces.
 
 import {
+  BackSide,
   BufferAttribute,
   BufferGeometry,
   DoubleSide,
@@ -11,10 +12,13 @@ import {
   Mesh,
   MeshBasicMaterial,
   ShapeUtils,
+  type Side,
   Vector2,
 } from "three";
 
+import { Faces, shadeOf, shadeOfTriangle } from "./faces";
 import { colourOf } from "./palette";
+import { roomOf } from "./room";
 import type { Store } from "../data/store";
 
 /** CSS variables of the colours of part_look, as report/viewer/page_store.cpp numbers them. */
@@ -22,30 +26,14 @@ const looks = ["--fx", "--fx-b", "--goods", "--fx-f"];
 const goodsLook = 2;
 const doorLook = 3;
 
-class Faces {
-  readonly positions: number[] = [];
-  readonly shades: number[] = [];
-
-  triangle(corners: number[][], shade: number): void {
-    for (const corner of corners) {
-      this.positions.push(corner[0], corner[1], corner[2]);
-      this.shades.push(shade, shade, shade);
-    }
-  }
-
-  geometry(): BufferGeometry {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(new Float32Array(this.positions), 3));
-    geometry.setAttribute("color", new BufferAttribute(new Float32Array(this.shades), 3));
-    return geometry;
-  }
+interface Finish {
+  opacity: number;
+  side: Side;
 }
-
-/** The brightness of a face with this normal: bright on top, different on the sides. */
-function shadeOf(x: number, y: number, z: number): number {
-  const size = Math.hypot(x, y, z) || 1;
-  return 0.86 + 0.14 * Math.max(0, z / size) - 0.1 * Math.abs(x / size) - 0.22 * Math.max(0, -z / size);
-}
+const solid: Finish = { opacity: 1, side: DoubleSide };
+const glass: Finish = { opacity: 0.35, side: DoubleSide };
+/** Visible from the inside of the room only, so that walls near the viewer hide nothing. */
+const farWall: Finish = { opacity: 0.55, side: BackSide };
 
 /** Goods of one shelf differ slightly in colour, like products. */
 function tint(x: number, y: number, z: number): number {
@@ -69,29 +57,6 @@ function addPrism(faces: Faces, edges: number[], outline: number[][], low: numbe
     faces.triangle(corners.map((k) => [outline[k][0], outline[k][1], high]), tone);
     faces.triangle(corners.map((k) => [outline[k][0], outline[k][1], low]), tone * shadeOf(0, 0, -1));
   }
-}
-
-function roomEdges(store: Store): number[] {
-  const [a, b] = [store.lower, store.upper];
-  const ring = [[a[0], a[1]], [b[0], a[1]], [b[0], b[1]], [a[0], b[1]]];
-  return ring.flatMap(([x, y], k) => {
-    const [u, v] = ring[(k + 1) % 4];
-    return [x, y, a[2], u, v, a[2], x, y, b[2], u, v, b[2], x, y, a[2], x, y, b[2]];
-  });
-}
-
-/** The distance between floor lines in metres. */
-export const floorGrid = 5;
-
-function gridEdges(store: Store): number[] {
-  const [a, b] = [store.lower, store.upper];
-  const z = a[2] + 0.005;
-  const edges: number[] = [];
-  for (let x = Math.ceil((a[0] + 0.01) / floorGrid) * floorGrid; x < b[0] - 0.01; x += floorGrid)
-    edges.push(x, a[1], z, x, b[1], z);
-  for (let y = Math.ceil((a[1] + 0.01) / floorGrid) * floorGrid; y < b[1] - 0.01; y += floorGrid)
-    edges.push(a[0], y, z, b[0], y, z);
-  return edges;
 }
 
 function lines(positions: number[]): LineSegments<BufferGeometry, LineBasicMaterial> {
@@ -119,18 +84,17 @@ export class Fixtures {
     }
     this.addMesh(faces[0], store);
 
-    const floor = new Faces();
-    const [a, b] = [store.lower, store.upper];
-    const z = a[2] - 0.01;
-    floor.triangle([[a[0], a[1], z], [b[0], a[1], z], [b[0], b[1], z]], 1);
-    floor.triangle([[a[0], a[1], z], [b[0], b[1], z], [a[0], b[1], z]], 1);
-    this.add(this.group, floor, "--floor");
-    faces.forEach((of, k) => this.add(k === goodsLook ? this.goods : this.group, of, looks[k], k === doorLook));
+    const room = roomOf(store);
+    this.add(this.group, room.floor, "--floor");
+    this.add(this.group, room.innerWalls, "--fx-b");
+    faces.forEach((of, k) => this.add(k === goodsLook ? this.goods : this.group, of, looks[k], k === doorLook ? glass : solid));
     this.group.add(this.goods);
+    this.add(this.group, room.farWalls, "--fx", farWall);
+    this.add(this.group, room.glass, "--fx-f", glass);
     for (const [positions, variable] of [
       [edges, "--fx-line"],
-      [gridEdges(store), "--line"],
-      [roomEdges(store), "--fx-line"],
+      [room.grid, "--line"],
+      [room.edges, "--fx-line"],
     ] as [number[], string][]) {
       const drawn = lines(positions);
       this.coloured.push({ material: drawn.material, variable });
@@ -150,24 +114,19 @@ export class Fixtures {
     const { vertex, triangle } = store.mesh;
     const corner = (k: number) => Array.from(vertex.subarray(3 * triangle[k], 3 * triangle[k] + 3));
     for (let k = 0; k < triangle.length; k += 3) {
-      const [a, b, c] = [corner(k), corner(k + 1), corner(k + 2)];
-      const u = b.map((value, axis) => value - a[axis]);
-      const v = c.map((value, axis) => value - a[axis]);
-      faces.triangle(
-        [a, b, c],
-        shadeOf(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]),
-      );
+      const corners = [corner(k), corner(k + 1), corner(k + 2)];
+      faces.triangle(corners, shadeOfTriangle(corners));
     }
   }
 
-  private add(group: Group, faces: Faces, variable: string, isGlass = false): void {
+  private add(group: Group, faces: Faces, variable: string, { opacity, side }: Finish = solid): void {
     if (faces.positions.length === 0) return;
     const material = new MeshBasicMaterial({
       vertexColors: true,
-      side: DoubleSide,
-      transparent: isGlass,
-      opacity: isGlass ? 0.35 : 1,
-      depthWrite: !isGlass,
+      side,
+      transparent: opacity < 1,
+      opacity,
+      depthWrite: opacity === 1,
       polygonOffset: true,
       polygonOffsetFactor: 1,
       polygonOffsetUnits: 1,

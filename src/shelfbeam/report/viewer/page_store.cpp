@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/material/material.hpp"
 #include "shelfbeam/report/viewer/page_data.hpp"
 #include "shelfbeam/report/viewer/page_signals.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
@@ -35,7 +37,10 @@ void add_parts(PageData& page, const Scene& scene) {
   std::vector<float> corners, heights, mesh_vertices;
   std::vector<std::uint32_t> mesh_triangles;
   for (const Part& part : scene.parts) {
-    if (part.kind == PartKind::shell || part.footprint.empty()) continue;
+    // The surfaces of inner walls are those of the room.
+    if (part.kind == PartKind::shell || part.footprint.empty() ||
+        (part.fixture < scene.fixtures.size() && scene.fixtures[part.fixture].type == "wall"))
+      continue;
     if (part.kind == PartKind::mesh && part.triangle_count > 0 && part.triangle_count <= max_mesh_triangles) {
       std::map<std::uint32_t, std::uint32_t> known;
       for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
@@ -60,6 +65,46 @@ void add_parts(PageData& page, const Scene& scene) {
   page.add("part_height", heights);
   page.add("mesh_vertex", mesh_vertices);
   page.add("mesh_triangle", mesh_triangles);
+}
+
+// The surfaces of a room, as numbered by the script.
+enum class Surface : std::uint8_t { floor, shell, inner_wall, glass };
+
+// The triangles that are not of fixtures, for rooms that are not plain boxes. Those of the shell (walls,
+// ceilings, the steps between them) face away from the room.
+void add_room(PageData& page, const Scene& scene) {
+  if (!scene.room || scene.room->is_plain_box()) return;
+  std::vector<Surface> owner(scene.mesh.triangles.size(), Surface::shell);
+  std::vector<bool> is_of_fixture(scene.mesh.triangles.size(), false);
+  for (const FixtureOutline& fixture : scene.fixtures)
+    for (std::uint32_t t = fixture.first_triangle; t < fixture.first_triangle + fixture.triangle_count; ++t) {
+      is_of_fixture[t] = fixture.type != "wall";
+      owner[t] = Surface::inner_wall;
+    }
+  std::vector<float> vertices;
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint8_t> surfaces;
+  std::map<std::uint32_t, std::uint32_t> known;
+  for (std::size_t t = 0; t < owner.size(); ++t) {
+    if (is_of_fixture[t]) continue;
+    const auto& corners = scene.mesh.triangles[t];
+    const bool is_on_floor = std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+      return scene.mesh.vertices[corner].z == 0;
+    });
+    const Surface surface = !is_opaque(scene.materials[scene.mesh.materials[t].value].material)
+                                ? Surface::glass
+                            : owner[t] == Surface::shell && is_on_floor ? Surface::floor
+                                                                        : owner[t];
+    surfaces.push_back(static_cast<std::uint8_t>(surface));
+    for (const std::uint32_t corner : corners) {
+      const auto [found, is_new] = known.emplace(corner, static_cast<std::uint32_t>(vertices.size() / 3));
+      if (is_new) append(vertices, scene.mesh.vertices[corner]);
+      triangles.push_back(found->second);
+    }
+  }
+  page.add("room_vertex", vertices);
+  page.add("room_triangle", triangles);
+  page.add("room_surface", surfaces);
 }
 
 // Labels of one type with equal requirements share one threshold in the page.
@@ -138,17 +183,23 @@ Json margins() {
   return classes;
 }
 
-Json fixtures_of(const Scene& scene) {
-  Json fixtures = Json::array();
-  for (const FixtureOutline& fixture : scene.fixtures) {
-    Vec3 centre{0, 0, fixture.height};
-    for (const auto& [x, y] : fixture.footprint) {
-      centre.x += x / static_cast<double>(fixture.footprint.size());
-      centre.y += y / static_cast<double>(fixture.footprint.size());
+// Fixtures and zones with the places of their names.
+Json named_places(const Scene& scene) {
+  Json names = Json::array();
+  const auto add = [&](const std::string& id, const Polygon& plan, const auto& height_at) {
+    Vec2 middle{};
+    for (const auto& [x, y] : plan) {
+      middle[0] += x / static_cast<double>(plan.size());
+      middle[1] += y / static_cast<double>(plan.size());
     }
-    fixtures.push_back({{"id", fixture.id}, {"at", point(centre)}});
-  }
-  return fixtures;
+    names.push_back({{"id", id}, {"at", point({middle[0], middle[1], height_at(middle)})}});
+  };
+  for (const FixtureOutline& fixture : scene.fixtures)
+    add(fixture.id, fixture.footprint, [&](const Vec2&) { return fixture.height; });
+  if (scene.room)
+    for (const CeilingZone& zone : scene.room->zones)
+      add(zone.id, zone.polygon, [&](const Vec2& middle) { return zone.height.at(middle); });
+  return names;
 }
 
 }  // namespace
@@ -158,6 +209,7 @@ std::string pack_store(const ReportData& data, const SignalScale& scale) {
   const PlacementProblem& problem = data.input.plan.placement.problem;
   PageData page;
   add_parts(page, scene);
+  add_room(page, scene);
   Json about;
   about["lower"] = point(scene.room ? scene.room->lower() : scene.lower);
   about["upper"] = point(scene.room ? scene.room->upper() : scene.upper);
@@ -168,7 +220,7 @@ std::string pack_store(const ReportData& data, const SignalScale& scale) {
   about["margins"] = margins();
   about["signals"] = scale.edges;
   about["levels"] = levels_of(data);
-  about["fixtures"] = fixtures_of(scene);
+  about["fixtures"] = named_places(scene);
   about["labels"] = add_labels(page, data);
   about["units"] = add_units(page, data);
   about["certificate"] = add_certificate(page, data);
