@@ -78,13 +78,22 @@ struct Counts {
 
 using Rows = std::vector<std::vector<std::string>>;
 
+std::size_t zones_of(const Scene& scene) {
+  return scene.room ? scene.room->zones.size() : 0;
+}
+
 void print_head(const Scene& scene, const Counts& counts) {
   const Vec3 size = scene.upper - scene.lower;
   fmt::print("{}\n", styled(Style::answer, one_line(scene.name)));
   fmt::print("  {:.2f} x {:.2f} x {:.2f} m, {:g} nm, {} triangles, store hash {}\n", size.x, size.y, size.z,
              scene.wavelength_nm, scene.mesh.triangles.size(), scene.store_hash);
-  fmt::print("  {} fixtures, {} labels, {} candidate transceivers", scene.fixtures.size(),
-             scene.labels.size(), scene.transceivers.size());
+  fmt::print("  {} fixtures", scene.fixtures.size() - scene.inner_walls());
+  const auto print_count = [](std::size_t count, const char* name) {
+    if (count > 0) fmt::print(", {} {}{}", count, name, count == 1 ? "" : "s");
+  };
+  print_count(scene.inner_walls(), "inner wall");
+  print_count(zones_of(scene), "ceiling zone");
+  fmt::print(", {} labels, {} candidate transceivers", scene.labels.size(), scene.transceivers.size());
   if (counts.with_several_options > 0)
     fmt::print(" at {} mounting points, {} of them with several options", counts.mounting_points,
                counts.with_several_options);
@@ -184,7 +193,9 @@ nlohmann::ordered_json summary_json(const Scene& scene) {
   json["lower"] = {scene.lower.x, scene.lower.y, scene.lower.z};
   json["upper"] = {scene.upper.x, scene.upper.y, scene.upper.z};
   json["triangles"] = scene.mesh.triangles.size();
-  json["fixtures"] = scene.fixtures.size();
+  json["fixtures"] = scene.fixtures.size() - scene.inner_walls();
+  if (scene.inner_walls() > 0) json["inner_walls"] = scene.inner_walls();
+  if (zones_of(scene) > 0) json["ceiling_zones"] = zones_of(scene);
   json["labels"] = scene.labels.size();
   json["transceivers"] = scene.transceivers.size();
   json["mounting_points"] = counts.mounting_points;

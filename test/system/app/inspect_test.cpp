@@ -175,5 +175,25 @@ TEST_F(Inspect, OmitsTransmittanceWithoutGlass) {
   EXPECT_EQ(text.find("warning"), std::string::npos);
 }
 
+TEST_F(Inspect, CountsInnerWallsAndZones) {
+  Json store = test::small_store();
+  store["room"]["zones"] = {{{"id", "low"}, {"polygon", {{0, 0}, {2, 0}, {2, 2}, {0, 2}}}, {"height", 2.5}}};
+  const auto wall = [](const char* id, const Json& from, const Json& to) {
+    return Json{{"id", id}, {"from", from}, {"to", to}};
+  };
+  store["room"]["inner_walls"] = {wall("N", {6.5, 0}, {6.5, 2}), wall("S", {6.5, 4}, {6.5, 6})};
+  store["transceivers"]["grids"][0]["z"] = 2.4;
+  folder.write("walls.json", store.dump());
+  const std::string text = told("inspect @walls.json -o @walls.glb");
+  EXPECT_NE(text.find("\n  1 fixtures, 2 inner walls, 1 ceiling zone, 17 labels, "), std::string::npos)
+      << text;
+  for (const char* node : {"\"N\"", "\"S\"", "\"ceiling low\"", "\"ceiling\"", "\"room\""})
+    EXPECT_NE(bytes("walls.glb").find(std::string("\"name\":") + node), std::string::npos) << node;
+  const Json counts = Json::parse(told("inspect @walls.json --json"));
+  EXPECT_EQ(counts["fixtures"], 1);
+  EXPECT_EQ(counts["inner_walls"], 2);
+  EXPECT_EQ(counts["ceiling_zones"], 1);
+}
+
 }  // namespace
 }  // namespace shelfbeam
