@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"

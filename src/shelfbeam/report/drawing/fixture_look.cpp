@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/box_index.hpp"
+#include "shelfbeam/math/polygon.hpp"
 
 namespace shelfbeam {
 

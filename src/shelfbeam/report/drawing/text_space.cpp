@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "shelfbeam/math/polygon.hpp"
+
 namespace shelfbeam {
 
 namespace {

@@ -11,6 +11,7 @@
 
 #include "shelfbeam/material/material_shares.hpp"
 #include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/glb/glb_file.hpp"
 
 namespace shelfbeam {

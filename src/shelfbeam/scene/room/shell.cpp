@@ -258,6 +258,7 @@ class Shell {
   const Room& room_;
   const RoomShape& shape_;
   TriangleMesh& mesh_;
+  std::vector<Triangles> of_walls_;                // by inner wall; they follow those of the room
   std::vector<PlanLines::Footprints> footprints_;  // by inner wall
   PlanarMap map_;
   std::vector<Column> columns_;              // by face of the map

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/polygon.hpp"
+
 namespace shelfbeam {
 namespace {
 
