@@ -67,6 +67,14 @@ Vec3 RoomShape::upper() const {
   return {high[0], high[1], top};
 }
 
+OuterWall RoomShape::wall(std::size_t k) const {
+  const Vec2 &from = outline[k], &to = outline[(k + 1) % outline.size()];
+  const double x = to[0] - from[0], y = to[1] - from[1], length = std::hypot(x, y);
+  // Inside is to the left of a counter-clockwise outline.
+  const double side = signed_area(outline) > 0 ? 1 : -1;
+  return {from, to, {-side * y / length, side * x / length}};
+}
+
 bool RoomShape::covers(const Vec2& p) const {
   return contains(outline, p) &&
          std::none_of(holes.begin(), holes.end(), [&](const Polygon& hole) { return contains(hole, p); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +24,12 @@ struct CeilingZone {
   std::string id;
   Polygon polygon;
   CeilingHeight height;
+};
+
+/// A wall of the outline, in plan.
+struct OuterWall {
+  Vec2 from{}, to{};
+  Vec2 inward{};  ///< unit length
 };
 
 /// A hole through an inner wall.
@@ -63,6 +70,8 @@ struct RoomShape {
   /// Corners of the bounding box, m. That of a box is its size.
   Vec3 lower() const;
   Vec3 upper() const;
+  /// Precondition: k is the number of a wall.
+  OuterWall wall(std::size_t k) const;
   /// Within the outline and outside the holes.
   bool covers(const Vec2& p) const;
   /// The ceiling above a point of the plan.

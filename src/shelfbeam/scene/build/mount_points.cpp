@@ -37,7 +37,8 @@ class Path {
   }
 
   struct Place {
-    Vec3 position, direction;  // the direction has unit length
+    Vec3 position;
+    std::size_t piece;  // from 0
   };
   double length() const { return ends_.back(); }
   const Vec3& last() const { return points_.back(); }
@@ -48,7 +49,7 @@ class Path {
     const Vec3 piece = points_[k] - points_[k - 1];
     const double extent = shelfbeam::length(piece);
     const Vec3 direction{piece.x / extent, piece.y / extent, piece.z / extent};
-    return {points_[k - 1] + direction * (distance - ends_[k - 1]), direction};
+    return {points_[k - 1] + direction * (distance - ends_[k - 1]), k - 1};
   }
 
  private:
@@ -56,10 +57,10 @@ class Path {
   std::vector<double> ends_{0};  // by point
 };
 
-// The path of candidates on faces. They look to its left if `side` is 1, and to its right if it is -1.
+// The path of candidates on faces, one piece per face.
 struct FacePath {
   Path path;
-  double side;
+  std::vector<Vec2> outward;  // by piece; unit length
   std::string id;
 };
 
@@ -170,20 +171,24 @@ class Generator {
   }
 
   FacePath face_path(const MountFaces& mount) const {
-    std::vector<Vec3> points;
-    const auto add_point = [&](const Vec2& p) { points.push_back({p[0], p[1], mount.z}); };
-    if (const auto* wall = std::get_if<std::size_t>(&mount.on)) {
-      const Polygon& outline = scene_.room->outline;
-      add_point(outline[*wall]);
-      add_point(outline[(*wall + 1) % outline.size()]);
-      // Inside is to the left of a counter-clockwise outline.
-      return {Path(std::move(points)), signed_area(outline) > 0 ? 1.0 : -1.0, fmt::format("wall-{}", *wall)};
+    if (const auto* k = std::get_if<std::size_t>(&mount.on)) {
+      const auto [from, to, inward] = scene_.room->wall(*k);
+      return {
+          Path({{from[0], from[1], mount.z}, {to[0], to[1], mount.z}}), {inward}, fmt::format("wall-{}", *k)};
     }
     const std::string& id = std::get<std::string>(mount.on);
     const auto& footprint = scene_.fixtures[fixture_index_.at(id)].footprint;
-    for (const Vec2& corner : footprint) add_point(corner);
-    if (!footprint.empty()) add_point(footprint.front());
-    return {Path(std::move(points)), signed_area(footprint) > 0 ? -1.0 : 1.0, id};
+    const double side = signed_area(footprint) > 0 ? 1 : -1;
+    std::vector<Vec3> points;
+    std::vector<Vec2> outward;
+    for (std::size_t k = 0; k < footprint.size(); ++k) {
+      const Vec2 &from = footprint[k], &to = footprint[(k + 1) % footprint.size()];
+      const double x = to[0] - from[0], y = to[1] - from[1], extent = std::hypot(x, y);
+      if (points.empty()) points.push_back({from[0], from[1], mount.z});
+      points.push_back({to[0], to[1], mount.z});
+      outward.push_back({side * y / extent, -side * x / extent});
+    }
+    return {Path(std::move(points)), std::move(outward), id};
   }
 
   static std::size_t count_along(const MountFaces& mount, const Path& path) {
@@ -191,13 +196,13 @@ class Generator {
   }
 
   void add_faces(const MountFaces& mount, const std::string& where, const UseCandidate& use) const {
-    const auto [path, side, id] = face_path(mount);
+    const auto [path, outward, id] = face_path(mount);
     const std::size_t count = count_along(mount, path);
     const double tilt = radians(mount.tilt_deg);
     for (std::size_t n = 0; n < count; ++n) {
-      const auto [point, direction] =
+      const auto [point, piece] =
           path.at(path.length() * (static_cast<double>(n) + 0.5) / static_cast<double>(count));
-      const Vec3 away{-side * direction.y, side * direction.x, 0};
+      const Vec3 away{outward[piece][0], outward[piece][1], 0};
       const Vec3 at = point + away * mount.offset;
       if (!is_free(at)) continue;
       add({mount.type, {away * std::cos(tilt) - Vec3{0, 0, std::sin(tilt)}}, mount.roll_deg},

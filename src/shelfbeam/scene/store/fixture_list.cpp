@@ -11,7 +11,6 @@
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
 #include "shelfbeam/scene/read_values.hpp"
@@ -278,14 +277,10 @@ class FixtureList {
 
   Edge wall_edge(const JsonCursor& json) const {
     if (!store_.room) json.fail("names a wall, but the store has no room", "add a room");
-    const Polygon& outline = store_.room->shape.outline;
-    const auto last = static_cast<std::int64_t>(outline.size()) - 1;
-    const auto k = static_cast<std::size_t>(json.integer(0, last));
-    // Inside is to the left of a counter-clockwise outline.
-    Vec2 from = outline[k], to = outline[(k + 1) % outline.size()];
-    const double side = signed_area(outline) > 0 ? 1 : -1,
-                 length = std::hypot(to[0] - from[0], to[1] - from[1]);
-    return {from, to, {-side * (to[1] - from[1]) / length, side * (to[0] - from[0]) / length}};
+    const RoomShape& shape = store_.room->shape;
+    const auto last = static_cast<std::int64_t>(shape.outline.size()) - 1;
+    const auto [from, to, inward] = shape.wall(static_cast<std::size_t>(json.integer(0, last)));
+    return {from, to, inward};
   }
 
   Edge side_of(const JsonCursor& against) const {
