@@ -102,7 +102,8 @@ class SceneMaker {
     for (const auto& [candidates, bytes, where] : candidate_counts(store_, scene_)) {
       constexpr std::size_t max_candidates = 1'000'000;
       if (candidates > max_candidates)
-        throw InputError(where, fmt::format("produces {} candidates", candidates), "use a wider spacing");
+        throw InputError(where + ".spacing", fmt::format("produces {} candidates", candidates),
+                         "use a wider spacing");
       memory_.add(bytes, where);
     }
   }

@@ -28,6 +28,26 @@ std::size_t steps(double extent, double spacing) {
   return static_cast<std::size_t>(std::max(1L, std::lround(extent / spacing)));
 }
 
+// The cells of a grid along one axis. Those before `begin` and from `end` on have their middle outside the
+// room.
+struct Cells {
+  double low, extent;
+  std::size_t count, begin, end;
+
+  static Cells of(double low, double high, double room_low, double room_high, double spacing) {
+    Cells cells{low, high - low, steps(high - low, spacing), 0, 0};
+    const auto last = static_cast<double>(cells.count);
+    const auto index = [&](double p) { return (p - low) / cells.extent * last - 0.5; };
+    cells.begin = static_cast<std::size_t>(std::clamp(std::floor(index(room_low)), 0.0, last));
+    cells.end = static_cast<std::size_t>(std::clamp(std::ceil(index(room_high)) + 1, 0.0, last));
+    return cells;
+  }
+  std::size_t size() const { return end - begin; }
+  double middle(std::size_t k) const {
+    return low + extent * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+  }
+};
+
 // A line of straight pieces, by the distance from its beginning.
 class Path {
  public:
@@ -91,8 +111,8 @@ class Generator {
       result.push_back({count, static_cast<double>(count) * device_bytes_of(id), where});
     };
     for (const auto& [mount, where] : store_.areas) {
-      const auto [nx, ny] = cells(mount, bounds_of_area(mount));
-      add(nx * ny * mount.unit.axes.size(), "", where);
+      const auto [x, y] = cells(mount);
+      add(x.size() * y.size() * mount.unit.axes.size(), "", where);
     }
     for (const auto& [rail, where] : store_.rails)
       add((steps(Path(rail.points).length(), rail.spacing) + 1) * rail.unit.axes.size(), rail.id, where);
@@ -131,28 +151,24 @@ class Generator {
     });
   }
 
-  PlanBounds bounds_of_area(const MountArea& mount) const {
-    return shelfbeam::bounds_of(polygon_of(mount, *scene_.room));
-  }
-
-  static std::array<std::size_t, 2> cells(const MountArea& mount, const PlanBounds& bounds) {
-    return {steps(bounds.high[0] - bounds.low[0], mount.spacing),
-            steps(bounds.high[1] - bounds.low[1], mount.spacing)};
+  // Along x and y.
+  std::array<Cells, 2> cells(const MountArea& mount) const {
+    const PlanBounds area = shelfbeam::bounds_of(polygon_of(mount, *scene_.room)),
+                     room = shelfbeam::bounds_of(scene_.room->outline);
+    const auto along = [&](std::size_t axis) {
+      return Cells::of(area.low[axis], area.high[axis], room.low[axis], room.high[axis], mount.spacing);
+    };
+    return {along(0), along(1)};
   }
 
   // At the middle of each cell of a grid over the bounds of the area.
   void add_area(std::size_t index, const UseCandidate& use) const {
     const auto& [mount, where] = store_.areas[index];
     const Polygon& polygon = polygon_of(mount, *scene_.room);
-    const PlanBounds bounds = bounds_of_area(mount);
-    const auto [nx, ny] = cells(mount, bounds);
-    const auto middle = [&](std::size_t axis, std::size_t k, std::size_t n) {
-      return bounds.low[axis] +
-             (bounds.high[axis] - bounds.low[axis]) * (static_cast<double>(k) + 0.5) / static_cast<double>(n);
-    };
-    for (std::size_t iy = 0; iy < ny; ++iy)
-      for (std::size_t ix = 0; ix < nx; ++ix) {
-        const Vec2 p{middle(0, ix, nx), middle(1, iy, ny)};
+    const auto [x, y] = cells(mount);
+    for (std::size_t iy = y.begin; iy < y.end; ++iy)
+      for (std::size_t ix = x.begin; ix < x.end; ++ix) {
+        const Vec2 p{x.middle(ix), y.middle(iy)};
         if (!contains(polygon, p) || !scene_.room->covers(p)) continue;
         const double z = mount.z.value_or(scene_.room->ceiling_over(p).at(p) - mount.below_ceiling);
         if (const Vec3 at{p[0], p[1], z}; is_free(at))

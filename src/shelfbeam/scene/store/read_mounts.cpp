@@ -16,8 +16,6 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double max_candidates = 1e6;
-
 MountedType read_unit(const JsonCursor& json, const StoreNames& names) {
   MountedType unit;
   unit.type = names.transceiver_type(json["type"]);
@@ -28,12 +26,6 @@ MountedType read_unit(const JsonCursor& json, const StoreNames& names) {
   }
   if (const auto roll = json.find("roll_deg")) unit.roll_deg = read_angle_deg(*roll);
   return unit;
-}
-
-void expect_few(const JsonCursor& spacing, double points, const MountedType& unit) {
-  const double count = points * static_cast<double>(unit.axes.size());
-  if (count > max_candidates)
-    spacing.fail(fmt::format("produces {:.0f} candidates", count), "use a wider spacing");
 }
 
 MountArea read_area(const JsonCursor& json, const StoreNames& names, const Store& store) {
@@ -53,9 +45,6 @@ MountArea read_area(const JsonCursor& json, const StoreNames& names, const Store
     mount.area = read_polygon(area);
   }
   mount.spacing = read_length(json["spacing"]);
-  const double cells =
-      bounds_of(polygon_of(mount, store.room->shape)).area() / (mount.spacing * mount.spacing);
-  expect_few(json["spacing"], cells, mount.unit);
   const auto z = json.find("z"), below = json.find("below_ceiling");
   if (z && below) below->fail("has no effect beside 'z'", "remove one of the two");
   if (z)
@@ -70,18 +59,14 @@ MountRail read_rail(const JsonCursor& json, const StoreNames& names) {
   MountRail rail;
   rail.unit = read_unit(json, names);
   rail.id = read_name(json["id"]);
-  double length_of_rail = 0;
   for (const JsonCursor& point : json["points"].elements()) {
     rail.points.push_back(read_point(point));
-    if (const std::size_t count = rail.points.size(); count > 1) {
-      const double piece = length(rail.points[count - 1] - rail.points[count - 2]);
-      if (!(piece > 0)) point.fail("is the point before", "remove it");
-      length_of_rail += piece;
-    }
+    const std::size_t count = rail.points.size();
+    if (count > 1 && !(length(rail.points[count - 1] - rail.points[count - 2]) > 0))
+      point.fail("is the point before", "remove it");
   }
   if (rail.points.size() < 2) json["points"].fail("has fewer than two points", "give the line of the rail");
   rail.spacing = read_length(json["spacing"]);
-  expect_few(json["spacing"], length_of_rail / rail.spacing, rail.unit);
   return rail;
 }
 

@@ -42,6 +42,13 @@ std::string ids_of(const std::vector<Transceiver>& units) {
   return ids;
 }
 
+// A list with copies of a value.
+std::string repeated(const std::string& value, int count) {
+  std::string list;
+  for (int k = 0; k < count; ++k) list += (k == 0 ? "[" : ", ") + value;
+  return list + "]";
+}
+
 TEST(MountPoints, FollowTheOutlineAndTheCeilings) {
   const auto units =
       units_of(R"({"areas": [{"type": "down", "area": "room", "spacing": 2, "below_ceiling": 0.1}]})");
@@ -65,6 +72,14 @@ TEST(MountPoints, OfAZoneOrAPolygonHaveSeveralAxesAndLeaveInnerWallsOut) {
   EXPECT_EQ(ids_of(wall),
             "A1-1-1 A1-2-1 A1-4-1 A1-5-1 A1-1-2 A1-2-2 A1-4-2 A1-5-2 A1-1-3 A1-2-3 A1-4-3 A1-5-3 ")
       << "the third column is in the wall";
+}
+
+TEST(MountPoints, OfAnAreaBeyondTheRoomAreOnlyThoseInTheRoom) {
+  const auto units = units_of(R"({"areas": [{"type": "down", "spacing": 2, "z": 2,
+    "area": [[-9e3, -9e3], [9e3, -9e3], [9e3, 9e3], [-9e3, 9e3]]}]})");
+  ASSERT_EQ(units.size(), 14u);
+  EXPECT_EQ(units.front().id, "A1-4501-4501");
+  EXPECT_NEAR(length(units.front().position - Vec3{1, 1, 2}), 0, 1e-9);
 }
 
 TEST(MountPoints, OfARailIncludeItsEndsAndCorners) {
@@ -111,7 +126,8 @@ TEST(MountPoints, AreKeptOutByPolygonsAndHeights) {
 
 TEST(MountPoints, RefuseFaultsWithTheirPlace) {
   struct Fault {
-    const char *transceivers, *message;
+    std::string transceivers;
+    const char* message;
   };
   for (
       const auto& [transceivers, message] : std::vector<Fault>{
@@ -119,8 +135,12 @@ TEST(MountPoints, RefuseFaultsWithTheirPlace) {
            "transceivers.areas[0].area: is neither 'room' nor the id of a zone"},
           {R"({"areas": [{"type": "down", "area": "room", "spacing": 0.001, "z": 2}]})",
            "transceivers.areas[0].spacing: produces 80000000 candidates"},
-          {R"({"areas": [{"type": "down", "area": [[-9e3, 0], [9e3, 0], [9e3, 9e3]], "spacing": 1, "z": 2}]})",
-           "transceivers.areas[0].spacing: produces 162000000 candidates"},
+          {R"({"areas": [{"type": "down", "area": [[-9e3, 0], [9e3, 0], [9e3, 9e3]], "spacing": 0.004, "z": 2}]})",
+           "transceivers.areas[0].spacing: produces 5000000 candidates"},
+          {R"({"rails": [{"type": "down", "id": "R", "points": [[1, 1, 2], [7, 1, 2]], "spacing": 0.001,
+               "axes": )" +
+               repeated("[0, 0, -1]", 200) + R"(}]})",
+           "transceivers.rails[0].spacing: produces 1200200 candidates"},
           {R"({"areas": [{"type": "down", "area": "room", "spacing": 0.01, "z": 2, "axes": [[0, 0, 1], [0, 0, -1]]}]})",
            "transceivers.areas[0].spacing: produces 1600000 candidates"},
           {R"({"areas": [{"type": "down", "area": "room", "spacing": 1, "z": 2, "below_ceiling": 1}]})",
@@ -151,19 +171,11 @@ TEST(MountPoints, CountInTheMemoryOfTheScene) {
   refused(R"({"areas": [{"type": "down", "area": "room", "spacing": 0.02, "z": 2}]})",
           "transceivers.areas[0]");
   refused(R"({"rails": [{"type": "down", "id": "R", "points": [[1, 1, 2], [7, 1, 2]], "spacing": 0.001,
-                         "axes": [)" +
-              [] {
-                std::string axes;
-                for (int k = 0; k < 20; ++k) axes += (k == 0 ? "[" : ", [") + std::to_string(k) + ", 0, -1]";
-                return axes;
-              }() +
-              "]}]}",
+                         "axes": )" +
+              repeated("[0, 0, -1]", 20) + "}]}",
           "transceivers.rails[0]");
-  std::string mounts;
-  for (int k = 0; k < 80; ++k)
-    mounts +=
-        std::string(k == 0 ? "" : ", ") + R"({"type": "down", "fixture": "C", "z": 2, "spacing": 0.001})";
-  refused(R"({"on": [)" + mounts + "]}", "transceivers.on[");
+  const std::string mounts = repeated(R"({"type": "down", "fixture": "C", "z": 2, "spacing": 0.001})", 80);
+  refused(R"({"on": )" + mounts + "}", "transceivers.on[");
 }
 
 }  // namespace
