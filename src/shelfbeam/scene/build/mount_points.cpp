@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -23,6 +24,7 @@ namespace shelfbeam {
 namespace {
 
 constexpr double rounding = 1e-9;  // m
+constexpr double contact = 1e-4;   // m from a face at which a unit is mounted on it
 
 std::size_t steps(double extent, double spacing) {
   return static_cast<std::size_t>(std::max(1L, std::lround(extent / spacing)));
@@ -77,11 +79,21 @@ class Path {
   std::vector<double> ends_{0};  // by point
 };
 
-// The path of candidates on faces, one piece per face.
+// The path of candidates on the faces of a fixture or a wall, one piece per face.
 struct FacePath {
   Path path;
   std::vector<Vec2> outward;  // by piece; unit length
   std::string id;
+  double bottom = -HUGE_VAL, top = HUGE_VAL;  // m
+  std::span<const Part> wall_parts;           // of an inner wall, which may have openings
+
+  bool has_face(const Vec3& behind) const {
+    if (behind.z < bottom || behind.z > top) return false;
+    return wall_parts.empty() || std::any_of(wall_parts.begin(), wall_parts.end(), [&](const Part& part) {
+             return part.bottom <= behind.z && behind.z <= part.top &&
+                    contains(part.footprint, {behind.x, behind.y});
+           });
+  }
 };
 
 std::vector<const Part*> wall_parts(const Scene& scene) {
@@ -143,11 +155,14 @@ class Generator {
     }
   }
 
+  // Points on the sides of inner walls are free, but not those between a wall and the ceiling.
   bool is_free(const Vec3& p) const {
     if (scene_.room && !scene_.room->beyond(p, rounding).empty()) return false;
-    return !wall_index_.any({p, p}, [&](std::uint32_t k) {
+    return !wall_index_.any(Bounds{p, p}.wider_by(rounding), [&](std::uint32_t k) {
       const Part& part = *wall_parts_[k];
-      return part.bottom < p.z && p.z < part.top && contains(part.footprint, {p.x, p.y});
+      const Vec2 plan{p.x, p.y};
+      return part.bottom + rounding < p.z && p.z < part.top + rounding && contains(part.footprint, plan) &&
+             distance_to_border(part.footprint, plan) > rounding;
     });
   }
 
@@ -189,11 +204,12 @@ class Generator {
   FacePath face_path(const MountFaces& mount) const {
     if (const auto* k = std::get_if<std::size_t>(&mount.on)) {
       const auto [from, to, inward] = scene_.room->wall(*k);
-      return {
-          Path({{from[0], from[1], mount.z}, {to[0], to[1], mount.z}}), {inward}, fmt::format("wall-{}", *k)};
+      Path path({{from[0], from[1], mount.z}, {to[0], to[1], mount.z}});
+      return {std::move(path), {inward}, fmt::format("wall-{}", *k), -HUGE_VAL, HUGE_VAL, {}};
     }
-    const std::string& id = std::get<std::string>(mount.on);
-    const auto& footprint = scene_.fixtures[fixture_index_.at(id)].footprint;
+    const auto index = static_cast<std::uint32_t>(fixture_index_.at(std::get<std::string>(mount.on)));
+    const FixtureOutline& fixture = scene_.fixtures[index];
+    const std::vector<Vec2>& footprint = fixture.footprint;
     const double side = signed_area(footprint) > 0 ? 1 : -1;
     std::vector<Vec3> points;
     std::vector<Vec2> outward;
@@ -204,7 +220,14 @@ class Generator {
       points.push_back({to[0], to[1], mount.z});
       outward.push_back({side * y / extent, -side * x / extent});
     }
-    return {Path(std::move(points)), std::move(outward), id};
+    FacePath face{Path(std::move(points)), std::move(outward), fixture.id, HUGE_VAL, -HUGE_VAL, {}};
+    const auto parts = std::ranges::equal_range(scene_.parts, index, {}, &Part::fixture);
+    for (const Part& part : parts) {
+      face.bottom = std::min(face.bottom, part.bottom);
+      face.top = std::max(face.top, part.top);
+    }
+    if (fixture.type == "wall") face.wall_parts = parts;
+    return face;
   }
 
   static std::size_t count_along(const MountFaces& mount, const Path& path) {
@@ -212,17 +235,18 @@ class Generator {
   }
 
   void add_faces(const MountFaces& mount, const std::string& where, const UseCandidate& use) const {
-    const auto [path, outward, id] = face_path(mount);
+    const FacePath face = face_path(mount);
+    const Path& path = face.path;
     const std::size_t count = count_along(mount, path);
     const double tilt = radians(mount.tilt_deg);
     for (std::size_t n = 0; n < count; ++n) {
       const auto [point, piece] =
           path.at(path.length() * (static_cast<double>(n) + 0.5) / static_cast<double>(count));
-      const Vec3 away{outward[piece][0], outward[piece][1], 0};
-      const Vec3 at = point + away * mount.offset;
-      if (!is_free(at)) continue;
+      const Vec3 away{face.outward[piece][0], face.outward[piece][1], 0};
+      const Vec3 at = point + away * std::max(mount.offset, contact);
+      if (!face.has_face(point - away * contact) || !is_free(at)) continue;
       add({mount.type, {away * std::cos(tilt) - Vec3{0, 0, std::sin(tilt)}}, mount.roll_deg},
-          fmt::format("{}-{}", id, n + 1), at, where, use);
+          fmt::format("{}-{}", face.id, n + 1), at, where, use);
     }
   }
 

@@ -45,7 +45,7 @@ struct MountFaces {
   TransceiverTypeId type;
   double roll_deg = 0;
   std::variant<std::string, std::size_t> on;  ///< id of the fixture or inner wall, or number of the wall
-  double z = 0, spacing = 1, offset = 0;      ///< m; `offset` from the surface
+  double z = 0, spacing = 1, offset = 0.02;   ///< m; `offset` from the surface
   double tilt_deg = 0;                        ///< downwards from horizontal
 };
 

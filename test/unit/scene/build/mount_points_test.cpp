@@ -106,12 +106,65 @@ TEST(MountPoints, OnFacesLookAwayFromThem) {
   }
   const auto wall = units_of(R"({"on": [{"type": "down", "wall": 3, "z": 2, "spacing": 2}]})");
   EXPECT_EQ(ids_of(wall), "wall-3-1 wall-3-2 wall-3-3 ");
-  EXPECT_EQ(wall[0].position, (Vec3{4, 5, 2}));
+  EXPECT_EQ(wall[0].position, (Vec3{3.98, 5, 2}));
   EXPECT_EQ(wall[0].axis, (Vec3{-1, 0, 0}));
   for (const Transceiver& unit :
        units_of(R"({"on": [{"type": "down", "inner_wall": "W", "z": 2, "spacing": 0.5,
     "offset": 0.01}]})"))
     EXPECT_GT(dot(unit.axis, unit.position - Vec3{6, 1, 2}), 0) << unit.id;
+}
+
+TEST(MountPoints, OnFacesAreInFrontOfThemWithoutAnOffset) {
+  // The girth is 5.2 m: two on each side, one at the free end. The other end is in the wall of the room.
+  const auto units =
+      units_of(R"({"on": [{"type": "down", "inner_wall": "W", "z": 2, "spacing": 0.87, "offset": 0}]})");
+  ASSERT_EQ(units.size(), 5u);
+  for (const Transceiver& unit : units)
+    EXPECT_NEAR(std::max(std::abs(unit.position.x - 6) - 0.3, unit.position.y - 2), 1e-4, 1e-9) << unit.id;
+}
+
+// The candidates of a member of `on` in a store with this fixture or with these openings of the wall.
+std::vector<Transceiver> units_on(const std::string& member, const std::string& fixture,
+                                  const std::string& openings = "[]") {
+  Json store = l_shaped_store(R"({"on": [)" + member + R"(], "list": [{"id": "T", "position": [1, 1, 2],
+    "type": "down"}]})");
+  store["fixtures"].push_back(Json::parse(fixture));
+  store["room"]["inner_walls"][0]["openings"] = Json::parse(openings);
+  return make_scene(test::read_text(store.dump())).transceivers;
+}
+
+TEST(MountPoints, AreOnlyWhereThereIsAFace) {
+  const std::string box =
+      R"({"type": "box", "id": "B", "min": [1, 1, 0.5], "max": [2, 2, 1], "material": "white"})";
+  const auto on_box = [&](const std::string& z) {
+    return units_on(R"({"type": "down", "fixture": "B", "spacing": 1, "z": )" + z + "}", box).size() - 1;
+  };
+  EXPECT_EQ(on_box("0.4"), 0u) << "below it";
+  EXPECT_EQ(on_box("0.8"), 4u);
+  EXPECT_EQ(on_box("1.1"), 0u) << "above it";
+  const auto on_wall = [&](const std::string& z) {
+    return ids_of(units_on(R"({"type": "down", "inner_wall": "W", "spacing": 0.52, "z": )" + z + "}", box,
+                           R"([{"at": 0.5, "width": 0.8, "top": 2.1}])"));
+  };
+  EXPECT_EQ(on_wall("2.2"), "W-2 W-3 W-4 W-5 W-6 W-7 W-8 W-9 T ") << "above the door";
+  EXPECT_EQ(on_wall("1.5"), "W-2 W-5 W-6 W-9 T ") << "beside the door";
+}
+
+TEST(MountPoints, FollowAConcavePrism) {
+  for (const char* polygon : {"[[1, 1], [3, 1], [3, 2], [2, 2], [2, 5], [1, 5]]",
+                              "[[1, 5], [2, 5], [2, 2], [3, 2], [3, 1], [1, 1]]"}) {
+    const auto units =
+        units_on(R"({"type": "down", "fixture": "P", "spacing": 1, "z": 1, "offset": 0.1})",
+                 std::string(R"({"type": "prism", "id": "P", "top": 1.5, "material": "white", "polygon": )") +
+                     polygon + "}");
+    ASSERT_EQ(units.size(), 13u);
+    EXPECT_EQ(std::count_if(units.begin(), units.end(),
+                            [](const Transceiver& unit) {
+                              return std::abs(unit.position.x - 2.1) < 1e-9 && unit.axis.x > 0.99;
+                            }),
+              3)
+        << "along its inner side";
+  }
 }
 
 TEST(MountPoints, AreKeptOutByPolygonsAndHeights) {
