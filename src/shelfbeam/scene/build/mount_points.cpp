@@ -82,8 +82,7 @@ class Path {
 // The path of candidates on the faces of a fixture or a wall, one piece per face.
 struct FacePath {
   Path path;
-  std::vector<Vec2> outward;  // by piece; unit length
-  std::string id;
+  std::vector<Vec2> outward;                  // by piece; unit length
   double bottom = -HUGE_VAL, top = HUGE_VAL;  // m
   std::span<const Part> wall_parts;           // of an inner wall, which may have openings
 
@@ -129,8 +128,8 @@ class Generator {
     for (const auto& [rail, where] : store_.rails)
       add((steps(Path(rail.points).length(), rail.spacing) + 1) * rail.unit.axes.size(), rail.id, where);
     for (const auto& [faces, where] : store_.faces) {
-      const FacePath face = face_path(faces);
-      add(count_along(faces, face.path), face.id, where);
+      const std::size_t points = count_along(faces, face_path(faces).path);
+      add(points * faces.tilts_deg.size(), faces.id, where);
     }
     return result;
   }
@@ -205,7 +204,7 @@ class Generator {
     if (const auto* k = std::get_if<std::size_t>(&mount.on)) {
       const auto [from, to, inward] = scene_.room->wall(*k);
       Path path({{from[0], from[1], mount.z}, {to[0], to[1], mount.z}});
-      return {std::move(path), {inward}, fmt::format("wall-{}", *k), -HUGE_VAL, HUGE_VAL, {}};
+      return {std::move(path), {inward}, -HUGE_VAL, HUGE_VAL, {}};
     }
     const auto index = static_cast<std::uint32_t>(fixture_index_.at(std::get<std::string>(mount.on)));
     const FixtureOutline& fixture = scene_.fixtures[index];
@@ -220,7 +219,7 @@ class Generator {
       points.push_back({to[0], to[1], mount.z});
       outward.push_back({side * y / extent, -side * x / extent});
     }
-    FacePath face{Path(std::move(points)), std::move(outward), fixture.id, HUGE_VAL, -HUGE_VAL, {}};
+    FacePath face{Path(std::move(points)), std::move(outward), HUGE_VAL, -HUGE_VAL, {}};
     const auto parts = std::ranges::equal_range(scene_.parts, index, {}, &Part::fixture);
     for (const Part& part : parts) {
       face.bottom = std::min(face.bottom, part.bottom);
@@ -238,15 +237,16 @@ class Generator {
     const FacePath face = face_path(mount);
     const Path& path = face.path;
     const std::size_t count = count_along(mount, path);
-    const double tilt = radians(mount.tilt_deg);
     for (std::size_t n = 0; n < count; ++n) {
       const auto [point, piece] =
           path.at(path.length() * (static_cast<double>(n) + 0.5) / static_cast<double>(count));
       const Vec3 away{face.outward[piece][0], face.outward[piece][1], 0};
       const Vec3 at = point + away * std::max(mount.offset, contact);
       if (!face.has_face(point - away * contact) || !is_free(at)) continue;
-      add({mount.type, {away * std::cos(tilt) - Vec3{0, 0, std::sin(tilt)}}, mount.roll_deg},
-          fmt::format("{}-{}", face.id, n + 1), at, where, use);
+      MountedType unit{mount.type, {}, mount.roll_deg};
+      for (const double tilt : mount.tilts_deg)
+        unit.axes.push_back(away * std::cos(radians(tilt)) - Vec3{0, 0, std::sin(radians(tilt))});
+      add(unit, fmt::format("{}-{}", mount.id, n + 1), at, where, use);
     }
   }
 

@@ -40,13 +40,15 @@ struct MountRail {
   double spacing = 1;
 };
 
-/// Candidates around a fixture or an inner wall, or along a wall of the room. They face away from it.
+/// Candidates around a fixture or an inner wall, or along a wall of the room. They face away from it, one at
+/// each point for each tilt.
 struct MountFaces {
   TransceiverTypeId type;
-  double roll_deg = 0;
+  std::string id;                             ///< the candidates are named after it
   std::variant<std::string, std::size_t> on;  ///< id of the fixture or inner wall, or number of the wall
   double z = 0, spacing = 1, offset = 0.02;   ///< m; `offset` from the surface
-  double tilt_deg = 0;                        ///< downwards from horizontal
+  std::vector<double> tilts_deg{0};           ///< downwards from horizontal
+  double roll_deg = 0;
 };
 
 /// A part of the plan, and of the heights, without candidates.

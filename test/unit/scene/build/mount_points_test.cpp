@@ -150,6 +150,18 @@ TEST(MountPoints, AreOnlyWhereThereIsAFace) {
   EXPECT_EQ(on_wall("1.5"), "W-2 W-5 W-6 W-9 T ") << "beside the door";
 }
 
+TEST(MountPoints, OnFacesHaveSeveralTiltsAndAnId) {
+  const auto units = units_of(R"({"on": [
+    {"type": "down", "fixture": "C", "z": 2.4, "spacing": 2, "tilt_deg": [0, 90]},
+    {"type": "down", "fixture": "C", "id": "low", "z": 1, "spacing": 2, "tilt_deg": [30]},
+    {"type": "down", "wall": 3, "id": "east", "z": 1, "spacing": 6}]})");
+  ASSERT_EQ(ids_of(units), "C-1/a1 C-1/a2 low-1 east-1 ");
+  EXPECT_EQ(units[0].position, units[1].position);
+  EXPECT_NEAR(units[0].axis.z, 0, 1e-12);
+  EXPECT_NEAR(units[1].axis.z, -1, 1e-12);
+  EXPECT_NEAR(units[2].axis.z, -0.5, 1e-12);
+}
+
 TEST(MountPoints, FollowAConcavePrism) {
   for (const char* polygon : {"[[1, 1], [3, 1], [3, 2], [2, 2], [2, 5], [1, 5]]",
                               "[[1, 5], [2, 5], [2, 2], [3, 2], [3, 1], [1, 1]]"}) {
@@ -208,6 +220,23 @@ TEST(MountPoints, RefuseFaultsWithTheirPlace) {
            "transceivers.on[0].fixture: names an unknown fixture"},
           {R"({"on": [{"type": "down", "wall": 6, "z": 2, "spacing": 1}]})", "transceivers.on[0].wall: is 6"},
           {R"({"on": [{"type": "down", "z": 2, "spacing": 1}]})", "transceivers.on[0]: must have one of"},
+          {R"({"on": [{"type": "down", "wall": 1, "z": 2, "spacing": 1, "tilt_deg": []}]})",
+           "transceivers.on[0].tilt_deg: is empty"},
+          {R"({"on": [{"type": "down", "wall": 1, "z": 2, "spacing": 1, "tilt_deg": [0, 91]}]})",
+           "transceivers.on[0].tilt_deg[1]: is 91"},
+          {R"({"on": [{"type": "down", "wall": 1, "z": 2, "spacing": 0.001, "tilt_deg": )" +
+               repeated("0", 300) + "}]}",
+           "transceivers.on[0].spacing: produces 1200000 candidates"},
+          {R"({"on": )" + repeated(R"({"type": "down", "fixture": "C", "z": 2, "spacing": 1})", 2) + "}",
+           "transceivers.on[1]: has candidates named after 'C', like the candidates of store.json: "
+           "transceivers.on[0]; give it an 'id'"},
+          {R"({"rails": [{"type": "down", "id": "C", "points": [[1, 1, 2], [2, 1, 2]], "spacing": 1}],
+               "on": [{"type": "down", "fixture": "C", "z": 2, "spacing": 1}]})",
+           "transceivers.on[0]: has candidates named after 'C'"},
+          {R"({"rails": )" +
+               repeated(R"({"type": "down", "id": "R", "points": [[1, 1, 2], [2, 1, 2]], "spacing": 1})", 2) +
+               "}",
+           "transceivers.rails[1].id: is 'R'"},
           {R"({"keep_out": [{"polygon": [[0, 0], [1, 0], [1, 1]], "z": [3, 2]}]})",
            "transceivers.keep_out[0].z: has its second height below its first"}})
     test::expect_input_error([&, &json = transceivers] { units_of(json); }, std::string_view(message));
@@ -227,8 +256,11 @@ TEST(MountPoints, CountInTheMemoryOfTheScene) {
                          "axes": )" +
               repeated("[0, 0, -1]", 20) + "}]}",
           "transceivers.rails[0]");
-  const std::string mounts = repeated(R"({"type": "down", "fixture": "C", "z": 2, "spacing": 0.001})", 80);
-  refused(R"({"on": )" + mounts + "}", "transceivers.on[");
+  std::string mounts;
+  for (int k = 0; k < 80; ++k)
+    mounts += (k == 0 ? R"([{"id": ")" : R"(, {"id": ")") + std::to_string(k) +
+              R"(", "type": "down", "fixture": "C", "z": 2, "spacing": 0.001})";
+  refused(R"({"on": )" + mounts + "]}", "transceivers.on[");
 }
 
 }  // namespace
