@@ -29,7 +29,7 @@ struct MountArea {
   double below_ceiling = 0;  ///< m, without `z`
 };
 
-/// Its part of the plan.
+/// Its part of the plan. "room" means the whole room even if a zone has that id.
 const Polygon& polygon_of(const MountArea& mount, const RoomShape& room);
 
 /// Candidates along a line of straight pieces, with one at each end.

@@ -178,9 +178,10 @@ KeepOut read_keep_out(const JsonCursor& json) {
 const Polygon& polygon_of(const MountArea& mount, const RoomShape& room) {
   if (const auto* polygon = std::get_if<Polygon>(&mount.area)) return *polygon;
   const std::string& name = std::get<std::string>(mount.area);
+  if (name == "room") return room.outline;
   const auto zone = std::find_if(room.zones.begin(), room.zones.end(),
                                  [&](const CeilingZone& one) { return one.id == name; });
-  return zone == room.zones.end() ? room.outline : zone->polygon;
+  return zone->polygon;
 }
 
 void read_mounts(const JsonCursor& section, const StoreNames& names, Store& store) {

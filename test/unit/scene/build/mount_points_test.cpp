@@ -74,6 +74,13 @@ TEST(MountPoints, OfAZoneOrAPolygonHaveSeveralAxesAndLeaveInnerWallsOut) {
       << "the third column is in the wall";
 }
 
+TEST(MountPoints, OfTheRoomAreEverywhereEvenIfAZoneIsNamedLikeIt) {
+  Json store =
+      l_shaped_store(R"({"areas": [{"type": "down", "area": "room", "spacing": 2, "below_ceiling": 0.1}]})");
+  store["room"]["zones"][0]["id"] = "room";
+  EXPECT_EQ(make_scene(test::read_text(store.dump())).transceivers.size(), 14u);
+}
+
 TEST(MountPoints, OfAnAreaBeyondTheRoomAreOnlyThoseInTheRoom) {
   const auto units = units_of(R"({"areas": [{"type": "down", "spacing": 2, "z": 2,
     "area": [[-9e3, -9e3], [9e3, -9e3], [9e3, 9e3], [-9e3, 9e3]]}]})");
