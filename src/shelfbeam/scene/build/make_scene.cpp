@@ -270,12 +270,16 @@ class SceneMaker {
           add_transceiver(unit, fmt::format("{}: transceivers.grids[{}]", store_.file, g));
         }
     }
-    generate_candidates(store_, scene_, [&](const Transceiver& unit, const std::string& where) {
-      add_transceiver(unit, where);
-    });
+    const std::vector<EmptyMount> empty = generate_candidates(
+        store_, scene_,
+        [&](const Transceiver& unit, const std::string& where) { add_transceiver(unit, where); });
+    for (const auto& [where, problem] : empty)
+      warnings_.add("mounting areas without candidates",
+                    fmt::format("{}: {}; {}", where, problem, EmptyMount::remedy));
     for (const auto& [unit, where] : store_.transceivers) add_transceiver(unit, where);
-    if (scene_.transceivers.empty())
-      fail("has no candidate transceivers", "add 'grids', 'areas' or a 'list', or shrink 'keep_out'");
+    if (!scene_.transceivers.empty()) return;
+    if (!empty.empty()) throw InputError(empty.front().where, empty.front().problem, EmptyMount::remedy);
+    fail("has no candidate transceivers", "add 'grids', 'areas' or a 'list', or shrink 'keep_out'");
   }
 
   void mark_installed() {

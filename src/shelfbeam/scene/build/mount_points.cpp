@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
@@ -134,13 +135,29 @@ class Generator {
     return result;
   }
 
-  void generate(const UseCandidate& use) const {
-    for (std::size_t a = 0; a < store_.areas.size(); ++a) add_area(a, use);
+  std::vector<EmptyMount> generate(const UseCandidate& use) const {
+    std::vector<EmptyMount> empty;
+    const auto expect_candidates = [&](const Outcome& outcome, const std::string& where) {
+      if (!outcome.has_candidates) empty.push_back({where, "has no candidates: " + outcome.obstacle});
+    };
+    for (std::size_t a = 0; a < store_.areas.size(); ++a)
+      expect_candidates(add_area(a, use), store_.areas[a].where);
     for (const auto& [rail, where] : store_.rails) add_rail(rail, where, use);
-    for (const auto& [faces, where] : store_.faces) add_faces(faces, where, use);
+    for (const auto& [faces, where] : store_.faces) expect_candidates(add_faces(faces, where, use), where);
+    return empty;
   }
 
  private:
+  struct Outcome {
+    bool has_candidates = false;
+    std::string obstacle;  // to the first point
+
+    void omit(const Vec3& p, const std::string& why) {
+      if (obstacle.empty())
+        obstacle = fmt::format("the point ({:.6g}, {:.6g}, {:.6g}) is {}", p.x, p.y, p.z, why);
+    }
+  };
+
   static void add(const MountedType& mounted, const std::string& id, const Vec3& position,
                   const std::string& where, const UseCandidate& use) {
     for (std::size_t a = 0; a < mounted.axes.size(); ++a) {
@@ -154,15 +171,21 @@ class Generator {
     }
   }
 
-  // Points on the sides of inner walls are free, but not those between a wall and the ceiling.
-  bool is_free(const Vec3& p) const {
-    if (scene_.room && !scene_.room->beyond(p, rounding).empty()) return false;
-    return !wall_index_.any(Bounds{p, p}.wider_by(rounding), [&](std::uint32_t k) {
+  // What a candidate at this point would be within or beyond; empty if it is free. Points on the sides of
+  // inner walls are free, but not those between a wall and the ceiling.
+  std::string obstacle_at(const Vec3& p) const {
+    if (scene_.room)
+      if (std::string side = scene_.room->beyond(p, rounding); !side.empty()) return side;
+    const std::string* wall = nullptr;
+    wall_index_.any(Bounds{p, p}.wider_by(rounding), [&](std::uint32_t k) {
       const Part& part = *wall_parts_[k];
       const Vec2 plan{p.x, p.y};
-      return part.bottom + rounding < p.z && p.z < part.top + rounding && contains(part.footprint, plan) &&
-             distance_to_border(part.footprint, plan) > rounding;
+      if (part.bottom + rounding < p.z && p.z < part.top + rounding && contains(part.footprint, plan) &&
+          distance_to_border(part.footprint, plan) > rounding)
+        wall = &scene_.fixtures[part.fixture].id;
+      return wall != nullptr;
     });
+    return wall == nullptr ? std::string() : "within the inner wall " + in_quotes(*wall);
   }
 
   // Along x and y.
@@ -176,18 +199,27 @@ class Generator {
   }
 
   // At the middle of each cell of a grid over the bounds of the area.
-  void add_area(std::size_t index, const UseCandidate& use) const {
+  Outcome add_area(std::size_t index, const UseCandidate& use) const {
     const auto& [mount, where] = store_.areas[index];
     const Polygon& polygon = polygon_of(mount, *scene_.room);
     const auto [x, y] = cells(mount);
+    Outcome outcome;
     for (std::size_t iy = y.begin; iy < y.end; ++iy)
       for (std::size_t ix = x.begin; ix < x.end; ++ix) {
         const Vec2 p{x.middle(ix), y.middle(iy)};
         if (!contains(polygon, p) || !scene_.room->covers(p)) continue;
         const double z = mount.z.value_or(scene_.room->ceiling_over(p).at(p) - mount.below_ceiling);
-        if (const Vec3 at{p[0], p[1], z}; is_free(at))
-          add(mount.unit, fmt::format("A{}-{}-{}", index + 1, ix + 1, iy + 1), at, where, use);
+        const Vec3 at{p[0], p[1], z};
+        if (const std::string obstacle = obstacle_at(at); !obstacle.empty()) {
+          outcome.omit(at, obstacle);
+          continue;
+        }
+        add(mount.unit, fmt::format("A{}-{}-{}", index + 1, ix + 1, iy + 1), at, where, use);
+        outcome.has_candidates = true;
       }
+    if (outcome.obstacle.empty())
+      outcome.obstacle = "no point of its grid is within both the area and the room";
+    return outcome;
   }
 
   static void add_rail(const MountRail& rail, const std::string& where, const UseCandidate& use) {
@@ -233,21 +265,30 @@ class Generator {
     return path.length() > 0 ? steps(path.length(), mount.spacing) : 0;
   }
 
-  void add_faces(const MountFaces& mount, const std::string& where, const UseCandidate& use) const {
+  Outcome add_faces(const MountFaces& mount, const std::string& where, const UseCandidate& use) const {
     const FacePath face = face_path(mount);
     const Path& path = face.path;
     const std::size_t count = count_along(mount, path);
+    Outcome outcome;
     for (std::size_t n = 0; n < count; ++n) {
       const auto [point, piece] =
           path.at(path.length() * (static_cast<double>(n) + 0.5) / static_cast<double>(count));
       const Vec3 away{face.outward[piece][0], face.outward[piece][1], 0};
       const Vec3 at = point + away * std::max(mount.offset, contact);
-      if (!face.has_face(point - away * contact) || !is_free(at)) continue;
+      if (const std::string obstacle =
+              face.has_face(point - away * contact) ? obstacle_at(at) : "not in front of a face";
+          !obstacle.empty()) {
+        outcome.omit(at, obstacle);
+        continue;
+      }
       MountedType unit{mount.type, {}, mount.roll_deg};
       for (const double tilt : mount.tilts_deg)
         unit.axes.push_back(away * std::cos(radians(tilt)) - Vec3{0, 0, std::sin(radians(tilt))});
       add(unit, fmt::format("{}-{}", mount.id, n + 1), at, where, use);
+      outcome.has_candidates = true;
     }
+    if (outcome.obstacle.empty()) outcome.obstacle = "the fixture has no faces";
+    return outcome;
   }
 
   const Store& store_;
@@ -263,8 +304,8 @@ std::vector<MountCount> candidate_counts(const Store& store, const Scene& scene)
   return Generator(store, scene).counts();
 }
 
-void generate_candidates(const Store& store, const Scene& scene, const UseCandidate& use) {
-  Generator(store, scene).generate(use);
+std::vector<EmptyMount> generate_candidates(const Store& store, const Scene& scene, const UseCandidate& use) {
+  return Generator(store, scene).generate(use);
 }
 
 }  // namespace shelfbeam

@@ -20,8 +20,16 @@ std::vector<MountCount> candidate_counts(const Store& store, const Scene& scene)
 
 using UseCandidate = std::function<void(const Transceiver&, const std::string& where)>;
 
+/// An area or a member of `on` without candidates, and why its first point has none.
+struct EmptyMount {
+  const std::string& where;  ///< in the store
+  std::string problem;
+  static constexpr const char* remedy = "correct its place, height or spacing, or remove it";
+};
+
 /// Calls `use(unit, where)` for the candidates of areas, rails and faces of a store whose scene has its room
-/// and its fixtures. Points of areas and faces outside the room and within inner walls are omitted.
-void generate_candidates(const Store& store, const Scene& scene, const UseCandidate& use);
+/// and its fixtures. Points of areas and faces outside the room and within inner walls are omitted, and those
+/// before an opening, above a fixture or below it.
+std::vector<EmptyMount> generate_candidates(const Store& store, const Scene& scene, const UseCandidate& use);
 
 }  // namespace shelfbeam

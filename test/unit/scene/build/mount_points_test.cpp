@@ -196,6 +196,20 @@ TEST(MountPoints, AreKeptOutByPolygonsAndHeights) {
       "A1-1-1");
 }
 
+TEST(MountPoints, WarnOfMountsWithoutCandidates) {
+  const std::string list = R"("list": [{"id": "T", "position": [1, 1, 2], "type": "down"}])";
+  const Json store = l_shaped_store(
+      R"({"areas": [{"type": "down", "area": [[5, 5], [7, 5], [7, 9]], "spacing": 1, "z": 2},
+                    {"type": "down", "area": "low", "spacing": 4, "z": 2.7},
+                    {"type": "down", "area": [[5.9, 0.5], [6.1, 0.5], [6.1, 1]], "spacing": 0.1, "z": 2}],
+          "on": [{"type": "down", "fixture": "C", "spacing": 1, "z": 3.3}], )" +
+      list + "}");
+  const Scene scene = make_scene(test::read_text(store.dump()));
+  std::string warnings;
+  for (const std::string& warning : scene.warnings) warnings += warning + "\n";
+  EXPECT_EQ(warnings, "");
+}
+
 TEST(MountPoints, RefuseFaultsWithTheirPlace) {
   struct Fault {
     std::string transceivers;
@@ -226,6 +240,8 @@ TEST(MountPoints, RefuseFaultsWithTheirPlace) {
           {R"({"on": [{"type": "down", "fixture": "D", "z": 2, "spacing": 1}]})",
            "transceivers.on[0].fixture: names an unknown fixture"},
           {R"({"on": [{"type": "down", "wall": 6, "z": 2, "spacing": 1}]})", "transceivers.on[0].wall: is 6"},
+          {R"({"areas": [{"type": "down", "area": "room", "spacing": 1, "below_ceiling": 4}]})",
+           "transceivers.areas[0]: has no candidates: the point (0.5, 0.5, -0.8) is below the floor"},
           {R"({"on": [{"type": "down", "z": 2, "spacing": 1}]})", "transceivers.on[0]: must have one of"},
           {R"({"on": [{"type": "down", "wall": 1, "z": 2, "spacing": 1, "tilt_deg": []}]})",
            "transceivers.on[0].tilt_deg: is empty"},
