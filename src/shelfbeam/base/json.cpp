@@ -19,6 +19,17 @@ using Node = nlohmann::ordered_json;
 struct JsonCursor::Document {
   std::string name;
   Node root;
+  Origins origins = {};  ///< by the whole path
+
+  const Origin* origin_of(std::string path) const {
+    if (origins.empty()) return nullptr;
+    for (;;) {
+      if (const auto found = origins.find(path); found != origins.end()) return &found->second;
+      const auto end = path.find_last_of(".[");
+      if (end == std::string::npos) return nullptr;
+      path.resize(end);
+    }
+  }
 };
 
 namespace {
@@ -37,6 +48,11 @@ std::string kind(const Node& node) {
   if (node.is_number()) return "a number";
   if (node.is_boolean()) return "true or false";
   return "null";
+}
+
+std::string member_path(const std::string& path, std::string_view key) {
+  std::string name = shortened(key, longest_name);
+  return path.empty() ? name : fmt::format("{}.{}", path, name);
 }
 
 // The parser's message ("... at line 3, column 7: ...") without its internal id, which users do not need.
@@ -173,10 +189,14 @@ const nlohmann::ordered_json& JsonCursor::value() const {
   return as_node(node_);
 }
 
-JsonCursor JsonCursor::replaced(nlohmann::ordered_json value, const std::string& note) const {
-  auto document = std::make_shared<const Document>(Document{document_->name, std::move(value)});
+JsonCursor JsonCursor::replaced(nlohmann::ordered_json value, const Origins& origins) const {
+  Origins whole = origins.empty() ? document_->origins : Origins{};
+  for (const auto& [part, origin] : origins)
+    whole.emplace(path_.empty() || part.empty() ? path_ + part : fmt::format("{}.{}", path_, part), origin);
+  auto document =
+      std::make_shared<const Document>(Document{document_->name, std::move(value), std::move(whole)});
   const void* root = &document->root;
-  return {std::move(document), root, path_ + note, unit_};
+  return {std::move(document), root, path_, unit_};
 }
 
 JsonCursor JsonCursor::parse(std::string_view text, const std::string& name) {
@@ -190,7 +210,18 @@ JsonCursor JsonCursor::parse_file(const std::filesystem::path& path) {
 }
 
 std::string JsonCursor::where() const {
-  return path_.empty() ? document_->name : document_->name + ": " + path_;
+  return where(path_);
+}
+
+std::string JsonCursor::where(const std::string& part) const {
+  std::string text = path_.empty() ? document_->name : document_->name + ": " + path_;
+  const Origin* origin = document_->origin_of(part);
+  if (origin != nullptr && !origin->note.empty()) text += fmt::format(" ({})", origin->note);
+  return text;
+}
+
+const std::string& JsonCursor::file() const {
+  return document_->name;
 }
 
 void JsonCursor::fail(const std::string& problem, const std::string& suggestion) const {
@@ -214,12 +245,12 @@ bool JsonCursor::is_number() const {
   return as_node(node_).is_number();
 }
 
-void JsonCursor::expect_keys(std::initializer_list<std::string_view> known) const {
+void JsonCursor::expect_keys(std::span<const std::string_view> known) const {
   if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
   for (const auto& [key, value] : as_node(node_).items()) {
     if (std::find(known.begin(), known.end(), key) == known.end())
-      fail(fmt::format("has the unknown key {}", in_quotes(key)),
-           suggest(key, {known.begin(), known.size()}));
+      throw InputError(where(member_path(path_, key)), fmt::format("has the unknown key {}", in_quotes(key)),
+                       suggest(key, known));
   }
 }
 
@@ -231,9 +262,10 @@ std::optional<JsonCursor> JsonCursor::find(std::string_view key) const {
 }
 
 JsonCursor JsonCursor::member(std::string_view key, const void* node) const {
-  std::string name = shortened(key, longest_name);
-  return JsonCursor(document_, node, path_.empty() ? std::move(name) : fmt::format("{}.{}", path_, name),
-                    unit_);
+  std::string path = member_path(path_, key);
+  const auto origin = document_->origins.find(path);
+  const LengthUnit unit = origin == document_->origins.end() ? unit_ : origin->second.unit;
+  return {document_, node, std::move(path), unit};
 }
 
 JsonCursor JsonCursor::operator[](std::string_view key) const {

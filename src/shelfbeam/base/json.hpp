@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,11 +34,21 @@ class JsonCursor {
 
   /// The value at this position.
   const nlohmann::ordered_json& value() const;
-  /// The same position with another value; `note` is appended to the path in errors.
-  JsonCursor replaced(nlohmann::ordered_json value, const std::string& note) const;
+  /// The source of a part of a value: a note behind its path in errors, and the unit of its lengths.
+  struct Origin {
+    std::string note;
+    LengthUnit unit = LengthUnit::m;
+  };
+  /// By the path from the value to the part ("depth", "labels.spacing"), "" for the value itself. Other parts
+  /// have the origin of the part that contains them.
+  using Origins = std::map<std::string, Origin>;
+  /// The same position with another value. Without `origins`, its parts keep the present ones.
+  JsonCursor replaced(nlohmann::ordered_json value, const Origins& origins = {}) const;
 
   /// "file: path" for errors.
   std::string where() const;
+  /// The name of the file.
+  const std::string& file() const;
   [[noreturn]] void fail(const std::string& problem, const std::string& suggestion = {}) const;
 
   bool is_object() const;
@@ -47,7 +58,10 @@ class JsonCursor {
   bool is_null() const;
 
   /// Objects: throws if the value is not an object or has a key outside `known` (suggests the nearest).
-  void expect_keys(std::initializer_list<std::string_view> known) const;
+  void expect_keys(std::initializer_list<std::string_view> known) const {
+    expect_keys(std::span{known.begin(), known.size()});
+  }
+  void expect_keys(std::span<const std::string_view> known) const;
   JsonCursor operator[](std::string_view key) const;                ///< throws when the key is missing
   std::optional<JsonCursor> find(std::string_view key) const;       ///< nothing when the key is missing
   std::vector<std::pair<std::string, JsonCursor>> members() const;  ///< in the order of the file
@@ -71,8 +85,9 @@ class JsonCursor {
   std::vector<double> numbers() const;
   /// A text out of `known`; the error for any other text suggests the nearest.
   std::string choice(std::initializer_list<std::string_view> known) const {
-    return one_of({known.begin(), known.size()});
+    return choice(std::span{known.begin(), known.size()});
   }
+  std::string choice(std::span<const std::string_view> known) const { return one_of(known); }
   /// The enumerator whose name is given; `known` may be limited to the first names of the enumeration.
   template <class Enum>
   Enum choice(std::span<const Named<Enum>> known = names_of<Enum>) const {
@@ -84,6 +99,8 @@ class JsonCursor {
  private:
   struct Document;
   JsonCursor member(std::string_view key, const void* node) const;
+  /// "file: path", with the note of the origin of `part`.
+  std::string where(const std::string& part) const;
   std::string one_of(std::span<const std::string_view> known) const;
   JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path, LengthUnit unit);
 

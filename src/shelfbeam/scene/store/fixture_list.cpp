@@ -99,6 +99,7 @@ class FixtureList {
 
   void read(const JsonCursor& given) {
     JsonCursor json = presets_.complete(given);
+    expect_fixture_keys(json);
     const auto repeat = json.find("repeat");
     const auto labels = json.find("labels");
     const bool has_places = labels && labels->is_array();
@@ -109,7 +110,7 @@ class FixtureList {
       place(json, *against, value);
       value.erase("against");
     }
-    if (repeat || has_places || json.find("against")) json = json.replaced(std::move(value), "");
+    if (repeat || has_places || json.find("against")) json = json.replaced(std::move(value));
     const Fixture fixture = read_fixture(json, {names_, folder_});
     const std::size_t first = store_.fixtures.size();
     if (repeat)

@@ -9,17 +9,48 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/fixture/fixture.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 
 namespace shelfbeam {
 
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Adds the keys of a fixture or preset, which replace those of the presets that it refers to.
+void lay_over(Json& whole, JsonCursor::Origins& origins, const JsonCursor& layer,
+              const JsonCursor::Origin& origin, const std::string& path) {
+  origins[path] = origin;
+  for (const auto& [key, value] : layer.members()) {
+    const std::string part = path.empty() ? key : fmt::format("{}.{}", path, key);
+    if (part == "preset") continue;
+    Json& below = whole[key];
+    if (value.is_object()) {
+      if (!below.is_object()) below = Json::object();
+      lay_over(below, origins, value, origin, part);
+    } else {
+      below = value.value();
+      origins[part] = origin;
+    }
+  }
+}
+
+}  // namespace
+
 void Presets::add(const JsonCursor& section) {
+  const std::vector<std::string_view> known = all_fixture_keys();
   for (const auto& [name, preset] : section.members()) {
     check_name(name, preset.where());
     if (!preset.is_object()) preset.fail("is not an object", "give the keys of a fixture");
+    preset.expect_keys(known);
     if (const auto [other, is_new] = presets_.emplace(name, preset); !is_new)
       preset.fail(fmt::format("is the duplicate of {}", other->second.where()), "rename one of the two");
   }
+}
+
+void Presets::check() const {
+  for (const auto& [name, preset] : presets_) chain_of(preset, &name);
 }
 
 void Presets::fail_unknown(const JsonCursor& reference, const std::string& name) const {
@@ -29,38 +60,49 @@ void Presets::fail_unknown(const JsonCursor& reference, const std::string& name)
                  known.empty() ? "define it in 'presets'" : suggest(name, known));
 }
 
+std::vector<Presets::Named> Presets::chain_of(const JsonCursor& json, const std::string* name) const {
+  constexpr std::size_t max_chain = 100, longest_name = 60;  // of a name in messages
+  std::set<std::string> seen;
+  std::vector<std::string> names;
+  if (name != nullptr) {
+    seen.insert(*name);
+    names.push_back(shortened(*name, longest_name));
+  }
+  std::vector<Named> chain;
+  for (auto reference = json.find("preset"); reference; reference = chain.back().second.find("preset")) {
+    std::string next = reference->text();
+    const auto found = presets_.find(next);
+    if (found == presets_.end()) fail_unknown(*reference, next);
+    if (names.size() == max_chain)
+      reference->fail(fmt::format("is the end of a chain of {} presets", max_chain), "nest fewer of them");
+    names.push_back(shortened(next, longest_name));
+    if (!seen.insert(next).second)
+      reference->fail(fmt::format("refers to itself: {}", fmt::join(names, " -> ")),
+                      "remove one of the references");
+    if (found->second.unit() != json.unit())
+      reference->fail(fmt::format("names a preset in {}, but the store is in {}",
+                                  to_text(found->second.unit()), to_text(json.unit())),
+                      "use the same 'units' in both files");
+    chain.emplace_back(std::move(next), found->second);
+  }
+  return chain;
+}
+
 JsonCursor Presets::complete(const JsonCursor& fixture) const {
   if (!fixture.find("preset")) return fixture;
-  using Json = nlohmann::ordered_json;
-  constexpr std::size_t longest_name = 60;  // in messages
-  std::set<std::string> seen;
-  std::vector<std::string> chain;
-  std::vector<Json> layers;
-  for (JsonCursor at = fixture;;) {
-    layers.push_back(at.value());
-    const auto reference = at.find("preset");
-    if (!reference) break;
-    const std::string name = reference->text();
-    const auto found = presets_.find(name);
-    if (found == presets_.end()) fail_unknown(*reference, name);
-    constexpr std::size_t max_chain = 100;
-    if (chain.size() == max_chain)
-      reference->fail(fmt::format("is the end of a chain of {} presets", max_chain), "nest fewer of them");
-    const bool repeats = !seen.insert(name).second;
-    chain.push_back(shortened(name, longest_name));
-    if (repeats)
-      reference->fail(fmt::format("refers to itself: {}", fmt::join(chain, " -> ")),
-                      "remove one of the references");
-    if (found->second.unit() != fixture.unit())
-      reference->fail(fmt::format("names a preset in {}, but the store is in {}",
-                                  to_text(found->second.unit()), to_text(fixture.unit())),
-                      "use the same 'units' in both files");
-    at = found->second;
-  }
+  const std::vector<Named> chain = chain_of(fixture);
+  const auto note = [&](const Named& preset) {
+    const std::string& file = preset.second.file();
+    return fmt::format("preset {}{}", in_quotes(preset.first),
+                       file == fixture.file() ? "" : fmt::format(" of {}", file));
+  };
   Json whole = Json::object();
-  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) whole.merge_patch(*layer);
-  whole.erase("preset");
-  return fixture.replaced(std::move(whole), fmt::format(" (preset {})", in_quotes(chain.front())));
+  JsonCursor::Origins origins;
+  for (auto preset = chain.rbegin(); preset != chain.rend(); ++preset)
+    lay_over(whole, origins, preset->second, {note(*preset), preset->second.unit()}, "");
+  lay_over(whole, origins, fixture, {"", fixture.unit()}, "");
+  origins[""] = {note(chain.front()), fixture.unit()};
+  return fixture.replaced(std::move(whole), origins);
 }
 
 }  // namespace shelfbeam

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/base/json.hpp"
@@ -11,15 +12,23 @@ namespace shelfbeam {
 /// Named beginnings of fixtures, from the store file and its catalogues.
 class Presets {
  public:
-  /// Adds the members of an object "presets". Throws InputError for a name that another file has used.
+  /// Adds the members of an object "presets". Throws InputError for a name that another file has used, and
+  /// for keys that no fixture has.
   void add(const JsonCursor& section);
 
+  /// Throws InputError for a preset that refers to an unknown preset or to itself. Requires all presets.
+  void check() const;
+
   /// The fixture with the keys of its preset that it lacks; objects within it are completed in the same way.
-  /// The same cursor without the key "preset". Throws InputError for an unknown preset and for presets that
-  /// refer to themselves.
+  /// Errors in a key of a preset name the preset. A fixture without "preset" is returned unchanged. Throws
+  /// InputError for an unknown preset.
   JsonCursor complete(const JsonCursor& fixture) const;
 
  private:
+  using Named = std::pair<std::string, JsonCursor>;
+
+  /// The preset of a fixture or preset, the preset of that preset, and so on. `name`: of a preset.
+  std::vector<Named> chain_of(const JsonCursor& json, const std::string* name = nullptr) const;
   [[noreturn]] void fail_unknown(const JsonCursor& reference, const std::string& name) const;
 
   std::map<std::string, JsonCursor, std::less<>> presets_;

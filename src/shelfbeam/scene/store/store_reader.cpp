@@ -88,6 +88,7 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   for (const JsonCursor& catalogue : catalogues)
     if (const auto section = catalogue.find("presets")) presets.add(*section);
   if (const auto section = root.find("presets")) presets.add(*section);
+  presets.check();
   each_section(catalogues, root, "materials",
                [&](const JsonCursor& section) { read_materials(section, store); });
   each_section(catalogues, root, "transceiver_types",

@@ -173,7 +173,7 @@ TEST(FixtureList, RefusesFaultsWithTheirPlace) {
                 "repeat": {"count": 3, "step": [9000, 0]}}])",
            "{}", "fixtures[0].repeat: puts a copy 18000 m from the first"},
           {R"([{"preset": "a", "id": "A", "at": [1, 1]}])", R"({"a": {"type": "gondola", "lenght": 3}})",
-           "fixtures[0] (preset 'a'): has the unknown key 'lenght'"},
+           "store.json: presets.a: has the unknown key 'lenght'; did you mean 'length'?"},
           {copies.c_str(), "{}", "fixtures[0].id: is 'A' for all copies"},
           {many.c_str(), "{}", "fixtures[0].repeat: produces 40000 fixtures"},
           {beside.c_str(), "{}",
@@ -188,6 +188,45 @@ TEST(FixtureList, RefusesFaultsWithTheirPlace) {
     Json store = store_with(fixtures);
     store["presets"] = Json::parse(presets);
     test::expect_input_error([&] { make_scene(read(store)); }, std::string_view(message));
+  }
+}
+
+TEST(FixtureList, RefusesFaultsOfPresetsThatNoFixtureUses) {
+  for (const auto& [presets, message] : std::vector<std::pair<const char*, const char*>>{
+           {R"({"a": {"preset": "a"}})", "store.json: presets.a.preset: refers to itself: a -> a"},
+           {R"({"a": {"preset": "b"}, "b": {"preset": "c"}, "c": {"preset": "b"}})",
+            "store.json: presets.c.preset: refers to itself: a -> b -> c -> b"},
+           {R"({"run": {"preset": "rum"}})", "presets.run.preset: names the unknown preset 'rum'"},
+           {R"({"a": {"lenght": 3}})", "presets.a: has the unknown key 'lenght'; did you mean 'length'?"}}) {
+    Json store = store_with("[]");
+    store["presets"] = Json::parse(presets);
+    test::expect_input_error([&] { read(store); }, std::string_view(message));
+  }
+}
+
+// A fault of a preset is found where a fixture uses it. The message names both.
+TEST(FixtureList, NamesThePresetThatHasTheFault) {
+  TempFolder folder;
+  for (const auto& [base, message] : std::vector<std::pair<const char*, std::string>>{
+           {R"("height": -1)", "store.json: fixtures[0].height (preset 'base' of FILE): is -1"},
+           {R"("height": 1.8, "shelves": [0.4, 2])",
+            "store.json: fixtures[0].shelves[1] (preset 'base' of FILE): is at 2 m"},
+           {R"("height": 1.8, "shelves": [0.4], "labels": {"type": "small", "spacing": 0})",
+            "store.json: fixtures[0].labels.spacing (preset 'base' of FILE): is 0"},
+           {R"("height": 1.8, "radius": 1)",
+            "store.json: fixtures[0] (preset 'base' of FILE): has the unknown key 'radius'"},
+           {R"("height": 1.8, "shelves": [0.4], "labels": {"type": "small", "count": 2})",
+            "store.json: fixtures[0].depth (preset 'run'): is 0.05 m, below 0.1 m"},
+           {R"("height": 1.8)", "store.json: fixtures[0] (preset 'run'): is missing the key 'shelves'"}}) {
+    const auto file = folder.write("chain.json", std::string(R"({"presets": {"base": {"type": "gondola",
+      "material": "steel", )") + base + "}}}");
+    Json store = store_with(R"([{"preset": "run", "id": "A", "at": [2, 3], "length": 2}])");
+    store["catalogues"] = {"chain.json"};
+    store["presets"] = {{"run", {{"preset", "base"}, {"depth", 0.05}, {"length", 1}}}};
+    std::string expected = message;
+    if (const auto at = expected.find("FILE"); at != std::string::npos)
+      expected.replace(at, 4, file.string());
+    test::expect_input_error([&] { read(store, folder.path()); }, std::string_view(expected));
   }
 }
 
