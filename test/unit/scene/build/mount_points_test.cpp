@@ -265,7 +265,7 @@ TEST(MountPoints, RefuseFaultsWithTheirPlace) {
     test::expect_input_error([&, &json = transceivers] { units_of(json); }, std::string_view(message));
 }
 
-// Candidates and articles count before they are allocated.
+// Candidates count before they are allocated.
 TEST(MountPoints, CountInTheMemoryOfTheScene) {
   const auto refused = [](const std::string& transceivers, std::string_view where) {
     constexpr std::size_t memory = 100'000'000;

@@ -323,6 +323,21 @@ TEST(Planogram, RefusesFaultsWithTheirLine) {
   test::expect_input_error([&] { read(store, folder.path()); }, std::string_view("has no column 'face'"));
 }
 
+TEST(Planogram, CountsInTheMemoryOfTheScene) {
+  const TempFolder folder;
+  std::string rows = "article,fixture,face,level,x\n";
+  for (int k = 0; k < 150'000; ++k) rows += std::to_string(k) + ",A,front,1,0.5\n";
+  folder.write("p.csv", rows);
+  Json store =
+      store_with(R"([{"type": "gondola", "id": "A", "at": [5, 5], "length": 3, "depth": 0.9, "height": 1.8,
+    "material": "steel", "shelves": [0.4]}])");
+  store["planogram"] = {{"file", "p.csv"}, {"type", "small"}};
+  constexpr std::size_t memory = 100'000'000;
+  const Store read = parse_store(store.dump(), "store.json", folder.path(), {false, memory});
+  test::expect_input_error([&] { make_scene(read); }, std::string_view("p.csv: line "),
+                           std::string_view("the store up to here requires about 0.1 GB"));
+}
+
 // Closed surfaces that face outwards: the volume by the theorem of Gauss.
 double volume(const Scene& scene, std::size_t first) {
   double sum = 0;
