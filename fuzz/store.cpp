@@ -1,5 +1,9 @@
 #include "shelfbeam/scene/store/store.hpp"
 
+#include <stdexcept>
+
+#include "shelfbeam/base/error.hpp"
+
 #include "reader.hpp"
 #include "scratch_folder.hpp"
 
@@ -27,7 +31,7 @@ constexpr const char* every_section = R"({
     "w": { "emission": { "type": "eulumdat", "file": "profile.ldt", "flux": 1 } } },
   "fixtures": [
     { "type": "gondola", "id": "A", "at": [2, 1], "length": 3, "depth": 0.9, "height": 1.8, "rotation_deg": 30, "material": "white", "goods": "tile", "doors": "door", "shelves": [0.4, 0.9], "faces": ["front"], "stocking": 0.5, "labels": { "type": "a", "spacing": 0.8, "tilt_deg": 5 } },
-    { "type": "freezer", "id": "F", "at": [7, 2], "length": 2, "depth": 0.8, "height": 0.9, "material": "white", "labels": { "type": "b", "spacing": 0.5, "faces": ["back", "left"] } },
+    { "type": "freezer", "id": "F", "at": [5.5, 2], "length": 2, "depth": 0.8, "height": 0.9, "material": "white", "labels": { "type": "b", "spacing": 0.5, "faces": ["back", "left"] } },
     { "type": "box", "id": "B", "min": [0, 4, 0], "max": [0.4, 4.4, 3], "material": "foil" },
     { "type": "mesh", "id": "M", "file": "mesh.obj", "at": [4, 5, 0], "scale": 0.5, "up": "z", "materials": { "x*": "jar", "*": "white" } },
     { "type": "mesh", "id": "N", "at": [5, 5, 0], "parts": [ { "name": "p", "material": "jar", "vertices": [[0,0,0],[1,0,0],[0,1,0]], "faces": [[0,1,2]] } ] } ],
@@ -47,12 +51,77 @@ constexpr const char* lists = R"({ // comments, too
   "transceivers": { "list": [ { "id": "T", "position": [1, 2, 3], "axis": [0, 0, -1], "roll_deg": 90, "type": "t" } ] }
 })";
 
+// Any outline, copies, presets, and candidates on surfaces.
+constexpr const char* shapes = R"({
+  "catalogues": ["chain.json"], "currency": "EUR",
+  "materials": { "white": { "type": "lambertian", "reflectance": 0.8 }, "door": { "type": "thin_dielectric", "ior": 1.5 } },
+  "label_types": { "l": { "threshold": 0.02 }, "m": { "threshold": 0.04 } },
+  "transceiver_types": { "t": { "emission": { "type": "isotropic", "intensity": 0.5 } } },
+  "room": {
+    "outline": [[0, 0], [12, 0], [12, 5], [20, 6], [20, 14], [0, 14]], "holes": [[[8, 8], [9, 8], [9, 9], [8, 9]]],
+    "height": 3.2, "floor": "white", "ceiling": "white", "walls": "white", "wall_materials": { "2": "door" },
+    "zones": [
+      { "id": "low", "polygon": [[0, 9], [6, 9], [6, 14], [0, 14]], "height": 2.6, "ceiling": "red", "fascia": "white" },
+      { "id": "sloped", "polygon": [[12, 5], [20, 6], [20, 10], [12, 10]], "height": [[12, 5, 2.8], [20, 6, 2.8], [12, 10, 3.9]] } ],
+    "inner_walls": [
+      { "id": "W1", "from": [4, 0], "to": [4, 6], "thickness": 0.12, "height": "ceiling", "material": "red",
+        "openings": [ { "at": 1, "width": 0.9, "top": 2.1 }, { "at": 3, "width": 1, "bottom": 1, "top": 2, "pane": "door" } ] },
+      { "id": "W2", "from": [4, 6], "to": [1, 6], "thickness": 0.2, "height": 2.2 },
+      { "id": "W3", "from": [13, 12], "to": [20, 5.9], "thickness": 0.1, "height": 3 } ] },
+  "presets": {
+    "base": { "type": "gondola", "depth": 0.5, "height": 1.8, "material": "white", "shelves": [0.3, 0.8], "faces": ["front"],
+              "labels": { "type": "l", "count": 2, "level_types": { "2": "m" } } },
+    "run": { "preset": "base", "length": 1.33, "labels": { "hook": 0.1 } } },
+  "fixtures": [
+    { "preset": "run", "id": "A{n}", "at": [5, 2], "rotation_deg": 15,
+      "repeat": { "count": 2, "step": 1.33, "first": 3, "count2": 2, "step2": [0, 2.5], "mirror": true } },
+    { "preset": "chest", "id": "F", "against": { "wall": 0, "from": 9, "gap": 0.1 } },
+    { "preset": "run", "id": "E", "against": { "fixture": "F", "side": "right", "shift": 0.2 }, "labels": { "count": 1 } },
+    { "type": "box", "id": "B", "size": [0.6, 0.4, 1], "material": "red", "against": { "fixture": "A3", "side": "back" } },
+    { "type": "box", "id": "T", "at": [15, 12, 0], "size": [1.2, 0.8, 0.75], "rotation_deg": 30, "material": "white" },
+    { "type": "prism", "id": "P", "polygon": [[7, 10], [9, 10], [9, 12], [8, 10.4], [7, 11]], "bottom": 0.1, "top": 1.1, "material": "white" },
+    { "type": "cylinder", "id": "C", "at": [10, 7], "radius": 0.25, "top": "ceiling", "material": "red" },
+    { "type": "panel", "id": "S", "corners": [[1, 1, 2.2], [3, 1, 2.2], [3, 1.3, 2.8]], "material": "white" } ],
+  "labels": [ { "id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "l" } ],
+  "planogram": { "file": "planogram.csv", "type": "m" },
+  "transceivers": {
+    "areas": [ { "type": "t", "area": "room", "spacing": 3, "below_ceiling": 0.05, "axes": [[0, 0, -1], [0.5, 0, -0.866]], "roll_deg": 3 },
+               { "type": "t", "area": "low", "spacing": 2, "z": 2.5 }, { "type": "t", "area": [[13, 11], [15, 11], [15, 13]], "spacing": 1, "z": 3 } ],
+    "rails": [ { "id": "R", "type": "t", "points": [[1, 1, 2.8], [3, 1, 2.8], [3, 5, 2.5]], "spacing": 0.8, "axes": [[0, 1, -1]] } ],
+    "on": [ { "type": "t", "fixture": "C", "z": 2.4, "spacing": 0.8, "tilt_deg": 30, "offset": 0.05, "roll_deg": 9 },
+            { "type": "t", "wall": 2, "z": 2, "spacing": 2 }, { "type": "t", "inner_wall": "W1", "z": 2.3, "spacing": 2, "offset": 0.01 } ],
+    "keep_out": [ { "polygon": [[3, 3], [5, 3], [4, 5]], "z": [2.0, 3.2] } ] }
+})";
+
+// A box room with zones and inner walls, and labels in all forms.
+constexpr const char* divided_box = R"({
+  "units": "cm",
+  "materials": { "m": { "type": "lambertian", "reflectance": 0.5 } },
+  "label_types": { "l": { "threshold": 0.02 } },
+  "transceiver_types": { "t": { "emission": { "type": "isotropic", "intensity": 0.5 } } },
+  "room": { "size": [800, 600, 300], "floor": "m", "ceiling": "m", "walls": { "x0": "m", "x1": "m", "y0": "m", "y1": "m" },
+            "zones": [ { "id": "low", "polygon": [[0, 500], [200, 500], [200, 600], [0, 600]], "height": 250 } ],
+            "inner_walls": [ { "id": "W", "from": [500, 0], "to": [600, 100], "height": 200 } ] },
+  "fixtures": [
+    { "type": "freezer", "id": "F{n}", "at": [200, 200], "length": 200, "depth": 80, "height": 90, "material": "m",
+      "labels": { "type": "l", "count": 2, "faces": ["front", "left"], "on_top": true, "tilt_deg": 60 },
+      "repeat": { "count": 2, "step": [0, 150] } },
+    { "type": "gondola", "id": "A", "at": [450, 200], "length": 200, "depth": 90, "height": 180, "material": "m", "shelves": [40, 90],
+      "labels": { "type": "l", "positions": [10, 55.5, 190], "hook": 25 } } ],
+  "transceivers": { "areas": [ { "type": "t", "area": "room", "spacing": 100, "z": 290 } ] }
+})";
+
 const std::filesystem::path& folder() {
   static const std::filesystem::path made = [] {
     scratch().write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     scratch().write("profile.ies", source_file("data/photometry/wide-ceiling.ies"));
     scratch().write("profile.ldt", source_file("data/photometry/wide-ceiling.ldt"));
     scratch().write("labels.csv", "id,x,y,z,nx,ny,nz,type\nP,5,0.01,1.5,0,1,0,c\n");
+    scratch().write("chain.json",
+                    R"({ "units": "m", "materials": { "red": { "type": "lambertian", "reflectance": 0.3 } },
+      "presets": { "chest": { "type": "freezer", "length": 2, "depth": 0.8, "height": 0.9, "material": "red" } } })");
+    scratch().write("planogram.csv",
+                    "article,fixture,face,level,position\n1,A3,front,2,1\n2,A3,front,2,3\n1,F,left,1,1\n");
     scratch().write("units.csv", "id,x,y,z,ax,ay,az,roll_deg,type\ntill,6,5,2.9,0,0,-1,0,v\n");
     return scratch().path();
   }();
@@ -63,11 +132,18 @@ void read(std::string_view bytes) {
   constexpr std::size_t memory = 1 << 26;
   const Store store = parse_store(std::string(bytes), "store.json", folder(), {false, memory});
   const Scene scene = make_scene(store);
-  resolved_store_json(store, scene);
+  const std::string resolved = resolved_store_json(store, scene);
+  constexpr std::size_t quickly_read = 1000;
+  if (scene.labels.size() + scene.transceivers.size() > quickly_read) return;
+  try {
+    make_scene(parse_store(resolved, "resolved.json", folder(), {false, memory}));
+  } catch (const InputError& error) {
+    throw std::logic_error(std::string("the resolved store is refused: ") + error.what());
+  }
 }
 
 std::vector<std::string> seeds() {
-  return {every_section, lists, source_file("examples/thesis/store.json")};
+  return {every_section, lists, shapes, divided_box, source_file("examples/thesis/store.json")};
 }
 
 }  // namespace

@@ -84,6 +84,62 @@ TEST_F(HostileFiles, StoresThatMultiply) {
   expect_refused("inspect " + store, "the limit is 0.4");
 }
 
+// A room of 30 x 20 m with these keys besides.
+std::string shop_of(const std::string& keys, const std::string& room = R"("size":[30,20,3])") {
+  return R"({"room":{)" + room + R"(,"floor":"m","ceiling":"m","walls":"m"},
+    "materials":{"m":{"type":"lambertian","reflectance":0.5}},"label_types":{"l":{"threshold":0.02}},
+    "transceiver_types":{"t":{"emission":{"type":"isotropic","intensity":1}}},
+    "labels":[{"id":"L","position":[1,1,1],"normal":[1,0,0],"type":"l"}],)" +
+         keys + "}";
+}
+
+TEST_F(HostileFiles, ShapesThatMultiply) {
+  const TempFolder folder;
+  const auto refused = [&](const std::string& store, const std::string& message) {
+    expect_refused("inspect " + folder.write("store.json", store).string(), message);
+  };
+  const auto with_units = [](const std::string& transceivers) {
+    return shop_of(R"("transceivers":{)" + transceivers + "}");
+  };
+  refused(with_units(R"("areas":[{"type":"t","area":"room","spacing":1e-9,"z":2}])"),
+          "areas[0].spacing: is 1e-09");
+  refused(with_units(R"("areas":[{"type":"t","area":"room","spacing":0.025,"z":2}])"),
+          "areas[0]: the store up to here requires about 0.9");
+  refused(with_units(R"("areas":[{"type":"t","area":[[-9e3,0],[9e3,0],[0,9e3]],"spacing":0.025,"z":2}])"),
+          "areas[0].spacing: produces 259200000000 candidates");
+  refused(with_units(R"("rails":[{"type":"t","id":"R","points":[[-9e3,1,2],[9e3,1,2]],"spacing":0.001}])"),
+          "rails[0].spacing: produces 18000000 candidates");
+  const std::string rest = R"(,"transceivers":{"list":[{"id":"T","position":[2,2,2],"type":"t"}]})";
+  const std::string corner = R"({"type":"prism","top":1,"material":"m","polygon":[[1,1],[2,1],[2,2]],"id":")";
+  refused(shop_of(R"("fixtures":[)" + corner + R"(P{n}","repeat":{"count":1000000000,"step":1}}])" + rest),
+          "repeat.count: is 1000000000");
+  refused(shop_of(R"("fixtures":[)" + corner + repeated("{n}", 200'000) +
+                  R"(","repeat":{"count":10000,"step":0.001}}])" + rest),
+          "fixtures[0]: the store up to here requires about 0.4");
+  std::string presets;
+  for (int k = 0; k < 9999; ++k)
+    presets += "\"" + std::to_string(k) + R"(":{"preset":")" + std::to_string(k + 1) + "\"},";
+  refused(shop_of(R"("presets":{)" + presets + R"("end":{}},"fixtures":[)" +
+                  repeated(R"({"preset":"0"},)", 1000) + R"({"preset":"0"}])" + rest),
+          "is the end of a chain of 100 presets");
+  std::string walls;
+  for (int k = 0; k < 1000; ++k)
+    walls += (k > 0 ? R"(,{"id":")" : R"({"id":")") + std::to_string(k) + R"(","from":[)" +
+             std::to_string(1 + 0.02 * k) + R"(,1],"to":[)" + std::to_string(29 - 0.02 * k) + ",19]}";
+  refused(shop_of(rest.substr(1), R"("size":[30,20,3],"inner_walls":[)" + walls + "]"),
+          "room: has edges that meet in more than 100,000 points");
+  std::string corners = "[0,0]";
+  for (int k = 0; k < 100'000; ++k) corners += ",[20," + std::to_string(1e-4 * k) + "]";
+  refused(shop_of(rest.substr(1), R"("height":3,"outline":[)" + corners + "]"),
+          "room.outline: has 100001 corners");
+  folder.write("p.csv", "article,fixture,face,level,position\n1,G,front,1,1000000000\n");
+  refused(
+      shop_of(R"("planogram":{"file":"p.csv","type":"l"},"fixtures":[{"type":"gondola","id":"G","at":[5,5],
+    "length":3,"depth":1,"height":2,"material":"m","shelves":[0.5]}])" +
+              rest),
+      "p.csv: line 2, field 5: is 1e+09");
+}
+
 TEST_F(HostileFiles, DeeplyNestedBrackets) {
   const TempFolder folder;
   const std::string store = folder.write("store.json", std::string(3'000'000, '['));

@@ -1,0 +1,41 @@
+#include "shelfbeam/scene/store/store.hpp"
+
+#include "reader.hpp"
+#include "scratch_folder.hpp"
+
+namespace shelfbeam::fuzz {
+
+namespace {
+
+constexpr const char* store = R"({
+  "units": "ft", "planogram": { "file": "planogram.csv", "type": "l" },
+  "materials": { "m": { "type": "lambertian", "reflectance": 0.5 } }, "label_types": { "l": { "threshold": 0.02 } },
+  "transceiver_types": { "t": { "emission": { "type": "isotropic", "intensity": 0.5 } } },
+  "fixtures": [
+    { "type": "gondola", "id": "A", "at": [0, 0], "length": 9, "depth": 2, "height": 6, "material": "m", "shelves": [1, 2, 4] },
+    { "type": "freezer", "id": "F", "at": [20, 9], "rotation_deg": 30, "length": 6, "depth": 3, "height": 3, "material": "m" },
+    { "type": "box", "id": "B", "min": [30, 0, 0], "max": [31, 1, 1], "material": "m" } ],
+  "transceivers": { "list": [ { "id": "T", "position": [1, 2, 3], "type": "t" } ] }
+})";
+
+void read(std::string_view bytes) {
+  constexpr std::size_t memory = 1 << 26;
+  scratch().write("planogram.csv", bytes);
+  make_scene(parse_store(store, "store.json", scratch().path(), {false, memory}));
+}
+
+std::vector<std::string> seeds() {
+  return {
+      "article,fixture,face,level,position\n4006381333931,A,front,2,1\n4006381333948,A,front,2,2\n"
+      "4006381333931,A,back,1,1\n",
+      "article,fixture,face,level,x,facings\r\n\"Milk, 1 l\",A,front,3,1.5,2\r\n\"Milk, 1 "
+      "l\",F,left,1,0.1,1\r\n",
+      "article;fixture;face;level;x\nA;A;front;1;0,25\nB;F;right;1;2,5\n"};
+}
+
+}  // namespace
+
+extern const Reader planogram;
+const Reader planogram{"planogram", read, seeds};
+
+}  // namespace shelfbeam::fuzz
