@@ -145,7 +145,10 @@ class LabelChecks {
     constexpr double lowest = 0.03, highest = 6, below_ceiling = 0.25, standing = 2.3;
     const Label& label = labels_[i];
     const double height = label.position.z - store_.floor();
-    const bool is_at_ceiling = height > standing && label.position.z > store_.scene.upper.z - below_ceiling;
+    const auto& room = store_.scene.room;
+    const Vec2 plan{label.position.x, label.position.y};
+    const double ceiling = room ? room->ceiling_over(plan).at(plan) : store_.scene.upper.z;
+    const bool is_at_ceiling = height > standing && label.position.z > ceiling - below_ceiling;
     if (is_at_ceiling || height > highest || (height < lowest && std::abs(label.normal.z) < 0.5))
       warn("labels at an unusual height", i,
            fmt::format("is {:.3g} m above the floor; 0.1 to 2.2 m are usual; correct its height", height));

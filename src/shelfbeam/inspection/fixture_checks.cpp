@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -11,7 +12,10 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/inspection/checks.hpp"
+#include "shelfbeam/material/material.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/plan_parts.hpp"
 
 namespace shelfbeam {
 
@@ -94,6 +98,8 @@ class Overlaps {
     return type == "box" || type == "wall" || type == "prism" || type == "cylinder";
   }
 
+  bool is_inner_wall(const Part& part) const { return store_.scene.fixtures[part.fixture].type == "wall"; }
+
   // Shelves stand on plinths and around columns, and walls and columns that are drawn as boxes cross.
   bool may_overlap(const Part& one, const Part& other) const {
     if (is_box(one) && is_box(other)) return shared_volume(one, other) < 0.5;
@@ -101,9 +107,9 @@ class Overlaps {
     const auto is_part_of_building = [&](const Part& part) {
       const Bounds box = bounds_of(part);
       const Vec3 size = box.high - box.low;
-      return is_box(part) &&
-             (box.high.z - store_.floor() <= plinth ||
-              (size.x * size.y < column && size.z > 0.8 * (store_.scene.upper.z - store_.floor())));
+      return is_box(part) && (box.high.z - store_.floor() <= plinth ||
+                              (!is_inner_wall(part) && size.x * size.y < column &&
+                               size.z > 0.8 * (store_.scene.upper.z - store_.floor())));
     };
     return is_part_of_building(one) || is_part_of_building(other);
   }
@@ -208,32 +214,61 @@ class Overlaps {
   std::size_t budget_ = max_pairs;
 };
 
-// A box above the floor that nothing supports. Signs and lamps are small or high.
+bool is_near(const Polygon& one, const Polygon& other, double distance) {
+  const auto has_corner_near = [&](const Polygon& corners, const Polygon& border) {
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const Vec2& p) { return distance_to_border(border, p) <= distance; });
+  };
+  return has_corner_near(one, other) || has_corner_near(other, one);
+}
+
+// Whether a part touches a wall or the ceiling, or extends beyond them.
+bool touches_room(const Scene& scene, const Part& part) {
+  if (!scene.room) {
+    const Bounds near = bounds_of(part).wider_by(contact);
+    return near.low.x < scene.lower.x || near.low.y < scene.lower.y || near.high.x > scene.upper.x ||
+           near.high.y > scene.upper.y || near.high.z > scene.upper.z;
+  }
+  const RoomShape& room = *scene.room;
+  const std::vector<PlanPart> parts = plan_parts(room, part.footprint);
+  return std::any_of(parts.begin(), parts.end(), [](const PlanPart& p) { return p.ceiling == nullptr; }) ||
+         part.top > lowest_ceiling(parts) - contact || is_near(part.footprint, room.outline, contact) ||
+         std::any_of(room.holes.begin(), room.holes.end(),
+                     [&](const Polygon& hole) { return is_near(part.footprint, hole, contact); });
+}
+
+// The values to correct if a fixture floats; empty for fixtures that stand on the floor by definition.
+std::string_view height_keys(const Fixture& fixture) {
+  if (const auto* box = std::get_if<Box>(&fixture)) return box->size ? "'at' and 'size'" : "'min' and 'max'";
+  if (std::holds_alternative<Prism>(fixture) || std::holds_alternative<Cylinder>(fixture)) return "'bottom'";
+  return {};
+}
+
+// A block above the floor that nothing supports. Signs and lamps are small or high.
 void warn_of_floating(const Inspected& store, WarningList& warnings) {
   constexpr double largest_sign = 0.3, headroom = 2;
   const Scene& scene = store.scene;
-  for (const Part* block : store.blocks.all()) {
-    const Bounds box = bounds_of(*block);
-    const Vec3 size = box.high - box.low;
-    const double bottom = box.low.z - store.floor();
-    if (scene.fixtures[block->fixture].type != "box" || bottom < 0.05 || bottom > headroom ||
-        size.x * size.y < largest_sign)
+  for (const Part& block : scene.parts) {
+    // Inner walls follow the fixtures of the store.
+    if (block.fixture >= store.store.fixtures.size()) break;
+    const std::string_view keys = height_keys(store.store.fixtures[block.fixture].value);
+    const double bottom = block.bottom - store.floor();
+    if (keys.empty() || bottom < 0.05 || bottom > headroom ||
+        std::abs(signed_area(block.footprint)) < largest_sign ||
+        !is_opaque(scene.materials[block.material.value].material))
       continue;
-    const Bounds near = box.wider_by(contact);
-    const auto touches = [&](const Part& other) { return other.fixture != block->fixture; };
-    const bool at_wall = near.low.x < scene.lower.x || near.low.y < scene.lower.y ||
-                         near.high.x > scene.upper.x || near.high.y > scene.upper.y ||
-                         near.high.z > scene.upper.z;
+    const Bounds near = bounds_of(block).wider_by(contact);
+    const auto touches = [&](const Part& other) { return other.fixture != block.fixture; };
     const bool at_mesh = std::any_of(scene.parts.begin(), scene.parts.end(), [&](const Part& part) {
-      return part.kind == PartKind::mesh && bounds_of(part).meets(near);
+      return part.kind == PartKind::mesh && touches(part) && bounds_of(part).meets(near);
     });
-    if (at_wall || at_mesh || store.blocks.any(near, touches)) continue;
-    const std::string& where = store.sources.fixtures[block->fixture];
+    if (at_mesh || touches_room(scene, block) || store.blocks.any(near, touches)) continue;
+    const std::string& where = store.sources.fixtures[block.fixture];
     warnings.add(
         "fixtures that float",
         fmt::format("{}: fixture '{}' floats {:.2g} m above the floor; a fixture stands on the floor or "
-                    "touches a wall, the ceiling or another fixture; correct 'min' and 'max'",
-                    where, scene.fixtures[block->fixture].id, bottom));
+                    "touches a wall, the ceiling or another fixture; correct {}",
+                    where, scene.fixtures[block.fixture].id, bottom, keys));
   }
 }
 

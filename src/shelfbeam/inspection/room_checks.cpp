@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/inspection/checks.hpp"
 #include "shelfbeam/material/material.hpp"
+#include "shelfbeam/scene/plan_parts.hpp"
 
 namespace shelfbeam {
 
@@ -50,12 +52,29 @@ void warn_of_materials(const Inspected& store, WarningList& warnings) {
   }
 }
 
+// Whether an area contains a part of the room. It need not have one.
+bool meets_room(const KeepOut& area, const RoomShape& room) {
+  Polygon plan = area.polygon;
+  if (plan.empty()) plan = {area.min, {area.max[0], area.min[1]}, area.max, {area.min[0], area.max[1]}};
+  const std::vector<PlanPart> parts = plan_parts(room, plan);
+  return parts.empty() || std::any_of(parts.begin(), parts.end(),
+                                      [](const PlanPart& part) { return part.ceiling != nullptr; });
+}
+
 void warn_of_keep_out(const Inspected& store, WarningList& warnings) {
   const auto& areas = store.store.keep_out;
   const Vec3 &low = store.scene.lower, &high = store.scene.upper;
   for (std::size_t k = 0; k < areas.size(); ++k) {
     const Vec2 &min = areas[k].min, &max = areas[k].max;
-    if (max[0] >= low.x && max[1] >= low.y && min[0] <= high.x && min[1] <= high.y) continue;
+    if (max[0] >= low.x && max[1] >= low.y && min[0] <= high.x && min[1] <= high.y) {
+      if (store.scene.room && !meets_room(areas[k], *store.scene.room))
+        warnings.add(
+            "keep-out areas outside the shop",
+            fmt::format("{}: transceivers.keep_out[{}]: from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) is "
+                        "outside the walls of the room; it removes no candidate; move it inside",
+                        store.store.file, k, min[0], min[1], max[0], max[1]));
+      continue;
+    }
     warnings.add(
         "keep-out areas outside the shop",
         fmt::format("{}: transceivers.keep_out[{}]: extends from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}), but "
@@ -122,21 +141,38 @@ void warn_of_open_building(const Inspected& store, WarningList& warnings) {
   warn(open_share(store, store.scene.transceivers, {0, 0, 1}), "transceivers", "above");
 }
 
+double highest(const CeilingHeight& ceiling, const Polygon& polygon) {
+  double top = 0;
+  for (const Vec2& corner : polygon) top = std::max(top, ceiling.at(corner));
+  return top;
+}
+
+void warn_of_heights(const Inspected& store, WarningList& warnings) {
+  const auto check = [&](const std::string& key, const std::string& what, double height, bool has_least) {
+    constexpr double least = 2, most = 15;
+    if (height > most || (has_least && height < least))
+      warnings.add("unusual heights of rooms",
+                   fmt::format("{}: {}: {} is {:.3g} m high; 2.5 to 12 m are usual; check its unit of length",
+                               store.store.file, key, what, height));
+  };
+  const Scene& scene = store.scene;
+  if (!scene.room) {
+    // Low fixtures may be all that the store describes.
+    check("fixtures", "the shop", scene.upper.z - scene.lower.z, false);
+    return;
+  }
+  const RoomShape& room = *scene.room;
+  check(room.is_box ? "room.size[2]" : "room.height", "the shop", highest(room.height, room.outline), true);
+  for (std::size_t k = 0; k < room.zones.size(); ++k)
+    check(fmt::format("room.zones[{}].height", k), "zone " + in_quotes(room.zones[k].id),
+          highest(room.zones[k].height, room.zones[k].polygon), true);
+}
+
 }  // namespace
 
 void warn_of_room(const Inspected& store, WarningList& warnings) {
   const Scene& scene = store.scene;
-  const double height = scene.room ? scene.room->upper().z : scene.upper.z - scene.lower.z;
-  // Without a room, low fixtures may be all that the store describes.
-  if (height > 15 || (scene.room && height < 2))
-    warnings.add("unusual heights of rooms",
-                 fmt::format("{}: {}: the shop is {:.3g} m high; 2.5 to 12 m are usual; check its "
-                             "unit of length",
-                             store.store.file,
-                             !scene.room          ? "fixtures"
-                             : scene.room->is_box ? "room.size[2]"
-                                                  : "room.height",
-                             height));
+  warn_of_heights(store, warnings);
   if (scene.wavelength_nm < 700 || scene.wavelength_nm > 1700)
     warnings.add(
         "unusual wavelengths",

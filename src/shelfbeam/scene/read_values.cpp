@@ -40,10 +40,22 @@ Polygon read_polygon(const JsonCursor& cursor) {
                 fmt::format("at most {} are allowed", max_corners));
   Polygon polygon;
   for (const JsonCursor& corner : cursor.elements()) polygon.push_back(read_plan_point(corner));
+  if (polygon.size() < 3) cursor.fail("has fewer than three corners", "give all its corners [x, y] in order");
+  if (polygon.front() == polygon.back())
+    cursor.fail("repeats its first corner at the end",
+                "remove the last corner; polygons close by themselves");
   if (const auto fault = fault_of(polygon))
-    cursor.fail(fmt::format("{} at ({:.6g}, {:.6g}) m", fault->problem, fault->at[0], fault->at[1]),
-                fault->remedy);
+    cursor.fail(fmt::format("{} at {}", fault->problem, point_text(fault->at, cursor.unit())), fault->remedy);
   return polygon;
+}
+
+std::string length_text(double metres, LengthUnit unit) {
+  return fmt::format("{:.6g} {}", metres / to_metres(1, unit), to_text(unit));
+}
+
+std::string point_text(const Vec2& metres, LengthUnit unit) {
+  const double one = to_metres(1, unit);
+  return fmt::format("({:.6g}, {:.6g}) {}", metres[0] / one, metres[1] / one, to_text(unit));
 }
 
 Vec3 read_point(const JsonCursor& cursor) {

@@ -24,6 +24,10 @@ Vec3 read_point(const JsonCursor& cursor);
 /// Corners in either direction, at most 1,000, with edges that do not cross or touch.
 Polygon read_polygon(const JsonCursor& cursor);
 
+/// A length or a point in metres for messages, in the unit of the file: "3.2 m", "(6, 4) m".
+std::string length_text(double metres, LengthUnit unit);
+std::string point_text(const Vec2& metres, LengthUnit unit);
+
 /// A size or distance, 1 mm to 1 km.
 double read_length(const JsonCursor& cursor);
 

@@ -7,6 +7,8 @@
 
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/plan_parts.hpp"
 
 namespace shelfbeam {
 
@@ -22,6 +24,28 @@ std::string beyond_box(const Vec3& size, const Vec3& p, double slack) {
       return fmt::format("{} ({:.6g} m > {:.6g} m)", sides[side + 1], p[axis], size[axis]);
   }
   return {};
+}
+
+std::string beyond_outline(const RoomShape& shape, const Vec2& plan, double slack) {
+  if (!contains(shape.outline, plan))
+    if (const double far = distance_to_border(shape.outline, plan); far > slack)
+      return fmt::format("{:.3g} m behind wall {}", far, nearest_edge(shape.outline, plan));
+  for (std::size_t k = 0; k < shape.holes.size(); ++k)
+    if (contains(shape.holes[k], plan) && distance_to_border(shape.holes[k], plan) > slack)
+      return fmt::format("in hole {}", k);
+  return {};
+}
+
+// Whether a part of the room outside all zones touches a point of the plan.
+bool touches_no_zone(const RoomShape& shape, const Vec2& plan) {
+  constexpr double radius = 1e-5;  // m, less than the length of any edge
+  constexpr int directions = 32;
+  for (int k = 0; k < directions; ++k) {
+    const double phi = 0.1 + 2 * pi * k / directions;  // not along the axes, as most edges are
+    const Vec2 beside{plan[0] + radius * std::cos(phi), plan[1] + radius * std::sin(phi)};
+    if (shape.covers(beside) && zone_over(shape, beside) == nullptr) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -81,32 +105,41 @@ bool RoomShape::covers(const Vec2& p) const {
 }
 
 const CeilingHeight& RoomShape::ceiling_over(const Vec2& p) const {
-  const auto found = std::find_if(zones.begin(), zones.end(),
-                                  [&](const CeilingZone& zone) { return contains(zone.polygon, p); });
-  return found == zones.end() ? height : found->height;
+  const CeilingZone* zone = zone_over(*this, p);
+  return zone == nullptr ? height : zone->height;
 }
 
 std::string RoomShape::beyond(const Vec3& p, double slack) const {
-  if (is_box && zones.empty()) return beyond_box(upper(), p, slack);
   const Vec2 plan{p.x, p.y};
-  if (p.z < -slack) return fmt::format("below the floor ({:.6g} m < 0 m)", p.z);
-  if (!contains(outline, plan))
-    if (const double far = distance_to_border(outline, plan); far > slack)
-      return fmt::format("{:.3g} m behind wall {}", far, nearest_edge(outline, plan));
-  for (std::size_t k = 0; k < holes.size(); ++k)
-    if (contains(holes[k], plan) && distance_to_border(holes[k], plan) > slack)
-      return fmt::format("in hole {}", k);
-  // On the border of a zone, the higher ceiling counts.
+  if (is_box) {
+    // Zones are judged below.
+    const double height_here = zones.empty() ? height.level : HUGE_VAL;
+    const Vec3 size = upper();
+    std::string side = beyond_box({size.x, size.y, height_here}, p, slack);
+    if (!side.empty() || zones.empty()) return side;
+  } else {
+    if (p.z < -slack) return fmt::format("below the floor ({:.6g} m < 0 m)", p.z);
+    std::string side = beyond_outline(*this, plan, slack);
+    if (!side.empty()) return side;
+  }
+  // On the border of a zone, the highest ceiling that touches the point counts.
+  const CeilingZone* highest = zone_over(*this, plan);
   double top = ceiling_over(plan).at(plan);
-  const std::string* zone_id = nullptr;
+  bool is_on_border = false;
   for (const CeilingZone& zone : zones) {
-    if (contains(zone.polygon, plan)) zone_id = &zone.id;
-    if (distance_to_border(zone.polygon, plan) <= slack)
-      top = std::max({top, zone.height.at(plan), height.at(plan)});
+    if (distance_to_border(zone.polygon, plan) > slack) continue;
+    is_on_border = true;
+    if (highest != nullptr && zone.height.at(plan) <= top) continue;
+    highest = &zone;
+    top = zone.height.at(plan);
+  }
+  if (is_on_border && touches_no_zone(*this, plan) && (highest == nullptr || height.at(plan) > top)) {
+    highest = nullptr;
+    top = height.at(plan);
   }
   if (p.z <= top + slack) return {};
   return fmt::format("above the ceiling{} ({:.6g} m > {:.6g} m)",
-                     zone_id != nullptr ? " of zone " + in_quotes(*zone_id) : "", p.z, top);
+                     highest != nullptr ? " of zone " + in_quotes(highest->id) : "", p.z, top);
 }
 
 std::optional<std::pair<std::string, double>> RoomShape::surface_before(const Vec3& p,

@@ -63,23 +63,41 @@ std::vector<Polygon> outlines_of(const PlanarMap& map, const std::vector<std::si
 
 }  // namespace
 
-Polygon wall_footprint(const RoomShape& room, std::size_t wall) {
-  const InnerWall& one = room.inner_walls[wall];
-  const auto extension = [&](const Vec2& end) {
+std::array<double, 2> ends_of(const RoomShape& shape, std::size_t wall_index) {
+  const InnerWall& wall = shape.inner_walls[wall_index];
+  const Vec2 along{(wall.to[0] - wall.from[0]) / wall.length(), (wall.to[1] - wall.from[1]) / wall.length()};
+  // Whether an end meets a wall of the room, instead of running along it.
+  const auto meets = [&](const Polygon& border, const Vec2& end) {
+    constexpr double parallel = 1e-3;
+    for (std::size_t k = 0; k < border.size(); ++k) {
+      const std::array edge{border[k], border[(k + 1) % border.size()]};
+      const double x = edge[1][0] - edge[0][0], y = edge[1][1] - edge[0][1];
+      if (distance_to_border(edge, end) < wall.thickness / 2 + rounding &&
+          std::abs(along[0] * y - along[1] * x) > parallel * std::hypot(x, y))
+        return true;
+    }
+    return false;
+  };
+  // The same wall, longer by its thickness at both ends.
+  const Polygon longer = wall.footprint(-wall.thickness, wall.length() + wall.thickness);
+  const auto extension = [&](const Vec2& end, const Vec2& right, const Vec2& left) {
+    const Vec2 middle{(right[0] + left[0]) / 2, (right[1] + left[1]) / 2};
+    const bool leaves = !shape.covers(right) || !shape.covers(left) || !shape.covers(middle);
     double by = 0;
-    const auto meets = [&](const Polygon& border) {
-      return distance_to_border(border, end) < one.thickness / 2 + rounding;
-    };
-    if (meets(room.outline) || std::any_of(room.holes.begin(), room.holes.end(), meets)) by = one.thickness;
-    for (std::size_t o = 0; o < room.inner_walls.size(); ++o) {
-      const InnerWall& other = room.inner_walls[o];
+    if (leaves &&
+        (meets(shape.outline, end) || std::any_of(shape.holes.begin(), shape.holes.end(),
+                                                  [&](const Polygon& hole) { return meets(hole, end); })))
+      by = wall.thickness;
+    for (std::size_t o = 0; o < shape.inner_walls.size(); ++o) {
+      const InnerWall& other = shape.inner_walls[o];
       for (const Vec2& corner : {other.from, other.to})
-        if (o != wall && std::hypot(corner[0] - end[0], corner[1] - end[1]) < rounding)
+        if (o != wall_index && std::hypot(corner[0] - end[0], corner[1] - end[1]) < rounding)
           by = std::max(by, other.thickness / 2);
     }
     return by;
   };
-  return one.footprint(-extension(one.from), one.length() + extension(one.to));
+  return {-extension(wall.from, longer[0], longer[3]),
+          wall.length() + extension(wall.to, longer[1], longer[2])};
 }
 
 std::vector<WallSection> wall_sections(const RoomShape& room, double height) {
@@ -89,7 +107,8 @@ std::vector<WallSection> wall_sections(const RoomShape& room, double height) {
   polygons.push_back(room.outline);
   for (std::size_t w = 0; w < room.inner_walls.size(); ++w) {
     const InnerWall& wall = room.inner_walls[w];
-    footprints.push_back(wall_footprint(room, w));
+    const auto [begin, end] = ends_of(room, w);
+    footprints.push_back(wall.footprint(begin, end));
     polygons.push_back(footprints.back());
     for (const WallOpening& opening : wall.openings)
       polygons.push_back(wall.footprint(opening.at, opening.at + opening.width));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -8,9 +9,9 @@
 
 namespace shelfbeam {
 
-/// The footprint of an inner wall, extended into a wall of the room that it meets, and by half of an inner
-/// wall at its end, so that no wedge stays open at a corner. A part beyond the room does not count.
-Polygon wall_footprint(const RoomShape& room, std::size_t wall);
+/// The distances from the start of an inner wall between which it is built. It is extended into a wall of the
+/// room that it meets, and by half of an inner wall at its end, so that no wedge stays open at a corner.
+std::array<double, 2> ends_of(const RoomShape& shape, std::size_t wall);
 
 /// An inner wall in plan, cut at a height. Outlines of areas are counter-clockwise, their holes clockwise.
 struct WallSection {

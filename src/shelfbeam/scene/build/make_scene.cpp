@@ -118,11 +118,9 @@ class SceneMaker {
     for (const auto& [fixture, where] : store_.fixtures) {
       const std::string& id = id_of(fixture);
       expect_new_fixture(id, where);
-      const std::size_t first_vertex = scene_.mesh.vertices.size();
+      const std::size_t first_vertex = scene_.mesh.vertices.size(), first_part = scene_.parts.size();
       add_fixture(scene_, fixture, where, warnings_);
-      const auto is_outside = [&](const Vec3& p) { return !beyond_room(scene_, p).empty(); };
-      if (std::any_of(scene_.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex),
-                      scene_.mesh.vertices.end(), is_outside))
+      if (extends_outside_room(scene_, first_vertex, first_part))
         warnings_.add("fixtures that extend outside the room",
                       fmt::format("{}: fixture {} extends outside the room; move it, or correct {}", where,
                                   in_quotes(id), sized_by(fixture)));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,8 +14,11 @@
 
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/build/blocks.hpp"
+#include "shelfbeam/scene/fixture/prism.hpp"
+#include "shelfbeam/scene/plan_parts.hpp"
 
 namespace shelfbeam {
 
@@ -61,30 +66,64 @@ std::optional<std::pair<std::string, double>> room_surface_before(const Scene& s
   return surface;
 }
 
-// For a disc or rectangle with its centre in the room. `reach` is the distance from the centre to the rim
-// along each axis.
-void warn_of_overhang(const Scene& scene, const std::string& place, const std::string& what,
-                      const Vec3& middle, const Vec3& reach, WarningList& warnings) {
-  std::string side = beyond_room(scene, middle - reach);
-  if (side.empty()) side = beyond_room(scene, middle + reach);
-  if (!side.empty())
-    warnings.add("devices that extend outside the room",
-                 fmt::format("{}: {} extends {}, where no light arrives; move it inwards, or make it "
-                             "smaller",
-                             place, what, side));
+/// The corners of a label, or the points of a disc that are farthest towards the surfaces of the room.
+std::vector<Vec3> rim(const Scene& scene, const Label& label) {
+  return outline(scene, label);
 }
-
-Vec3 half_extent_of_label(const Vec3& normal, const std::array<double, 2>& size) {
-  const Frame frame = Frame::of_surface(normal);
-  const auto along = [&](int axis) {
-    return (std::abs(frame.x[axis]) * size[0] + std::abs(frame.y[axis]) * size[1]) / 2;
+std::vector<Vec3> rim(const Scene& scene, const Transceiver& unit) {
+  const double radius = scene.type_of(unit).radius;
+  if (radius == 0 || !scene.room) return {};
+  std::vector<Vec3> points;
+  const auto add = [&](const Vec3& direction) {
+    const Vec3 along = direction - unit.axis * dot(direction, unit.axis);
+    if (length(along) > rounding) points.push_back(unit.position + along * (radius / length(along)));
   };
-  return {along(0), along(1), along(2)};
+  for (const double sign : {-1.0, 1.0})
+    for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) add(axis * sign);
+  const auto add_normal = [&](const Polygon& walls) {
+    const std::size_t k = nearest_edge(walls, {unit.position.x, unit.position.y});
+    const Vec2 &a = walls[k], &b = walls[(k + 1) % walls.size()];
+    for (const double sign : {-1.0, 1.0}) add(Vec3{b[1] - a[1], a[0] - b[0], 0} * sign);
+  };
+  add_normal(scene.room->outline);
+  for (const Polygon& hole : scene.room->holes) add_normal(hole);
+  return points;
 }
 
-Vec3 half_extent_of_disc(const Vec3& axis, double radius) {
-  const auto along = [&](double a) { return radius * std::sqrt(std::max(0.0, 1 - a * a)); };
-  return {along(axis.x), along(axis.y), along(axis.z)};
+// For a device with its centre in the room.
+template <class Device>
+void warn_of_overhang(const Scene& scene, const std::string& place, const std::string& what,
+                      const Device& device, WarningList& warnings) {
+  for (const Vec3& p : rim(scene, device))
+    if (const std::string side = beyond_room(scene, p); !side.empty()) {
+      warnings.add("devices that extend outside the room",
+                   fmt::format("{}: {} extends {}, where no light arrives; move it inwards, or make it "
+                               "smaller",
+                               place, what, side));
+      return;
+    }
+}
+
+// Whether a part with all corners in the room extends across a hole or a corner of the outline, or through a
+// ceiling.
+bool crosses_border(const Scene& scene, const Part& part) {
+  const RoomShape& room = *scene.room;
+  if (room.is_box && room.zones.empty()) return false;
+  const auto is_outside = [&](const Polygon& plan, double top) {
+    const std::vector<PlanPart> parts = plan_parts(room, plan);
+    return lowest_ceiling(parts) < top - rounding ||
+           std::any_of(parts.begin(), parts.end(), [](const PlanPart& p) { return p.ceiling == nullptr; });
+  };
+  if (part.kind != PartKind::mesh) return is_outside(part.footprint, part.top);
+  // A concave prism; other meshes may surround a hole with their hull.
+  if (scene.fixtures[part.fixture].type != Prism::type_name) return false;
+  for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+    Polygon plan;
+    for (const std::uint32_t v : scene.mesh.triangles[t])
+      plan.push_back({scene.mesh.vertices[v].x, scene.mesh.vertices[v].y});
+    if (is_outside(plan, part.top)) return true;
+  }
+  return false;
 }
 
 void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& sources,
@@ -114,9 +153,7 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
                       "or change the 'size' of its type",
                       sources[i], in_quotes(label.id), in_quotes(*fixture)));
     else
-      warn_of_overhang(scene, sources[i], fmt::format("label {}", in_quotes(label.id)), label.position,
-                       half_extent_of_label(label.normal, scene.label_types[label.type.value].size),
-                       warnings);
+      warn_of_overhang(scene, sources[i], fmt::format("label {}", in_quotes(label.id)), label, warnings);
   }
 }
 
@@ -153,8 +190,7 @@ void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::v
                       "change the 'radius' of its type",
                       sources[j], in_quotes(unit.id), in_quotes(*fixture)));
     else
-      warn_of_overhang(scene, sources[j], fmt::format("the disc of transceiver {}", in_quotes(unit.id)), p,
-                       half_extent_of_disc(unit.axis, scene.transceiver_types[unit.type.value].radius),
+      warn_of_overhang(scene, sources[j], fmt::format("the disc of transceiver {}", in_quotes(unit.id)), unit,
                        warnings);
   }
 }
@@ -165,16 +201,28 @@ std::string beyond_room(const Scene& scene, const Vec3& p) {
   return scene.room ? scene.room->beyond(p, rounding) : std::string();
 }
 
+bool extends_outside_room(const Scene& scene, std::size_t first_vertex, std::size_t first_part) {
+  if (!scene.room) return false;
+  const auto vertices = scene.mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex);
+  const auto parts = scene.parts.begin() + static_cast<std::ptrdiff_t>(first_part);
+  return std::any_of(vertices, scene.mesh.vertices.end(),
+                     [&](const Vec3& p) { return !beyond_room(scene, p).empty(); }) ||
+         std::any_of(parts, scene.parts.end(), [&](const Part& part) { return crosses_border(scene, part); });
+}
+
 std::string remedy_outside(const RoomShape& room, const std::vector<Vec3>& listed) {
   constexpr double nearly_all = 0.9;
+  constexpr std::size_t several = 3;
   const auto count_inside = [&](const auto& change) {
     return std::count_if(listed.begin(), listed.end(),
                          [&](const Vec3& p) { return room.beyond(change(p), 0).empty(); });
   };
   const auto inside = count_inside([](const Vec3& p) { return p; });
+  // A mistake of the whole list puts most of its positions outside.
+  const bool is_of_list = listed.size() >= several && 2 * static_cast<std::size_t>(inside) < listed.size();
   const auto helps = [&](const auto& change) {
-    const auto count = count_inside(change);
-    return count > inside && static_cast<double>(count) >= nearly_all * static_cast<double>(listed.size());
+    return is_of_list &&
+           static_cast<double>(count_inside(change)) >= nearly_all * static_cast<double>(listed.size());
   };
   const auto exchange = [](const char* axes) {
     return fmt::format(

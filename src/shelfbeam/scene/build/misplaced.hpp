@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,13 @@ namespace shelfbeam {
 /// the point is inside the room or there is no room.
 std::string beyond_room(const Scene& scene, const Vec3& p);
 
+/// Whether a fixture extends outside the room: the last that was added to the scene, with these first vertex
+/// and first part. Also true for a fixture across a hole, or with its top above a lower zone. Of meshes, only
+/// the vertices count.
+bool extends_outside_room(const Scene& scene, std::size_t first_vertex, std::size_t first_part);
+
 /// A remedy for a list with positions outside the room: exchanged coordinates or another unit of length, if
-/// nearly all positions would then be inside; otherwise a general remedy.
+/// most of several positions are outside and nearly all would then be inside; otherwise a general remedy.
 std::string remedy_outside(const RoomShape& room, const std::vector<Vec3>& listed);
 
 /// Adds warnings about implausible positions: labels and transceivers inside or partly inside a fixture or

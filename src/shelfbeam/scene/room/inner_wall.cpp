@@ -1,13 +1,19 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/plan_parts.hpp"
 #include "shelfbeam/scene/room/room.hpp"
+#include "shelfbeam/scene/wall_section.hpp"
 
 namespace shelfbeam {
 
@@ -19,34 +25,89 @@ void expect_pane(const NamedMaterial& material, const std::string& where) {
         "use a 'thin_dielectric', which models a whole pane");
 }
 
+namespace {
+
+// The corners of a convex polygon, counter-clockwise.
+Polygon around_middle(std::vector<Vec2> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  Vec2 middle{};
+  for (const auto& [x, y] : points) {
+    middle[0] += x / static_cast<double>(points.size());
+    middle[1] += y / static_cast<double>(points.size());
+  }
+  const auto angle = [&](const Vec2& p) { return std::atan2(p[1] - middle[1], p[0] - middle[0]); };
+  std::sort(points.begin(), points.end(), [&](const Vec2& a, const Vec2& b) { return angle(a) < angle(b); });
+  return points;
+}
+
+bool is_convex(const Polygon& polygon) {
+  constexpr double rounding = 1e-9;  // m^2
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()],
+               &c = polygon[(k + 2) % polygon.size()];
+    if ((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) < -rounding) return false;
+  }
+  return true;
+}
+
+// The parts of a wall's footprint within the room, convex: whole if possible, otherwise triangles.
+std::vector<Polygon> within_room(const RoomShape& shape, const Polygon& footprint) {
+  RoomShape walls;
+  walls.outline = shape.outline;
+  walls.holes = shape.holes;
+  std::vector<Polygon> polygons;
+  for (const PlanPart& part : plan_parts(walls, footprint)) {
+    if (part.ceiling == nullptr) continue;
+    Polygon whole = part.points == footprint ? footprint : around_middle(part.points);
+    if (is_convex(whole))
+      polygons.push_back(std::move(whole));
+    else
+      for (std::size_t k = 0; k + 3 <= part.points.size(); k += 3)
+        polygons.push_back({part.points[k], part.points[k + 1], part.points[k + 2]});
+  }
+  return polygons;
+}
+
+}  // namespace
+
 void add_wall_parts(const Room& room, std::size_t wall, const TriangleRange& surface, Scene& scene) {
   const InnerWall& shape = room.shape.inner_walls[wall];
-  const double length = shape.length();
-  const Polygon outline = shape.footprint(0, length);
+  const auto [begin, end] = ends_of(room.shape, wall);
+  const Polygon footprint = shape.footprint(begin, end);
   double height = shape.height.value_or(0);
   if (!shape.height)
-    for (const Vec2& corner : outline) height = std::max(height, room.shape.ceiling_over(corner).at(corner));
+    for (const PlanPart& part : plan_parts(room.shape, footprint))
+      for (const Vec2& p : part.points)
+        if (part.ceiling != nullptr) height = std::max(height, part.ceiling->at(p));
   const auto index = static_cast<std::uint32_t>(scene.fixtures.size());
   const double turn = std::atan2(shape.to[1] - shape.from[1], shape.to[0] - shape.from[0]);
-  scene.fixtures.push_back(
-      {shape.id, "wall", outline, height, turn * 180 / pi, surface.first, surface.count});
-  const auto add = [&](double begin, double end, double bottom, double top) {
-    if (end > begin && top > bottom)
-      scene.parts.push_back(
-          {PartKind::solid, index, room.inner_walls[wall].wall, shape.footprint(begin, end), bottom, top});
-  };
-  std::vector<WallOpening> openings = shape.openings;
-  std::sort(openings.begin(), openings.end(),
-            [](const WallOpening& a, const WallOpening& b) { return a.at < b.at; });
-  double from = 0;
-  for (const WallOpening& opening : openings) {
-    const double end = opening.at + opening.width;
-    add(from, opening.at, 0, height);
-    add(opening.at, end, 0, opening.bottom);
-    add(opening.at, end, std::min(opening.top, height), height);
-    from = std::max(from, end);
+  const std::vector<Polygon> outlines = within_room(room.shape, footprint);
+  scene.fixtures.push_back({shape.id, "wall", outlines.size() == 1 ? outlines.front() : footprint, height,
+                            turn * 180 / pi, surface.first, surface.count});
+
+  // Between two ends of openings, the same openings are above one another everywhere.
+  std::set<double> ends{begin, end};
+  for (const WallOpening& opening : shape.openings) ends.insert({opening.at, opening.at + opening.width});
+  std::vector<WallOpening> upwards = shape.openings;
+  std::sort(upwards.begin(), upwards.end(),
+            [](const WallOpening& a, const WallOpening& b) { return a.bottom < b.bottom; });
+  for (auto from = ends.begin(), to = std::next(from); to != ends.end(); ++from, ++to) {
+    const double middle = (*from + *to) / 2;
+    const std::vector<Polygon> polygons = within_room(room.shape, shape.footprint(*from, *to));
+    const auto add = [&](double bottom, double top) {
+      if (top > bottom)
+        for (const Polygon& polygon : polygons)
+          scene.parts.push_back({PartKind::solid, index, room.inner_walls[wall].wall, polygon, bottom, top});
+    };
+    double bottom = 0;
+    for (const WallOpening& opening : upwards) {
+      if (middle < opening.at || middle > opening.at + opening.width) continue;
+      add(bottom, opening.bottom);
+      bottom = opening.top;
+    }
+    add(bottom, height);
   }
-  add(from, length, 0, height);
 }
 
 }  // namespace shelfbeam

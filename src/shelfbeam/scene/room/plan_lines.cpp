@@ -36,8 +36,9 @@ class PlanReader {
  private:
   PlanLines::Footprints footprints_of(std::size_t w) const {
     const InnerWall& wall = shape_.inner_walls[w];
+    const auto [begin, end] = ends_of(shape_, w);
     PlanLines::Footprints result;
-    result.wall = wall_footprint(shape_, w);
+    result.wall = wall.footprint(begin, end);
     for (const WallOpening& opening : wall.openings)
       result.openings.push_back(wall.footprint(opening.at, opening.at + opening.width));
     return result;

@@ -8,6 +8,7 @@
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/scene/plan_parts.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/room/plan_lines.hpp"
 #include "shelfbeam/scene/room/room.hpp"
@@ -39,17 +40,36 @@ void expect_headroom(const JsonCursor& json, const CeilingHeight& height, const 
   constexpr double least = 0.1, most = 1000;
   for (const Vec2& corner : polygon)
     if (const double z = height.at(corner); !(z >= least && z <= most))
-      json.fail(fmt::format("is {:.6g} m at ({:.6g}, {:.6g})", z, corner[0], corner[1]),
+      json.fail(fmt::format("is {} at {}", length_text(z, json.unit()), point_text(corner, json.unit())),
                 fmt::format("a ceiling is {} to {} m above the floor", least, most));
 }
 
-double area_of(const Polygon& polygon) {
-  return std::abs(signed_area(polygon));
+// The distance from the outline to the farthest point of a polygon outside it. Corners of a part outside may
+// all lie on the outline, therefore points between them count, too.
+double distance_outside(const Polygon& polygon, const RoomShape& room) {
+  RoomShape outer;
+  outer.outline = room.outline;
+  double farthest = 0;
+  const auto include = [&](const Vec2& p) {
+    if (!contains(room.outline, p)) farthest = std::max(farthest, distance_to_border(room.outline, p));
+  };
+  for (const PlanPart& part : plan_parts(outer, polygon)) {
+    if (part.ceiling != nullptr) continue;
+    for (std::size_t k = 0; k < part.points.size(); ++k) {
+      const Vec2 &a = part.points[k], &b = part.points[(k + 1) % part.points.size()];
+      include(a);
+      include({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2});
+    }
+  }
+  return farthest;
 }
 
-bool lies_within(const Polygon& inner, const Polygon& outer) {
-  const double area = area_of(inner);
-  return shared_area(inner, outer) >= area - std::min(negligible, area / 100);
+// A part beyond the outline is cut off. It may result from rounded corners.
+void expect_within_outline(const JsonCursor& json, const Polygon& polygon, const RoomShape& room) {
+  constexpr double rounded = 0.01;
+  if (const double far = distance_outside(polygon, room); far > rounded)
+    json.fail(fmt::format("extends {} outside the room", length_text(far, json.unit())),
+              room.is_box ? "keep it within the walls" : "keep it within 'outline'");
 }
 
 void expect_few_parts(const JsonCursor& list) {
@@ -83,15 +103,18 @@ void expect_few_lines(const JsonCursor& json, const RoomShape& shape) {
 
 void read_holes(const JsonCursor& json, RoomShape& shape) {
   expect_few_parts(json);
+  double free = std::abs(signed_area(shape.outline));
   for (const JsonCursor& cursor : json.elements()) {
     Polygon hole = read_polygon(cursor);
-    if (!lies_within(hole, shape.outline)) cursor.fail("extends outside 'outline'", "move it inside");
+    expect_within_outline(cursor, hole, shape);
     for (std::size_t k = 0; k < shape.holes.size(); ++k)
       if (shared_area(hole, shape.holes[k]) > negligible)
         cursor.fail(fmt::format("overlaps hole {}", k), "join the two, or move one");
+    free -= shared_area(hole, shape.outline);
     shape.holes.push_back(std::move(hole));
     expect_few_corners(cursor, shape);
   }
+  if (free <= negligible) json.fail("cover the whole room", "remove or correct one of them");
 }
 
 std::string read_new_id(const JsonCursor& json, std::set<std::string>& ids) {
@@ -110,8 +133,7 @@ void read_zones(const JsonCursor& json, const StoreNames& names, Room& room) {
     zone.id = read_new_id(cursor["id"], ids);
     if (zone.id == "room") cursor["id"].fail("is the name of the whole room", "use another name");
     zone.polygon = read_polygon(cursor["polygon"]);
-    if (!lies_within(zone.polygon, room.shape.outline))
-      cursor["polygon"].fail("extends outside the room", "keep it within the room's outline");
+    expect_within_outline(cursor["polygon"], zone.polygon, room.shape);
     for (const CeilingZone& other : room.shape.zones)
       if (shared_area(zone.polygon, other.polygon) > negligible)
         cursor["polygon"].fail(fmt::format("overlaps zone {}", in_quotes(other.id)),
@@ -128,11 +150,14 @@ void read_zones(const JsonCursor& json, const StoreNames& names, Room& room) {
   }
 }
 
-// The highest ceiling over a part of a wall.
-double ceiling_over(const RoomShape& shape, const Polygon& plan) {
-  double highest = 0;
-  for (const Vec2& corner : plan) highest = std::max(highest, shape.ceiling_over(corner).at(corner));
-  return highest;
+// Whether an opening extends beyond the outline or into a hole. A wall may end obliquely at a wall of the
+// room, so the middle of the wall decides, where panes are.
+bool is_cut_off(const RoomShape& shape, InnerWall wall, const WallOpening& opening) {
+  wall.thickness = 1e-3;
+  const std::vector<PlanPart> parts =
+      plan_parts(shape, wall.footprint(opening.at, opening.at + opening.width));
+  return std::any_of(parts.begin(), parts.end(),
+                     [](const PlanPart& part) { return part.ceiling == nullptr; });
 }
 
 WallOpening read_opening(const JsonCursor& json, const InnerWall& wall, const RoomShape& shape) {
@@ -144,16 +169,20 @@ WallOpening read_opening(const JsonCursor& json, const InnerWall& wall, const Ro
   opening.top = read_length(json["top"]);
   if (opening.top <= opening.bottom) json["top"].fail("is not above 'bottom'", "swap or correct them");
   constexpr double slack = 1e-9;
+  const auto text = [&](double metres) { return length_text(metres, json.unit()); };
   if (opening.at + opening.width > wall.length() + slack)
-    json.fail(fmt::format("extends from {:.6g} m to {:.6g} m, but the wall is {:.6g} m long", opening.at,
-                          opening.at + opening.width, wall.length()),
+    json.fail(fmt::format("extends from {} to {}, but the wall is {} long", text(opening.at),
+                          text(opening.at + opening.width), text(wall.length())),
               "keep the opening within its wall");
   if (wall.height && opening.top > *wall.height + slack)
-    json["top"].fail(fmt::format("is above the wall of {:.6g} m", *wall.height),
+    json["top"].fail(fmt::format("is above the wall of {}", text(*wall.height)),
                      "lower it, or raise the wall");
-  const double ceiling = ceiling_over(shape, wall.footprint(opening.at, opening.at + opening.width));
+  if (is_cut_off(shape, wall, opening))
+    json.fail("is in a part of its wall that is outside the room and cut off", "keep it within the room");
+  const double ceiling =
+      lowest_ceiling(plan_parts(shape, wall.footprint(opening.at, opening.at + opening.width)));
   if (opening.top > ceiling + slack)
-    json["top"].fail(fmt::format("is above the ceiling of {:.6g} m", ceiling), "lower it");
+    json["top"].fail(fmt::format("is above the ceiling of {}", text(ceiling)), "lower it");
   for (const WallOpening& other : wall.openings)
     if (opening.at < other.at + other.width && other.at < opening.at + opening.width &&
         opening.bottom < other.top && other.bottom < opening.top)

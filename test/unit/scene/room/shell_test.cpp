@@ -220,8 +220,13 @@ TEST(RoomReader, RefusesFaultsWithTheirPlace) {
             "room.outline: crosses or touches itself at (6, 4) m"},
            {"/room/outline", "[[0, 0], [0, 0], [12, 0], [12, 8]]",
             "room.outline: has two equal corners in succession at (0, 0) m"},
-           {"/room/outline", "[[0, 0], [12, 0]]", "room.outline: has fewer than three corners"},
-           {"/room/holes/0", "[[19, 13], [21, 13], [21, 15]]", "room.holes[0]: extends outside 'outline'"},
+           {"/room/outline", "[[0, 0], [12, 0]]", "room.outline: has fewer than three corners; give"},
+           {"/room/outline", "[]", "room.outline: has fewer than three corners; give"},
+           {"/room/outline", "[[0, 0], [12, 0], [12, 8], [0, 0]]",
+            "room.outline: repeats its first corner at the end; remove the last corner"},
+           {"/room/holes/0", "[[19, 13], [21, 13], [21, 15]]", "room.holes[0]: extends "},
+           {"/room/holes", "[[[0, 0], [12, 0], [12, 5], [20, 6], [20, 14], [0, 14]]]",
+            "room.holes: cover the whole room"},
            {"/room/holes", "[[[8, 8], [9, 8], [9, 9]], [[8, 8], [9, 8], [9, 8.5]]]",
             "room.holes[1]: overlaps hole 0"},
            {"/room/height", "[[0, 0, 3], [1, 1, 3], [2, 2, 3]]",
@@ -232,7 +237,9 @@ TEST(RoomReader, RefusesFaultsWithTheirPlace) {
            {"/room/zones/1/polygon", "[[5, 9], [10, 9], [10, 10]]",
             "room.zones[1].polygon: overlaps zone 'low'"},
            {"/room/zones/1/polygon", "[[15, 1], [19, 1], [19, 3]]",
-            "room.zones[1].polygon: extends outside the room"},
+            "room.zones[1].polygon: extends 3.32 m outside the room; keep it within 'outline'"},
+           {"/room/zones/1/polygon", "[[13, 5], [20, 6], [20, 10], [12, 10]]",
+            "room.zones[1].polygon: extends 0.124"},
            {"/room/outline", "[[0, 0], [0, 5e-5], [12, 0], [12, 8]]",
             "room.outline: has two corners in succession less than 0.1 mm apart at (0, 0) m"},
            {"/room/outline", "[[0, 0], [12, 0], [6, 1e-8]]", "room.outline: has an area below 1 mm^2"},
@@ -240,6 +247,10 @@ TEST(RoomReader, RefusesFaultsWithTheirPlace) {
            {"/room/zones/1/id", R"("room")", "room.zones[1].id: is the name of the whole room"},
            {"/room/inner_walls/0/openings/0/top", "3.3",
             "room.inner_walls[0].openings[0].top: is above the ceiling of 3.2 m"},
+           {"/room/inner_walls/2/openings", R"([{"at": 7.5, "width": 1, "top": 2.9}])",
+            "room.inner_walls[2].openings[0].top: is above the ceiling of 2."},
+           {"/room/inner_walls/2/openings", R"([{"at": 8.5, "width": 0.7, "top": 2}])",
+            "room.inner_walls[2].openings[0]: is in a part of its wall that is outside the room and cut off"},
            {"/room/zones/1/id", R"("low")", "room.zones[1].id: is the duplicate id 'low'"},
            {"/room/inner_walls/0/to", "[4, 0]",
             "room.inner_walls[0].to: is at 'from': the wall has no length"},
@@ -264,6 +275,61 @@ TEST(RoomReader, RefusesFaultsWithTheirPlace) {
     test::expect_input_error(
         [&, &at = pointer, &json = value] { make_scene(test::read_text(changed(at, json).dump())); },
         std::string_view(message));
+}
+
+TEST(RoomReader, StatesLengthsInTheUnitOfTheStore) {
+  Json store = store_with(R"({"outline": [[0, 0], [8, 6], [8, 0], [0, 6]], "height": 3, "floor": "tile",
+                              "ceiling": "white", "walls": "white"})");
+  store["units"] = "ft";
+  test::expect_input_error([&] { test::read_text(store.dump()); },
+                           std::string_view("room.outline: crosses or touches itself at (4, 3) ft"));
+}
+
+// Rounded corners: the zone is cut off at the wall.
+TEST(RoomReader, ZonesMayExtendACentimetreOutside) {
+  const char* zone = "[[13, 5.116], [20, 6], [20, 10], [12, 10]]";
+  const Scene scene = make_scene(test::read_text(changed("/room/zones/1/polygon", zone).dump()));
+  EXPECT_EQ(open_edges(scene, {8}), 0U);
+}
+
+// The points of a zone's border.
+TEST(RoomShape, CeilingAtTheBorderOfZonesIsTheHighestThatTouches) {
+  RoomShape room;
+  room.outline = {{0, 0}, {6, 0}, {6, 4}, {0, 4}};
+  room.height.level = 4;
+  room.zones = {{"all", room.outline, {2.5, {}}}};
+  EXPECT_EQ(room.beyond({0, 3, 3.5}, 1e-6), "above the ceiling of zone 'all' (3.5 m > 2.5 m)");
+  EXPECT_EQ(room.beyond({0, 3, 2.5}, 1e-6), "");
+  room.zones = {{"left", {{0, 0}, {3, 0}, {3, 4}, {0, 4}}, {2.5, {}}},
+                {"right", {{3, 0}, {6, 0}, {6, 2}, {3, 2}}, {2.7, {}}}};
+  EXPECT_EQ(room.beyond({3, 1, 3.5}, 1e-6), "above the ceiling of zone 'right' (3.5 m > 2.7 m)");
+  EXPECT_EQ(room.beyond({3, 1, 2.7}, 1e-6), "");
+  EXPECT_EQ(room.beyond({3, 3, 3.5}, 1e-6), "") << "under the ceiling of the room";
+  room.is_box = true;
+  EXPECT_EQ(room.beyond({7, 3, 1}, 1e-6), "behind the wall x1 (7 m > 6 m)");
+}
+
+TEST(RoomReader, LabelInADoorBelowATransomIsInTheOpen) {
+  const Json store = [] {
+    Json changes = changed("/room/inner_walls/0/openings",
+                           R"([{"at": 1, "width": 0.9, "top": 2.1},
+                               {"at": 1.2, "width": 1.5, "bottom": 2.3, "top": 2.8}])");
+    changes["labels"][0] =
+        Json::parse(R"({"id": "L", "position": [4, 1.5, 1], "normal": [1, 0, 0], "type": "small"})");
+    return changes;
+  }();
+  const Scene scene = make_scene(test::read_text(store.dump()));
+  EXPECT_EQ(scene.warnings, std::vector<std::string>{});
+  const auto is_solid = [&](const Vec3& p) {
+    return std::any_of(scene.parts.begin(), scene.parts.end(), [&](const Part& part) {
+      return part.bottom < p.z && p.z < part.top && contains(part.footprint, {p.x, p.y});
+    });
+  };
+  EXPECT_TRUE(is_solid({4, 1.5, 2.2}));
+  EXPECT_FALSE(is_solid({4, 1.5, 2.5}));
+  EXPECT_FALSE(is_solid({4, 2.5, 2.5}));
+  EXPECT_TRUE(is_solid({4, 2.5, 2.2}));
+  EXPECT_TRUE(is_solid({4, 1.1, 2.5}));
 }
 
 // Rooms that would take minutes or very much memory.
