@@ -201,6 +201,16 @@ std::optional<PolygonFault> fault_of(const Polygon& polygon) {
                       "give the corners in order, with edges that do not cross"};
 }
 
+bool is_convex(const Polygon& polygon) {
+  constexpr double rounding = 1e-9;  // m^2
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()],
+               &c = polygon[(k + 2) % polygon.size()];
+    if ((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) < -rounding) return false;
+  }
+  return true;
+}
+
 double signed_area(std::span<const Vec2> polygon) {
   double twice = 0;
   for (std::size_t k = 0; k < polygon.size(); ++k) {

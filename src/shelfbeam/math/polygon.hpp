@@ -26,6 +26,9 @@ std::optional<PolygonFault> fault_of(const Polygon& polygon);
 /// Positive if the corners are counter-clockwise.
 double signed_area(std::span<const Vec2> polygon);
 
+/// Whether a counter-clockwise polygon without fault turns nowhere to the right, except by rounding.
+bool is_convex(const Polygon& polygon);
+
 /// Points on the border may count as inside or outside.
 bool contains(std::span<const Vec2> polygon, const Vec2& point);
 

@@ -142,7 +142,7 @@ TEST(Documentation, ExampleOfMountsIsAccepted) {
   const Scene scene = test::scene_of(store);
   std::set<std::string> ids;
   for (const Transceiver& unit : scene.transceivers) ids.insert(unit.id);
-  for (const char* id : {"A1-1-1/a1", "A1-5-4/a2", "R1-1", "R1-13", "column-2"})
+  for (const char* id : {"A1-1-1/a1", "A1-5-4/a2", "R1-1", "R1-13", "column-2/a2"})
     EXPECT_TRUE(ids.contains(id)) << id;
   EXPECT_FALSE(ids.contains("A1-3-3/a1")) << "over the counter";
 }

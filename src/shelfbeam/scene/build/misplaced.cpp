@@ -211,15 +211,15 @@ bool extends_outside_room(const Scene& scene, std::size_t first_vertex, std::siz
 }
 
 std::string remedy_outside(const RoomShape& room, const std::vector<Vec3>& listed) {
-  constexpr double nearly_all = 0.9;
+  constexpr double nearly_all = 0.9, many = 0.3;
   constexpr std::size_t several = 3;
   const auto count_inside = [&](const auto& change) {
     return std::count_if(listed.begin(), listed.end(),
                          [&](const Vec3& p) { return room.beyond(change(p), 0).empty(); });
   };
-  const auto inside = count_inside([](const Vec3& p) { return p; });
-  // A mistake of the whole list puts most of its positions outside.
-  const bool is_of_list = listed.size() >= several && 2 * static_cast<std::size_t>(inside) < listed.size();
+  const auto inside = static_cast<double>(count_inside([](const Vec3& p) { return p; }));
+  const bool is_of_list =
+      listed.size() >= several && inside <= (1 - many) * static_cast<double>(listed.size());
   const auto helps = [&](const auto& change) {
     return is_of_list &&
            static_cast<double>(count_inside(change)) >= nearly_all * static_cast<double>(listed.size());

@@ -10,6 +10,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/plan_parts.hpp"
 #include "shelfbeam/scene/room/room.hpp"
@@ -41,14 +42,10 @@ Polygon around_middle(std::vector<Vec2> points) {
   return points;
 }
 
-bool is_convex(const Polygon& polygon) {
-  constexpr double rounding = 1e-9;  // m^2
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()],
-               &c = polygon[(k + 2) % polygon.size()];
-    if ((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) < -rounding) return false;
-  }
-  return true;
+Polygon::iterator nearest_corner(Polygon& polygon, const Vec2& p) {
+  const auto distance = [&](const Vec2& q) { return std::hypot(q[0] - p[0], q[1] - p[1]); };
+  return std::min_element(polygon.begin(), polygon.end(),
+                          [&](const Vec2& a, const Vec2& b) { return distance(a) < distance(b); });
 }
 
 // The parts of a wall's footprint within the room, convex: whole if possible, otherwise triangles.
@@ -60,6 +57,7 @@ std::vector<Polygon> within_room(const RoomShape& shape, const Polygon& footprin
   for (const PlanPart& part : plan_parts(walls, footprint)) {
     if (part.ceiling == nullptr) continue;
     Polygon whole = part.points == footprint ? footprint : around_middle(part.points);
+    std::rotate(whole.begin(), nearest_corner(whole, footprint.front()), whole.end());
     if (is_convex(whole))
       polygons.push_back(std::move(whole));
     else

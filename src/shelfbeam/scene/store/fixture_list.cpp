@@ -23,12 +23,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view number_place = "{n}";  // in ids of copies
+
 // A straight line in plan to place a fixture against, with the direction away from it.
 struct Edge {
   Vec2 from{}, to{};
   Vec2 outward{};
 
   double length() const { return std::hypot(to[0] - from[0], to[1] - from[1]); }
+  Vec2 direction() const { return {(to[0] - from[0]) / length(), (to[1] - from[1]) / length()}; }
 };
 
 // The sides of a rectangle in plan.
@@ -61,17 +64,19 @@ struct Footing {
 };
 
 std::optional<Footing> footing_of(const Fixture& fixture) {
-  return std::visit(
-      []<class T>(const T& one) -> std::optional<Footing> {
-        if constexpr (std::is_base_of_v<Shelving, T>)
-          return Footing{one.at, one.rotation_deg, one.length, one.depth};
-        else if constexpr (std::is_same_v<T, Box>)
-          return Footing{
-              {one.min.x, one.min.y}, one.rotation_deg, one.max.x - one.min.x, one.max.y - one.min.y};
-        else
-          return {};
-      },
-      fixture);
+  if (const Shelving* one = shelving_of(fixture))
+    return Footing{one->at, one->rotation_deg, one->length, one->depth};
+  if (const auto* box = std::get_if<Box>(&fixture))
+    return Footing{
+        {box->min.x, box->min.y}, box->rotation_deg, box->max.x - box->min.x, box->max.y - box->min.y};
+  return {};
+}
+
+// The direction in which a number as 'step' moves copies; nothing for fixtures without a length.
+std::optional<Vec2> length_direction(const Fixture& fixture) {
+  if (const auto footing = footing_of(fixture)) return turned({1, 0}, footing->rotation_deg);
+  if (const auto* mesh = std::get_if<MeshFixture>(&fixture)) return turned({1, 0}, mesh->rotation_deg);
+  return {};
 }
 
 // The frame of a fixture: its origin in the store and its rotation.
@@ -102,21 +107,32 @@ class FixtureList {
     expect_fixture_keys(json);
     const auto repeat = json.find("repeat");
     const auto labels = json.find("labels");
+    const auto against = json.find("against");
     const bool has_places = labels && labels->is_array();
+    if (const std::string type = json["type"].text();
+        labels && !has_places && type != Gondola::type_name && type != Freezer::type_name)
+      labels->fail("is not a list", fmt::format("list the labels of a {} with their positions", type));
     Json value = json.value();
     value.erase("repeat");
     if (has_places) value.erase("labels");
-    if (const auto against = json.find("against")) {
-      place(json, *against, value);
+    std::optional<Edge> edge;
+    if (against) {
+      edge = place(json, *against, value);
       value.erase("against");
     }
-    if (repeat || has_places || json.find("against")) json = json.replaced(std::move(value));
+    if (repeat || has_places || against) json = json.replaced(std::move(value));
     const Fixture fixture = read_fixture(json, {names_, folder_});
     const std::size_t first = store_.fixtures.size();
-    if (repeat)
-      add_copies(json, fixture, *repeat);
-    else
+    if (repeat) {
+      const bool is_by_wall = against && against->find("wall");
+      const auto forwards = is_by_wall ? edge->direction() : length_direction(fixture);
+      add_copies(json, fixture, read_repeat(*repeat, forwards, json["type"].text()), *repeat);
+    } else {
+      if (id_of(fixture).find(number_place) != std::string::npos)
+        json["id"].fail("has the number {n} of a copy, but there is no 'repeat'",
+                        "add 'repeat', or remove {n}");
       add(fixture, json.where());
+    }
     if (has_places)
       for (std::size_t k = first; k < store_.fixtures.size(); ++k)
         add_labels(*labels, store_.fixtures[k].value);
@@ -125,8 +141,9 @@ class FixtureList {
  private:
   struct Row {
     std::int64_t count = 1;
-    Vec2 step{};          ///< m
-    double forwards = 0;  ///< m, along the fixture's own length, instead of `step`
+    Vec2 step{};  ///< m
+
+    Vec3 shift(std::int64_t k) const { return Vec3{step[0], step[1], 0} * static_cast<double>(k); }
   };
   // Copies are counted before they are made, because each has its own mesh.
   void add(Fixture fixture, const std::string& where) {
@@ -141,24 +158,26 @@ class FixtureList {
     bool turns = false;
   };
 
-  static void read_step(const JsonCursor& json, Row& row) {
-    if (json.is_array())
-      row.step = read_plan_point(json);
-    else
-      row.forwards = read_coordinate(json);
-  }
-
-  static Repeat read_repeat(const JsonCursor& json) {
+  // A number moves copies `forwards`.
+  static Repeat read_repeat(const JsonCursor& json, const std::optional<Vec2>& forwards,
+                            const std::string& type) {
     json.expect_keys({"count", "step", "first", "count2", "step2", "mirror"});
     constexpr std::int64_t max_count = 10'000;
+    const auto read_step = [&](const JsonCursor& step) -> Vec2 {
+      if (step.is_array()) return read_plan_point(step);
+      const double distance = read_coordinate(step);
+      if (!forwards)
+        step.fail(fmt::format("is one number, a step along the length, which a {} does not have", type),
+                  "give [x, y]");
+      return {distance * (*forwards)[0], distance * (*forwards)[1]};
+    };
     Repeat repeat;
-    repeat.row.count = json["count"].integer(1, max_count);
-    read_step(json["step"], repeat.row);
+    repeat.row = {json["count"].integer(1, max_count), read_step(json["step"])};
     if (const auto first = json.find("first")) repeat.first = first->integer(0, max_count);
-    if (const auto count = json.find("count2")) {
-      repeat.rows.count = count->integer(1, max_count);
-      read_step(json["step2"], repeat.rows);
-    }
+    if (const auto count = json.find("count2"))
+      repeat.rows = {count->integer(1, max_count), read_step(json["step2"])};
+    else if (const auto step = json.find("step2"))
+      step->fail("has no effect without 'count2'", "add 'count2', or remove it");
     if (const auto mirror = json.find("mirror")) repeat.turns = mirror->boolean();
     if (repeat.row.count * repeat.rows.count > max_count)
       json.fail(fmt::format("produces {} fixtures", repeat.row.count * repeat.rows.count),
@@ -166,27 +185,18 @@ class FixtureList {
     return repeat;
   }
 
-  static Vec3 shift(const Row& row, const Fixture& fixture, std::int64_t k) {
-    Vec2 step = row.step;
-    if (row.forwards != 0) {
-      const auto footing = footing_of(fixture);
-      step = turned({row.forwards, 0}, footing ? footing->rotation_deg : 0);
-    }
-    return Vec3{step[0], step[1], 0} * static_cast<double>(k);
-  }
-
-  void add_copies(const JsonCursor& json, const Fixture& fixture, const JsonCursor& given) {
+  void add_copies(const JsonCursor& json, const Fixture& fixture, const Repeat& repeat,
+                  const JsonCursor& given) {
     constexpr double farthest = 1e4;  // m, as for coordinates
-    const Repeat repeat = read_repeat(given);
     const std::string& pattern = id_of(fixture);
-    if (repeat.row.count * repeat.rows.count > 1 && pattern.find("{n}") == std::string::npos)
+    if (repeat.row.count * repeat.rows.count > 1 && pattern.find(number_place) == std::string::npos)
       json["id"].fail(fmt::format("is {} for all copies", in_quotes(pattern)),
                       "write {n} for the number of the copy: \"A{n}\"");
     for (std::int64_t j = 0; j < repeat.rows.count; ++j)
       for (std::int64_t k = 0; k < repeat.row.count; ++k) {
         Fixture copy = fixture;
         const std::int64_t number = repeat.first + j * repeat.row.count + k;
-        const Vec3 by = shift(repeat.row, fixture, k) + shift(repeat.rows, fixture, j);
+        const Vec3 by = repeat.row.shift(k) + repeat.rows.shift(j);
         if (length(by) > farthest)
           given.fail(fmt::format("puts a copy {:.6g} m from the first", length(by)),
                      "reduce 'step' or 'count'");
@@ -202,12 +212,11 @@ class FixtureList {
   }
 
   static std::string with_number(std::string_view pattern, std::int64_t number) {
-    constexpr std::string_view place = "{n}";
     const std::string digits = fmt::format("{}", number);
     std::string id;
-    for (std::size_t at; (at = pattern.find(place)) != std::string_view::npos;) {
+    for (std::size_t at; (at = pattern.find(number_place)) != std::string_view::npos;) {
       id.append(pattern.substr(0, at)).append(digits);
-      pattern.remove_prefix(at + place.size());
+      pattern.remove_prefix(at + number_place.size());
     }
     return id.append(pattern);
   }
@@ -228,31 +237,33 @@ class FixtureList {
   }
 
   // Sets "at" and "rotation_deg" of a fixture whose back stands against a wall or a side of another fixture.
-  void place(const JsonCursor& json, const JsonCursor& against, Json& value) const {
+  // Returns the wall or the side.
+  Edge place(const JsonCursor& json, const JsonCursor& against, Json& value) const {
     for (const char* key : {"at", "rotation_deg"})
       if (const auto found = json.find(key))
         found->fail("has no effect beside 'against'", "remove one of the two");
     const bool by_wall = against.find("wall").has_value();
+    if (by_wall == against.find("fixture").has_value())
+      against.fail("must have one of 'wall' and 'fixture'", "keep one of them");
     against.expect_keys(by_wall ? std::initializer_list<std::string_view>{"wall", "from", "gap"}
                                 : std::initializer_list<std::string_view>{"fixture", "side", "shift", "gap"});
-    for (const std::string_view type :
-         {Prism::type_name, Cylinder::type_name, Panel::type_name, MeshFixture::type_name})
-      if (json["type"].text() == type)
-        against.fail(fmt::format("does not apply to a {}, which has no back", type),
-                     "use it for gondolas, freezers and boxes");
+    const std::string type = json["type"].text();
+    if ((type == Box::type_name && !json.find("size")) ||
+        (type != Box::type_name && type != Gondola::type_name && type != Freezer::type_name))
+      against.fail(
+          fmt::format("does not apply to a {}", type == Box::type_name ? "box with 'min' and 'max'" : type),
+          "use it for gondolas, freezers and boxes with 'size'");
     const Edge edge = by_wall ? wall_edge(against["wall"]) : side_of(against);
     const auto gap_found = against.find("gap");
     const double gap = gap_found ? gap_found->metres(0, 1e3) : 0;
     const double length = size_of(json, 0), depth = size_of(json, 1);
-    double from = 0;
+    double from = (edge.length() - length) / 2;
     if (by_wall)
-      from = against["from"].metres(0, 1e3);
+      from = read_from(against["from"], edge, length);
     else if (const auto shift = against.find("shift"))
-      from = -read_coordinate(*shift);
-    if (!by_wall) from += (edge.length() - length) / 2;
+      from -= read_coordinate(*shift);
     // Its length runs to the right of a person who faces it.
-    const double x = (edge.to[0] - edge.from[0]) / edge.length(),
-                 y = (edge.to[1] - edge.from[1]) / edge.length();
+    const auto [x, y] = edge.direction();
     const bool runs_along = y * edge.outward[0] - x * edge.outward[1] > 0;
     const double start = runs_along ? from : from + length;
     const Vec2 corner{edge.from[0] + start * x + (gap + depth) * edge.outward[0],
@@ -261,6 +272,19 @@ class FixtureList {
     value["at"] = {corner[0] / factor, corner[1] / factor};
     if (value["type"] == "box") value["at"].push_back(0);
     value["rotation_deg"] = rounded_degrees(std::atan2(edge.outward[0], -edge.outward[1]));
+    return edge;
+  }
+
+  // The distance from the first corner of a wall to a fixture of this length.
+  static double read_from(const JsonCursor& json, const Edge& wall, double length) {
+    constexpr double rounding = 1e-6;  // m
+    const double from = json.metres(0, 1e3), end = from + length;
+    if (end > wall.length() + rounding)
+      json.fail(
+          fmt::format("puts the end of the fixture {} from the first corner of the wall, which is {} long",
+                      length_text(end, json.unit()), length_text(wall.length(), json.unit())),
+          "reduce it, or use another wall");
+    return from;
   }
 
   static double rounded_degrees(double angle) {

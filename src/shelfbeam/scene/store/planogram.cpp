@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/file.hpp"
@@ -22,11 +24,17 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double label_offset = 0.01;  // m, in front of the edge
+/// The labels of all articles, except where a record has its own type.
+struct ArticleLabels {
+  LabelTypeId type;
+  double hook = FixtureLabels{}.hook;
+  double tilt_deg = 0;
+};
 
 /// A place on the edge of a board.
 struct Place {
   std::string article, where;
+  LabelTypeId type;
   std::size_t fixture = 0;
   Face face = Face::front;
   int level = 1;
@@ -38,7 +46,8 @@ using Edge = std::tuple<std::size_t, Face, int>;
 
 class Planogram {
  public:
-  Planogram(LabelTypeId type, Store& store) : type_(type), store_(store) {
+  Planogram(const ArticleLabels& labels, const StoreNames& names, Store& store)
+      : labels_(labels), names_(names), store_(store) {
     for (std::size_t f = 0; f < store.fixtures.size(); ++f) index_.emplace(id_of(store.fixtures[f].value), f);
   }
 
@@ -57,6 +66,7 @@ class Planogram {
   // The fields of a record.
   struct Columns {
     std::size_t article = 0, fixture = 0, face = 0, level = 0, place = 0;
+    std::optional<std::size_t> type;
     bool by_x = false;  ///< whether `place` is x instead of a position
     std::size_t required = 0, width = 0;
   };
@@ -69,6 +79,8 @@ class Planogram {
     const auto& fields = csv.fields();
     columns.width = fields.size();
     const auto find = [&](std::string_view name) {
+      if (std::count(fields.begin(), fields.end(), name) > 1)
+        csv.fail(fmt::format("has several columns {}", in_quotes(name)), "rename or remove all but one");
       return static_cast<std::size_t>(std::find(fields.begin(), fields.end(), name) - fields.begin());
     };
     const auto column = [&](std::string_view name) {
@@ -85,13 +97,25 @@ class Planogram {
     if (columns.by_x && find("position") < fields.size())
       csv.fail("has both columns 'x' and 'position'", "remove one of the two");
     columns.place = column(columns.by_x ? "x" : "position");
+    if (find("type") < fields.size()) columns.type = column("type");
     return columns;
   }
 
-  const Shelving& shelving(std::size_t fixture) const {
-    const Fixture& one = store_.fixtures[fixture].value;
-    if (const auto* gondola = std::get_if<Gondola>(&one)) return *gondola;
-    return std::get<Freezer>(one);
+  static std::vector<Face> faces_of(const Fixture& fixture) {
+    if (const auto* gondola = std::get_if<Gondola>(&fixture)) return gondola->faces;
+    return {Face::front, Face::back, Face::left, Face::right};
+  }
+
+  // The heights of the edges, from the lowest.
+  static std::vector<double> levels_of(const Fixture& fixture) {
+    if (const auto* gondola = std::get_if<Gondola>(&fixture)) return gondola->shelves;
+    return {shelving_of(fixture)->height - Shelving::label_below_rim};
+  }
+
+  LabelTypeId read_type(const CsvReader& csv, const Columns& at) const {
+    if (!at.type) return labels_.type;
+    const std::string name(csv.text(*at.type));
+    return name.empty() ? labels_.type : names_.label_type(name, csv.where());
   }
 
   Place read_place(CsvReader& csv, const Columns& at) const {
@@ -103,23 +127,27 @@ class Planogram {
       csv.fail(at.fixture, fmt::format("names the unknown fixture {}", in_quotes(csv.text(at.fixture))),
                "correct the id, or add the fixture to the store");
     place.fixture = found->second;
+    place.type = read_type(csv, at);
     const Fixture& fixture = store_.fixtures[place.fixture].value;
-    const auto* gondola = std::get_if<Gondola>(&fixture);
-    if (gondola == nullptr && !std::holds_alternative<Freezer>(fixture))
-      csv.fail(at.fixture, "names a fixture without boards", "use a gondola or a freezer");
+    const Shelving* shelves = shelving_of(fixture);
+    const std::vector<double> levels = shelves != nullptr ? levels_of(fixture) : std::vector<double>();
+    if (levels.empty()) csv.fail(at.fixture, "names a fixture without boards", "use a gondola or a freezer");
+    const std::vector<Face> faces = faces_of(fixture);
     const auto face = from_text<Face>(csv.text(at.face));
-    if (!face || (gondola != nullptr && !gondola->has_face(*face)))
+    if (!face || std::find(faces.begin(), faces.end(), *face) == faces.end()) {
+      std::vector<std::string_view> known;
+      for (const Face one : faces) known.push_back(to_text(one));
       csv.fail(at.face, fmt::format("is {}", in_quotes(csv.text(at.face))),
-               "name a face of the fixture: front, back, left or right");
+               fmt::format("use a face of the fixture: {}", fmt::join(known, ", ")));
+    }
     place.face = *face;
-    const int levels = gondola != nullptr ? static_cast<int>(gondola->shelves.size()) : 1;
-    place.level = whole(csv, at.level, levels);
+    place.level = whole(csv, at.level, static_cast<int>(levels.size()));
     if (at.by_x) {
       place.x = read_coordinate(csv.number(at.place), store_.unit, csv.where());
-      const double edge = edge_length(shelving(place.fixture), place.face);
+      const double edge = edge_length(*shelves, place.face);
       if (!(place.x >= 0 && place.x <= edge))
-        csv.fail(at.place, fmt::format("is {:.6g} m", place.x),
-                 fmt::format("the edge extends from 0 to {:.6g} m", edge));
+        csv.fail(at.place, fmt::format("is {}", length_text(place.x, store_.unit)),
+                 fmt::format("the edge extends from 0 to {}", length_text(edge, store_.unit)));
     } else {
       constexpr int max_positions = 1000;
       place.position = whole(csv, at.place, max_positions);
@@ -143,7 +171,7 @@ class Planogram {
     }
     std::map<std::string, int> times;
     for (const Place& place : places_) {
-      const double edge = edge_length(shelving(place.fixture), place.face);
+      const double edge = edge_length(*shelving_of(store_.fixtures[place.fixture].value), place.face);
       const double along = place.position == 0 ? place.x
                                                : edge * (place.position - 0.5) /
                                                      largest[{place.fixture, place.face, place.level}];
@@ -155,20 +183,21 @@ class Planogram {
   }
 
   Label label_at(const Place& place, double along) const {
-    const Shelving& one = shelving(place.fixture);
-    const auto* gondola = std::get_if<Gondola>(&store_.fixtures[place.fixture].value);
-    const double z = gondola != nullptr ? gondola->shelves[static_cast<std::size_t>(place.level) - 1]
-                                        : one.height - Shelving::label_below_rim;
-    const auto& [position, outward] = edge_place(one, place.face, along, label_offset);
-    const Vec2 from_origin = turned(position, one.rotation_deg), normal = turned(outward, one.rotation_deg);
+    const Fixture& fixture = store_.fixtures[place.fixture].value;
+    const Shelving& one = *shelving_of(fixture);
+    const double z = levels_of(fixture)[static_cast<std::size_t>(place.level) - 1];
+    const auto& [position, normal] = edge_place(one, place.face, along, labels_.hook, z, labels_.tilt_deg);
+    const Vec2 from_origin = turned({position.x, position.y}, one.rotation_deg),
+               direction = turned({normal.x, normal.y}, one.rotation_deg);
     Label label;
     label.position = {one.at[0] + from_origin[0], one.at[1] + from_origin[1], z};
-    label.normal = {normal[0], normal[1], 0};
-    label.type = type_;
+    label.normal = {direction[0], direction[1], normal.z};
+    label.type = place.type;
     return label;
   }
 
-  LabelTypeId type_;
+  ArticleLabels labels_;
+  const StoreNames& names_;
   Store& store_;
   std::map<std::string, std::size_t, std::less<>> index_;
   std::vector<Place> places_;
@@ -178,9 +207,12 @@ class Planogram {
 
 void read_planogram(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                     Store& store) {
-  section.expect_keys({"file", "type"});
-  const LabelTypeId type = names.label_type(section["type"]);
-  Planogram(type, store).read(folder.find(section["file"]));
+  section.expect_keys({"file", "type", "hook", "tilt_deg"});
+  ArticleLabels labels;
+  labels.type = names.label_type(section["type"]);
+  if (const auto hook = section.find("hook")) labels.hook = read_length(*hook);
+  if (const auto tilt = section.find("tilt_deg")) labels.tilt_deg = tilt->number(-89, 89);
+  Planogram(labels, names, store).read(folder.find(section["file"]));
 }
 
 }  // namespace shelfbeam

@@ -1,5 +1,6 @@
 #include "shelfbeam/scene/store/presets.hpp"
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -18,13 +19,48 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Keys of which a fixture or its labels have only one or the other; by the path of their object.
+struct Alternatives {
+  std::string_view path;
+  std::vector<std::string_view> one, other;
+};
+
+const std::vector<Alternatives>& alternatives() {
+  static const std::vector<Alternatives> all{{"labels", {"spacing"}, {"count", "positions"}},
+                                             {"labels", {"count"}, {"positions"}},
+                                             {"", {"min", "max"}, {"at", "size", "rotation_deg"}},
+                                             {"", {"against"}, {"at", "rotation_deg"}},
+                                             {"", {"file"}, {"parts"}}};
+  return all;
+}
+
+// Removes the alternatives to the keys of a layer from the layers below.
+void drop_alternatives(Json& whole, const JsonCursor& layer, const std::string& path) {
+  const auto replace = [&](const std::vector<std::string_view>& own,
+                           const std::vector<std::string_view>& below) {
+    if (std::none_of(own.begin(), own.end(), [&](std::string_view key) { return layer.find(key); })) return;
+    for (const std::string_view key : below)
+      if (!layer.find(key)) whole.erase(std::string(key));
+  };
+  for (const auto& [where, one, other] : alternatives())
+    if (where == path) {
+      replace(one, other);
+      replace(other, one);
+    }
+}
+
 // Adds the keys of a fixture or preset, which replace those of the presets that it refers to.
 void lay_over(Json& whole, JsonCursor::Origins& origins, const JsonCursor& layer,
               const JsonCursor::Origin& origin, const std::string& path) {
   origins[path] = origin;
+  drop_alternatives(whole, layer, path);
   for (const auto& [key, value] : layer.members()) {
     const std::string part = path.empty() ? key : fmt::format("{}.{}", path, key);
     if (part == "preset") continue;
+    if (value.is_null()) {
+      if (whole.erase(key) == 0) value.fail("removes a key that no preset of the fixture has", "remove it");
+      continue;
+    }
     Json& below = whole[key];
     if (value.is_object()) {
       if (!below.is_object()) below = Json::object();
@@ -79,10 +115,6 @@ std::vector<Presets::Named> Presets::chain_of(const JsonCursor& json, const std:
     if (!seen.insert(next).second)
       reference->fail(fmt::format("refers to itself: {}", fmt::join(names, " -> ")),
                       "remove one of the references");
-    if (found->second.unit() != json.unit())
-      reference->fail(fmt::format("names a preset in {}, but the store is in {}",
-                                  to_text(found->second.unit()), to_text(json.unit())),
-                      "use the same 'units' in both files");
     chain.emplace_back(std::move(next), found->second);
   }
   return chain;

@@ -10,34 +10,16 @@
 #include "shelfbeam/math/warp.hpp"
 
 #include "support/expect_input_error.hpp"
-#include "support/temp_folder.hpp"
-#include "unit/scene/sample_store.hpp"
+#include "unit/scene/store/list_store.hpp"
 
 namespace shelfbeam {
 namespace {
 
+using test::fixtures_of;
 using test::Json;
-using test::TempFolder;
-
-Json store_with(const std::string& fixtures) {
-  Json store = test::sample_store();
-  store["fixtures"] = Json::parse(fixtures);
-  store["room"]["size"] = {30, 20, 3};
-  return store;
-}
-
-Store read(const Json& store, const std::filesystem::path& folder = {}) {
-  return test::read_text(store.dump(), folder);
-}
-
-// The values of the fixtures, without those that the two stores word differently.
-std::string fixtures_of(const Store& store) {
-  return Json::parse(resolved_store_json(store, make_scene(store)))["fixtures"].dump(1);
-}
-
-constexpr const char* run =
-    R"("type": "gondola", "length": 1.33, "depth": 0.9, "height": 1.8, "material": "steel",
-  "shelves": [0.4, 0.9], "faces": ["front"], "labels": {"type": "small", "spacing": 0.5})";
+using test::read;
+using test::run;
+using test::store_with;
 
 TEST(FixtureList, RepeatEqualsTheListWrittenOut) {
   const std::string base = run;
@@ -94,23 +76,6 @@ TEST(FixtureList, ListedLabelsMoveAndTurnWithTheirFixture) {
   EXPECT_NEAR(length(label("T2-card").normal + outward), 0, 1e-12);
 }
 
-TEST(FixtureList, PresetsAreCompletedFromCataloguesAndOtherPresets) {
-  TempFolder folder;
-  folder.write("chain.json", R"({ "materials": { "red": { "type": "lambertian", "reflectance": 0.3 } },
-    "presets": { "base": { "type": "gondola", "depth": 0.9, "height": 1.8, "material": "red", "shelves": [0.4, 0.9],
-                           "labels": { "type": "small", "spacing": 0.5 } },
-                 "run": { "preset": "base", "length": 1.33, "labels": { "spacing": 0.33 } } } })");
-  Json store = store_with(R"([{"preset": "run", "id": "A", "at": [2, 3], "height": 1.6}])");
-  store["catalogues"] = {"chain.json"};
-  const Json written =
-      store_with(R"([{"type": "gondola", "id": "A", "at": [2, 3], "length": 1.33, "depth": 0.9,
-    "height": 1.6, "material": "red", "shelves": [0.4, 0.9], "labels": {"type": "small", "spacing": 0.33}}])");
-  Json plain = written;
-  plain["materials"]["red"] = {{"type", "lambertian"}, {"reflectance", 0.3}};
-  EXPECT_EQ(fixtures_of(read(store, folder.path())), fixtures_of(read(plain)));
-  EXPECT_EQ(make_scene(read(store, folder.path())).labels.size(), make_scene(read(plain)).labels.size());
-}
-
 TEST(FixtureList, StandsAgainstWallsAndFixtures) {
   const std::string base = run;
   Json store = store_with("[{" + base + R"(, "id": "W", "against": {"wall": 2, "from": 1, "gap": 0.1}},
@@ -146,6 +111,32 @@ TEST(FixtureList, StandsAgainstWallsAndFixtures) {
       << "shifted to the right of a person who faces the front";
 }
 
+// Also where the outline is clockwise: the first unit begins at `from`, and the others follow along the wall.
+TEST(FixtureList, RepeatsAlongTheWallThatItStandsAgainst) {
+  for (const char* outline :
+       {"[[0, 0], [30, 0], [30, 20], [0, 18]]", "[[0, 18], [30, 20], [30, 0], [0, 0]]"}) {
+    Json store = store_with(std::string("[{") + run +
+                            R"(, "id": "W{n}", "against": {"wall": 2, "from": 1},
+                               "repeat": {"count": 3, "step": 1.33}}])");
+    store["room"] = {{"outline", Json::parse(outline)},
+                     {"height", 3},
+                     {"floor", "tile"},
+                     {"ceiling", "white"},
+                     {"walls", "white"}};
+    const Scene scene = make_scene(read(store));
+    EXPECT_EQ(scene.warnings, std::vector<std::string>());
+    const Polygon corners = Json::parse(outline);
+    const Vec2 &a = corners[2], &b = corners[3];
+    const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      double nearest = HUGE_VAL;
+      for (const Vec2& p : scene.fixtures[k].footprint)
+        nearest = std::min(nearest, ((p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1])) / length);
+      EXPECT_NEAR(nearest, 1 + 1.33 * static_cast<double>(k), 1e-9) << outline;
+    }
+  }
+}
+
 TEST(FixtureList, RefusesFaultsWithTheirPlace) {
   struct Fault {
     const char *fixtures, *presets, *message;
@@ -174,6 +165,25 @@ TEST(FixtureList, RefusesFaultsWithTheirPlace) {
            "{}", "fixtures[0].repeat: puts a copy 18000 m from the first"},
           {R"([{"preset": "a", "id": "A", "at": [1, 1]}])", R"({"a": {"type": "gondola", "lenght": 3}})",
            "store.json: presets.a: has the unknown key 'lenght'; did you mean 'length'?"},
+          {R"([{"type": "cylinder", "id": "A{n}", "at": [1, 1], "radius": 1, "top": 1, "material": "steel",
+                "repeat": {"count": 3, "step": 2}}])",
+           "{}",
+           "fixtures[0].repeat.step: is one number, a step along the length, which a cylinder does not have"},
+          {R"([{"type": "cylinder", "id": "A{n}", "at": [1, 1], "radius": 1, "top": 1, "material": "steel"}])",
+           "{}", "fixtures[0].id: has the number {n} of a copy, but there is no 'repeat'"},
+          {R"([{"type": "box", "id": "A", "min": [1, 1, 0], "max": [2, 2, 1], "material": "steel",
+                "against": {"wall": 0, "from": 1}}])",
+           "{}", "fixtures[0].against: does not apply to a box with 'min' and 'max'"},
+          {R"([{"type": "box", "id": "A", "size": [2, 1, 1], "material": "steel", "against": {}}])", "{}",
+           "fixtures[0].against: must have one of 'wall' and 'fixture'"},
+          {R"([{"type": "box", "id": "A", "size": [2, 1, 1], "material": "steel",
+                "against": {"wall": 1, "from": 18.5}}])",
+           "{}",
+           "fixtures[0].against.from: puts the end of the fixture 20.5 m from the first corner of the wall, "
+           "which is 20 m long"},
+          {R"([{"type": "box", "id": "A", "at": [1, 1, 0], "size": [2, 1, 1], "material": "steel",
+                "labels": {"type": "small", "count": 2}}])",
+           "{}", "fixtures[0].labels: is not a list"},
           {copies.c_str(), "{}", "fixtures[0].id: is 'A' for all copies"},
           {many.c_str(), "{}", "fixtures[0].repeat: produces 40000 fixtures"},
           {beside.c_str(), "{}",
@@ -191,52 +201,6 @@ TEST(FixtureList, RefusesFaultsWithTheirPlace) {
   }
 }
 
-TEST(FixtureList, RefusesFaultsOfPresetsThatNoFixtureUses) {
-  for (const auto& [presets, message] : std::vector<std::pair<const char*, const char*>>{
-           {R"({"a": {"preset": "a"}})", "store.json: presets.a.preset: refers to itself: a -> a"},
-           {R"({"a": {"preset": "b"}, "b": {"preset": "c"}, "c": {"preset": "b"}})",
-            "store.json: presets.c.preset: refers to itself: a -> b -> c -> b"},
-           {R"({"run": {"preset": "rum"}})", "presets.run.preset: names the unknown preset 'rum'"},
-           {R"({"a": {"lenght": 3}})", "presets.a: has the unknown key 'lenght'; did you mean 'length'?"}}) {
-    Json store = store_with("[]");
-    store["presets"] = Json::parse(presets);
-    test::expect_input_error([&] { read(store); }, std::string_view(message));
-  }
-}
-
-// A fault of a preset is found where a fixture uses it. The message names both.
-TEST(FixtureList, NamesThePresetThatHasTheFault) {
-  TempFolder folder;
-  for (const auto& [base, message] : std::vector<std::pair<const char*, std::string>>{
-           {R"("height": -1)", "store.json: fixtures[0].height (preset 'base' of FILE): is -1"},
-           {R"("height": 1.8, "shelves": [0.4, 2])",
-            "store.json: fixtures[0].shelves[1] (preset 'base' of FILE): is at 2 m"},
-           {R"("height": 1.8, "shelves": [0.4], "labels": {"type": "small", "spacing": 0})",
-            "store.json: fixtures[0].labels.spacing (preset 'base' of FILE): is 0"},
-           {R"("height": 1.8, "radius": 1)",
-            "store.json: fixtures[0] (preset 'base' of FILE): has the unknown key 'radius'"},
-           {R"("height": 1.8, "shelves": [0.4], "labels": {"type": "small", "count": 2})",
-            "store.json: fixtures[0].depth (preset 'run'): is 0.05 m, below 0.1 m"},
-           {R"("height": 1.8)", "store.json: fixtures[0] (preset 'run'): is missing the key 'shelves'"}}) {
-    const auto file = folder.write("chain.json", std::string(R"({"presets": {"base": {"type": "gondola",
-      "material": "steel", )") + base + "}}}");
-    Json store = store_with(R"([{"preset": "run", "id": "A", "at": [2, 3], "length": 2}])");
-    store["catalogues"] = {"chain.json"};
-    store["presets"] = {{"run", {{"preset", "base"}, {"depth", 0.05}, {"length", 1}}}};
-    std::string expected = message;
-    if (const auto at = expected.find("FILE"); at != std::string::npos)
-      expected.replace(at, 4, file.string());
-    test::expect_input_error([&] { read(store, folder.path()); }, std::string_view(expected));
-  }
-}
-
-TEST(FixtureList, RefusesLongChainsOfPresets) {
-  Json store = store_with(R"([{"preset": "0", "id": "A"}])");
-  for (int k = 0; k < 200; ++k) store["presets"][std::to_string(k)] = {{"preset", std::to_string(k + 1)}};
-  test::expect_input_error([&] { read(store); },
-                           std::string_view("presets.99.preset: is the end of a chain of 100 presets"));
-}
-
 // Each copy has its own mesh, so that they are counted before they are made.
 TEST(FixtureList, CountsTheMemoryOfCopies) {
   Json store = store_with(R"([{"type": "prism", "id": "P{n}", "top": 1, "material": "steel",
@@ -251,91 +215,6 @@ TEST(FixtureList, CountsTheMemoryOfCopies) {
         parse_store(store.dump(), "store.json", {}, {false, memory});
       },
       std::string_view("store.json: fixtures[0]: the store up to here requires about 0.1"));
-}
-
-std::vector<Label> labels_of(const std::string& labels, const std::string& fixture) {
-  const Scene scene = make_scene(read(store_with("[{" + fixture + R"(, "labels": )" + labels + "}]")));
-  return {scene.labels.begin(), scene.labels.end() - 1};  // without the one of the store itself
-}
-
-TEST(FixtureLabels, StandByCountAtPositionsOnHooksAndOnTop) {
-  const std::string shelf =
-      R"("type": "gondola", "id": "A", "at": [5, 5], "length": 3, "depth": 0.9, "height": 1.8,
-    "material": "steel", "shelves": [0.4, 0.9], "faces": ["front"])";
-  const auto counted =
-      labels_of(R"({"type": "small", "count": 3, "hook": 0.25, "level_types": {"2": "large"}})", shelf);
-  ASSERT_EQ(counted.size(), 6u);
-  for (std::size_t k = 0; k < 6; ++k) {
-    EXPECT_NEAR(length(counted[k].position - Vec3{5.5 + static_cast<double>(k % 3), 4.75, k < 3 ? 0.4 : 0.9}),
-                0, 1e-12);
-    EXPECT_EQ(counted[k].type.value, k < 3 ? 0u : 1u);
-  }
-  EXPECT_EQ(counted[4].id, "A-front-2-2");
-  const auto placed = labels_of(R"({"type": "small", "positions": [0.1, 0.2, 2.9]})", shelf);
-  ASSERT_EQ(placed.size(), 6u);
-  EXPECT_NEAR(placed[2].position.x, 7.9, 1e-12);
-  const auto rim =
-      labels_of(R"({"type": "small", "count": 2, "faces": ["front"], "on_top": true})",
-                R"("type": "freezer", "id": "F", "at": [5, 5], "length": 2, "depth": 0.8, "height": 0.9,
-                             "material": "steel")");
-  ASSERT_EQ(rim.size(), 2u);
-  EXPECT_NEAR(length(rim[0].position - Vec3{5.5, 5.03, 0.91}), 0, 1e-12);
-  EXPECT_EQ(rim[0].normal, (Vec3{0, 0, 1}));
-}
-
-TEST(FixtureLabels, RefuseFaultsWithTheirPlace) {
-  const std::string shelf =
-      R"("type": "gondola", "id": "A", "at": [5, 5], "length": 3, "depth": 0.9, "height": 1.8,
-    "material": "steel", "shelves": [0.4, 0.9])";
-  for (const auto& [labels, message] : std::vector<std::pair<const char*, const char*>>{
-           {R"({"type": "small"})", "labels: must have one of 'spacing', 'count' and 'positions'"},
-           {R"({"type": "small", "count": 2, "spacing": 1})", "labels: must have one of"},
-           {R"({"type": "small", "positions": [0.1, 3.1]})",
-            "labels.positions[1]: is beyond the edge of 3 m"},
-           {R"({"type": "small", "count": 2, "level_types": {"3": "large"}})",
-            "labels.level_types: names level 3, but the fixture has 2"},
-           {R"({"type": "small", "count": 2, "level_types": {"low": "large"}})",
-            "labels.level_types.low: is not the number of a level"},
-           {R"({"type": "small", "count": 2, "on_top": true})", "labels.on_top: applies to freezers only"}})
-    test::expect_input_error([&, &json = labels] { labels_of(json, shelf); }, std::string_view(message));
-}
-
-TEST(Planogram, RefusesFaultsWithTheirLine) {
-  const TempFolder folder;
-  Json store =
-      store_with(R"([{"type": "gondola", "id": "A", "at": [5, 5], "length": 3, "depth": 0.9, "height": 1.8,
-    "material": "steel", "shelves": [0.4, 0.9], "faces": ["front"]},
-    {"type": "box", "id": "B", "min": [1, 1, 0], "max": [2, 2, 1], "material": "steel"}])");
-  store["planogram"] = {{"file", "p.csv"}, {"type", "small"}};
-  for (const auto& [row, message] : std::vector<std::pair<std::string, const char*>>{
-           {"1,C,front,1,0.5", "names the unknown fixture 'C'"},
-           {"1,B,front,1,0.5", "names a fixture without boards"},
-           {"1,A,back,1,0.5", "is 'back'"},
-           {"1,A,front,3,0.5", "use a whole number from 1 to 2"},
-           {"1,A,front,1.5,0.5", "use a whole number from 1 to 2"},
-           {"1,A,front,1,3.5", "the edge extends from 0 to 3 m"},
-           {"1,A,front,1", "5 are expected"}}) {
-    folder.write("p.csv", "article,fixture,face,level,x,facings\n0,A,front,2,0,3\n" + row + "\n");
-    test::expect_input_error([&] { read(store, folder.path()); }, std::string_view("p.csv: line 3"),
-                             std::string_view(message));
-  }
-  folder.write("p.csv", "article,fixture,level,x\n");
-  test::expect_input_error([&] { read(store, folder.path()); }, std::string_view("has no column 'face'"));
-}
-
-TEST(Planogram, CountsInTheMemoryOfTheScene) {
-  const TempFolder folder;
-  std::string rows = "article,fixture,face,level,x\n";
-  for (int k = 0; k < 150'000; ++k) rows += std::to_string(k) + ",A,front,1,0.5\n";
-  folder.write("p.csv", rows);
-  Json store =
-      store_with(R"([{"type": "gondola", "id": "A", "at": [5, 5], "length": 3, "depth": 0.9, "height": 1.8,
-    "material": "steel", "shelves": [0.4]}])");
-  store["planogram"] = {{"file", "p.csv"}, {"type", "small"}};
-  constexpr std::size_t memory = 100'000'000;
-  const Store read = parse_store(store.dump(), "store.json", folder.path(), {false, memory});
-  test::expect_input_error([&] { make_scene(read); }, std::string_view("p.csv: line "),
-                           std::string_view("the store up to here requires about 0.1 GB"));
 }
 
 // Closed surfaces that face outwards: the volume by the theorem of Gauss.
