@@ -106,15 +106,15 @@ TEST_F(HostileFiles, ShapesThatMultiply) {
   refused(with_units(R"("areas":[{"type":"t","area":"room","spacing":0.025,"z":2}])"),
           "areas[0]: the store up to here requires about 0.9");
   refused(with_units(R"("areas":[{"type":"t","area":[[-9e3,0],[9e3,0],[0,9e3]],"spacing":0.025,"z":2}])"),
-          "areas[0].spacing: produces 259200000000 candidates");
+          "areas[0]: the store up to here requires about 0.9");
   refused(with_units(R"("rails":[{"type":"t","id":"R","points":[[-9e3,1,2],[9e3,1,2]],"spacing":0.001}])"),
-          "rails[0].spacing: produces 18000000 candidates");
+          "rails[0].spacing: produces 18000001 candidates");
   const std::string rest = R"(,"transceivers":{"list":[{"id":"T","position":[2,2,2],"type":"t"}]})";
   const std::string corner = R"({"type":"prism","top":1,"material":"m","polygon":[[1,1],[2,1],[2,2]],"id":")";
-  refused(shop_of(R"("fixtures":[)" + corner + R"(P{n}","repeat":{"count":1000000000,"step":1}}])" + rest),
+  refused(shop_of(R"("fixtures":[)" + corner + R"(P{n}","repeat":{"count":1000000000,"step":[1,0]}}])" + rest),
           "repeat.count: is 1000000000");
   refused(shop_of(R"("fixtures":[)" + corner + repeated("{n}", 200'000) +
-                  R"(","repeat":{"count":10000,"step":0.001}}])" + rest),
+                  R"(","repeat":{"count":10000,"step":[0.001,0]}}])" + rest),
           "fixtures[0]: the store up to here requires about 0.4");
   std::string presets;
   for (int k = 0; k < 9999; ++k)
