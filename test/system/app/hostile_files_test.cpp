@@ -111,8 +111,9 @@ TEST_F(HostileFiles, ShapesThatMultiply) {
           "rails[0].spacing: produces 18000001 candidates");
   const std::string rest = R"(,"transceivers":{"list":[{"id":"T","position":[2,2,2],"type":"t"}]})";
   const std::string corner = R"({"type":"prism","top":1,"material":"m","polygon":[[1,1],[2,1],[2,2]],"id":")";
-  refused(shop_of(R"("fixtures":[)" + corner + R"(P{n}","repeat":{"count":1000000000,"step":[1,0]}}])" + rest),
-          "repeat.count: is 1000000000");
+  refused(
+      shop_of(R"("fixtures":[)" + corner + R"(P{n}","repeat":{"count":1000000000,"step":[1,0]}}])" + rest),
+      "repeat.count: is 1000000000");
   refused(shop_of(R"("fixtures":[)" + corner + repeated("{n}", 200'000) +
                   R"(","repeat":{"count":10000,"step":[0.001,0]}}])" + rest),
           "fixtures[0]: the store up to here requires about 0.4");
