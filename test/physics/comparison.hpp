@@ -104,6 +104,6 @@ inline constexpr Way walk{"walk", Strategy::walk}, nee{"nee", Strategy::nee}, mi
     particle{"particle", Strategy::particle},
     path_reuse{"path reuse", Strategy::mis, Heuristic::balance, EstimatorKind::reuse};
 /// First rays per label in 32 batches of path reuse.
-inline constexpr std::uint64_t reuse_samples = 32 * 131;
+inline constexpr std::uint64_t reuse_samples = std::uint64_t{32} * 131;
 
 }  // namespace shelfbeam::test

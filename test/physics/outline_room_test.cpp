@@ -49,7 +49,8 @@ double random(std::uint32_t index, std::uint32_t dimension) {
 std::uint64_t escapes(const Scene& scene, std::uint32_t count) {
   const RayScene rays(scene);
   std::atomic<std::uint64_t> escaped = 0;
-  const auto& [vertices, triangles, materials] = scene.mesh;
+  const auto& vertices = scene.mesh.vertices;
+  const auto& triangles = scene.mesh.triangles;
   for_each_task(count / 1000, [&](std::size_t block) {
     for (std::uint32_t k = 0; k < 1000; ++k) {
       const auto index = static_cast<std::uint32_t>(1000 * block) + k;
@@ -88,6 +89,7 @@ TEST(OutlineRoomSlow, BalancesTheFlux) {
   scene.labels.clear();
   const auto& [vertices, triangles, materials] = scene.mesh;
   std::vector<double> area;
+  area.reserve(triangles.size());
   for (const auto& [a, b, c] : triangles)
     area.push_back(length(cross(vertices[b] - vertices[a], vertices[c] - vertices[a])) / 2);
   std::vector<double> until(area.size());
@@ -110,7 +112,8 @@ TEST(OutlineRoomSlow, BalancesTheFlux) {
   const auto matrix = simulate(scene, options).matrix;
   Moments incident;
   for (std::uint32_t k = 0; k < probes; ++k)
-    incident.add(until.back() * static_cast<double>(matrix.mean[2 * k] + matrix.mean[2 * k + 1]));
+    incident.add(until.back() *
+                 static_cast<double>(matrix.mean[std::size_t{2} * k] + matrix.mean[std::size_t{2} * k + 1]));
   const double all = phi / (1 - rho);
   test::Comparison flux;
   flux.add(incident.mean(), all, incident.standard_error());

@@ -56,6 +56,7 @@ class Geos {
   std::vector<const GEOSGeometry*> members(const Geometry& collection) const {
     std::vector<const GEOSGeometry*> result;
     const int count = GEOSGetNumGeometries_r(handle_, collection.get());
+    result.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) result.push_back(GEOSGetGeometryN_r(handle_, collection.get(), k));
     return result;
   }

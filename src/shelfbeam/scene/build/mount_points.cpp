@@ -105,6 +105,7 @@ std::vector<const Part*> wall_parts(const Scene& scene) {
 
 std::vector<Bounds> bounds_of(const std::vector<const Part*>& parts) {
   std::vector<Bounds> bounds;
+  bounds.reserve(parts.size());
   for (const Part* part : parts) bounds.push_back(shelfbeam::bounds_of(*part));
   return bounds;
 }
@@ -252,7 +253,12 @@ class Generator {
       outward.push_back({side * y / extent, -side * x / extent});
     }
     FacePath face{Path(std::move(points)), std::move(outward), HUGE_VAL, -HUGE_VAL, {}};
-    const auto parts = std::ranges::equal_range(scene_.parts, index, {}, &Part::fixture);
+    Part sought;
+    sought.fixture = index;
+    const auto [first, last] =
+        std::equal_range(scene_.parts.begin(), scene_.parts.end(), sought,
+                         [](const Part& a, const Part& b) { return a.fixture < b.fixture; });
+    const std::span<const Part> parts(first, last);
     for (const Part& part : parts) {
       face.bottom = std::min(face.bottom, part.bottom);
       face.top = std::max(face.top, part.top);

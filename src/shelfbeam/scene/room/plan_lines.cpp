@@ -126,6 +126,7 @@ std::size_t PlanLines::crossings(std::size_t most) const {
     for (std::size_t k = 0; k < polygon.size(); ++k)
       lines.push_back({polygon[k], polygon[(k + 1) % polygon.size()]});
   std::vector<PlanBounds> bounds;
+  bounds.reserve(lines.size());
   for (const Line& line : lines) bounds.push_back(bounds_of(line));
   std::size_t count = 0;
   for (std::size_t i = 0; i < lines.size() && count <= most; ++i)

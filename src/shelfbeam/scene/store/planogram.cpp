@@ -136,6 +136,7 @@ class Planogram {
     const auto face = from_text<Face>(csv.text(at.face));
     if (!face || std::find(faces.begin(), faces.end(), *face) == faces.end()) {
       std::vector<std::string_view> known;
+      known.reserve(faces.size());
       for (const Face one : faces) known.push_back(to_text(one));
       csv.fail(at.face, fmt::format("is {}", in_quotes(csv.text(at.face))),
                fmt::format("use a face of the fixture: {}", fmt::join(known, ", ")));

@@ -28,7 +28,7 @@ TEST(PageRoom, HasTheSurfacesOfTheRoom) {
   std::map<int, double> area, upward;
   double outward = 0;
   const auto corner = [&](std::size_t k) {
-    const std::size_t at = 3 * triangle[k];
+    const std::size_t at = std::size_t{3} * triangle[k];
     return Vec3{static_cast<double>(vertex[at]), static_cast<double>(vertex[at + 1]),
                 static_cast<double>(vertex[at + 2])};
   };
