@@ -86,9 +86,9 @@ TEST_P(PlacementBruteForce, EqualsEnumerationWhereAUnitMayFailAndPairsAreForbidd
 }
 
 TEST_P(PlacementBruteForceSlow, EqualsEnumerationOnManyMore) {
-  compare_random(2, 15000, {}, options());
-  compare_random(14, 8000, {.labels = 30, .transceivers = 12}, options());
-  EXPECT_GT(compare_random(4, 15000, {.mounts = true}, options()).by_exclusion, 250);
+  compare_random(2, 7000, {}, options());
+  compare_random(14, 4000, {.labels = 30, .transceivers = 12}, options());
+  EXPECT_GT(compare_random(4, 7500, {.mounts = true}, options()).by_exclusion, 120);
   EXPECT_GT(compare_random(6, 15000, test::beyond_the_paper, options()).by_exclusion, 250);
 }
 

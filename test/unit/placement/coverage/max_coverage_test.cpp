@@ -96,7 +96,7 @@ TEST_P(PlacementBudget, EqualsEnumeration) {
 }
 
 TEST_P(PlacementBudgetSlow, EqualsEnumerationOnManyMore) {
-  run(GetParam(), 72, 20000);
+  run(GetParam(), 72, 8000);
 }
 
 // Without an exact solver: never more than possible, never a smaller bound, and both are often tight.
